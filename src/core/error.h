@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace frana {
+
+/// What went wrong, which decides the program's exit code.
+enum class ErrorKind {
+    input,        ///< usage, configuration or input data: nothing was computed (exit code 2)
+    numerical,    ///< the computation failed, the last state was written (exit code 3)
+    environment,  ///< disk full, unwritable output, missing font (exit code 4)
+};
+
+/// One fault, in the words a user needs: what, where, the value met, the limit it broke, what to do about it.
+/// Empty parts are left out of the message.
+struct Problem {
+    std::string what;    ///< "basal friction coefficient is out of range"
+    std::string where;   ///< "scene.ini: material.friction-coefficient"
+    std::string value;   ///< "3.2"
+    std::string limit;   ///< "0 to 2"
+    std::string remedy;  ///< "typical values are 0.05 to 0.4"
+};
+
+/// One line: "where: what (value V; allowed L). Remedy."
+std::string describe(const Problem& problem);
+
+/// The only exception frana throws for users' and environment's faults; thrown at set-up and I/O, caught in main.
+class Error : public std::runtime_error {
+  public:
+    Error(ErrorKind kind, std::vector<Problem> problems);
+    Error(ErrorKind kind, Problem problem);
+
+    [[nodiscard]] ErrorKind kind() const noexcept { return kind_; }
+    [[nodiscard]] const std::vector<Problem>& problems() const noexcept { return problems_; }
+
+  private:
+    ErrorKind kind_;
+    std::vector<Problem> problems_;
+};
+
+/// Collects every problem of a scene so that all are reported in one pass.
+class Problems {
+  public:
+    void add(Problem problem);
+    /// Takes over the problems of an Error of kind input; rethrows any other kind.
+    void add(const Error& error);
+    [[nodiscard]] bool empty() const noexcept { return list_.empty(); }
+    [[nodiscard]] const std::vector<Problem>& list() const noexcept { return list_; }
+    /// Throws Error(input) with everything collected, if there is anything.
+    void throw_if_any() const;
+
+  private:
+    std::vector<Problem> list_;
+};
+
+}  // namespace frana

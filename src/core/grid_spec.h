@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace frana {
+
+/// A point or vector in the plane: map coordinates (easting, northing) or local metres, as the context says.
+struct Point {
+    double x = 0;
+    double y = 0;
+};
+
+/// An axis-parallel rectangle in map coordinates.
+struct Bounds {
+    double west = 0, south = 0, east = 0, north = 0;
+
+    [[nodiscard]] double width() const noexcept { return east - west; }
+    [[nodiscard]] double height() const noexcept { return north - south; }
+};
+
+/// A north-up grid of square cells. Row 0 is the northernmost, as in GDAL; a value belongs to a cell's centre.
+///
+/// The engine works in local metres from (west, south) with y to the north: see local_from_map.
+struct GridSpec {
+    double west = 0;       ///< easting of the grid's western edge [m]
+    double north = 0;      ///< northing of the grid's northern edge [m]
+    double cell_size = 1;  ///< side of a cell [m]
+    std::int64_t columns = 0;
+    std::int64_t rows = 0;
+    std::string crs_wkt;  ///< WKT2 of the projected CRS; empty for plain local metres. Opaque to the engine.
+
+    [[nodiscard]] double east() const noexcept { return west + cell_size * static_cast<double>(columns); }
+    [[nodiscard]] double south() const noexcept { return north - cell_size * static_cast<double>(rows); }
+    [[nodiscard]] Bounds bounds() const noexcept { return {west, south(), east(), north}; }
+    [[nodiscard]] std::int64_t cell_count() const noexcept { return columns * rows; }
+    [[nodiscard]] double cell_area() const noexcept { return cell_size * cell_size; }
+    [[nodiscard]] Point cell_centre(std::int64_t row, std::int64_t column) const noexcept {
+        return {west + (static_cast<double>(column) + 0.5) * cell_size,
+                north - (static_cast<double>(row) + 0.5) * cell_size};
+    }
+    /// Local metres from the south-western corner; the subtraction happens once, in double.
+    [[nodiscard]] Point local_from_map(Point map) const noexcept { return {map.x - west, map.y - south()}; }
+    [[nodiscard]] Point map_from_local(Point local) const noexcept { return {local.x + west, local.y + south()}; }
+
+    /// Same cells in the same place (to 1e-6 of a cell); the CRS text is not compared.
+    [[nodiscard]] bool same_cells(const GridSpec& other) const noexcept;
+};
+
+}  // namespace frana
