@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "simulation/result.h"
+#include "simulation/scene.h"
+
+namespace frana {
+
+/// Runs a scene to its end. Same scene, same bits, whatever the number of threads.
+/// Throws Error(input) where the scene cannot be run (nothing released, nodata under the release with its cells named).
+/// A numerical failure does not throw: the result says so in stop_reason and hard_events.
+RunResult run(const Scene& scene, const RunOptions& options);
+
+/// Particles, memory, first step and terms of a scene; seeds but does not run. Throws as run does.
+RunEstimate estimate(const Scene& scene, int threads);
+
+/// "end time reached", "everything at rest", ...
+const char* describe(StopReason reason);
+
+}  // namespace frana
