@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/colour.h"
+#include "core/raster.h"
+#include "render/map2d.h"
+
+namespace frana::render {
+
+/// A class of values and its colour; open ends are infinite.
+struct ColourClass {
+    double lower = 0, upper = 0;
+    std::string label;
+    Rgb colour;
+};
+
+/// The least and greatest value of a raster; nothing if it has no values.
+struct ValueRange {
+    double least = 0, greatest = 0;
+};
+std::optional<ValueRange> value_range(const Raster& raster);
+
+/// What a colour scale is made from; members as in MapSpec.
+struct ScaleRequest {
+    std::string palette;
+    std::optional<double> maximum;
+    std::vector<double> classes;
+    std::vector<ClassLabel> categories;
+    const Raster* layer = nullptr;
+    bool for_unseen_values = false;  ///< values of other rasters will come: classes open at the ends
+};
+
+/// Which colour a value gets: one of a few classes, the same on the map and in the legend.
+class ColourScale {
+  public:
+    /// No classes at all: nothing is coloured.
+    ColourScale() = default;
+    /// Throws Error(input) with every contradiction found.
+    explicit ColourScale(const ScaleRequest& request);
+
+    /// The class of a value; null for NaN and for values that have none.
+    [[nodiscard]] const ColourClass* find(double value) const noexcept;
+    [[nodiscard]] const std::vector<ColourClass>& classes() const noexcept { return classes_; }
+    [[nodiscard]] bool categorical() const noexcept { return categorical_; }
+
+  private:
+    void set_categories(const std::vector<ClassLabel>& categories);
+    void set_bounds(const std::vector<double>& bounds, bool open_below, bool open_above,
+                    const Palette& palette);
+
+    std::vector<ColourClass> classes_;
+    bool categorical_ = false;
+};
+
+}  // namespace frana::render

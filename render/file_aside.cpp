@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/file_aside.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+
+namespace frana::render {
+
+FileAside::FileAside(std::string path)
+    : path_(std::move(path)), partial_(path_ + ".partial" + std::to_string(getpid())) {}
+
+FileAside::~FileAside() {
+    if (done_) return;
+    std::error_code ignored;
+    std::filesystem::remove(partial_, ignored);
+}
+
+void FileAside::rename_into_place() {
+    std::error_code code;
+    std::filesystem::rename(partial_, path_, code);
+    if (code) {
+        throw Error(ErrorKind::environment, Problem{"a finished file cannot take its name", path_,
+                                                    code.message(), "", "choose another name or folder"});
+    }
+    done_ = true;
+}
+
+}  // namespace frana::render

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace frana::render {
+
+/// A file in the making beside its final place: it takes its name when complete and vanishes otherwise, so
+/// that a reader never meets half a picture and a failed run leaves the old one.
+class FileAside {
+  public:
+    explicit FileAside(std::string path);
+    ~FileAside();
+    FileAside(const FileAside&) = delete;
+    FileAside& operator=(const FileAside&) = delete;
+
+    [[nodiscard]] const std::string& path() const noexcept { return path_; }  ///< final
+    [[nodiscard]] const std::string& partial_path() const noexcept {
+        return partial_;
+    }  ///< while it is written
+    /// Throws Error(environment) when the file cannot take its name.
+    void rename_into_place();
+
+  private:
+    std::string path_, partial_;
+    bool done_ = false;
+};
+
+}  // namespace frana::render

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/colour.h"
+#include "core/geometry.h"
+#include "core/raster.h"
+#include "render/image.h"
+#include "render/map_layout.h"
+
+namespace frana::render {
+
+/// Polygons drawn as lines over a map, with an entry in its legend.
+struct Outline {
+    std::string label;
+    MultiPolygon polygons;  ///< map coordinates of the map's CRS
+    Rgb colour{0, 0, 0};
+    double width_px = 2.5;  ///< on a page 1200 pixels high; grows and shrinks with the page
+    bool dashed = false;
+};
+
+/// One value of a layer of classes, e.g. 1 "hit".
+struct ClassLabel {
+    double value = 0;
+    std::string label;
+    Rgb colour;
+};
+
+/// Everything a map shows. Rasters are borrowed and must outlive the call; all coordinates are in one CRS.
+struct MapSpec {
+    std::string title;
+    std::string subtitle;
+    std::string legend_title;         ///< "Maximum depth"
+    std::string unit;                 ///< "m"; empty: none
+    std::string attribution;          ///< small print at the foot
+    const Raster* terrain = nullptr;  ///< hillshade and contour lines; may be absent
+    const Raster* layer = nullptr;    ///< coloured cells; NaN is transparent; may be absent
+    std::string palette = "depth";    ///< name known to core/colour.h
+    std::optional<double>
+        maximum;                  ///< end of the colour scale; values above it get an open class of their own
+    std::vector<double> classes;  ///< rising class bounds; empty: nice classes up to the maximum
+    std::vector<ClassLabel> categories;  ///< not empty: the layer's values are classes, exactly these
+    std::vector<Outline> outlines;
+    std::vector<std::string> side_notes;  ///< lines of figures beside the map, under the legend
+    double convergence_deg = 0;           ///< true north from grid north, clockwise positive
+    std::string crs_label;                ///< "EPSG:32632 (WGS 84 / UTM zone 32N)"
+    int width = 1600;                     ///< pixels
+    int height = 1200;
+    std::optional<Bounds> window;  ///< what must be visible; default: flow and outlines with a margin
+    bool contours = true;
+};
+
+/// Draws a map on a page of width x height pixels: relief, cells in pure legend colours (no smoothing),
+/// outlines, frame with coordinates, legend, scale bar, north arrow. An empty layer is drawn with a note that
+/// says so. Fills `layout`, if given, with what was placed where. Throws Error(input) when the specification
+/// contradicts itself or the page is too small for its texts, and Error(environment) when the picture cannot
+/// be drawn (missing font, broken OpenGL).
+Image draw_map(const MapSpec& spec, MapLayout* layout = nullptr);
+
+}  // namespace frana::render

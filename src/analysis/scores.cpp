@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/scores.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+
+namespace frana {
+namespace {
+
+// r.avaflow's normalisation: wrongly hit ground is measured against this many times the observed area.
+constexpr double k_negatives_per_positive = 5;
+
+bool is_observed(double value) {
+    return value != 0 && !std::isnan(value);
+}
+
+void check_same_cells(const Raster& depth, const Raster& mask) {
+    if (depth.grid.same_cells(mask.grid)) return;
+    throw Error(ErrorKind::input, Problem{"simulated and observed rasters do not have the same cells",
+                                          "comparison", "", "", "Bring both onto one grid"});
+}
+
+/// Area under the curve of true against false positive rate, from (0, 0) with the deepest cells first to (1,
+/// 1).
+double area_under_roc(const Raster& depth, const Raster& mask, double positives) {
+    std::vector<std::pair<double, bool>> covered;  // depth, observed
+    double false_total = 0;
+    for (std::size_t i = 0; i < depth.values.size(); ++i) {
+        if (!(depth.values[i] > 0)) continue;
+        const bool observed = is_observed(mask.values[i]);
+        covered.emplace_back(depth.values[i], observed);
+        if (!observed) ++false_total;
+    }
+    std::sort(covered.begin(), covered.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    const double negatives = std::max(k_negatives_per_positive * positives, false_total);
+
+    double area = 0, true_rate = 0, false_rate = 0, true_count = 0, false_count = 0;
+    const auto move_to = [&](double next_true, double next_false) {
+        area += (next_false - false_rate) * (true_rate + next_true) / 2;
+        true_rate = next_true;
+        false_rate = next_false;
+    };
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+        (covered[i].second ? true_count : false_count) += 1;
+        // Cells of equal depth pass the threshold together.
+        const bool last_of_its_depth = i + 1 == covered.size() || covered[i + 1].first != covered[i].first;
+        if (last_of_its_depth) move_to(true_count / positives, false_count / negatives);
+    }
+    move_to(1, 1);
+    return area;
+}
+
+}  // namespace
+
+ComparisonFigures compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
+    check_same_cells(simulated_depth, observed_mask);
+    double hits = 0, false_alarms = 0, misses = 0;
+    for (std::size_t i = 0; i < observed_mask.values.size(); ++i) {
+        const bool simulated = simulated_depth.values[i] > threshold;
+        const bool observed = is_observed(observed_mask.values[i]);
+        hits += simulated && observed;
+        false_alarms += simulated && !observed;
+        misses += !simulated && observed;
+    }
+    const double positives = hits + misses;
+    if (positives == 0) {
+        throw Error(ErrorKind::input, Problem{"no cell lies inside the observed outline", "comparison", "",
+                                              "", "Check the outline's place and CRS, or use smaller cells"});
+    }
+
+    ComparisonFigures figures;
+    const double cell = observed_mask.grid.cell_area();
+    figures.threshold_m = threshold;
+    figures.observed_area_m2 = positives * cell;
+    figures.simulated_area_m2 = (hits + false_alarms) * cell;
+    figures.area_difference_percent = 100 * std::abs(false_alarms - misses) / positives;
+    figures.hit_m2 = hits * cell;
+    figures.false_alarm_m2 = false_alarms * cell;
+    figures.miss_m2 = misses * cell;
+    figures.jaccard = hits / (hits + false_alarms + misses);
+    figures.csi = figures.jaccard;
+    figures.dice = 2 * hits / (2 * hits + false_alarms + misses);
+    figures.true_positive_rate = hits / positives;
+    figures.false_positive_rate = std::min(1.0, false_alarms / (k_negatives_per_positive * positives));
+    figures.d2pc = std::hypot(1 - figures.true_positive_rate, figures.false_positive_rate);
+    figures.auroc = area_under_roc(simulated_depth, observed_mask, positives);
+    return figures;
+}
+
+Raster agreement(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
+    check_same_cells(simulated_depth, observed_mask);
+    Raster classes(observed_mask.grid, k_no_data);
+    for (std::size_t i = 0; i < observed_mask.values.size(); ++i) {
+        const bool simulated = simulated_depth.values[i] > threshold;
+        const bool observed = is_observed(observed_mask.values[i]);
+        if (simulated || observed) {
+            const Agreement kind = !observed   ? Agreement::false_alarm
+                                   : simulated ? Agreement::hit
+                                               : Agreement::miss;
+            classes.values[i] = static_cast<double>(kind);
+        }
+    }
+    return classes;
+}
+
+}  // namespace frana

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/raster.h"
+
+namespace frana {
+
+/// How a simulated trace agrees with an observed one, cell by cell.
+///
+/// With TP, FP, FN the hit, false alarm and miss areas: jaccard = csi = TP/(TP+FP+FN), dice =
+/// 2TP/(2TP+FP+FN), true positive rate = TP/(TP+FN). The size of the map must not flatter the figures, so the
+/// ground that could have been hit wrongly is not the map but five times the observed area, as r.avaflow
+/// does: TN = 5(TP+FN) - FP, and the false positive rate is FP/(5(TP+FN)), at most 1.
+struct ComparisonFigures {
+    double threshold_m = 0;  ///< depth over which a cell counts as covered
+    double observed_area_m2 = 0;
+    double simulated_area_m2 = 0;
+    double area_difference_percent = 0;  ///< |simulated - observed| / observed
+    double hit_m2 = 0;
+    double false_alarm_m2 = 0;
+    double miss_m2 = 0;
+    double jaccard = 0;
+    double dice = 0;
+    double csi = 0;  ///< critical success index; the same number as jaccard, under the name forecasters use
+    double true_positive_rate = 0;
+    double false_positive_rate = 0;
+    double d2pc = 0;   ///< distance to perfect classification: sqrt((1 - TPR)^2 + FPR^2), 0 is perfect
+    double auroc = 0;  ///< area under the ROC curve as the threshold runs over all depths, 1 is perfect
+};
+
+/// Compares a depth [m] (NaN: never reached) with a mask (not 0 and not NaN: observed) on the same cells.
+/// Throws Error(input) when the grids differ or nothing was observed.
+ComparisonFigures compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold);
+
+enum class Agreement { hit = 1, false_alarm = 2, miss = 3 };
+
+/// The same cell by cell: values of Agreement, NaN where neither covers.
+Raster agreement(const Raster& simulated_depth, const Raster& observed_mask, double threshold);
+
+}  // namespace frana

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/trace.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frana {
+
+Raster trace_mask(const Raster& depth, double threshold) {
+    Raster mask(depth.grid);
+    for (std::size_t i = 0; i < depth.values.size(); ++i)
+        mask.values[i] = depth.values[i] > threshold ? 1 : 0;
+    return mask;
+}
+
+double masked_area(const Raster& mask) {
+    const auto count = std::count_if(mask.values.begin(), mask.values.end(),
+                                     [](double value) { return value != 0 && !std::isnan(value); });
+    return static_cast<double>(count) * mask.grid.cell_area();
+}
+
+double maximum(const Raster& raster) {
+    double largest = k_no_data;
+    for (const double value : raster.values)
+        if (!(value <= largest) && !std::isnan(value)) largest = value;
+    return largest;
+}
+
+Raster padded_to(const Raster& raster, const Bounds& box, double fill) {
+    const GridSpec& old = raster.grid;
+    const auto cells = [&](double metres) {
+        // A millionth of a cell is rounding, not ground outside.
+        return std::max<std::int64_t>(0, static_cast<std::int64_t>(std::ceil(metres / old.cell_size - 1e-6)));
+    };
+    const std::int64_t left = cells(old.west - box.west), right = cells(box.east - old.east());
+    const std::int64_t above = cells(box.north - old.north), below = cells(old.south() - box.south);
+    if (left + right + above + below == 0) return raster;
+
+    GridSpec grid = old;
+    grid.west = old.west - static_cast<double>(left) * old.cell_size;
+    grid.north = old.north + static_cast<double>(above) * old.cell_size;
+    grid.columns = old.columns + left + right;
+    grid.rows = old.rows + above + below;
+    Raster padded(grid, fill);
+    for (std::int64_t row = 0; row < old.rows; ++row) {
+        const auto from = raster.values.begin() + static_cast<std::ptrdiff_t>(raster.index(row, 0));
+        std::copy(from, from + old.columns,
+                  padded.values.begin() + static_cast<std::ptrdiff_t>(padded.index(row + above, left)));
+    }
+    return padded;
+}
+
+}  // namespace frana

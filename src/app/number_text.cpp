@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/number_text.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace frana::app {
+
+std::string figure(double value, int digits) {
+    if (value == 0) return "0";
+    char text[64];
+    const double size = std::abs(value);
+    if (size >= std::pow(10.0, digits) && size < 1e15)
+        std::snprintf(text, sizeof text, "%.0f", value);
+    else
+        std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
+std::string grouped(std::int64_t value) {
+    std::string digits = std::to_string(value);
+    const std::size_t first = digits[0] == '-' ? 1 : 0;
+    for (std::size_t i = digits.size(); i > first + 3;) {
+        i -= 3;
+        digits.insert(i, " ");
+    }
+    return digits;
+}
+
+std::string grouped(double value) {
+    return std::isfinite(value) && std::abs(value) < 9e18
+               ? grouped(static_cast<std::int64_t>(std::llround(value)))
+               : figure(value);
+}
+
+std::string bytes_text(double bytes) {
+    const char* const units[] = {"B", "kB", "MB", "GB", "TB"};
+    int unit = 0;
+    while (bytes >= 1000 && unit < 4) {
+        bytes /= 1000;
+        ++unit;
+    }
+    return figure(bytes, 3) + " " + units[unit];
+}
+
+std::string extent_text(const Bounds& bounds, bool degrees) {
+    char text[200];
+    const int decimals = degrees ? 7 : 2;
+    std::snprintf(text, sizeof text, "west %.*f, south %.*f, east %.*f, north %.*f", decimals, bounds.west,
+                  decimals, bounds.south, decimals, bounds.east, decimals, bounds.north);
+    return text;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/grid_spec.h"
+
+namespace frana::app {
+
+/// For people: `digits` significant digits, no exponent between 1e-4 and 1e15.
+std::string figure(double value, int digits = 4);
+/// Whole number in groups of three: "1 200 000".
+std::string grouped(double value);
+std::string grouped(std::int64_t value);
+/// "12.3 MB".
+std::string bytes_text(double bytes);
+/// "west 527000 south 5093000 east 528500 north 5094350", to the centimetre (1e-7 for degrees).
+std::string extent_text(const Bounds& bounds, bool degrees = false);
+
+}  // namespace frana::app

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/prepare.h"
+
+#include <utility>
+
+#include "app/number_text.h"
+#include "core/json.h"
+#include "gis/crs.h"
+
+namespace frana::app {
+namespace {
+
+Material material_of(const MaterialSpec& spec) {
+    Material material;
+    material.density = spec.density;
+    material.friction_coefficient = friction_coefficient(spec);
+    if (spec.turbulence) material.turbulence = *spec.turbulence;
+    material.surface_pressure = spec.surface_pressure;
+    material.viscosity = spec.viscosity;
+    material.yield_stress = spec.yield_stress;
+    material.yield_regularisation = spec.yield_regularisation;
+    material.exact_yield_ratio = spec.yield_ratio == "exact";
+    return material;
+}
+
+Numerics numerics_of(const SceneSpec& spec) {
+    Numerics numerics;
+    const NumericsSpec& words = spec.numerics;
+    numerics.scheme = words.scheme == "paper" ? Scheme::paper : Scheme::standard;
+    if (words.transfer == "pic") numerics.transfer = Transfer::pic;
+    if (words.transfer == "flip") numerics.transfer = Transfer::flip;
+    if (words.transfer == "apic") numerics.transfer = Transfer::apic;
+    numerics.particles_per_cell = static_cast<int>(words.particles_per_cell);
+    numerics.cfl = words.cfl;
+    numerics.well_balanced = well_balanced(words);
+    const std::string correction = slope_correction(words);
+    numerics.slope_correction = correction == "none"      ? SlopeCorrection::none
+                                : correction == "surface" ? SlopeCorrection::surface
+                                                          : SlopeCorrection::normal;
+    numerics.boundary = words.boundary == "wall" ? Boundary::wall : Boundary::open;
+    const std::string& policy = spec.terrain.nodata_policy;
+    numerics.nodata = policy == "wall"   ? NodataPolicy::wall
+                      : policy == "fill" ? NodataPolicy::fill
+                                         : NodataPolicy::stop;
+    numerics.gravity = words.gravity;
+    numerics.minimum_depth = words.minimum_depth;
+    return numerics;
+}
+
+std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const TerrainInput* ground,
+                                           RunLog& log, Problems& problems) {
+    if (!reading.scene.scar.perimeter) return std::nullopt;
+    const std::string where = reading.where("scar.perimeter");
+    try {
+        const bool local = reading.scene.terrain.crs == "local";
+        const std::string crs = ground != nullptr ? ground->terrain.grid.crs_wkt
+                                : local           ? std::string()
+                                                  : gis::crs_from_user("EPSG:4326", "");
+        gis::PolygonLayer layer = gis::read_polygons(*reading.scene.scar.perimeter, crs, where);
+        for (const std::string& warning : layer.warnings) log.warn("scar: " + warning);
+        if (ground != nullptr) {
+            const Bounds map = ground->terrain.grid.bounds(), box = layer.bounds;
+            if (box.east <= map.west || box.west >= map.east || box.north <= map.south ||
+                box.south >= map.north) {
+                problems.add({"lies outside the DTM", where, extent_text(box),
+                              "the working grid's " + extent_text(map) + ", in " + ground->crs_label,
+                              "Check the coordinate reference systems of both files"});
+            }
+        }
+        return layer;
+    } catch (const Error& error) {
+        problems.add(error);
+        return std::nullopt;
+    }
+}
+
+std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const TerrainInput& ground,
+                                                    const GridSpec& grid) {
+    std::map<std::string, std::string> chosen;
+    chosen["terrain.crs"] = ground.crs_label;
+    chosen["terrain.cell-size"] = shortest_text(grid.cell_size);
+    chosen["terrain.bounds"] = extent_text(grid.bounds());
+    chosen["terrain.resampling"] = ground.resampling_used;
+    chosen["material.friction-coefficient"] = shortest_text(friction_coefficient(spec.material));
+    chosen["numerics.slope-correction"] = slope_correction(spec.numerics);
+    chosen["numerics.well-balanced"] = well_balanced(spec.numerics) ? "on" : "off";
+    chosen["time.frame-interval"] = shortest_text(frame_interval(spec));
+    chosen["scar.threshold"] = shortest_text(scar_threshold(spec));
+    return chosen;
+}
+
+}  // namespace
+
+Prepared prepare(const SceneReading& reading, RunLog& log) {
+    Problems problems = reading.problems;
+    std::optional<TerrainInput> ground = prepare_terrain(reading, log, problems);
+    const TerrainInput* known_ground = ground ? &*ground : nullptr;
+    ReleaseInput release = prepare_release(reading, known_ground, log, problems);
+    std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, log, problems);
+    problems.throw_if_any();
+
+    Prepared prepared;
+    prepared.spec = reading.scene;
+    prepared.scene.grid = ground->terrain.grid;
+    prepared.scene.terrain = std::exchange(ground->terrain, Raster{});
+    prepared.scene.terrain_contains_release = reading.scene.release.dtm_contains_release;
+    prepared.scene.release = std::exchange(release.areas, {});
+    prepared.scene.material = material_of(reading.scene.material);
+    prepared.scene.numerics = numerics_of(reading.scene);
+    prepared.scene.time.end = reading.scene.time.end;
+    prepared.scene.time.stop_when_still = reading.scene.time.stop_when_still;
+    prepared.scene.time.frame_interval = frame_interval(reading.scene);
+    const GridSpec& grid = prepared.scene.grid;
+    if (!grid.crs_wkt.empty()) {
+        prepared.convergence_deg = gis::meridian_convergence_deg(
+            grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
+    }
+    prepared.resolved = resolved_choices(reading.scene, *ground, grid);
+    prepared.ground = std::move(*ground);
+    prepared.release = std::move(release);
+    prepared.scar = std::move(scar);
+    return prepared;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/prepare_terrain.h"
+#include "gis/vector_in.h"
+#include "simulation/scene.h"
+
+namespace frana::app {
+
+/// What fails, and where it was read from.
+struct ReleaseInput {
+    std::vector<ReleaseArea> areas;
+    std::optional<gis::PolygonLayer> perimeter;    ///< none: outlined by the thickness raster
+    std::vector<gis::RasterInfo> thickness_files;  ///< rasters that gave the thickness
+    double area_m2 = 0;                            ///< of the outlines, in map view
+};
+
+/// Reads perimeter and thickness onto the working grid and checks them against the ground. Adds every fault
+/// to `problems`. Without a ground (null) only what needs none is checked: that the files are there and make
+/// sense.
+ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* ground, RunLog& log,
+                             Problems& problems);
+
+}  // namespace frana::app

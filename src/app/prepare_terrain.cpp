@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/prepare_terrain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/trace.h"
+#include "app/number_text.h"
+#include "core/json.h"
+#include "gis/crs.h"
+
+namespace frana::app {
+namespace {
+
+// A grid of this many cells already takes 3 GB for each of its rasters.
+constexpr double k_most_cells = 4e8;
+// terrain.nodata-policy = fill bridges holes, it does not invent ground: farther than this, cells stay empty.
+constexpr double k_fill_distance_cells = 50;
+constexpr double k_foot = 0.3048;
+constexpr double k_us_survey_foot = 1200.0 / 3937.0;
+
+/// The DTM's CRS, the user's word before the file's. Empty: none.
+std::string dtm_crs(const SceneReading& reading, const gis::RasterInfo& file) {
+    const auto& given = reading.scene.terrain.dtm_crs;
+    return given ? gis::crs_from_user(*given, reading.where("terrain.dtm-crs")) : file.crs_wkt;
+}
+
+std::string utm_at_centre(const std::string& crs, const Bounds& bounds) {
+    const Point centre{(bounds.west + bounds.east) / 2, (bounds.south + bounds.north) / 2};
+    const Point degrees = gis::to_longitude_latitude(crs, centre);
+    return gis::utm_crs_for(degrees.x, degrees.y);
+}
+
+/// The working CRS: what was asked for, else the DTM's own if projected in metres, else the UTM zone of its
+/// centre.
+std::string working_crs(const SceneReading& reading, const gis::RasterInfo& file) {
+    const std::string& asked = reading.scene.terrain.crs;
+    if (asked == "local") {
+        if (!file.crs_wkt.empty() && !gis::is_projected_in_metres(file.crs_wkt)) {
+            throw Error(ErrorKind::input,
+                        Problem{"the DTM's coordinates are not metres, so they cannot be taken as they are",
+                                reading.where("terrain.crs"), "local", "",
+                                "Remove the key: frana then chooses a UTM zone"});
+        }
+        return {};
+    }
+    if (file.crs_wkt.empty()) {
+        throw Error(
+            ErrorKind::input,
+            Problem{
+                "has no coordinate reference system", reading.where("terrain.dtm"), file.path, "",
+                "Say which one it is in with terrain.dtm-crs = EPSG:..., or set terrain.crs = local to take "
+                "its coordinates, and the perimeter's, as plain metres"});
+    }
+    if (asked != "auto") {
+        const std::string crs = gis::crs_from_user(asked, reading.where("terrain.crs"));
+        if (!gis::is_projected_in_metres(crs)) {
+            throw Error(ErrorKind::input,
+                        Problem{"is not a projected system in metres", reading.where("terrain.crs"), asked,
+                                "a projected CRS in metres, such as a UTM zone",
+                                "Choose another, or remove the key"});
+        }
+        return crs;
+    }
+    return gis::is_projected_in_metres(file.crs_wkt) ? file.crs_wkt
+                                                     : utm_at_centre(file.crs_wkt, file.bounds);
+}
+
+/// Metres per unit that terrain.vertical-unit asks for; none: as the file says.
+std::optional<double> asked_vertical_scale(const std::string& unit) {
+    if (unit == "metre") return 1.0;
+    if (unit == "foot") return k_foot;
+    if (unit == "us-survey-foot") return k_us_survey_foot;
+    return std::nullopt;
+}
+
+gis::Resampling resampling_of(const std::string& name) {
+    if (name == "nearest") return gis::Resampling::nearest;
+    if (name == "bilinear") return gis::Resampling::bilinear;
+    if (name == "cubic") return gis::Resampling::cubic;
+    if (name == "average") return gis::Resampling::average;
+    return gis::Resampling::automatic;
+}
+
+void apply_vertical_unit(const SceneReading& reading, TerrainInput& input, RunLog& log) {
+    const auto asked = asked_vertical_scale(reading.scene.terrain.vertical_unit);
+    const double applied = input.file.vertical_scale_to_metres;
+    if (asked && *asked != applied) {
+        for (double& value : input.terrain.values) value *= *asked / applied;
+        log.note("elevations taken as " + reading.scene.terrain.vertical_unit + " although the file says " +
+                 (input.file.vertical_unit.empty() ? "nothing" : input.file.vertical_unit));
+    } else if (applied != 1) {
+        log.note("elevations converted from " + input.file.vertical_unit + " to metres");
+    }
+}
+
+void check_size(const SceneReading& reading, const GridSpec& grid) {
+    const double cells = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
+    if (cells <= k_most_cells) return;
+    throw Error(ErrorKind::input,
+                Problem{"the working grid would have " + grouped(cells) + " cells",
+                        reading.where("terrain.cell-size"), shortest_text(grid.cell_size) + " m",
+                        "at most " + grouped(k_most_cells) + " cells",
+                        "Choose larger cells or a part of the DTM with terrain.bounds"});
+}
+
+TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
+    const TerrainSpec& spec = reading.scene.terrain;
+    TerrainInput input;
+    input.file = gis::inspect_raster(spec.dtm, reading.where("terrain.dtm"));
+    input.file.crs_wkt = dtm_crs(reading, input.file);
+    const std::string crs = working_crs(reading, input.file);
+    input.crs_label = crs.empty() ? "local" : gis::crs_name(crs);
+    if (crs.empty()) input.file.crs_wkt.clear();
+
+    const GridSpec grid = gis::working_grid(input.file, crs, spec.bounds, spec.cell_size);
+    check_size(reading, grid);
+    gis::RasterRead read = gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "",
+                                               resampling_of(spec.resampling));
+    input.terrain = std::move(read.raster);
+    input.resampling_used = read.resampling_used;
+    input.transform = read.transform;
+    input.nodata_cells = read.nodata_cells;
+    if (input.nodata_cells >= grid.cell_count()) {
+        throw Error(ErrorKind::input,
+                    Problem{"has no elevation anywhere on the working grid", reading.where("terrain.dtm"),
+                            spec.dtm, "", "Check terrain.bounds and the file's nodata value"});
+    }
+    apply_vertical_unit(reading, input, log);
+    if (spec.nodata_policy == "fill" && input.nodata_cells > 0)
+        input.filled_cells = gis::fill_nodata(input.terrain, k_fill_distance_cells);
+    return input;
+}
+
+void report(const TerrainInput& input, const SceneReading& reading, RunLog& log) {
+    const GridSpec& grid = input.terrain.grid;
+    log.note("DTM " + reading.scene.terrain.dtm + " in " +
+             (input.file.crs_wkt.empty() ? "plain metres" : gis::crs_name(input.file.crs_wkt)));
+    log.note("working grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
+             " cells of " + shortest_text(grid.cell_size) + " m in " + input.crs_label + ", resampling " +
+             input.resampling_used);
+    if (input.transform.needs_missing_grid)
+        log.warn(
+            "DTM: the most accurate datum transformation needs a grid file that is not installed; used " +
+            input.transform.operation);
+    if (input.nodata_cells > 0) {
+        const std::string cells =
+            grouped(input.nodata_cells) + " cells of the working grid have no elevation";
+        if (input.filled_cells > 0)
+            log.warn(cells + "; " + grouped(input.filled_cells) +
+                     " of them were interpolated (nodata-policy = fill)");
+        else
+            log.note(cells + "; nodata-policy = " + reading.scene.terrain.nodata_policy);
+    }
+}
+
+}  // namespace
+
+std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog& log, Problems& problems) {
+    if (reading.scene.terrain.dtm.empty())
+        return std::nullopt;  // reported as missing when the scene was read
+    try {
+        TerrainInput input = read_terrain(reading, log);
+        report(input, reading, log);
+        return input;
+    } catch (const Error& error) {
+        problems.add(error);
+        return std::nullopt;
+    }
+}
+
+}  // namespace frana::app

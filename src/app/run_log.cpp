@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/run_log.h"
+
+#include <cstdio>
+#include <iostream>
+
+namespace frana::app {
+
+void RunLog::note(const std::string& text) {
+    char stamp[32];
+    std::snprintf(stamp, sizeof stamp, "%9.2f s  ", since_start_.seconds());
+    lines_.push_back(stamp + text);
+}
+
+void RunLog::warn(const std::string& text) {
+    note("WARNING: " + text);
+    warnings_.push_back(text);
+    if (!quiet_) std::cerr << "frana: warning: " << text << '\n';
+}
+
+void RunLog::tell(const std::string& text) {
+    note(text);
+    if (!quiet_) std::cerr << "frana: " << text << '\n';
+}
+
+std::string RunLog::text() const {
+    std::string all;
+    for (const std::string& line : lines_) {
+        all += line;
+        all += '\n';
+    }
+    return all;
+}
+
+}  // namespace frana::app

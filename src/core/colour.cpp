@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/colour.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace frana {
+namespace {
+
+// Anchors of viridis, inferno (both CC0) and cividis at equal steps, read from the light end.
+const std::array<Palette, 3>& palettes() {
+    static const std::array<Palette, 3> all{
+        Palette{"depth",
+                {{253, 231, 37},
+                 {173, 220, 48},
+                 {94, 201, 98},
+                 {40, 174, 128},
+                 {33, 145, 140},
+                 {44, 114, 142},
+                 {59, 82, 139},
+                 {71, 45, 123},
+                 {68, 1, 84}}},
+        Palette{"velocity",
+                {{252, 255, 164},
+                 {249, 201, 50},
+                 {249, 142, 9},
+                 {227, 89, 51},
+                 {188, 55, 84},
+                 {138, 34, 106},
+                 {87, 16, 110},
+                 {33, 12, 74}}},
+        Palette{"time",
+                {{254, 232, 56},
+                 {225, 204, 85},
+                 {195, 179, 105},
+                 {165, 156, 116},
+                 {138, 134, 120},
+                 {112, 113, 115},
+                 {87, 93, 109},
+                 {59, 73, 108},
+                 {18, 53, 112},
+                 {0, 34, 78}}},
+    };
+    return all;
+}
+
+}  // namespace
+
+Rgb colour_at(const Palette& palette, double t) {
+    const std::vector<Rgb>& anchors = palette.anchors;
+    const double place = std::clamp(std::isnan(t) ? 0.0 : t, 0.0, 1.0) * static_cast<double>(anchors.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
+    const double share = place - static_cast<double>(below);
+    const auto mix = [share](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(std::lround(a + share * (b - a)));
+    };
+    const Rgb &a = anchors[below], &b = anchors[below + 1];
+    return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
+}
+
+const Palette& palette(const std::string& name) {
+    std::string known;
+    for (const Palette& candidate : palettes()) {
+        if (candidate.name == name) return candidate;
+        known += (known.empty() ? "" : ", ") + candidate.name;
+    }
+    throw Error(ErrorKind::input, Problem{"unknown palette", "", name, known, ""});
+}
+
+std::vector<double> nice_classes(double maximum, int classes) {
+    if (!(maximum > 0) || !std::isfinite(maximum)) return {0, 1};
+    const int wanted = std::max(classes, 1);
+    int exponent = static_cast<int>(std::floor(std::log10(maximum / wanted))) - 1;
+    for (;; ++exponent) {
+        for (const int factor : {1, 2, 5}) {
+            // Dividing by a power of ten gives the double nearest to the decimal number; multiplying by 0.1 would not.
+            const auto bound = [&](int k) {
+                const double whole = static_cast<double>(factor) * k;
+                return exponent < 0 ? whole / std::pow(10.0, -exponent) : whole * std::pow(10.0, exponent);
+            };
+            if (bound(wanted) < maximum) continue;
+            std::vector<double> bounds{0};
+            for (int k = 1; bounds.back() < maximum; ++k) bounds.push_back(bound(k));
+            return bounds;
+        }
+    }
+}
+
+}  // namespace frana

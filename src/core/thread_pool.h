@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace frana {
+
+/// A fixed team of threads for loops over independent tasks. Which thread runs which task is not determined, so a
+/// task may write only what no other task of the loop touches; then results do not depend on the number of threads.
+class ThreadPool {
+  public:
+    /// A team of `threads` (at least 1), the calling thread included.
+    explicit ThreadPool(int threads);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+
+    [[nodiscard]] int threads() const noexcept { return static_cast<int>(workers_.size()) + 1; }
+
+    /// Calls task(i) once for every i in [0, count) and returns when all are done. Tasks must not throw.
+    template <class Task>
+    void for_each(std::size_t count, const Task& task) {
+        if (workers_.empty() || count < 2) {
+            for (std::size_t i = 0; i < count; ++i) task(i);
+            return;
+        }
+        start(count, [](const void* f, std::size_t i) { (*static_cast<const Task*>(f))(i); }, &task);
+    }
+
+    /// Calls task(begin, end) for consecutive blocks of [0, count), each of at most `block` items.
+    template <class Task>
+    void for_blocks(std::size_t count, std::size_t block, const Task& task) {
+        for_each((count + block - 1) / block, [&](std::size_t i) {
+            const std::size_t begin = i * block;
+            task(begin, begin + block < count ? begin + block : count);
+        });
+    }
+
+  private:
+    using Call = void (*)(const void*, std::size_t);
+    void start(std::size_t count, Call call, const void* task);
+    void work();
+    void serve();
+
+    std::vector<std::thread> workers_;
+    std::atomic<std::uint32_t> epoch_{0};
+    std::atomic<std::size_t> next_{0};
+    std::atomic<int> busy_{0};
+    std::atomic<bool> stop_{false};
+    std::size_t count_ = 0;
+    Call call_ = nullptr;
+    const void* task_ = nullptr;
+};
+
+}  // namespace frana

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/voellmy_bingham/step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/boundary.h"
+#include "mpm/levels.h"
+#include "mpm/stable_step.h"
+
+namespace frana::voellmy_bingham {
+namespace {
+
+// Runs a stage over all particle tiles, colour after colour: tiles of one colour share no node.
+template <class Stage>
+void for_tiles_by_colour(const TileOrder& order, ThreadPool& pool, const Stage& stage) {
+    for (const auto& colour : order.colours()) {
+        pool.for_each(colour.size(), [&](std::size_t i) { stage(order.tiles()[colour[i]]); });
+    }
+}
+
+template <class Stage>
+void for_node_tiles(const State& state, ThreadPool& pool, const Stage& stage) {
+    const auto& tiles = state.order.node_tiles();
+    pool.for_each(tiles.size(), [&](std::size_t t) {
+        stage(t, NodeRange(tiles[t], state.order.grid(), state.nodes));
+    });
+}
+
+// Sorts by tile, dropping what has left, and forgets the nodes that no particle can touch any more: their old sums
+// must not be read as a neighbour's.
+void sort_particles(State& state, bool drop, ThreadPool& pool) {
+    std::vector<std::uint8_t> keep;
+    if (drop) {
+        const double *x = state.particles[Field::x], *y = state.particles[Field::y];
+        const double* volume = state.particles[Field::volume];
+        keep.assign(state.particles.size(), 1);
+        for (std::size_t p = 0; p < keep.size(); ++p) {
+            if (x[p] >= 0 && x[p] < state.nodes.width() && y[p] >= 0 && y[p] < state.nodes.height()) continue;
+            keep[p] = 0;
+            state.volume_left += volume[p];
+        }
+    }
+    const std::vector<std::int64_t> before = state.order.node_tiles();
+    state.order.sort(state.particles, keep, pool);
+    const auto& now = state.order.node_tiles();
+    for (const std::int64_t tile : before) {
+        if (!std::binary_search(now.begin(), now.end(), tile)) {
+            clear_nodes(NodeRange(tile, state.order.grid(), state.nodes), state.nodes);
+        }
+    }
+    state.drift = 0;
+}
+
+}  // namespace
+
+void prepare(State& state, const Laws& laws, ThreadPool& pool) {
+    sort_particles(state, true, pool);
+    state.wave_speed = 0;
+    const double *u = state.particles[Field::u], *v = state.particles[Field::v];
+    const double *volume = state.particles[Field::volume], *area = state.particles[Field::area];
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        const double wave = std::hypot(u[p], v[p]) + std::sqrt(laws.gravity * volume[p] / area[p]);
+        state.wave_speed = std::max(state.wave_speed, wave);
+    }
+    if (laws.wall) mirror_bed(state.nodes);
+}
+
+void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, ThreadPool& pool) {
+    for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) { clear_nodes(range, state.nodes); });
+    for_tiles_by_colour(state.order, pool, [&](const ParticleTile& tile) {
+        stages.particles_to_nodes(tile, state.particles, state.nodes);
+    });
+    if (laws.wall) mirror_sums(state.nodes);
+    if (stages.references) {
+        for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) { mean_levels(range, state.nodes); });
+        for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) { node_references(range, state.nodes); });
+        if (laws.wall) mirror_levels(state.nodes);
+    }
+}
+
+StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_limit, Maxima& maxima,
+                ThreadPool& pool) {
+    StepReport report;
+    const double dx = state.nodes.cell_size();
+    const double dt = std::min(stable_step(dx, laws.cfl, state.wave_speed, laws.gravity, state.diffusivity), dt_limit);
+    report.dt = dt;
+
+    // Particles to nodes: mass, momentum, area, reference levels; then the force of pressure, slope and stress.
+    gather_on_nodes(state, laws, stages, pool);
+    for_tiles_by_colour(state.order, pool, [&](const ParticleTile& tile) {
+        stages.pressure_to_nodes(tile, state.particles, laws.gravity, state.nodes);
+    });
+    if (laws.wall) fold_forces(state.nodes);
+
+    // Nodes: gravity along the bed, friction as a cap, maxima.
+    const NodeUpdate node_update{dt, laws.gravity, laws.gravity_x, laws.gravity_y, laws.minimum_depth};
+    std::vector<NodeReport> node_reports(state.order.node_tiles().size());
+    for_node_tiles(state, pool, [&](std::size_t t, const NodeRange& range) {
+        node_reports[t] =
+            stages.update_nodes(range, node_update, laws.friction, state.time, state.nodes, maxima);
+    });
+    for (const NodeReport& r : node_reports) report.nodes.merge(r);
+    if (laws.wall) mirror_velocities(state.nodes);
+
+    // Nodes to particles: velocity, position, depth, stress.
+    const ParticleUpdate particle_update{dt, laws.gravity, laws.wall, laws.origin};
+    const auto& tiles = state.order.tiles();
+    std::vector<ParticleReport> particle_reports(tiles.size());
+    pool.for_each(tiles.size(), [&](std::size_t t) {
+        particle_reports[t] =
+            stages.nodes_to_particles(tiles[t], particle_update, laws.stress, state.nodes, state.particles);
+    });
+    for (const ParticleReport& r : particle_reports) report.particles.merge(r);
+
+    // Order and number of particles; the next step's bounds.
+    state.time += dt;
+    state.wave_speed = report.particles.wave_speed;
+    state.diffusivity = report.particles.diffusivity;
+    const double moved = report.particles.speed * dt / dx;
+    state.drift += moved;
+    if (report.particles.outside > 0 || state.drift + moved > k_drift_limit) {
+        sort_particles(state, report.particles.outside > 0, pool);
+        if (stages.resamples) {
+            report.resampled = resample(state.particles, state.order, laws.resample, pool);
+            if (report.resampled.split > 0) state.drift = k_split_reach;
+        }
+    }
+    return report;
+}
+
+}  // namespace frana::voellmy_bingham

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mpm/boundary.h"
+
+#include <utility>
+
+namespace frana {
+namespace {
+
+// Calls visit(ghost, inner, normal_is_x) for the pairs of the first ghost column and row on each side. Rows come
+// after columns and span the ghost columns too, so corners are folded twice, once in each direction.
+// Ghosts of the second ring are never touched by a particle inside.
+template <class Visit>
+void for_each_mirror_pair(const NodeGrid& nodes, const Visit& visit) {
+    const std::int64_t nx = nodes.columns(), ny = nodes.rows();
+    for (std::int64_t j = -1; j <= ny; ++j) {
+        visit(nodes.index(-1, j), nodes.index(0, j), true);
+        visit(nodes.index(nx, j), nodes.index(nx - 1, j), true);
+    }
+    for (std::int64_t i = -1; i <= nx; ++i) {
+        visit(nodes.index(i, -1), nodes.index(i, 0), false);
+        visit(nodes.index(i, ny), nodes.index(i, ny - 1), false);
+    }
+}
+
+}  // namespace
+
+void mirror_sums(NodeGrid& nodes) {
+    NodeSums* sums = nodes.sums.data();
+    for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool normal_is_x) {
+        const NodeSums g = sums[ghost];
+        if (g.mass == 0) return;
+        sums[inner].mass += g.mass;
+        sums[inner].px += normal_is_x ? -g.px : g.px;
+        sums[inner].py += normal_is_x ? g.py : -g.py;
+        sums[inner].area += g.area;
+        sums[inner].area_bed += g.area_bed;
+        sums[ghost] = NodeSums{};
+    });
+    for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool normal_is_x) {
+        if (sums[inner].mass == 0) return;
+        sums[ghost] = sums[inner];
+        (normal_is_x ? sums[ghost].px : sums[ghost].py) *= -1;
+    });
+}
+
+void mirror_levels(NodeGrid& nodes) {
+    for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool) {
+        if (nodes.sums[inner].mass != 0) nodes.levels[ghost] = nodes.levels[inner];
+    });
+}
+
+void fold_forces(NodeGrid& nodes) {
+    NodeSums* sums = nodes.sums.data();
+    for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool normal_is_x) {
+        sums[inner].fx += normal_is_x ? -sums[ghost].fx : sums[ghost].fx;
+        sums[inner].fy += normal_is_x ? sums[ghost].fy : -sums[ghost].fy;
+        sums[ghost].fx = sums[ghost].fy = 0;
+    });
+}
+
+void mirror_velocities(NodeGrid& nodes) {
+    NodeSums* sums = nodes.sums.data();
+    for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool normal_is_x) {
+        if (sums[inner].mass == 0) return;
+        sums[ghost] = sums[inner];
+        if (normal_is_x) {
+            sums[ghost].px *= -1;
+            sums[ghost].fx *= -1;
+        } else {
+            sums[ghost].py *= -1;
+            sums[ghost].fy *= -1;
+        }
+    });
+}
+
+void mirror_bed(NodeGrid& nodes) {
+    for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool) { nodes.bed[ghost] = nodes.bed[inner]; });
+}
+
+}  // namespace frana

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/zero_array.h"
+
+namespace frana {
+
+/// What each node has seen at its worst, folded in at every step. Padded like the nodes.
+struct Maxima {
+    ZeroArray<double> depth;           ///< [m]; 0: never reached
+    ZeroArray<double> speed;           ///< along the bed [m/s]
+    ZeroArray<double> arrival_plus_1;  ///< first time reached, plus one so that zero means never [s]
+
+    Maxima() = default;
+    explicit Maxima(std::size_t size) : depth(size), speed(size), arrival_plus_1(size) {}
+
+    void see(std::size_t node, double node_depth, double node_speed, double time) noexcept {
+        depth[node] = std::max(depth[node], node_depth);
+        speed[node] = std::max(speed[node], node_speed);
+        if (arrival_plus_1[node] == 0) arrival_plus_1[node] = time + 1;
+    }
+};
+
+}  // namespace frana

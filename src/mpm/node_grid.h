@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/raster.h"
+#include "core/zero_array.h"
+
+namespace frana {
+
+/// Nodes outside the terrain on every side: a particle in the outermost half cell reaches one of them.
+inline constexpr std::int64_t k_ghost = 2;
+
+/// What one node gathers in a step; one cache line. After update_nodes the same places hold velocities.
+struct alignas(64) NodeSums {
+    double mass;                  ///< volume: density is constant and divided out [m3]
+    double px, py;                ///< momentum [m4/s]; after the update: velocity [m/s]
+    double area;                  ///< area the particles claim [m2]; after the update: share of the cell, phi [-]
+    double area_bed;              ///< sum of area times bed elevation [m3]
+    double fx, fy;                ///< force over density [m4/s2]; after the update: velocity before it [m/s]
+    double support;               ///< after the update: NodeLevel::support
+};
+
+/// The reference state that a node's pressure is measured against (specification, section 4, item 4).
+struct NodeLevel {
+    double depth;    ///< mean depth of the node's particles [m]
+    double level;    ///< mean free surface of the node's particles [m]
+    double ponding;  ///< 1: the surface is level (still-water reference); 0: it follows the bed (thickness reference)
+    double support;  ///< 1: filled all round; 0: a free front
+};
+
+/// Depth that a node shows [m]: the mean depth of its particles where it is filled all round, free of the unevenness
+/// of their arrangement; volume over cell area at fronts and films, where the cell is only partly covered.
+inline double shown_depth(double mass, double area, double support, double inverse_cell_area) noexcept {
+    const double by_volume = mass * inverse_cell_area;
+    return area > 0 ? by_volume + support * (mass / area - by_volume) : by_volume;
+}
+
+/// The background grid: one node at each cell centre of the terrain, rows from the south, with ghost nodes around.
+///
+///     node (i, j) lies at ((i + 1/2) dx, (j + 1/2) dx) in local metres, i in [-k_ghost, columns + k_ghost)
+class NodeGrid {
+  public:
+    /// Takes bed elevations from a north-up raster; NaN marks cells without terrain, which become solid.
+    explicit NodeGrid(const Raster& bed);
+
+    [[nodiscard]] std::int64_t columns() const noexcept { return columns_; }
+    [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }
+    [[nodiscard]] std::int64_t stride() const noexcept { return columns_ + 2 * k_ghost; }
+    [[nodiscard]] std::int64_t padded_rows() const noexcept { return rows_ + 2 * k_ghost; }
+    [[nodiscard]] double cell_size() const noexcept { return cell_size_; }
+    [[nodiscard]] double width() const noexcept { return cell_size_ * static_cast<double>(columns_); }
+    [[nodiscard]] double height() const noexcept { return cell_size_ * static_cast<double>(rows_); }
+    [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const noexcept {
+        return static_cast<std::size_t>((j + k_ghost) * stride() + i + k_ghost);
+    }
+    /// Whether a node of the terrain has an elevation.
+    [[nodiscard]] bool is_solid(std::int64_t i, std::int64_t j) const noexcept {
+        return !solid_.empty() && solid_[index(i, j)] != 0;
+    }
+    [[nodiscard]] bool any_solid() const noexcept { return !solid_.empty(); }
+    [[nodiscard]] const std::uint8_t* solid() const noexcept { return solid_.empty() ? nullptr : solid_.data(); }
+
+    /// Elevation of the lowest cell; `bed` is relative to it so that sums keep their digits.
+    [[nodiscard]] double datum() const noexcept { return datum_; }
+
+    std::vector<double> bed;       ///< padded, relative to datum [m]
+    ZeroArray<NodeSums> sums;      ///< padded
+    ZeroArray<NodeLevel> levels;   ///< padded; empty when no term needs it
+
+    void allocate_levels() { levels = ZeroArray<NodeLevel>(sums.size()); }
+
+  private:
+    std::int64_t columns_, rows_;
+    double cell_size_, datum_ = 0;
+    std::vector<std::uint8_t> solid_;
+};
+
+}  // namespace frana

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/node_grid.h"
+#include "mpm/shape.h"
+#include "particles/particle_set.h"
+#include "particles/tile_order.h"
+#include "physics/stress_bingham.h"
+
+namespace frana {
+
+/// Area relaxation gain per Courant number (specification 4, item 2); 0.2 bounds it.
+inline constexpr double k_relaxation_gain = 0.03, k_relaxation_limit = 0.2;
+
+/// Least factor by which an area may change in a step; the stable step keeps well clear of it.
+inline constexpr double k_least_growth = 0.1;
+
+/// How velocity comes back from the nodes (paper, equations 33-34).
+struct PicTransfer {
+    static constexpr bool affine = false, increment = false;
+};
+struct FlipTransfer {
+    static constexpr bool affine = false, increment = true;
+};
+struct ApicTransfer {
+    static constexpr bool affine = true, increment = false;
+};
+
+struct ParticleUpdate {
+    double dt = 0;
+    double gravity = 0;
+    bool wall = false;          ///< particles are kept inside; otherwise they may leave
+    Point origin;               ///< release centroid, for the front distance, local metres
+};
+
+/// What a tile's particles showed in a step; combined tile by tile in their order.
+struct ParticleReport {
+    double wave_speed = 0;      ///< greatest |v| + sqrt(g h) [m/s]
+    double speed = 0;           ///< greatest |v| [m/s]
+    double diffusivity = 0;     ///< greatest of the in-plane stress [m2/s]
+    double front_squared = 0;   ///< farthest from the origin [m2]
+    double kinetic = 0;         ///< sum of V v^2 / 2 [m5/s2]
+    double volume = 0;          ///< inside [m3]
+    std::int64_t outside = 0, non_finite = 0, no_data = 0, clamped = 0;
+
+    void merge(const ParticleReport& r) noexcept {
+        wave_speed = std::max(wave_speed, r.wave_speed);
+        speed = std::max(speed, r.speed);
+        diffusivity = std::max(diffusivity, r.diffusivity);
+        front_squared = std::max(front_squared, r.front_squared);
+        kinetic += r.kinetic;
+        volume += r.volume;
+        outside += r.outside;
+        non_finite += r.non_finite;
+        no_data += r.no_data;
+        clamped += r.clamped;
+    }
+};
+
+/// New velocity, position, depth and stress of a tile's particles (paper, equations 33-38).
+/// Reads NodeSums after update_nodes; reads and writes x, y, u, v, area; writes c_* (affine), divergence (Relaxed),
+/// s_* (Stress). Relaxed adds the area relaxation, which ties h_p to the mass on the grid: A grows or shrinks with
+/// what the particles claim of each cell, and only shrinks at a free front.
+/// Relaxed and affine together also carry the particle's shape q_*, which decides about splitting.
+/// A particle that leaves through an open boundary stays in the arrays until the next sort and is counted `outside`.
+template <class Shape, class Transfer, class Stress, bool Relaxed>
+ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate& k, const Stress& stress,
+                                  const NodeGrid& nodes, ParticleSet& particles) {
+    double* const x = particles[Field::x];
+    double* const y = particles[Field::y];
+    double* const u = particles[Field::u];
+    double* const v = particles[Field::v];
+    const double* const volume = particles[Field::volume];
+    double* const area = particles[Field::area];
+    double* const c_xx = particles[Field::c_xx];
+    double* const c_xy = particles[Field::c_xy];
+    double* const c_yx = particles[Field::c_yx];
+    double* const c_yy = particles[Field::c_yy];
+    double* const divergence = particles[Field::divergence];
+    double* const s_xx = particles[Field::s_xx];
+    double* const s_xy = particles[Field::s_xy];
+    double* const s_yy = particles[Field::s_yy];
+    double* const q_xx = particles[Field::q_xx];
+    double* const q_xy = particles[Field::q_xy];
+    double* const q_yy = particles[Field::q_yy];
+    const double dx = nodes.cell_size(), inverse_dx = 1 / dx, courant = k.dt * inverse_dx;
+    const double width = nodes.width(), height = nodes.height();
+    const double margin = 1e-9 * dx;
+    const std::int64_t stride = nodes.stride();
+    const NodeSums* const sums = nodes.sums.data();
+    ParticleReport report;
+
+    for (std::size_t p = tile.begin; p < tile.end; ++p) {
+        const Stencil<Shape> s(x[p], y[p], dx, inverse_dx, stride);
+        double un = 0, vn = 0, du = 0, dv = 0, share = 0, support = 0;
+        double u_x = 0, u_y = 0, v_x = 0, v_y = 0;          // gradient of the nodal velocity
+        double m_xx = 0, m_xy = 0, m_yx = 0, m_yy = 0;      // first moments, for the affine part
+        for (int b = 0; b < Shape::width; ++b) {
+            const NodeSums* row = sums + s.first + b * stride;
+            const double to_y = s.to_first_y + b * dx;
+            for (int a = 0; a < Shape::width; ++a) {
+                const double w = s.wx[a] * s.wy[b], gx = s.gx[a] * s.wy[b], gy = s.wx[a] * s.gy[b];
+                const double nu = row[a].px, nv = row[a].py;
+                un += w * nu;
+                vn += w * nv;
+                u_x += gx * nu;
+                u_y += gy * nu;
+                v_x += gx * nv;
+                v_y += gy * nv;
+                if constexpr (Transfer::increment) {
+                    du += w * (nu - row[a].fx);
+                    dv += w * (nv - row[a].fy);
+                }
+                if constexpr (Transfer::affine && Shape::width == 3) {
+                    const double to_x = s.to_first_x + a * dx;
+                    m_xx += w * nu * to_x;
+                    m_xy += w * nu * to_y;
+                    m_yx += w * nv * to_x;
+                    m_yy += w * nv * to_y;
+                }
+                if constexpr (Relaxed) {
+                    share += w * row[a].area;
+                    support += w * row[a].support;
+                }
+            }
+        }
+        if constexpr (Transfer::affine) {
+            if constexpr (Shape::width == 3) {
+                const double d = 4 * inverse_dx * inverse_dx;  // inverse of the spline's second moment
+                c_xx[p] = d * m_xx;
+                c_xy[p] = d * m_xy;
+                c_yx[p] = d * m_yx;
+                c_yy[p] = d * m_yy;
+            } else {  // hat functions: the affine part is the gradient itself (Jiang et al. 2015)
+                c_xx[p] = u_x;
+                c_xy[p] = u_y;
+                c_yx[p] = v_x;
+                c_yy[p] = v_y;
+            }
+        }
+        if constexpr (Transfer::increment) {
+            u[p] += du;
+            v[p] += dv;
+        } else {
+            u[p] = un;
+            v[p] = vn;
+        }
+        // Equation (38) in two dimensions: the area follows the map x -> x + dt v(x), whose determinant this is.
+        const double div = u_x + v_y;
+        double growth = 1 + k.dt * div + k.dt * k.dt * (u_x * v_y - u_y * v_x);
+        if (!(growth > k_least_growth)) {
+            growth = k_least_growth;
+            ++report.clamped;
+        }
+        // Where the cells are not full, converging material first fills the gaps: only a full cell gets deeper.
+        if (Relaxed && growth < 1 && share < 1) growth = 1;
+        double new_area = area[p] * growth;
+        if constexpr (Relaxed && Transfer::affine) {  // Q <- F Q F^T, F = I + dt grad v
+            const double fxx = 1 + k.dt * u_x, fxy = k.dt * u_y, fyx = k.dt * v_x, fyy = 1 + k.dt * v_y;
+            const double axx = fxx * q_xx[p] + fxy * q_xy[p], axy = fxx * q_xy[p] + fxy * q_yy[p];
+            const double ayx = fyx * q_xx[p] + fyy * q_xy[p], ayy = fyx * q_xy[p] + fyy * q_yy[p];
+            q_xx[p] = axx * fxx + axy * fxy;
+            q_xy[p] = axx * fyx + axy * fyy;
+            q_yy[p] = ayx * fyx + ayy * fyy;
+        }
+        const double speed2 = un * un + vn * vn, speed = std::sqrt(speed2);
+        if constexpr (Relaxed) {
+            divergence[p] = div;
+            const double beta = std::min(k_relaxation_limit, k_relaxation_gain * speed * courant);
+            if (share > 1 || support > 0.999) new_area *= 1 + beta * (1 / share - 1);
+        }
+        area[p] = new_area;
+        const double depth = volume[p] / new_area;
+        if constexpr (Stress::active) {
+            const PlaneStress t = stress({u_x, 0.5 * (u_y + v_x), v_y, un, vn, depth});
+            s_xx[p] = t.xx;
+            s_xy[p] = t.xy;
+            s_yy[p] = t.yy;
+            report.diffusivity = std::max(report.diffusivity, t.diffusivity);
+        }
+        double px = x[p] + k.dt * un, py = y[p] + k.dt * vn;
+        if (k.wall) {
+            px = std::clamp(px, margin, width - margin);
+            py = std::clamp(py, margin, height - margin);
+        }
+        const double wave = speed + std::sqrt(k.gravity * depth);
+        if (!(wave < 1e9) || !(std::abs(px) < 1e12) || !(std::abs(py) < 1e12)) {
+            ++report.non_finite;
+            continue;  // the particle stays where it was; the run stops after this step
+        }
+        x[p] = px;
+        y[p] = py;
+        if (!(px >= 0 && px < width && py >= 0 && py < height)) {
+            ++report.outside;
+            continue;
+        }
+        if (nodes.any_solid() &&
+            nodes.is_solid(static_cast<std::int64_t>(px * inverse_dx), static_cast<std::int64_t>(py * inverse_dx))) {
+            ++report.no_data;
+        }
+        report.wave_speed = std::max(report.wave_speed, wave);
+        report.speed = std::max(report.speed, speed);
+        const double ox = px - k.origin.x, oy = py - k.origin.y;
+        report.front_squared = std::max(report.front_squared, ox * ox + oy * oy);
+        report.kinetic += 0.5 * volume[p] * speed2;
+        report.volume += volume[p];
+    }
+    return report;
+}
+
+}  // namespace frana

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace frana {
+
+/// The reference of all keys, made from their declarations.
+std::string reference_ini();       ///< a scene file with every key commented out at its default
+std::string reference_json();      ///< an array of objects: name, type, unit, default, limits, meaning
+std::string reference_markdown();  ///< one table a section
+
+}  // namespace frana

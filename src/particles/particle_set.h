@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include "core/thread_pool.h"
+
+namespace frana {
+
+/// The fields a particle may carry. k_field_table describes them; a scene allocates only those its terms declare.
+enum class Field : unsigned char {
+    x, y,                    // position
+    u, v,                    // velocity
+    volume, area,            // depth is volume / area
+    c_xx, c_xy, c_yx, c_yy,  // affine velocity (APIC): rows are components, columns directions
+    divergence,              // of the nodal velocity, last step
+    s_xx, s_xy, s_yy,        // in-plane viscous stress over density
+    q_xx, q_xy, q_yy,        // squared extents: the shape that the flow has given the particle
+    count
+};
+inline constexpr std::size_t k_fields = static_cast<std::size_t>(Field::count);
+
+struct FieldInfo {
+    std::string_view name, unit;
+    double initial;
+};
+inline constexpr std::array<FieldInfo, k_fields> k_field_table{{
+    {"x", "m", 0}, {"y", "m", 0}, {"u", "m/s", 0}, {"v", "m/s", 0}, {"volume", "m3", 0}, {"area", "m2", 0},
+    {"c_xx", "1/s", 0}, {"c_xy", "1/s", 0}, {"c_yx", "1/s", 0}, {"c_yy", "1/s", 0}, {"divergence", "1/s", 0},
+    {"s_xx", "m2/s2", 0}, {"s_xy", "m2/s2", 0}, {"s_yy", "m2/s2", 0},
+    {"q_xx", "m2", 0}, {"q_xy", "m2", 0}, {"q_yy", "m2", 0},
+}};
+
+/// A set of fields, as bits.
+class FieldMask {
+  public:
+    constexpr FieldMask() = default;
+    constexpr FieldMask(std::initializer_list<Field> fields) {
+        for (Field f : fields) bits_ |= 1u << static_cast<unsigned>(f);
+    }
+    [[nodiscard]] constexpr bool has(Field f) const noexcept { return (bits_ >> static_cast<unsigned>(f)) & 1u; }
+    constexpr FieldMask operator|(FieldMask other) const noexcept {
+        other.bits_ |= bits_;
+        return other;
+    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept {
+        std::size_t n = 0;
+        for (unsigned bits = bits_; bits != 0; bits >>= 1) n += bits & 1u;
+        return n;
+    }
+
+  private:
+    unsigned bits_ = 0;
+};
+
+inline constexpr FieldMask k_basic_fields{Field::x, Field::y, Field::u, Field::v, Field::volume, Field::area};
+inline constexpr FieldMask k_affine_fields{Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy};
+inline constexpr FieldMask k_stress_fields{Field::s_xx, Field::s_xy, Field::s_yy};
+inline constexpr FieldMask k_shape_fields{Field::q_xx, Field::q_xy, Field::q_yy};
+
+/// One particle with all fields: for seeding, splitting and merging, never for the streaming loops.
+using ParticleRow = std::array<double, k_fields>;
+
+/// Particles as one array per field, all in local metres. Fields outside the mask have no storage.
+class ParticleSet {
+  public:
+    explicit ParticleSet(FieldMask mask = k_basic_fields) : mask_(mask) {}
+
+    [[nodiscard]] FieldMask mask() const noexcept { return mask_; }
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] std::size_t bytes_per_particle() const noexcept { return mask_.size() * sizeof(double); }
+
+    /// The array of a field; null when the field is not carried.
+    [[nodiscard]] double* operator[](Field f) noexcept {
+        return mask_.has(f) ? arrays_[static_cast<std::size_t>(f)].data() : nullptr;
+    }
+    [[nodiscard]] const double* operator[](Field f) const noexcept {
+        return mask_.has(f) ? arrays_[static_cast<std::size_t>(f)].data() : nullptr;
+    }
+
+    /// Changes the count; new particles get the table's initial values.
+    void resize(std::size_t size) {
+        for (std::size_t f = 0; f < k_fields; ++f) {
+            if (mask_.has(static_cast<Field>(f))) arrays_[f].resize(size, k_field_table[f].initial);
+        }
+        size_ = size;
+    }
+    [[nodiscard]] ParticleRow row(std::size_t i) const {
+        ParticleRow r;
+        for (std::size_t f = 0; f < k_fields; ++f) {
+            r[f] = mask_.has(static_cast<Field>(f)) ? arrays_[f][i] : k_field_table[f].initial;
+        }
+        return r;
+    }
+    void set_row(std::size_t i, const ParticleRow& r) {
+        for (std::size_t f = 0; f < k_fields; ++f) {
+            if (mask_.has(static_cast<Field>(f))) arrays_[f][i] = r[f];
+        }
+    }
+    /// Copies all fields of from's particles [begin, end) to this set, from position `to` on.
+    void copy_range(const ParticleSet& from, std::size_t begin, std::size_t end, std::size_t to) {
+        for (std::size_t f = 0; f < k_fields; ++f) {
+            if (!mask_.has(static_cast<Field>(f))) continue;
+            std::copy(from.arrays_[f].begin() + static_cast<std::ptrdiff_t>(begin),
+                      from.arrays_[f].begin() + static_cast<std::ptrdiff_t>(end),
+                      arrays_[f].begin() + static_cast<std::ptrdiff_t>(to));
+        }
+    }
+    void push_back(const ParticleRow& r) {
+        resize(size_ + 1);
+        set_row(size_ - 1, r);
+    }
+    /// Moves particle p to target[p] and keeps `kept` of them; a target of size() or more drops the particle.
+    void permute(const std::vector<std::size_t>& target, std::size_t kept, ThreadPool& pool) {
+        const auto move_field = [&](std::size_t f) {
+            if (!mask_.has(static_cast<Field>(f))) return;
+            std::vector<double> moved(kept);
+            const std::vector<double>& from = arrays_[f];
+            for (std::size_t p = 0; p < size_; ++p) {
+                if (target[p] < size_) moved[target[p]] = from[p];
+            }
+            arrays_[f].swap(moved);
+        };
+        pool.for_each(k_fields, move_field);
+        size_ = kept;
+    }
+    /// A row with every field at its initial value.
+    static ParticleRow initial_row() {
+        ParticleRow r;
+        for (std::size_t f = 0; f < k_fields; ++f) r[f] = k_field_table[f].initial;
+        return r;
+    }
+
+  private:
+    FieldMask mask_;
+    std::size_t size_ = 0;
+    std::array<std::vector<double>, k_fields> arrays_;
+};
+
+/// Shorthand for ParticleRow access.
+inline double& get(ParticleRow& r, Field f) {
+    return r[static_cast<std::size_t>(f)];
+}
+inline double get(const ParticleRow& r, Field f) {
+    return r[static_cast<std::size_t>(f)];
+}
+
+}  // namespace frana

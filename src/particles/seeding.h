@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+#include "core/geometry.h"
+#include "particles/particle_set.h"
+
+namespace frana {
+
+/// Fills an outline with particles on a square lattice, whatever the resolution of any raster.
+///
+/// Each lattice cell that the outline covers, wholly or in part, gives one particle at the centroid of the covered
+/// part, with the area really covered (exact along x, by 8 lines a cell along y) and the thickness there. Holes and
+/// overlapping parts are respected: ground is never filled twice.
+/// @param outline in local metres
+/// @param spacing of the lattice [m]; the lattice is anchored at the origin
+/// @param thickness vertical thickness [m] at a local point; NaN or <= 0: no particle
+/// @returns the volume added [m3]
+double fill_outline(const MultiPolygon& outline, double spacing, const std::function<double(Point)>& thickness,
+                    ParticleSet& particles);
+
+}  // namespace frana

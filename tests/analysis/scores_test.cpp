@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/scores.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+
+namespace frana {
+namespace {
+
+// Ratios of small whole numbers: only the last bits of a double may differ.
+constexpr double k_rounding = 1e-15;
+
+Raster row_of(std::vector<double> values, double cell_size = 10) {
+    GridSpec grid;
+    grid.cell_size = cell_size;
+    grid.columns = static_cast<std::int64_t>(values.size());
+    grid.rows = 1;
+    Raster raster(grid);
+    raster.values = std::move(values);
+    return raster;
+}
+
+TEST(Scores, CountsByHand) {
+    // Two hits, one false alarm, two misses, three cells that nobody touched; the threshold itself does not
+    // count.
+    const Raster depth = row_of({3.0, 2.0, 1.5, 0.5, k_no_data, k_no_data, 0.1, 0.0});
+    const Raster observed = row_of({1, 1, 0, 1, 1, 0, 0, k_no_data});
+    const ComparisonFigures figures = compare(depth, observed, 0.5);
+    EXPECT_EQ(figures.hit_m2, 200);
+    EXPECT_EQ(figures.false_alarm_m2, 100);
+    EXPECT_EQ(figures.miss_m2, 200);
+    EXPECT_EQ(figures.observed_area_m2, 400);
+    EXPECT_EQ(figures.simulated_area_m2, 300);
+    EXPECT_EQ(figures.threshold_m, 0.5);
+    EXPECT_NEAR(figures.area_difference_percent, 25, 100 * k_rounding);
+    EXPECT_NEAR(figures.jaccard, 2.0 / 5, k_rounding);
+    EXPECT_NEAR(figures.csi, 2.0 / 5, k_rounding);
+    EXPECT_NEAR(figures.dice, 4.0 / 7, k_rounding);
+    EXPECT_NEAR(figures.true_positive_rate, 0.5, k_rounding);
+    EXPECT_NEAR(figures.false_positive_rate, 1.0 / 20, k_rounding);
+    EXPECT_NEAR(figures.d2pc, std::sqrt(0.25 + 0.0025), k_rounding);
+}
+
+TEST(Scores, RocCurveByHand) {
+    // Depths 3 (observed), 2 (not), 1 (observed); one observed cell dry: positives 3, negatives 15.
+    const Raster depth = row_of({3, 2, 1, k_no_data});
+    const Raster observed = row_of({1, 0, 1, 1});
+    // Corners (0,0) (0,1/3) (1/15,1/3) (1/15,2/3) (1,1): trapezoids 1/15 * 1/3 + 14/15 * 5/6.
+    EXPECT_NEAR(compare(depth, observed, 0).auroc, 1.0 / 45 + 14.0 / 18, k_rounding);
+}
+
+TEST(Scores, EqualDepthsPassTheThresholdTogether) {
+    const Raster forward = row_of({1, 1}), observed = row_of({1, 0}), swapped = row_of({0, 1});
+    EXPECT_EQ(compare(forward, observed, 0).auroc, compare(forward, swapped, 0).auroc);
+}
+
+TEST(Scores, PerfectAgreement) {
+    const Raster depth = row_of({1, 2, k_no_data}), observed = row_of({1, 1, 0});
+    const ComparisonFigures figures = compare(depth, observed, 0.1);
+    EXPECT_EQ(figures.jaccard, 1);
+    EXPECT_EQ(figures.d2pc, 0);
+    EXPECT_EQ(figures.auroc, 1);
+    EXPECT_EQ(figures.area_difference_percent, 0);
+}
+
+TEST(Scores, EmptyMapRoundItDoesNotFlatter) {
+    const ComparisonFigures tight = compare(row_of({1, 1, 1}), row_of({1, 1, 0}), 0.1);
+    const ComparisonFigures wide =
+        compare(row_of({1, 1, 1, 0, 0, 0, 0, 0, k_no_data}), row_of({1, 1, 0, 0, 0, 0, 0, 0, 0}), 0.1);
+    EXPECT_EQ(tight.d2pc, wide.d2pc);
+    EXPECT_EQ(tight.auroc, wide.auroc);
+    EXPECT_EQ(tight.false_positive_rate, wide.false_positive_rate);
+}
+
+TEST(Scores, NothingSimulatedIsAMissEverywhere) {
+    const ComparisonFigures figures = compare(row_of({k_no_data, k_no_data}), row_of({1, 0}), 0.1);
+    EXPECT_EQ(figures.hit_m2, 0);
+    EXPECT_EQ(figures.miss_m2, 100);
+    EXPECT_EQ(figures.area_difference_percent, 100);
+    EXPECT_EQ(figures.auroc, 0.5);  // no information
+}
+
+TEST(Scores, NothingObservedIsRefused) {
+    EXPECT_THROW(compare(row_of({1, 1}), row_of({0, k_no_data}), 0.1), Error);
+}
+
+TEST(Scores, DifferentGridsAreRefused) {
+    EXPECT_THROW(compare(row_of({1, 1}), row_of({1, 1}, 5), 0.1), Error);
+    EXPECT_THROW(agreement(row_of({1, 1}), row_of({1}), 0.1), Error);
+}
+
+TEST(Scores, AgreementClasses) {
+    const Raster classes = agreement(row_of({1, 1, k_no_data, k_no_data}), row_of({1, 0, 1, 0}), 0.1);
+    EXPECT_EQ(classes.values[0], 1);
+    EXPECT_EQ(classes.values[1], 2);
+    EXPECT_EQ(classes.values[2], 3);
+    EXPECT_TRUE(std::isnan(classes.values[3]));
+}
+
+}  // namespace
+}  // namespace frana

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/reference.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "params/materials.h"
+#include "params/scene_parameters.h"
+#include "scene_fixture.h"
+
+namespace frana {
+namespace {
+
+TEST(Parameters, EveryDefaultIsWithinItsOwnLimitsAndEveryKeySaysWhatItMeans) {
+    std::set<std::string> names;
+    for (const Parameter& parameter : scene_parameters()) {
+        EXPECT_TRUE(names.insert(parameter.name()).second) << parameter.name() << " is declared twice";
+        EXPECT_FALSE(parameter.meaning.empty()) << parameter.name();
+        const std::string text = parameter.default_text();
+        if (text.empty()) {
+            EXPECT_FALSE(parameter.absent.empty())
+                << parameter.name() << " has no default and does not say what then";
+            continue;
+        }
+        SceneSpec scene;
+        EXPECT_FALSE(parameter.read(scene, text)) << parameter.name() << " refuses its own default " << text;
+        EXPECT_EQ(parameter.write(scene), text) << parameter.name();
+    }
+}
+
+TEST(Parameters, ResetRestoresTheDefault) {
+    SceneSpec scene;
+    scene.material.density = 1;
+    scene.material.friction_angle = 3;
+    scene.terrain.bounds = Bounds{1, 2, 3, 4};
+    for (const Parameter& parameter : scene_parameters()) {
+        parameter.reset(scene);
+        EXPECT_EQ(parameter.write(scene), parameter.write(SceneSpec{})) << parameter.name();
+    }
+}
+
+TEST(Reference, NamesEveryKeyInEveryForm) {
+    const std::string ini = reference_ini(), json = reference_json(), markdown = reference_markdown();
+    for (const Parameter& parameter : scene_parameters()) {
+        EXPECT_NE(ini.find("# " + parameter.key + " = "), std::string::npos) << parameter.name();
+        EXPECT_NE(json.find("\"name\": \"" + parameter.name() + "\""), std::string::npos) << parameter.name();
+        EXPECT_NE(markdown.find("| `" + parameter.key + "` |"), std::string::npos) << parameter.name();
+    }
+}
+
+using ReferenceFile = SceneFixture;
+
+TEST_F(ReferenceFile, TheIniFormIsAValidSceneFileOfDefaults) {
+    const SceneReading reading = read(reference_ini());
+    for (const Problem& problem : reading.problems.list())
+        EXPECT_TRUE(problem.what == "is missing" || problem.what == "no bed friction is given")
+            << describe(problem);
+}
+
+TEST_F(ReferenceFile, EveryPresetMakesASceneAndNamesItsSource) {
+    const auto presets = material_presets(FRANA_SOURCE_SHARE "/materials");
+    ASSERT_GE(presets.size(), 5U);
+    for (const MaterialPreset& preset : presets) {
+        const SceneReading reading =
+            read("[terrain]\ndtm = a\n[release]\nperimeter = b\nthickness = 1\n[material]\npreset = " +
+                 preset.name + "\n");
+        for (const Problem& problem : reading.problems.list())
+            ADD_FAILURE() << preset.name << ": " << describe(problem);
+        std::string comments;
+        for (const std::string& line : preset.comments) comments += line + '\n';
+        EXPECT_NE(comments.find("Source:"), std::string::npos) << preset.name;
+        EXPECT_NE(comments.find("Range:"), std::string::npos) << preset.name;
+    }
+}
+
+}  // namespace
+}  // namespace frana

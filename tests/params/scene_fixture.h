@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "params/read_scene.h"
+
+namespace frana {
+
+/// A folder of its own for every test, with scene files in it.
+class SceneFixture : public ::testing::Test {
+  protected:
+    SceneFixture()
+        : folder_(std::filesystem::temp_directory_path() /
+                  ("frana_params_" + std::to_string(::getpid()) + "_" +
+                   ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+        std::filesystem::create_directories(folder_);
+    }
+    ~SceneFixture() override {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
+
+    std::string write(const std::string& text, const std::string& name = "scene.ini") const {
+        std::ofstream(folder_ / name) << text;
+        return (folder_ / name).string();
+    }
+    SceneReading read(const std::string& text, const std::vector<std::string>& overrides = {}) const {
+        return read_scene(write(text), overrides, FRANA_SOURCE_SHARE "/materials");
+    }
+    /// All messages of a scene, one a line.
+    std::string messages(const std::string& text, const std::vector<std::string>& overrides = {}) const {
+        const SceneReading reading = read(text, overrides);
+        std::string all;
+        for (const Problem& problem : reading.problems.list()) all += describe(problem) + '\n';
+        return all;
+    }
+
+    std::filesystem::path folder_;
+};
+
+/// The least that makes a scene.
+inline const std::string k_least =
+    "[terrain]\ndtm = dtm.tif\n[release]\nperimeter = area.shp\nthickness = 2\n[material]\nfriction-angle = "
+    "20\n";
+
+}  // namespace frana

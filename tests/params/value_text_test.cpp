@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/value_text.h"
+
+#include <gtest/gtest.h>
+
+#include "core/json.h"
+
+namespace frana {
+namespace {
+
+TEST(ValueText, NumbersAreWholeFiniteAndExact) {
+    EXPECT_EQ(number_from_text("2.5e3"), 2500);
+    EXPECT_EQ(number_from_text("+7"), 7);
+    for (const std::string bad : {"", "1,5", "5 m", "nan", "inf", "1e999", "0x10", "+-1"})
+        EXPECT_FALSE(number_from_text(bad)) << bad;
+    EXPECT_EQ(integer_from_text("16"), 16);
+    EXPECT_FALSE(integer_from_text("4.0"));
+}
+
+TEST(ValueText, ShortestTextReadsBackAsTheSameBits) {
+    for (const double value : {0.1, 1.0 / 3, 9.80665, 5e-324, 1.7976931348623157e308, 527000.125})
+        EXPECT_EQ(number_from_text(shortest_text(value)), value);
+}
+
+TEST(ValueText, WordsAndSwitches) {
+    EXPECT_EQ(words_of(" a, b\tc ,,d "), (std::vector<std::string>{"a", "b", "c", "d"}));
+    EXPECT_EQ(boolean_from_text("on"), true);
+    EXPECT_EQ(boolean_from_text("no"), false);
+    EXPECT_FALSE(boolean_from_text("maybe"));
+}
+
+TEST(ValueText, PictureSizes) {
+    EXPECT_EQ(size_from_text("1600x1200")->height, 1200);
+    for (const std::string bad : {"1600", "1600x", "x1200", "10x10", "1600x1200x3", "99999x400"})
+        EXPECT_FALSE(size_from_text(bad)) << bad;
+}
+
+TEST(Json, EscapesAndNests) {
+    JsonWriter json;
+    json.begin_object().text("a\"b", "line\nend\\").number("x", 0.1).number("none", 0.0 / 0.0);
+    json.begin_array("list")
+        .integer("", 1)
+        .boolean("", true)
+        .end_array()
+        .begin_object("empty")
+        .end_object()
+        .end_object();
+    EXPECT_EQ(json.str(),
+              "{\n  \"a\\\"b\": \"line\\nend\\\\\",\n  \"x\": 0.1,\n  \"none\": null,\n  \"list\": [\n    "
+              "1,\n    true\n"
+              "  ],\n  \"empty\": {}\n}\n");
+}
+
+}  // namespace
+}  // namespace frana
