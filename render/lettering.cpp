@@ -62,6 +62,13 @@ std::string printable(const std::string& text) {
     return clean;
 }
 
+void mix(std::uint8_t* pixel, Rgb colour, double share) {
+    const std::array<std::uint8_t, 3> ink{colour.r, colour.g, colour.b};
+    for (std::size_t k = 0; k < 3; ++k) {
+        pixel[k] = static_cast<std::uint8_t>(std::lround(pixel[k] + (ink[k] - pixel[k]) * share));
+    }
+}
+
 Point turned(Point p, double angle_deg) {
     const double angle = angle_deg * std::numbers::pi / 180;
     const double c = std::cos(angle), s = std::sin(angle);
@@ -187,19 +194,12 @@ TextBox Lettering::place(const std::string& text, Point at, const TextStyle& sty
     return {text, {left, top, left + glyphs.width, top + glyphs.height}, static_cast<double>(style.size_px)};
 }
 
-TextBox Lettering::write(Image& page, const std::string& text, Point at, const TextStyle& style,
-                         Across across, Upright upright) const {
+template <class Blend>
+TextBox Lettering::ink(const Blend& blend, const std::string& text, Point at, const TextStyle& style,
+                       Across across, Upright upright) const {
     const Glyphs glyphs = set(text, style, across, upright);
     const int left = static_cast<int>(std::lround(at.x)) + glyphs.left;
     const int top = static_cast<int>(std::lround(at.y)) + glyphs.top;
-    const auto blend = [&](int column, int row, Rgb colour, double share) {
-        if (column < 0 || row < 0 || column >= page.width || row >= page.height) return;
-        std::uint8_t* p = page.pixel(column, row);
-        const std::array<std::uint8_t, 3> ink{colour.r, colour.g, colour.b};
-        for (std::size_t k = 0; k < 3; ++k) {
-            p[k] = static_cast<std::uint8_t>(std::lround(p[k] + (ink[k] - p[k]) * share));
-        }
-    };
     const auto coverage = [&](int column, int row) -> int {
         if (column < 0 || row < 0 || column >= glyphs.width || row >= glyphs.height) return 0;
         return glyphs.ink[static_cast<std::size_t>(row) * static_cast<std::size_t>(glyphs.width) +
@@ -222,8 +222,8 @@ TextBox Lettering::write(Image& page, const std::string& text, Point at, const T
     }
     for (int row = 0; row < glyphs.height; ++row) {
         for (int column = 0; column < glyphs.width; ++column) {
-            if (const int ink = coverage(column, row); ink > 0) {
-                blend(left + column, top + row, style.colour, ink / 255.0);
+            if (const int share = coverage(column, row); share > 0) {
+                blend(left + column, top + row, style.colour, share / 255.0);
             }
         }
     }
@@ -231,6 +231,29 @@ TextBox Lettering::write(Image& page, const std::string& text, Point at, const T
             {static_cast<double>(left), static_cast<double>(top), static_cast<double>(left + glyphs.width),
              static_cast<double>(top + glyphs.height)},
             static_cast<double>(style.size_px)};
+}
+
+TextBox Lettering::write(Image& page, const std::string& text, Point at, const TextStyle& style,
+                         Across across, Upright upright) const {
+    const auto blend = [&page](int column, int row, Rgb colour, double share) {
+        if (column < 0 || row < 0 || column >= page.width || row >= page.height) return;
+        mix(page.pixel(column, row), colour, share);
+    };
+    return ink(blend, text, at, style, across, upright);
+}
+
+TextBox Lettering::write(LayerImage& layer, const std::string& text, Point at, const TextStyle& style,
+                         Across across, Upright upright) const {
+    const auto blend = [&layer](int column, int row, Rgb colour, double share) {
+        if (column < 0 || row < 0 || column >= layer.width || row >= layer.height) return;
+        std::uint8_t* p =
+            layer.rgba.data() + 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(layer.width) +
+                                     static_cast<std::size_t>(column));
+        // Colours are multiplied by opacity already, so ink over them mixes like ink over paper.
+        mix(p, colour, share);
+        p[3] = static_cast<std::uint8_t>(std::lround(p[3] + (255 - p[3]) * share));
+    };
+    return ink(blend, text, at, style, across, upright);
 }
 
 }  // namespace frana::render

@@ -7,6 +7,7 @@
 #include "core/grid_spec.h"
 #include "render/image.h"
 #include "render/map_layout.h"
+#include "render/osmesa_window.h"
 
 namespace frana::render {
 
@@ -37,14 +38,20 @@ class Lettering {
     /// Where the ink of a text would be.
     [[nodiscard]] TextBox place(const std::string& text, Point at, const TextStyle& style, Across across,
                                 Upright upright) const;
-    /// Writes a text on the page (what leaves it is cut off) and returns where its ink is.
+    /// Writes a text (what leaves the picture is cut off) and returns where its ink is.
     TextBox write(Image& page, const std::string& text, Point at, const TextStyle& style, Across across,
+                  Upright upright) const;
+    TextBox write(LayerImage& layer, const std::string& text, Point at, const TextStyle& style, Across across,
                   Upright upright) const;
 
   private:
     struct Glyphs;
     [[nodiscard]] Glyphs set(const std::string& text, const TextStyle& style, Across across,
                              Upright upright) const;
+
+    template <class Blend>
+    TextBox ink(const Blend& blend, const std::string& text, Point at, const TextStyle& style, Across across,
+                Upright upright) const;
 
     std::string regular_, bold_;
 };

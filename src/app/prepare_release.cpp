@@ -40,8 +40,9 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                               "Write one into the file, for example with gdal_edit.py -a_srs EPSG:..."});
                 continue;
             }
-            rasters.push_back(
-                gis::read_raster_on(file, ground->terrain.grid, "", gis::Resampling::automatic).raster);
+            gis::RasterRead read = gis::read_raster_on(file, ground->terrain.grid, "", gis::Resampling::automatic, unit);
+            for (const std::string& warning : read.warnings) log.warn("thickness: " + warning);
+            rasters.push_back(std::move(read.raster));
         } catch (const Error& error) {
             problems.add(error);
         }
@@ -124,7 +125,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
     const bool by_raster = spec.kind == Kind::raster || spec.kind == Kind::difference;
 
     if (by_raster) {
-        std::optional<Raster> thickness = thickness_raster(reading, spec, ground, release, problems);
+        std::optional<Raster> thickness = thickness_raster(reading, spec, ground, release, log, problems);
         if (!thickness || (reading.scene.release.perimeter && !release.perimeter)) return release;
         ReleaseArea area;
         if (release.perimeter) {

@@ -8,6 +8,7 @@
 #include "app/number_text.h"
 #include "core/json.h"
 #include "gis/crs.h"
+#include "gis/working_grid.h"
 
 namespace frana::app {
 namespace {
@@ -16,8 +17,6 @@ namespace {
 constexpr double k_most_cells = 4e8;
 // terrain.nodata-policy = fill bridges holes, it does not invent ground: farther than this, cells stay empty.
 constexpr double k_fill_distance_cells = 50;
-constexpr double k_foot = 0.3048;
-constexpr double k_us_survey_foot = 1200.0 / 3937.0;
 
 /// The DTM's CRS, the user's word before the file's. Empty: none.
 std::string dtm_crs(const SceneReading& reading, const gis::RasterInfo& file) {
@@ -66,32 +65,12 @@ std::string working_crs(const SceneReading& reading, const gis::RasterInfo& file
                                                      : utm_at_centre(file.crs_wkt, file.bounds);
 }
 
-/// Metres per unit that terrain.vertical-unit asks for; none: as the file says.
-std::optional<double> asked_vertical_scale(const std::string& unit) {
-    if (unit == "metre") return 1.0;
-    if (unit == "foot") return k_foot;
-    if (unit == "us-survey-foot") return k_us_survey_foot;
-    return std::nullopt;
-}
-
 gis::Resampling resampling_of(const std::string& name) {
     if (name == "nearest") return gis::Resampling::nearest;
     if (name == "bilinear") return gis::Resampling::bilinear;
     if (name == "cubic") return gis::Resampling::cubic;
     if (name == "average") return gis::Resampling::average;
     return gis::Resampling::automatic;
-}
-
-void apply_vertical_unit(const SceneReading& reading, TerrainInput& input, RunLog& log) {
-    const auto asked = asked_vertical_scale(reading.scene.terrain.vertical_unit);
-    const double applied = input.file.vertical_scale_to_metres;
-    if (asked && *asked != applied) {
-        for (double& value : input.terrain.values) value *= *asked / applied;
-        log.note("elevations taken as " + reading.scene.terrain.vertical_unit + " although the file says " +
-                 (input.file.vertical_unit.empty() ? "nothing" : input.file.vertical_unit));
-    } else if (applied != 1) {
-        log.note("elevations converted from " + input.file.vertical_unit + " to metres");
-    }
 }
 
 void check_size(const SceneReading& reading, const GridSpec& grid) {
@@ -115,8 +94,10 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
 
     const GridSpec grid = gis::working_grid(input.file, crs, spec.bounds, spec.cell_size);
     check_size(reading, grid);
-    gis::RasterRead read = gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "",
-                                               resampling_of(spec.resampling));
+    gis::RasterRead read =
+        gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "",
+                            resampling_of(spec.resampling), spec.vertical_unit);
+    for (const std::string& warning : read.warnings) log.warn("DTM: " + warning);
     input.terrain = std::move(read.raster);
     input.resampling_used = read.resampling_used;
     input.transform = read.transform;
@@ -126,7 +107,6 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
                     Problem{"has no elevation anywhere on the working grid", reading.where("terrain.dtm"),
                             spec.dtm, "", "Check terrain.bounds and the file's nodata value"});
     }
-    apply_vertical_unit(reading, input, log);
     if (spec.nodata_policy == "fill" && input.nodata_cells > 0)
         input.filled_cells = gis::fill_nodata(input.terrain, k_fill_distance_cells);
     return input;
@@ -139,6 +119,10 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
     log.note("working grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
              " cells of " + shortest_text(grid.cell_size) + " m in " + input.crs_label + ", resampling " +
              input.resampling_used);
+    if (reading.scene.terrain.vertical_unit != "auto")
+        log.note("elevations taken in the unit asked for: " + reading.scene.terrain.vertical_unit);
+    else if (input.file.vertical_scale_to_metres != 1)
+        log.note("elevations converted from " + input.file.vertical_unit + " to metres");
     if (input.transform.needs_missing_grid)
         log.warn(
             "DTM: the most accurate datum transformation needs a grid file that is not installed; used " +

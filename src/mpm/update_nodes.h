@@ -41,67 +41,117 @@ struct NodeReport {
     }
 };
 
-/// New nodal velocities (paper, equations 31-32): gravity, pressure, then bed friction as a cap that stops but never
-/// reverses. With n = 1 + |grad Z|^2 and G^-1 = I - grad Z grad Z^T / n:
-///     gentle   a = -g grad(h + Z)                       friction g tan(phi) ...
-///     surface  a = -(g/n) grad(h + Z)                   friction on the bed-parallel speed, g / sqrt(n) tan(phi) ...
-///     normal   a = -(g/n) [ grad Z + G^-1 grad h ]      the same; the G^-1 part only where material does not pond
+/// What drives a node, and the ground it lies on.
+struct NodeDrive {
+    double ax, ay;            ///< acceleration by pressure and slope [m/s2]
+    double slope_x, slope_y;  ///< of the bed [-]
+    double n;                 ///< 1 + |grad Z|^2; 1 without slope correction
+};
+
+/// Acceleration of a node that holds mass. With n = 1 + |grad Z|^2 and G^-1 = I - grad Z grad Z^T / n:
+///     gentle   a = -g grad(h + Z)
+///     surface  a = -(g/n) grad(h + Z)
+///     normal   a = -(g/n) [ grad Z + G^-1 grad h ], the G^-1 part only where material does not pond
+/// Reads NodeSums mass, fx, fy; NodeLevel (if allocated); bed.
+template <class Slope>
+NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
+    const double half_inverse_dx = 0.5 / nodes.cell_size();
+    const double* bed = nodes.bed.data();
+    NodeDrive d{0, 0, 0, 0, 1};
+    if (column > 0 && column < nodes.stride() - 1) d.slope_x = (bed[i + 1] - bed[i - 1]) * half_inverse_dx;
+    if (row > 0 && row < nodes.padded_rows() - 1) {
+        const auto step = static_cast<std::size_t>(nodes.stride());
+        d.slope_y = (bed[i + step] - bed[i - step]) * half_inverse_dx;
+    }
+    if constexpr (Slope::metric) d.n += d.slope_x * d.slope_x + d.slope_y * d.slope_y;
+
+    const bool referenced = nodes.levels.size() != 0;
+    const double ponding = referenced ? nodes.levels[i].ponding : 0;
+    // The part of gravity that the reference state held back from the particles' sum.
+    const double weight = referenced ? k.gravity * nodes.levels[i].support * (1 - ponding) : 0;
+    const NodeSums& node = nodes.sums[i];
+    d.ax = node.fx / node.mass;
+    d.ay = node.fy / node.mass;
+    if constexpr (Slope::thin_layer) {
+        const double rest = k.gravity - weight;  // what of -grad Z is still inside ax, ay
+        const double pressure_x = d.ax + rest * d.slope_x, pressure_y = d.ay + rest * d.slope_y;
+        const double along = (1 - ponding) * (d.slope_x * pressure_x + d.slope_y * pressure_y) / d.n;
+        d.ax -= d.slope_x * along;
+        d.ay -= d.slope_y * along;
+    }
+    d.ax = (d.ax - weight * d.slope_x) / d.n + k.gravity_x;
+    d.ay = (d.ay - weight * d.slope_y) / d.n + k.gravity_y;
+    return d;
+}
+
+/// Marks the nodes that static friction holds (NodeSums::area_bed = 1, otherwise 0).
+///
+/// At the rim of a resting mass the outermost nodes gather much pressure and little weight: alone each would creep.
+/// A node slower than friction can stop in a few steps is therefore judged with its eight neighbours: it stays where
+/// friction on all nine can stop all nine within this step.
+template <class Slope>
+void hold_nodes(const NodeRange& range, const NodeUpdate& k, const VoellmyFriction& friction, NodeGrid& nodes) {
+    constexpr double k_slow = 4;
+    const double slow = k_slow * k.dt * friction.friction_coefficient * k.gravity;
+    const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
+    range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
+        NodeSums& node = nodes.sums[i];
+        if (!(node.mass > 0)) return;
+        node.area_bed = 0;
+        if (node.px * node.px + node.py * node.py > slow * slow * node.mass * node.mass) return;
+        double px = 0, py = 0, bound = 0;
+        for (std::int64_t b = std::max<std::int64_t>(row - 1, 0); b <= std::min(row + 1, rows - 1); ++b) {
+            for (std::int64_t a = std::max<std::int64_t>(column - 1, 0); a <= std::min(column + 1, stride - 1); ++a) {
+                const auto n = static_cast<std::size_t>(b * stride + a);
+                const NodeSums& near = nodes.sums[n];
+                if (!(near.mass > 0)) continue;
+                const NodeDrive d = drive_of<Slope>(nodes, k, n, a, b);
+                px += near.px + k.dt * near.mass * d.ax;
+                py += near.py + k.dt * near.mass * d.ay;
+                bound += near.mass / d.n;  // in map view the bound g tan(phi) / sqrt(n) acts over sqrt(n)
+            }
+        }
+        bound *= k.dt * friction.friction_coefficient * k.gravity;
+        if (px * px + py * py <= bound * bound) node.area_bed = 1;
+    });
+}
+
+/// New nodal velocities (paper, equations 31-32): what drives the node, then bed friction as a cap on the speed along
+/// the bed that stops but never reverses.
 /// Reads NodeSums, NodeLevel (if allocated), bed; writes velocity, share, old velocity and support into NodeSums.
 /// Calls observe(node, depth, speed) for every node deeper than the minimum.
 template <class Slope, class Observe>
 NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const VoellmyFriction& friction, NodeGrid& nodes,
                         const Observe& observe) {
     NodeReport report;
-    const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
-    const double inverse_area = 1 / (nodes.cell_size() * nodes.cell_size()), half_inverse_dx = 0.5 / nodes.cell_size();
-    const double* bed = nodes.bed.data();
+    const double inverse_area = 1 / (nodes.cell_size() * nodes.cell_size());
     const std::uint8_t* solid = nodes.solid();
     const NodeLevel* levels = nodes.levels.size() != 0 ? nodes.levels.data() : nullptr;
-    NodeSums* sums = nodes.sums.data();
+    const bool holds = friction.friction_coefficient > 0;
 
-    range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
-        NodeSums& node = sums[i];
+    range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
+        NodeSums& node = nodes.sums[i];
         if (!(node.mass > 0)) return;
-        const double inverse_mass = 1 / node.mass, depth = node.mass / node.area;
-        double slope_x = 0, slope_y = 0;
-        if (column > 0 && column < stride - 1) slope_x = (bed[i + 1] - bed[i - 1]) * half_inverse_dx;
-        if (row > 0 && row < rows - 1) {
-            const auto step = static_cast<std::size_t>(stride);
-            slope_y = (bed[i + step] - bed[i - step]) * half_inverse_dx;
-        }
-        const double n = Slope::metric ? 1 + slope_x * slope_x + slope_y * slope_y : 1;
-        const double support = levels ? levels[i].support : 0, ponding = levels ? levels[i].ponding : 0;
-
-        // Acceleration by pressure and slope; `weight` is the part of gravity that the reference state held back.
-        const double weight = k.gravity * support * (1 - ponding);
-        double ax = node.fx * inverse_mass, ay = node.fy * inverse_mass;
-        if constexpr (Slope::thin_layer) {
-            const double rest = k.gravity - weight;  // what of -grad Z is still inside ax, ay
-            const double pressure_x = ax + rest * slope_x, pressure_y = ay + rest * slope_y;
-            const double along = (1 - ponding) * (slope_x * pressure_x + slope_y * pressure_y) / n;
-            ax -= slope_x * along;
-            ay -= slope_y * along;
-        }
-        ax = (ax - weight * slope_x) / n + k.gravity_x;
-        ay = (ay - weight * slope_y) / n + k.gravity_y;
-
-        const double old_u = node.px * inverse_mass, old_v = node.py * inverse_mass;
-        double u = old_u + k.dt * ax, v = old_v + k.dt * ay;
-        if (solid && solid[i]) u = v = 0;
+        const NodeDrive drive = drive_of<Slope>(nodes, k, i, column, row);
+        const double old_u = node.px / node.mass, old_v = node.py / node.mass;
+        double u = old_u + k.dt * drive.ax, v = old_v + k.dt * drive.ay;
+        if ((solid && solid[i]) || (holds && node.area_bed != 0)) u = v = 0;
         double speed2 = u * u + v * v;
         if constexpr (Slope::metric) {
-            const double climb = u * slope_x + v * slope_y;
+            const double climb = u * drive.slope_x + v * drive.slope_y;
             speed2 += climb * climb;
         }
         double speed = std::sqrt(speed2);
         if (speed > 0 && friction.active()) {
-            const double root = Slope::metric ? std::sqrt(n) : 1;
+            const double root = Slope::metric ? std::sqrt(drive.n) : 1;
+            const double depth = node.mass / node.area;
             const double after = friction.speed_after(speed, k.dt, k.gravity / root, k.gravity, depth / root);
             const double left = after / speed;
             u *= left;
             v *= left;
             speed = after;
         }
+        const double support = levels ? levels[i].support : 0;
         const double cell_depth = shown_depth(node.mass, node.area, support, inverse_area);
         if (cell_depth >= k.minimum_depth) {
             ++report.covered;

@@ -20,6 +20,12 @@ NodeReport update_nodes_stage(const NodeRange& range, const NodeUpdate& update, 
     });
 }
 
+template <class Slope>
+void choose_slope(Stages& stages) {
+    stages.hold_nodes = hold_nodes<Slope>;
+    stages.update_nodes = update_nodes_stage<Slope>;
+}
+
 template <class Shape, class Transfer, bool Stress, bool Relaxed>
 ParticleReport nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
                                         const BinghamStress& stress, const NodeGrid& nodes, ParticleSet& particles) {
@@ -75,9 +81,9 @@ Stages choose_stages(const Material& material, const Numerics& numerics) {
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
     }
     switch (numerics.slope_correction) {
-        case SlopeCorrection::none: stages.update_nodes = update_nodes_stage<GentleSlope>; break;
-        case SlopeCorrection::surface: stages.update_nodes = update_nodes_stage<SurfaceSlope>; break;
-        case SlopeCorrection::normal: stages.update_nodes = update_nodes_stage<NormalSlope>; break;
+        case SlopeCorrection::none: choose_slope<GentleSlope>(stages); break;
+        case SlopeCorrection::surface: choose_slope<SurfaceSlope>(stages); break;
+        case SlopeCorrection::normal: choose_slope<NormalSlope>(stages); break;
     }
     return stages;
 }

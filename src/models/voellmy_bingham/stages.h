@@ -12,6 +12,7 @@ namespace frana::voellmy_bingham {
 struct Stages {
     void (*particles_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&) = nullptr;
     void (*pressure_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&) = nullptr;
+    void (*hold_nodes)(const NodeRange&, const NodeUpdate&, const VoellmyFriction&, NodeGrid&) = nullptr;
     NodeReport (*update_nodes)(const NodeRange&, const NodeUpdate&, const VoellmyFriction&, double time, NodeGrid&,
                                Maxima&) = nullptr;
     ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const BinghamStress&,

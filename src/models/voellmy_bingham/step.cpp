@@ -93,8 +93,13 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
     });
     if (laws.wall) fold_forces(state.nodes);
 
-    // Nodes: gravity along the bed, friction as a cap, maxima.
+    // Nodes: gravity along the bed, friction as a cap, maxima. Holding looks at neighbours, so it comes first.
     const NodeUpdate node_update{dt, laws.gravity, laws.gravity_x, laws.gravity_y, laws.minimum_depth};
+    if (laws.friction.friction_coefficient > 0) {
+        for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
+            stages.hold_nodes(range, node_update, laws.friction, state.nodes);
+        });
+    }
     std::vector<NodeReport> node_reports(state.order.node_tiles().size());
     for_node_tiles(state, pool, [&](std::size_t t, const NodeRange& range) {
         node_reports[t] =

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/geometry.h"
+
+namespace frana::gis {
+
+/// What was done between two CRSs, for the log and the check of inputs.
+struct TransformInfo {
+    std::string operation;  ///< PROJ's name for it; "none" where coordinates stay as they are
+    double accuracy_m = 0;  ///< stated accuracy [m]; below 0: unknown
+    bool needs_missing_grid =
+        false;  ///< a more accurate operation exists, but its grid file is not installed
+};
+
+/// Coordinates from one CRS to another, x to the east (longitude) and y to the north (latitude) on both sides
+/// whatever the authority's axis order; heights are left alone. One operation serves the whole area, PROJ's
+/// best that can be computed with the grids at hand, so that no seam runs through a scene.
+class CrsTransform {
+  public:
+    /// `area_of_interest` is in coordinates of `from_wkt`; without it the operation is chosen for the CRSs'
+    /// whole common area. An empty WKT on either side, or equal CRSs, leave coordinates as they are. Throws
+    /// Error(input) when there is no way between the two.
+    CrsTransform(const std::string& from_wkt, const std::string& to_wkt,
+                 std::optional<Bounds> area_of_interest = std::nullopt);
+    ~CrsTransform();
+    CrsTransform(CrsTransform&&) noexcept;
+    CrsTransform& operator=(CrsTransform&&) noexcept;
+
+    /// Throws Error(input) naming the point when it cannot be transformed.
+    [[nodiscard]] Point operator()(Point from) const;
+    /// The other way; throws likewise.
+    [[nodiscard]] Point inverse(Point to) const;
+    /// In place; a point that cannot be transformed becomes NaN. Returns whether all went well.
+    bool apply(std::span<double> x, std::span<double> y, bool backwards) const;
+
+    /// The smallest rectangle round a transformed one, its edges followed by 21 points each.
+    [[nodiscard]] Bounds operator()(const Bounds& from) const;
+
+    [[nodiscard]] const TransformInfo& info() const noexcept;
+    [[nodiscard]] bool is_identity() const noexcept;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace frana::gis

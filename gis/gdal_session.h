@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace frana::gis {
+
+/// While one lives, GDAL is ready and its messages on this thread are kept here instead of reaching stderr.
+/// Sessions nest: each function of gis opens its own, and the innermost collects.
+class GdalSession {
+  public:
+    GdalSession();
+    ~GdalSession();
+    GdalSession(const GdalSession&) = delete;
+    GdalSession& operator=(const GdalSession&) = delete;
+
+    /// Warnings and errors so far, oldest first.
+    [[nodiscard]] const std::vector<std::string>& messages() const noexcept { return messages_; }
+    /// The latest error, or the latest warning if there was no error, or nothing.
+    [[nodiscard]] std::string last_message() const;
+    /// Whether GDAL reported a failure (warnings do not count).
+    [[nodiscard]] bool failed() const noexcept { return !last_error_.empty(); }
+    void forget();
+
+    /// For the error handler only.
+    void take(bool is_error, const char* message);
+
+  private:
+    std::vector<std::string> messages_;
+    std::string last_error_;
+};
+
+}  // namespace frana::gis

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/colour.h"
+#include "core/raster.h"
+
+namespace frana::gis {
+
+/// The value that stands for "no data" in Float32 files.
+inline constexpr double k_file_nodata = -9999;
+
+/// What a band tells its reader.
+struct BandText {
+    std::string name;                             ///< "max_depth"
+    std::string description;                      ///< "Maximum flow depth, vertical"
+    std::string unit;                             ///< "m"
+    std::map<std::string, std::string> metadata;  ///< program, version, ...
+};
+
+/// A Float32 cloud-optimised GeoTIFF with nodata -9999, overviews, statistics and texts inside; nothing
+/// beside it. Written aside and renamed: on failure an older file stays. Throws Error(environment), on a full
+/// disk too.
+void write_geotiff(const std::string& path, const Raster& raster, const BandText& text);
+
+/// One class of a classified raster.
+struct ClassEntry {
+    std::uint8_t value = 0;  ///< 1 to 254
+    std::string label;
+    Rgb colour;
+};
+
+/// The same with one byte per cell (NaN becomes 0, which is nodata), the classes' names and colours inside.
+/// Throws Error(input) for a value that is no class.
+void write_class_geotiff(const std::string& path, const Raster& raster,
+                         const std::vector<ClassEntry>& classes, const BandText& text);
+
+}  // namespace frana::gis

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/colour.h"
+
+namespace frana::gis {
+
+/// One entry of a raster's colour scale. In a classed style `value` is the class's upper bound (for
+/// whole-number classes: the class itself).
+struct ColourStop {
+    double value = 0;
+    Rgb colour;
+    std::string label;
+};
+
+enum class StyleKind {
+    ramp,     ///< colours run straight between stops
+    classed,  ///< one colour up to each stop's value
+    exact,    ///< one colour for each stop's very value
+};
+
+/// Classes 0..bounds[1], bounds[1]..bounds[2], ... coloured as the maps colour them: at the middle of each
+/// class's place on the scale. `bounds` as from nice_classes.
+std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds,
+                                    const std::string& unit);
+
+/// Writes NAME.qml (QGIS) and NAME.sld (OGC) beside NAME.tif; cells without data stay transparent.
+/// Throws Error(environment).
+void write_styles(const std::string& tif_path, const std::vector<ColourStop>& stops, const std::string& unit,
+                  StyleKind kind);
+
+}  // namespace frana::gis

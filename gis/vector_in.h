@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/geometry.h"
+#include "gis/crs_transform.h"
+
+namespace frana::gis {
+
+struct PolygonLayer {
+    std::vector<PolygonFeature> features;  ///< in the target CRS
+    std::string crs_label;                 ///< of the file, for people
+    std::string layer_name;
+    TransformInfo transform;
+    Bounds bounds;  ///< in the target CRS
+    std::vector<std::string> warnings;
+};
+
+/// Every polygon of a vector layer in the target CRS (empty: coordinates as they are). `path` may name a
+/// layer: "file.gpkg|layer=release". Curves become straight pieces, heights are dropped, closed lines count
+/// as polygons, long edges are bent as the projection bends them (to 1 mm). An outline that touches itself is
+/// repaired with a warning; one that crosses itself is refused with the place. `where` names the key. Throws
+/// Error(input) with every feature's problem: missing file, no CRS, empty layer, no polygon, crossing.
+PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt,
+                           const std::string& where);
+
+}  // namespace frana::gis

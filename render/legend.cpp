@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/legend.h"
+
+#include <algorithm>
+#include <array>
+
+namespace frana::render {
+namespace {
+
+struct BoxSize {
+    double width, height;
+};
+
+BoxSize swatch(const PageStyle& style) {
+    return {2.0 * style.label.size_px, 1.35 * style.label.size_px};
+}
+
+double text_offset(const PageStyle& style) {
+    return swatch(style).width + 0.6 * style.label.size_px;
+}
+
+std::string full_title(const LegendContent& content) {
+    return content.unit.empty() ? content.title : content.title + " [" + content.unit + "]";
+}
+
+}  // namespace
+
+std::vector<double> outline_dashes(const Outline& outline, double width_px) {
+    if (!outline.dashed) return {};
+    return {3.2 * width_px, 2.2 * width_px};
+}
+
+double legend_width(const LegendContent& content, const PageStyle& style, const Sheet& sheet, double most) {
+    const Lettering& lettering = sheet.lettering();
+    double width = 0;
+    for (const ColourClass& one : content.scale->classes()) {
+        width = std::max(width, text_offset(style) + lettering.width(one.label, style.label));
+    }
+    for (const Outline& outline : *content.outlines) {
+        width = std::max(width, text_offset(style) + lettering.width(outline.label, style.label));
+    }
+    for (const std::string& note : *content.notes)
+        width = std::max(width, lettering.width(note, style.label));
+    width = std::max(width, lettering.width(full_title(content), style.heading));
+    return std::min(most, std::ceil(width) + 2);
+}
+
+double draw_legend(const LegendContent& content, const PageStyle& style, Point corner, double width,
+                   Sheet& sheet, std::vector<LegendEntry>& entries) {
+    const BoxSize size = swatch(style);
+    const double line_height = Sheet::line_height(style.label);
+    double y = corner.y;
+    const auto labelled = [&](const std::string& label, double row_height) {
+        // A label of several lines begins where a label of one line would stand.
+        double line_y = y + row_height / 2;
+        for (const std::string& line : sheet.wrapped(label, style.label, width - text_offset(style))) {
+            sheet.text(line, {corner.x + text_offset(style), line_y}, style.label, Across::left,
+                       Upright::middle);
+            line_y += line_height;
+        }
+        y = std::max(y + row_height, line_y - line_height + row_height / 2);
+    };
+
+    const std::vector<ColourClass>& classes = content.scale->classes();
+    if (!classes.empty()) {
+        y = sheet.lines(sheet.wrapped(full_title(content), style.heading, width), {corner.x, y},
+                        style.heading, Across::left) +
+            0.15 * style.heading.size_px;
+        const bool apart = content.scale->categorical();  // ranges touch, categories stand apart
+        std::vector<const ColourClass*> order;
+        for (const ColourClass& one : classes) order.push_back(&one);
+        if (!apart) std::reverse(order.begin(), order.end());
+        for (const ColourClass* one : order) {
+            const PageBox box{corner.x, y, corner.x + size.width, y + size.height};
+            sheet.canvas().fill(box, one->colour);
+            sheet.canvas().frame(box, {style.line(1), k_ink});
+            entries.push_back({one->label, one->colour, box, one->lower, one->upper});
+            labelled(one->label, size.height);
+            if (apart) y += 0.4 * size.height;
+        }
+        y += style.gap;
+    }
+    for (const Outline& outline : *content.outlines) {
+        if (outline.label.empty()) continue;
+        const double line = style.line(outline.width_px);
+        const std::array<Point, 2> ends{
+            {{corner.x, y + size.height / 2}, {corner.x + size.width, y + size.height / 2}}};
+        sheet.canvas().line(ends, {line, outline.colour, 1, outline_dashes(outline, line)});
+        labelled(outline.label, size.height);
+        y += 0.2 * size.height;
+    }
+    if (!content.outlines->empty()) y += style.gap;
+    for (const std::string& note : *content.notes) {
+        y = sheet.lines(sheet.wrapped(note, style.label, width), {corner.x, y}, style.label, Across::left);
+    }
+    return y;
+}
+
+}  // namespace frana::render

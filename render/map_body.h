@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/colour_scale.h"
+#include "render/image.h"
+#include "render/map_layout.h"
+
+namespace frana::render {
+
+/// A window of the ground drawn into whole pixels of a page.
+struct MapFrame {
+    int left = 0, top = 0, width = 0, height = 0;  ///< [px]
+    Bounds window;
+
+    [[nodiscard]] double metres_per_pixel() const { return window.width() / width; }
+    /// Map coordinates of a pixel's centre.
+    [[nodiscard]] Point ground(int column, int row) const {
+        return {window.west + (column + 0.5) * metres_per_pixel(),
+                window.north - (row + 0.5) * metres_per_pixel()};
+    }
+    /// Pixels of the page, from its upper left corner.
+    [[nodiscard]] Point page(Point map) const {
+        return {left + (map.x - window.west) / metres_per_pixel(),
+                top + (window.north - map.y) / metres_per_pixel()};
+    }
+    [[nodiscard]] PageBox box() const {
+        return {static_cast<double>(left), static_cast<double>(top), static_cast<double>(left + width),
+                static_cast<double>(top + height)};
+    }
+};
+
+/// Brightness and tint of shaded relief (0 to 1), light enough to carry colours and lines.
+Rgb relief_colour(double shade);
+
+/// Shaded relief of a terrain; pale grey where there is none.
+void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain);
+
+/// Cells in the pure colours of their classes, each pixel from the cell that holds its centre.
+/// Returns the number of pixels coloured.
+std::int64_t paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale);
+
+}  // namespace frana::render

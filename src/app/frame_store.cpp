@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/frame_store.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "app/stopwatch.h"
+#include "app/text_file.h"
+#include "core/error.h"
+#include "core/json.h"
+#include "gis/raster_out.h"
+#include "params/value_text.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string frame_file(const std::string& folder, const std::string& what, std::size_t index) {
+    char number[16];
+    std::snprintf(number, sizeof number, "_%04zu.tif", index);
+    return (fs::path(folder) / (what + number)).string();
+}
+
+std::string list_file(const std::string& folder) {
+    return (fs::path(folder) / "frames.csv").string();
+}
+
+}  // namespace
+
+void FrameWriter::add(const Frame& frame) {
+    const Stopwatch watch;
+    const std::map<std::string, std::string> time{{"TIME_S", shortest_text(frame.time)}};
+    gis::write_geotiff(frame_file(folder_, "depth", times_.size()), frame.depth,
+                       {"depth", "Flow depth at one instant, vertical", "m", time});
+    gis::write_geotiff(frame_file(folder_, "velocity", times_.size()), frame.velocity,
+                       {"velocity", "Flow speed at one instant, along the bed", "m/s", time});
+    times_.push_back(frame.time);
+    seconds_ += watch.seconds();
+}
+
+void FrameWriter::finish() const {
+    std::string text = "index,time_s\n";
+    for (std::size_t i = 0; i < times_.size(); ++i)
+        text += std::to_string(i) + "," + shortest_text(times_[i]) + "\n";
+    write_text_file(list_file(folder_), text);
+}
+
+std::vector<StoredFrame> stored_frames(const std::string& folder) {
+    std::ifstream file(list_file(folder));
+    if (!file) {
+        throw Error(ErrorKind::input, Problem{"the result has no frames", list_file(folder), "", "",
+                                              "Run the scene with output.frames = on"});
+    }
+    std::vector<StoredFrame> frames;
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        const auto words = words_of(trimmed(line));
+        const auto time = words.size() == 2 ? number_from_text(words[1]) : std::nullopt;
+        if (!time)
+            throw Error(ErrorKind::input, Problem{"is not index,time_s", list_file(folder), line, "", ""});
+        frames.push_back({*time, frame_file(folder, "depth", frames.size()),
+                          frame_file(folder, "velocity", frames.size())});
+    }
+    return frames;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/raster.h"
+#include "simulation/result.h"
+
+namespace frana::app {
+
+/// A raster of the result: its file NAME.tif, its texts, and how it is drawn. The one list that files, styles
+/// and maps are made from.
+struct Layer {
+    std::string name;         ///< "max_depth"
+    std::string title;        ///< "Maximum depth"
+    std::string description;  ///< for the band: "Maximum flow depth over time, vertical"
+    std::string unit;         ///< "m"
+    std::string palette;
+    Raster RunResult::*values;
+};
+
+std::vector<Layer> result_layers();
+
+/// The layer of a name; throws Error(input) naming the known ones.
+Layer layer_named(const std::string& name);
+
+/// Class bounds of a layer's legend, the same in the GIS style and on the maps. `maximum` may be NaN (empty
+/// layer).
+std::vector<double> layer_classes(double maximum);
+
+}  // namespace frana::app
