@@ -89,7 +89,8 @@ bool is_projected_in_metres(const std::string& wkt) {
     auto crs = parse(wkt);
     if (!crs) return false;
     drop_heights(*crs);
-    return crs->IsProjected() && std::abs(crs->GetLinearUnits() - 1.0) < 1e-9 && axes_run_east_and_north(*crs);
+    return crs->IsProjected() && std::abs(crs->GetLinearUnits() - 1.0) < 1e-9 &&
+           axes_run_east_and_north(*crs);
 }
 
 std::string horizontal_crs(const std::string& wkt) {
@@ -103,9 +104,9 @@ std::string horizontal_crs(const std::string& wkt) {
 double vertical_metres_per_unit(const std::string& wkt) {
     const GdalSession session;
     const auto crs = parse(wkt);
-    if (!crs || !(crs->IsCompound() || crs->IsVertical())) return 1;
+    if (!crs || !(crs->IsCompound() || crs->IsVertical())) return 0;
     const double unit = crs->GetTargetLinearUnits("VERT_CS");
-    return unit > 0 ? unit : 1;
+    return unit > 0 ? unit : 0;
 }
 
 std::string utm_crs_for(double longitude, double latitude) {

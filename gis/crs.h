@@ -21,7 +21,7 @@ bool is_projected_in_metres(const std::string& wkt);
 /// The horizontal part alone: a working grid's CRS says nothing about heights.
 std::string horizontal_crs(const std::string& wkt);
 
-/// Metres per unit of the vertical part; 1 where there is none.
+/// Metres per unit of the vertical part; 0 where there is none.
 double vertical_metres_per_unit(const std::string& wkt);
 
 /// WKT of the WGS 84 / UTM zone (north or south) of a place given in degrees.

@@ -24,7 +24,8 @@ struct TransformInfo {
 class CrsTransform {
   public:
     /// `area_of_interest` is in coordinates of `from_wkt`; without it the operation is chosen for the CRSs'
-    /// whole common area. An empty WKT on either side, or equal CRSs, leave coordinates as they are. Throws
+    /// whole common area. An empty WKT on either side, or CRSs that agree to 1 mm, leave
+    /// coordinates as they are. Throws
     /// Error(input) when there is no way between the two.
     CrsTransform(const std::string& from_wkt, const std::string& to_wkt,
                  std::optional<Bounds> area_of_interest = std::nullopt);
@@ -40,7 +41,7 @@ class CrsTransform {
     bool apply(std::span<double> x, std::span<double> y, bool backwards) const;
 
     /// The smallest rectangle round a transformed one, its edges followed by 21 points each.
-    [[nodiscard]] Bounds operator()(const Bounds& from) const;
+    [[nodiscard]] Bounds around(const Bounds& from) const;
 
     [[nodiscard]] const TransformInfo& info() const noexcept;
     [[nodiscard]] bool is_identity() const noexcept;

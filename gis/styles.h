@@ -22,8 +22,8 @@ enum class StyleKind {
     exact,    ///< one colour for each stop's very value
 };
 
-/// Classes 0..bounds[1], bounds[1]..bounds[2], ... coloured as the maps colour them: at the middle of each
-/// class's place on the scale. `bounds` as from nice_classes.
+/// Classes bounds[0]..bounds[1], bounds[1]..bounds[2], ... in colours spread evenly over the palette, the
+/// first class at its start and the last at its end, as on the maps. `bounds` as from nice_classes.
 std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds,
                                     const std::string& unit);
 

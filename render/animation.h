@@ -31,7 +31,9 @@ class MapAnimator {
     std::unique_ptr<Page> page_;
 };
 
-/// The same for a view in perspective: terrain, camera, legend and colour scale are made once.
+/// The same for a view in perspective: terrain, camera, legend and colour scale are made once. The surface is
+/// raised by each frame's own layer where the base's `thickness` is its `layer`, otherwise always by the
+/// base's thickness.
 class ViewAnimator {
   public:
     explicit ViewAnimator(const ViewSpec& base);

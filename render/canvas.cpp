@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "render/dashes.h"
 #include "render/vtk_errors.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -40,35 +41,6 @@ std::uint32_t packed(Rgb colour, double opacity) {
     const auto alpha = static_cast<std::uint32_t>(std::lround(255 * std::clamp(opacity, 0.0, 1.0)));
     return static_cast<std::uint32_t>(colour.r) | static_cast<std::uint32_t>(colour.g) << 8U |
            static_cast<std::uint32_t>(colour.b) << 16U | alpha << 24U;
-}
-
-/// The strokes of a dashed line.
-std::vector<Polyline> dashed(std::span<const Point> points, const std::vector<double>& dashes) {
-    std::vector<Polyline> strokes;
-    std::size_t phase = 0;
-    double left = dashes[0];
-    Polyline stroke{points.front()};
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        Point from = points[i - 1];
-        const Point to = points[i];
-        double length = std::hypot(to.x - from.x, to.y - from.y);
-        while (length > left) {
-            const double share = left / length;
-            from = {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
-            length -= left;
-            if (phase % 2 == 0) {
-                stroke.push_back(from);
-                strokes.push_back(std::move(stroke));
-            }
-            phase = (phase + 1) % dashes.size();
-            left = std::max(dashes[phase], 0.5);
-            stroke = {from};
-        }
-        left -= length;
-        stroke.push_back(to);
-    }
-    if (phase % 2 == 0 && stroke.size() > 1) strokes.push_back(std::move(stroke));
-    return strokes;
 }
 
 }  // namespace
@@ -160,7 +132,9 @@ LayerImage Canvas::draw() const {
     vtkNew<vtkCellArray> triangles;
     for (vtkIdType i = 0; i < n_corners; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        positions->SetTuple3(i, corners_[2 * k], corners_[2 * k + 1], 0);
+        // Later triangles lie nearer to the eye, so that the depth test lets them cover earlier ones.
+        const double height = 0.9 * static_cast<double>(i / 3) / static_cast<double>(n_corners);
+        positions->SetTuple3(i, corners_[2 * k], corners_[2 * k + 1], height);
         for (int band = 0; band < 4; ++band) {
             shades->SetTypedComponent(
                 i, band, static_cast<unsigned char>(colours_[k] >> (8U * static_cast<unsigned>(band))));
@@ -180,7 +154,7 @@ LayerImage Canvas::draw() const {
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->GetProperty()->LightingOff();
-    actor->ForceTranslucentOn();  // drawn in order, so that later shapes cover earlier ones
+    actor->ForceOpaqueOn();  // drawn in order and blended; the translucent pass would mix regardless of order
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(0, 0, 0);
     renderer->SetBackgroundAlpha(0);
@@ -189,7 +163,7 @@ LayerImage Canvas::draw() const {
     vtkCamera* camera = renderer->GetActiveCamera();
     camera->ParallelProjectionOn();
     camera->SetParallelScale(height_ / 2.0);
-    camera->SetClippingRange(0.5, 1.5);
+    camera->SetClippingRange(0.5, 1.05);
 
     std::vector<std::uint16_t> sum(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     LayerImage picture;

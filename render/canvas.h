@@ -17,7 +17,7 @@ struct LineStyle {
     double width_px = 1;
     Rgb colour{0, 0, 0};
     double opacity = 1;
-    std::vector<double> dashes;  ///< lengths of stroke, gap, stroke, gap... [px]; empty: unbroken
+    std::vector<double> dashes{};  ///< lengths of stroke, gap, stroke, gap... [px]; empty: unbroken
 };
 
 /// Lines and filled shapes on a transparent page, in pixels from the upper left corner; later ones cover

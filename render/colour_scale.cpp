@@ -13,26 +13,48 @@ namespace {
 constexpr int k_usual_classes = 8;  // more cannot be told apart in a legend
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
-std::vector<double> usual_bounds(const ScaleRequest& request, const std::optional<ValueRange>& range) {
+/// Whether equal classes would put half of all values into the lowest one.
+bool mostly_small(const Raster* layer, const ValueRange& range) {
+    if (layer == nullptr || range.empty() || range.least < 0) return false;
+    std::vector<double> values;
+    for (const double value : layer->values) {
+        if (!std::isnan(value)) values.push_back(value);
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle < range.greatest / k_usual_classes;
+}
+
+/// Bounds that widen as 1, 2, 5, 10, 20 ..., the last not below the maximum: 0, 0.2, 0.5, 1, 2, 5, 10, 20
+/// for 17.
+std::vector<double> progressive_classes(double maximum) {
+    std::vector<double> bounds{nice_step_above(maximum)};
+    while (bounds.size() < k_usual_classes - 1)
+        bounds.insert(bounds.begin(), nice_step_below(0.9 * bounds.front()));
+    bounds.insert(bounds.begin(), 0);
+    return bounds;
+}
+
+std::vector<double> usual_bounds(const ScaleRequest& request, const ValueRange& range) {
     if (!request.classes.empty()) return request.classes;
-    const double top = request.maximum ? *request.maximum : range ? range->greatest : 1;
-    if (!range || range->least >= 0 || request.maximum) return nice_classes(top, k_usual_classes);
+    const double top = request.maximum ? *request.maximum : !range.empty() ? range.greatest : 1;
+    if (!request.maximum && mostly_small(request.layer, range)) return progressive_classes(top);
+    if (range.empty() || range.least >= 0 || request.maximum) return nice_classes(top, k_usual_classes);
     // Values on both sides of zero (change of height): the same steps both ways, zero a bound.
-    const double step = nice_step_above((std::max(top, 0.0) - range->least) / k_usual_classes);
-    std::vector<double> bounds{std::floor(range->least / step) * step};
+    const double step = nice_step_above((std::max(top, 0.0) - range.least) / k_usual_classes);
+    std::vector<double> bounds{std::floor(range.least / step) * step};
     while (bounds.back() < std::max(top, 0.0)) bounds.push_back(std::round(bounds.back() / step + 1) * step);
     return bounds;
 }
 
 }  // namespace
 
-std::optional<ValueRange> value_range(const Raster& raster) {
-    std::optional<ValueRange> range;
+ValueRange value_range(const Raster& raster) {
+    ValueRange range;
     for (const double value : raster.values) {
         if (std::isnan(value)) continue;
-        if (!range) range = ValueRange{value, value};
-        range->least = std::min(range->least, value);
-        range->greatest = std::max(range->greatest, value);
+        range.least = std::min(range.least, value);
+        range.greatest = std::max(range.greatest, value);
     }
     return range;
 }
@@ -60,13 +82,12 @@ ColourScale::ColourScale(const ScaleRequest& request) {
         set_categories(request.categories);
         return;
     }
-    const std::optional<ValueRange> range =
-        request.layer != nullptr ? value_range(*request.layer) : std::nullopt;
+    const ValueRange range = request.layer != nullptr ? value_range(*request.layer) : ValueRange{};
     const std::vector<double> bounds = usual_bounds(request, range);
     const bool given = !request.classes.empty() || request.maximum;
     const bool unseen = request.for_unseen_values && given;
-    const bool open_below = (range && range->least < bounds.front()) || (unseen && bounds.front() > 0);
-    const bool open_above = (range && range->greatest > bounds.back()) || unseen;
+    const bool open_below = range.least < bounds.front() || (unseen && bounds.front() > 0);
+    const bool open_above = range.greatest > bounds.back() || unseen;
     set_bounds(bounds, open_below, open_above, palette(request.palette));
 }
 

@@ -19,11 +19,14 @@ struct ColourClass {
     Rgb colour;
 };
 
-/// The least and greatest value of a raster; nothing if it has no values.
+/// The least and greatest value of a raster.
 struct ValueRange {
-    double least = 0, greatest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool empty() const noexcept { return !(least <= greatest); }  ///< no values at all
 };
-std::optional<ValueRange> value_range(const Raster& raster);
+ValueRange value_range(const Raster& raster);
 
 /// What a colour scale is made from; members as in MapSpec.
 struct ScaleRequest {

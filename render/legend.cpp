@@ -78,7 +78,7 @@ double draw_legend(const LegendContent& content, const PageStyle& style, Point c
             labelled(one->label, size.height);
             if (apart) y += 0.4 * size.height;
         }
-        y += style.gap;
+        y += 1.4 * style.gap;
     }
     for (const Outline& outline : *content.outlines) {
         if (outline.label.empty()) continue;

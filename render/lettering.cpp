@@ -13,6 +13,7 @@
 #include "render/vtk_errors.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkStdString.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
 
@@ -69,7 +70,7 @@ void mix(std::uint8_t* pixel, Rgb colour, double share) {
     }
 }
 
-Point turned(Point p, double angle_deg) {
+Point rotated(Point p, double angle_deg) {
     const double angle = angle_deg * std::numbers::pi / 180;
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * p.x - s * p.y, s * p.x + c * p.y};
@@ -95,9 +96,10 @@ void draw_with_vtk(const std::string& text, const std::string& font, int size, d
         renderer->SetScaleToPowerOfTwo(false);
         vtkTextRenderer::Metrics metrics;
         std::array<int, 2> extent{};
+        const vtkStdString words(text);
         // Backend FreeType: the default one would read a pair of dollar signs as mathematics.
-        good = renderer->GetMetrics(property, text, metrics, k_dots_per_inch, vtkTextRenderer::FreeType) &&
-               renderer->RenderString(property, text, drawn.pixels, extent.data(), k_dots_per_inch,
+        good = renderer->GetMetrics(property, words, metrics, k_dots_per_inch, vtkTextRenderer::FreeType) &&
+               renderer->RenderString(property, words, drawn.pixels, extent.data(), k_dots_per_inch,
                                       vtkTextRenderer::FreeType);
         drawn.descent = std::hypot(metrics.Descent[0], metrics.Descent[1]) + 1;
     }
@@ -120,6 +122,21 @@ Lettering::Lettering() : regular_(find_font("DejaVuSans.ttf")), bold_(find_font(
 
 Lettering::Glyphs Lettering::set(const std::string& text, const TextStyle& style, Across across,
                                  Upright upright) const {
+    if (style.angle_deg == 90) {
+        // Turned pixel by pixel, upright labels keep their letters and their exact place.
+        TextStyle level = style;
+        level.angle_deg = 0;
+        const Glyphs straight = set(text, level, across, upright);
+        Glyphs turned{straight.top, -(straight.left + straight.width), straight.height, straight.width, {}};
+        for (int row = 0; row < turned.height; ++row) {
+            for (int column = 0; column < turned.width; ++column) {
+                turned.ink.push_back(
+                    straight.ink[static_cast<std::size_t>(column) * static_cast<std::size_t>(straight.width) +
+                                 static_cast<std::size_t>(straight.width - 1 - row)]);
+            }
+        }
+        return turned;
+    }
     const std::string clean = printable(text);
     Glyphs glyphs;
     if (clean.find_first_not_of(' ') == std::string::npos) return glyphs;
@@ -168,7 +185,7 @@ Lettering::Glyphs Lettering::set(const std::string& text, const TextStyle& style
                           upright == Upright::baseline ? 0
                           : upright == Upright::middle ? capital / 2
                                                        : capital};
-    const Point origin = turned({reference.x, reference.y + drawn.descent}, style.angle_deg);
+    const Point origin = rotated({reference.x, reference.y + drawn.descent}, style.angle_deg);
     glyphs.width = last_column - first_column + 1;
     glyphs.height = last_row - first_row + 1;
     glyphs.left = static_cast<int>(std::lround(extent[0] + first_column - origin.x));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "render/hillshade.h"
 #include "render/page_style.h"
@@ -10,15 +11,40 @@
 
 namespace frana::render {
 
-Rgb relief_colour(double shade) {
-    // Level ground (0.68 under these lights) comes out light; the darkest slope stays a mid grey, slightly
-    // cool, the brightest nearly white and slightly warm.
-    const double bright = 128 + 122 * std::pow(std::clamp(shade, 0.0, 1.0), 1.05);
-    const double warm = (shade - 0.6) * 12;
-    const auto byte = [](double v) {
-        return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 255.0)));
+ReliefTones::ReliefTones(const Raster& shade) {
+    std::vector<double> values;
+    for (const double value : shade.values) {
+        if (!std::isnan(value)) values.push_back(value);
+    }
+    if (values.empty()) return;
+    // One cell in a hundred may be a cliff or a wall; it must not set the tones of the rest.
+    const auto quantile = [&values](double share) {
+        const auto place =
+            values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+        std::nth_element(values.begin(), place, values.end());
+        return *place;
     };
-    return {byte(bright + warm * 0.5), byte(bright), byte(bright - warm)};
+    darkest_ = quantile(0.01);
+    brightest_ = quantile(0.99);
+    constexpr double k_least_range = 0.4;
+    const double lacking = k_least_range - (brightest_ - darkest_);
+    if (lacking > 0) {
+        darkest_ -= lacking / 2;
+        brightest_ += lacking / 2;
+    }
+    // A hillside that faces the light would be white all over: its middle is brought to the middle of the
+    // tones.
+    constexpr double k_middle_tone = 0.6;
+    const double middle = std::clamp((quantile(0.5) - darkest_) / (brightest_ - darkest_), 0.05, 0.95);
+    gamma_ = std::clamp(std::log(k_middle_tone) / std::log(middle), 0.75, 2.5);
+}
+
+Rgb ReliefTones::colour(double shade) const {
+    const double share = std::pow(std::clamp((shade - darkest_) / (brightest_ - darkest_), 0.0, 1.0), gamma_);
+    // From a cool mid grey to a warm near-white.
+    const double bright = 138 + 110 * share, warm = 5 * share - 2.5;
+    const auto byte = [](double v) { return static_cast<std::uint8_t>(std::lround(v)); };
+    return {byte(bright + warm), byte(bright + 0.4 * warm), byte(bright - warm)};
 }
 
 void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain) {
@@ -26,11 +52,12 @@ void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain) {
     const Raster part = raster_window(terrain, frame.window, most_cells);
     if (part.grid.columns == 0) return;
     const Raster shade = hillshade(part);
+    const ReliefTones tones(shade);
     for (int row = 0; row < frame.height; ++row) {
         for (int column = 0; column < frame.width; ++column) {
             const double value = interpolated(shade, frame.ground(column, row));
             if (std::isnan(value)) continue;
-            const Rgb colour = relief_colour(value);
+            const Rgb colour = tones.colour(value);
             std::uint8_t* p = page.pixel(frame.left + column, frame.top + row);
             p[0] = colour.r;
             p[1] = colour.g;

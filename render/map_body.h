@@ -29,8 +29,17 @@ struct MapFrame {
     }
 };
 
-/// Brightness and tint of shaded relief (0 to 1), light enough to carry colours and lines.
-Rgb relief_colour(double shade);
+/// How shading (0 to 1) becomes a light grey that carries colours and lines. The range of what is shown is
+/// spread over the tones, so that neither sunny nor shady hillsides are flat; level land is not stretched
+/// into noise.
+class ReliefTones {
+  public:
+    explicit ReliefTones(const Raster& shade);
+    [[nodiscard]] Rgb colour(double shade) const;
+
+  private:
+    double darkest_ = 0, brightest_ = 1, gamma_ = 1;
+};
 
 /// Shaded relief of a terrain; pale grey where there is none.
 void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain);

@@ -81,8 +81,12 @@ double interpolated(const Raster& raster, Point map) noexcept {
     column = std::clamp(column, 0.0, static_cast<double>(grid.columns - 1));
     row = std::clamp(row, 0.0, static_cast<double>(grid.rows - 1));
     const auto c0 = static_cast<std::int64_t>(column), r0 = static_cast<std::int64_t>(row);
-    const std::int64_t c1 = std::min(c0 + 1, grid.columns - 1), r1 = std::min(r0 + 1, grid.rows - 1);
     const double u = column - static_cast<double>(c0), v = row - static_cast<double>(r0);
+    // On a centre line the neighbour beyond has no share; a gap there must not spoil the value (NaN times 0
+    // is NaN).
+    constexpr double k_none = 1e-6;
+    const std::int64_t c1 = u < k_none ? c0 : std::min(c0 + 1, grid.columns - 1);
+    const std::int64_t r1 = v < k_none ? r0 : std::min(r0 + 1, grid.rows - 1);
     const double upper = raster.at(r0, c0) * (1 - u) + raster.at(r0, c1) * u;
     const double lower = raster.at(r1, c0) * (1 - u) + raster.at(r1, c1) * u;
     return upper * (1 - v) + lower * v;

@@ -12,7 +12,6 @@ namespace frana::render {
 class VtkErrors::Collector : public vtkOutputWindow {
   public:
     static Collector* New();
-    vtkTypeMacro(Collector, vtkOutputWindow);
 
     void DisplayText(const char* text) override { keep(text); }
     void DisplayErrorText(const char* text) override { keep(text); }
@@ -29,9 +28,9 @@ class VtkErrors::Collector : public vtkOutputWindow {
     }
 };
 
-vtkStandardNewMacro(VtkErrors::Collector);
+vtkStandardNewMacro(VtkErrors::Collector)
 
-VtkErrors::VtkErrors()
+    VtkErrors::VtkErrors()
     : collector_(vtkSmartPointer<Collector>::New()),
       previous_(vtkOutputWindow::GetInstance()),
       previous_verbosity_(static_cast<int>(vtkLogger::GetCurrentVerbosityCutoff())) {

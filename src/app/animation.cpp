@@ -35,6 +35,12 @@ void film(Spec spec, const std::vector<StoredFrame>& frames, const std::string& 
 
 }  // namespace
 
+Size film_size(Size map) {
+    constexpr int k_widest = 1280;
+    if (map.width <= k_widest) return map;
+    return {k_widest, std::max(480, map.height * k_widest / map.width)};
+}
+
 void write_animation(const MapSource& source, const Raster& max_depth, const std::vector<StoredFrame>& frames,
                      bool view_3d, const std::string& path) {
     Layer layer = layer_named("max_depth");

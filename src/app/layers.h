@@ -17,6 +17,8 @@ struct Layer {
     std::string description;  ///< for the band: "Maximum flow depth over time, vertical"
     std::string unit;         ///< "m"
     std::string palette;
+    bool progressive;  ///< classes 1, 2, 5, 10, ... rather than equal ones: for what is small over most of
+                       ///< the area
     Raster RunResult::*values;
 };
 
@@ -27,6 +29,6 @@ Layer layer_named(const std::string& name);
 
 /// Class bounds of a layer's legend, the same in the GIS style and on the maps. `maximum` may be NaN (empty
 /// layer).
-std::vector<double> layer_classes(double maximum);
+std::vector<double> layer_classes(const Layer& layer, double maximum);
 
 }  // namespace frana::app

@@ -2,6 +2,7 @@
 #include "app/map_source.h"
 
 #include "analysis/trace.h"
+#include "app/number_text.h"
 #include "app/version.h"
 
 namespace frana::app {
@@ -28,7 +29,7 @@ Spec furnished(const MapSource& source, const Layer& layer, const Raster& values
     spec.unit = layer.unit;
     spec.attribution = std::string("Simulated with ") + k_program + " " + k_version;
     spec.palette = layer.palette;
-    spec.classes = layer_classes(maximum(values));
+    spec.classes = layer_classes(layer, maximum(values));
     spec.terrain = &source.terrain;
     spec.layer = &values;
     spec.outlines = outlines_of(source);
@@ -41,6 +42,26 @@ Spec furnished(const MapSource& source, const Layer& layer, const Raster& values
 }
 
 }  // namespace
+
+std::string map_subtitle(const MapFacts& facts) {
+    return "Voellmy-Bingham, scheme " + facts.scheme + ", " + figure(facts.simulated_seconds, 3) +
+           " s simulated";
+}
+
+std::vector<std::string> map_notes(const MapFacts& facts) {
+    std::vector<std::string> notes{
+        "Volume " + grouped(facts.volume) + " m³",
+        "Covered " + grouped(facts.covered_area) + " m²",
+        "(deeper than " + figure(facts.threshold, 3) + " m)",
+        "Run-out " + grouped(facts.run_out.horizontal_m) + " m",
+        "Drop " + grouped(facts.run_out.drop_m) + " m",
+        "Angle of reach " + figure(facts.run_out.reach_angle_deg, 3) + "°",
+    };
+    // A map that is not the whole story says so itself: it travels without its log.
+    if (facts.last_speed > k_moving_speed) notes.emplace_back("Still moving at the end");
+    if (facts.volume_left > 0) notes.push_back(grouped(facts.volume_left) + " m³ left the map");
+    return notes;
+}
 
 render::MapSpec map_spec(const MapSource& source, const Layer& layer, const Raster& values) {
     return furnished<render::MapSpec>(source, layer, values);

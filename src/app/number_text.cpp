@@ -18,13 +18,14 @@ std::string figure(double value, int digits) {
 }
 
 std::string grouped(std::int64_t value) {
-    std::string digits = std::to_string(value);
-    const std::size_t first = digits[0] == '-' ? 1 : 0;
-    for (std::size_t i = digits.size(); i > first + 3;) {
-        i -= 3;
-        digits.insert(i, " ");
+    const std::string digits = std::to_string(value);
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        const std::size_t left = digits.size() - i;
+        if (i > 0 && left % 3 == 0 && digits[i - 1] != '-') text += ' ';
+        text += digits[i];
     }
-    return digits;
+    return text;
 }
 
 std::string grouped(double value) {

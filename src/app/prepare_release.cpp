@@ -5,6 +5,7 @@
 
 #include "app/check_release.h"
 #include "app/number_text.h"
+#include "app/thickness_volume.h"
 #include "core/json.h"
 #include "gis/crs.h"
 #include "gis/rasterize.h"
@@ -23,9 +24,11 @@ std::string target_crs(const SceneReading& reading, const TerrainInput* ground) 
 
 /// The thickness raster on the working grid: the file itself, or the positive part of before less after.
 std::optional<Raster> thickness_raster(const SceneReading& reading, const ThicknessSpec& spec,
-                                       const TerrainInput* ground, ReleaseInput& release,
+                                       const TerrainInput* ground, ReleaseInput& release, RunLog& log,
                                        Problems& problems) {
     const std::string where = reading.where("release.thickness");
+    // The two of a difference are terrain models; a thickness has its own unit.
+    const std::string unit = spec.kind == Kind::difference ? reading.scene.terrain.vertical_unit : "auto";
     std::vector<std::string> files{spec.raster};
     if (spec.kind == Kind::difference) files.push_back(spec.post);
     std::vector<Raster> rasters;
@@ -40,7 +43,8 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                               "Write one into the file, for example with gdal_edit.py -a_srs EPSG:..."});
                 continue;
             }
-            gis::RasterRead read = gis::read_raster_on(file, ground->terrain.grid, "", gis::Resampling::automatic, unit);
+            gis::RasterRead read =
+                gis::read_raster_on(file, ground->terrain.grid, "", gis::Resampling::automatic, unit);
             for (const std::string& warning : read.warnings) log.warn("thickness: " + warning);
             rasters.push_back(std::move(read.raster));
         } catch (const Error& error) {
@@ -146,7 +150,10 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
         area.normal_to_bed = reading.scene.release.thickness_direction == "normal";
         release.area_m2 += frana::area(area.outline);
     }
-    if (ground != nullptr) check_release(reading, *ground, release, log, problems);
+    if (ground != nullptr) {
+        check_release(reading, *ground, release, log, problems);
+        if (problems.empty()) release.file_volume_m3 = thickness_volume(release, ground->terrain.grid);
+    }
     return release;
 }
 

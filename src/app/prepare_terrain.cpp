@@ -30,38 +30,51 @@ std::string utm_at_centre(const std::string& crs, const Bounds& bounds) {
     return gis::utm_crs_for(degrees.x, degrees.y);
 }
 
+/// The working CRS that terrain.crs names.
+std::string asked_crs(const SceneReading& reading) {
+    const std::string where = reading.where("terrain.crs"), asked = reading.scene.terrain.crs;
+    const std::string crs = gis::crs_from_user(asked, where);
+    if (!gis::is_projected_in_metres(crs)) {
+        throw Error(ErrorKind::input, Problem{"is not a projected system in metres", where, asked,
+                                              "a projected CRS in metres, such as a UTM zone",
+                                              "Choose another, or remove the key"});
+    }
+    return gis::horizontal_crs(crs);
+}
+
+/// Without a CRS coordinates must be metres already.
+void check_local(const SceneReading& reading, const gis::RasterInfo& file) {
+    if (file.crs_wkt.empty() || gis::is_projected_in_metres(file.crs_wkt)) return;
+    throw Error(
+        ErrorKind::input,
+        Problem{"the DTM's coordinates are not metres, so they cannot be taken as they are",
+                reading.where("terrain.crs"), "local", "", "Remove the key: frana then chooses a UTM zone"});
+}
+
 /// The working CRS: what was asked for, else the DTM's own if projected in metres, else the UTM zone of its
 /// centre.
 std::string working_crs(const SceneReading& reading, const gis::RasterInfo& file) {
     const std::string& asked = reading.scene.terrain.crs;
     if (asked == "local") {
-        if (!file.crs_wkt.empty() && !gis::is_projected_in_metres(file.crs_wkt)) {
-            throw Error(ErrorKind::input,
-                        Problem{"the DTM's coordinates are not metres, so they cannot be taken as they are",
-                                reading.where("terrain.crs"), "local", "",
-                                "Remove the key: frana then chooses a UTM zone"});
-        }
+        check_local(reading, file);
         return {};
     }
+    Problems problems;
+    std::string crs;
+    try {
+        if (asked != "auto") crs = asked_crs(reading);
+    } catch (const Error& error) {
+        problems.add(error);
+    }
     if (file.crs_wkt.empty()) {
-        throw Error(
-            ErrorKind::input,
-            Problem{
-                "has no coordinate reference system", reading.where("terrain.dtm"), file.path, "",
-                "Say which one it is in with terrain.dtm-crs = EPSG:..., or set terrain.crs = local to take "
-                "its coordinates, and the perimeter's, as plain metres"});
+        problems.add(
+            {"has no coordinate reference system", reading.where("terrain.dtm"), file.path, "",
+             "Say which one it is in with terrain.dtm-crs = EPSG:..., or set terrain.crs = local to take its "
+             "coordinates, and the perimeter's, as plain metres"});
     }
-    if (asked != "auto") {
-        const std::string crs = gis::crs_from_user(asked, reading.where("terrain.crs"));
-        if (!gis::is_projected_in_metres(crs)) {
-            throw Error(ErrorKind::input,
-                        Problem{"is not a projected system in metres", reading.where("terrain.crs"), asked,
-                                "a projected CRS in metres, such as a UTM zone",
-                                "Choose another, or remove the key"});
-        }
-        return crs;
-    }
-    return gis::is_projected_in_metres(file.crs_wkt) ? file.crs_wkt
+    problems.throw_if_any();
+    if (!crs.empty()) return crs;
+    return gis::is_projected_in_metres(file.crs_wkt) ? gis::horizontal_crs(file.crs_wkt)
                                                      : utm_at_centre(file.crs_wkt, file.bounds);
 }
 
@@ -94,9 +107,8 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
 
     const GridSpec grid = gis::working_grid(input.file, crs, spec.bounds, spec.cell_size);
     check_size(reading, grid);
-    gis::RasterRead read =
-        gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "",
-                            resampling_of(spec.resampling), spec.vertical_unit);
+    gis::RasterRead read = gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "",
+                                               resampling_of(spec.resampling), spec.vertical_unit);
     for (const std::string& warning : read.warnings) log.warn("DTM: " + warning);
     input.terrain = std::move(read.raster);
     input.resampling_used = read.resampling_used;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/result_directory.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -97,7 +98,8 @@ void check_result_directory(const std::string& directory, bool overwrite,
     }
 }
 
-ResultDirectory::ResultDirectory(std::string directory) : directory_(clean(directory).string()) {
+ResultDirectory::ResultDirectory(std::string directory, bool overwrite)
+    : directory_(clean(directory).string()), overwrite_(overwrite) {
     std::error_code failure;
     fs::create_directories(fs::path(directory_).parent_path(), failure);
     if (failure) fail("cannot be made", fs::path(directory_).parent_path().string(), failure.message());
@@ -130,6 +132,10 @@ void ResultDirectory::publish() {
     std::error_code failure;
     const std::string old = aside_ + ".old";
     const bool replaces = fs::is_directory(directory_, failure) && !fs::is_empty(directory_, failure);
+    if (replaces && !overwrite_) {
+        published_ = true;  // somebody else was faster; what was computed is not thrown away
+        fail("another result has appeared there meanwhile", directory_, "this one is kept in " + aside_);
+    }
     if (replaces) {
         fs::rename(directory_, old, failure);
         if (failure) fail("the older result cannot be moved away", directory_, failure.message());

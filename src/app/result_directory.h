@@ -20,7 +20,7 @@ void check_result_directory(const std::string& directory, bool overwrite,
 class ResultDirectory {
   public:
     /// Creates the sibling. Throws Error(environment).
-    explicit ResultDirectory(std::string directory);
+    ResultDirectory(std::string directory, bool overwrite);
     /// Removes the sibling unless it was published.
     ~ResultDirectory();
     ResultDirectory(const ResultDirectory&) = delete;
@@ -37,6 +37,7 @@ class ResultDirectory {
   private:
     std::string directory_;
     std::string aside_;
+    bool overwrite_;
     bool published_ = false;
 };
 

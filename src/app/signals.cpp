@@ -16,6 +16,11 @@ extern "C" void take_note(int signal_number) {
 
 }  // namespace
 
+void ignore_file_signals() {
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
 void catch_stop_signals() {
     std::signal(SIGINT, take_note);
     std::signal(SIGTERM, take_note);

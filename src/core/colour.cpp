@@ -10,7 +10,8 @@
 namespace frana {
 namespace {
 
-// Anchors of viridis, inferno (both CC0) and cividis at equal steps, read from the light end.
+// Anchors of viridis, inferno and plasma (all CC0) at equal steps, read from the light end. Inferno's palest
+// tone would vanish on a white hillside and is replaced.
 const std::array<Palette, 3>& palettes() {
     static const std::array<Palette, 3> all{
         Palette{"depth",
@@ -24,7 +25,7 @@ const std::array<Palette, 3>& palettes() {
                  {71, 45, 123},
                  {68, 1, 84}}},
         Palette{"velocity",
-                {{252, 255, 164},
+                {{253, 236, 138},
                  {249, 201, 50},
                  {249, 142, 9},
                  {227, 89, 51},
@@ -33,16 +34,14 @@ const std::array<Palette, 3>& palettes() {
                  {87, 16, 110},
                  {33, 12, 74}}},
         Palette{"time",
-                {{254, 232, 56},
-                 {225, 204, 85},
-                 {195, 179, 105},
-                 {165, 156, 116},
-                 {138, 134, 120},
-                 {112, 113, 115},
-                 {87, 93, 109},
-                 {59, 73, 108},
-                 {18, 53, 112},
-                 {0, 34, 78}}},
+                {{240, 249, 33},
+                 {254, 188, 43},
+                 {244, 136, 73},
+                 {219, 92, 104},
+                 {185, 50, 137},
+                 {139, 10, 165},
+                 {84, 2, 163},
+                 {13, 8, 135}}},
     };
     return all;
 }
@@ -51,7 +50,8 @@ const std::array<Palette, 3>& palettes() {
 
 Rgb colour_at(const Palette& palette, double t) {
     const std::vector<Rgb>& anchors = palette.anchors;
-    const double place = std::clamp(std::isnan(t) ? 0.0 : t, 0.0, 1.0) * static_cast<double>(anchors.size() - 1);
+    const double place =
+        std::clamp(std::isnan(t) ? 0.0 : t, 0.0, 1.0) * static_cast<double>(anchors.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
     const double share = place - static_cast<double>(below);
     const auto mix = [share](std::uint8_t a, std::uint8_t b) {
@@ -76,7 +76,8 @@ std::vector<double> nice_classes(double maximum, int classes) {
     int exponent = static_cast<int>(std::floor(std::log10(maximum / wanted))) - 1;
     for (;; ++exponent) {
         for (const int factor : {1, 2, 5}) {
-            // Dividing by a power of ten gives the double nearest to the decimal number; multiplying by 0.1 would not.
+            // Dividing by a power of ten gives the double nearest to the decimal number; multiplying by 0.1
+            // would not.
             const auto bound = [&](int k) {
                 const double whole = static_cast<double>(factor) * k;
                 return exponent < 0 ? whole / std::pow(10.0, -exponent) : whole * std::pow(10.0, exponent);

@@ -34,6 +34,8 @@ void mirror_sums(NodeGrid& nodes) {
         sums[inner].py += normal_is_x ? g.py : -g.py;
         sums[inner].area += g.area;
         sums[inner].area_bed += g.area_bed;
+        sums[inner].fx += g.fx;
+        sums[inner].fy += g.fy;
         sums[ghost] = NodeSums{};
     });
     for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool normal_is_x) {

@@ -6,15 +6,16 @@
 
 namespace frana {
 
-/// Each node's mean depth and free surface. Reads NodeSums mass, area, area_bed; writes NodeLevel depth, level.
+/// Each node's mean depth and free surface, and how level that surface is. Reads NodeSums mass, area, area_bed and
+/// the squares in fx, fy, which it clears for the forces; writes NodeLevel depth, level, ponding.
+///
+/// Ponding tells a pool from a layer on a slope: it compares the spread of the particles' free surface round the node
+/// with the spread of the bed under them. 1 where the surface spreads less than a fifth of the bed, 0 where more than
+/// half, smooth between. On a level bed, and for a single particle, both references are the same.
 void mean_levels(const NodeRange& range, NodeGrid& nodes);
 
-/// Each node's ponding and support, from its neighbours; needs mean_levels of the whole neighbourhood.
-///
-/// Ponding tells a pool from a layer on a slope by comparing the slope of the free surface with that of the bed: 1
-/// where the surface is less than a fifth as steep, 0 where it is more than half as steep, smooth between. On a level
-/// bed both references are the same. Support is the least share of any neighbour whose bed lies under the surface,
-/// full at 0.6 (specification 4, item 4).
+/// Each node's support: the least share of any neighbour whose bed lies under the surface, full at 0.6 (specification
+/// 4, item 4); needs mean_levels of the whole neighbourhood.
 void node_references(const NodeRange& range, NodeGrid& nodes);
 
 }  // namespace frana

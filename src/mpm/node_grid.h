@@ -17,8 +17,9 @@ struct alignas(64) NodeSums {
     double mass;                  ///< volume: density is constant and divided out [m3]
     double px, py;                ///< momentum [m4/s]; after the update: velocity [m/s]
     double area;                  ///< area the particles claim [m2]; after the update: share of the cell, phi [-]
-    double area_bed;              ///< sum of area times bed elevation [m3]
-    double fx, fy;                ///< force over density [m4/s2]; after the update: velocity before it [m/s]
+    double area_bed;              ///< sum of area times bed elevation over the node's own bed [m3]; later: held or not
+    double fx, fy;                ///< force over density [m4/s2]; after the update: velocity before it [m/s]; at first:
+                                  ///< sums of area times squared bed (fx) and surface (fy) over the node's own bed [m4]
     double support;               ///< after the update: NodeLevel::support
 };
 
@@ -30,11 +31,16 @@ struct NodeLevel {
     double support;  ///< 1: filled all round; 0: a free front
 };
 
-/// Depth that a node shows [m]: the mean depth of its particles where it is filled all round, free of the unevenness
-/// of their arrangement; volume over cell area at fronts and films, where the cell is only partly covered.
+/// Share of a cell from which it counts as filled (specification 4, item 4).
+inline constexpr double k_filled_share = 0.6;
+
+/// Depth that a node shows [m]: the mean depth of its particles where it is filled, itself and all round, free of the
+/// unevenness of their arrangement; volume over cell area at fronts and films, where the cell is only partly covered.
 inline double shown_depth(double mass, double area, double support, double inverse_cell_area) noexcept {
     const double by_volume = mass * inverse_cell_area;
-    return area > 0 ? by_volume + support * (mass / area - by_volume) : by_volume;
+    if (!(area > 0)) return by_volume;
+    const double share = area * inverse_cell_area / k_filled_share;
+    return by_volume + support * (share < 1 ? share : 1) * (mass / area - by_volume);
 }
 
 /// The background grid: one node at each cell centre of the terrain, rows from the south, with ghost nodes around.

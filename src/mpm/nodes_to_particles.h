@@ -18,6 +18,9 @@ inline constexpr double k_relaxation_gain = 0.03, k_relaxation_limit = 0.2;
 /// Least factor by which an area may change in a step; the stable step keeps well clear of it.
 inline constexpr double k_least_growth = 0.1;
 
+/// Bound of a particle's area, and of its shape's trace, in cells: what cannot be split (films) grows no further.
+inline constexpr double k_largest_claim = 4;
+
 /// How velocity comes back from the nodes (paper, equations 33-34).
 struct PicTransfer {
     static constexpr bool affine = false, increment = false;
@@ -87,6 +90,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
     double* const q_xy = particles[Field::q_xy];
     double* const q_yy = particles[Field::q_yy];
     const double dx = nodes.cell_size(), inverse_dx = 1 / dx, courant = k.dt * inverse_dx;
+    const double cell_area = dx * dx;
     const double width = nodes.width(), height = nodes.height();
     const double margin = 1e-9 * dx;
     const std::int64_t stride = nodes.stride();
@@ -162,9 +166,11 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             const double fxx = 1 + k.dt * u_x, fxy = k.dt * u_y, fyx = k.dt * v_x, fyy = 1 + k.dt * v_y;
             const double axx = fxx * q_xx[p] + fxy * q_xy[p], axy = fxx * q_xy[p] + fxy * q_yy[p];
             const double ayx = fyx * q_xx[p] + fyy * q_xy[p], ayy = fyx * q_xy[p] + fyy * q_yy[p];
-            q_xx[p] = axx * fxx + axy * fxy;
-            q_xy[p] = axx * fyx + axy * fyy;
-            q_yy[p] = ayx * fyx + ayy * fyy;
+            const double xx = axx * fxx + axy * fxy, xy = axx * fyx + axy * fyy, yy = ayx * fyx + ayy * fyy;
+            const double fit = std::min(1.0, k_largest_claim * cell_area / (xx + yy));
+            q_xx[p] = fit * xx;
+            q_xy[p] = fit * xy;
+            q_yy[p] = fit * yy;
         }
         const double speed2 = un * un + vn * vn, speed = std::sqrt(speed2);
         if constexpr (Relaxed) {
@@ -172,6 +178,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             const double beta = std::min(k_relaxation_limit, k_relaxation_gain * speed * courant);
             if (share > 1 || support > 0.999) new_area *= 1 + beta * (1 / share - 1);
         }
+        // A film too thin to be split claims no more than a few cells: beyond that its support would be a fiction.
+        if constexpr (Relaxed) new_area = std::min(new_area, std::max(area[p], k_largest_claim * cell_area));
         area[p] = new_area;
         const double depth = volume[p] / new_area;
         if constexpr (Stress::active) {

@@ -9,7 +9,8 @@
 namespace frana {
 
 /// Mass, momentum and area of a tile's particles to the nodes (paper, equations 27 and 29; affine part: APIC).
-/// Reads x, y, u, v, volume, area, and c_* if Affine; adds to NodeSums mass, px, py, area, and area_bed if Levels.
+/// Reads x, y, u, v, volume, area, and c_* if Affine; adds to NodeSums mass, px, py, area,
+/// and area_bed and the squares in fx, fy if Levels.
 template <class Shape, bool Affine, bool Levels>
 void particles_to_nodes(const ParticleTile& tile, const ParticleSet& particles, NodeGrid& nodes) {
     const double* x = particles[Field::x];
@@ -38,8 +39,11 @@ void particles_to_nodes(const ParticleTile& tile, const ParticleSet& particles, 
             u_b = c_xy[p] * dx;
             v_b = c_yy[p] * dx;
         }
-        double area_bed = 0;
-        if constexpr (Levels) area_bed = area[p] * interpolate(s, bed, stride).value;
+        double z = 0, depth = 0;
+        if constexpr (Levels) {
+            z = interpolate(s, bed, stride).value;
+            depth = volume[p] / area[p];
+        }
         for (int b = 0; b < Shape::width; ++b) {
             NodeSums* row = sums + s.first + b * stride;
             for (int a = 0; a < Shape::width; ++a) {
@@ -49,7 +53,12 @@ void particles_to_nodes(const ParticleTile& tile, const ParticleSet& particles, 
                 row[a].px += mass * (u0 + a * u_a + b * u_b);
                 row[a].py += mass * (v0 + a * v_a + b * v_b);
                 row[a].area += w * area[p];
-                if constexpr (Levels) row[a].area_bed += w * area_bed;
+                if constexpr (Levels) {
+                    const double above = z - bed[s.first + static_cast<std::size_t>(b * stride + a)];
+                    row[a].area_bed += w * area[p] * above;
+                    row[a].fx += w * area[p] * above * above;
+                    row[a].fy += w * area[p] * (above + depth) * (above + depth);
+                }
             }
         }
     }

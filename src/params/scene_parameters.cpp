@@ -132,6 +132,7 @@ Parameter word_list(const std::string& name, Member member, const std::vector<st
                 return std::find(list.begin(), list.end(), word) != list.end();
             };
             const std::vector<std::string> given = words_of(value);
+            if (given.empty()) return Refusal{"names nothing", ""};
             for (const std::string& word : given) {
                 if (is_in(not_yet, word))
                     return Refusal{"'" + word + "' is not available in this version", ""};
@@ -156,7 +157,7 @@ Parameter map_size_parameter() {
     Parameter result =
         text("output.map-size", FRANA_MEMBER(output.map_size), "text", "Width and height of the maps.");
     result.unit = "pixels";
-    result.limits = "WIDTHxHEIGHT, each from 400 to 8000";
+    result.limits = "WIDTHxHEIGHT, 640x480 to 8000x8000";
     result.read = [](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
         if (!size_from_text(value)) return Refusal{"is not a picture's size", "Write for example 1600x1200"};
         scene.output.map_size = value;
@@ -279,7 +280,8 @@ void add_rest(std::vector<Parameter>& list) {
                           "Simulated time between frames.", "a round number, at most sixty-one frames"));
 
     list.push_back(text("output.directory", FRANA_MEMBER(output.directory), "file",
-                        "Result directory; --out overrides it.", "results/NAME beside the scene, NAME being the scene's"));
+                        "Result directory; --out overrides it.",
+                        "results/NAME beside the scene, NAME being the scene's"));
     list.push_back(word_list("output.maps", FRANA_MEMBER(output.maps), {"on", "off"}, map_names(),
                              "Maps to draw; on: all."));
     list.push_back(on_off("output.frames", FRANA_MEMBER(output.frames),
@@ -295,8 +297,8 @@ void add_rest(std::vector<Parameter>& list) {
                           Range{1e-6, 100},
                           "Depth that counts as touched in the outlines, the covered area and the run-out."));
     list.push_back(map_size_parameter());
-    list.push_back(text("output.title", FRANA_MEMBER(output.title), "text", "Title of the maps.",
-                        "the scene's name"));
+    list.push_back(
+        text("output.title", FRANA_MEMBER(output.title), "text", "Title of the maps.", "the scene's name"));
 
     list.push_back(text("scar.perimeter", FRANA_MEMBER(scar.perimeter), "file",
                         "Surveyed outline to compare with: any polygon layer, in its own CRS.",
@@ -334,7 +336,8 @@ std::vector<Section> scene_sections() {
 }
 
 std::vector<std::string> map_names() {
-    return {"max_depth", "max_velocity", "final_depth", "arrival_time", "max_pressure", "max_depth_3d", "max_velocity_3d"};
+    return {"max_depth",    "max_velocity", "final_depth",    "arrival_time",
+            "max_pressure", "max_depth_3d", "max_velocity_3d"};
 }
 
 }  // namespace frana

@@ -9,7 +9,8 @@ namespace {
 
 template <class Number>
 std::optional<Number> whole_text(const std::string& text) {
-    const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars knows no leading plus
+    const bool plus =
+        text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars knows no leading plus
     const std::string body = plus ? text.substr(1) : text;
     Number value{};
     const char* const end = body.data() + body.size();
@@ -62,8 +63,10 @@ std::optional<Size> size_from_text(const std::string& text) {
     if (cross == std::string::npos) return std::nullopt;
     const auto width = integer_from_text(text.substr(0, cross)),
                height = integer_from_text(text.substr(cross + 1));
-    const auto fits = [](std::optional<std::int64_t> side) { return side && *side >= 400 && *side <= 8000; };
-    if (!fits(width) || !fits(height)) return std::nullopt;
+    const auto fits = [](std::optional<std::int64_t> side, std::int64_t least) {
+        return side && *side >= least && *side <= 8000;
+    };
+    if (!fits(width, 640) || !fits(height, 480)) return std::nullopt;
     return Size{static_cast<int>(*width), static_cast<int>(*height)};
 }
 

@@ -24,7 +24,7 @@ struct Size {
     int width = 0;
     int height = 0;
 };
-/// "1600x1200": a picture's size, each side from 400 to 8000 pixels.
+/// "1600x1200": a picture's size, from 640x480 to 8000x8000 pixels.
 std::optional<Size> size_from_text(const std::string& text);
 
 std::string joined(const std::vector<std::string>& words, const std::string& separator);

@@ -30,8 +30,9 @@ std::string scene_text(const SceneSpec& scene, const std::map<std::string, std::
             section = parameter.section;
             text += "\n[" + section + "]\n";
         }
-        text += "# " + (parameter.unit.empty() ? "" : parameter.unit + "; ") +
-                describe(scene.origin_of(parameter.name()));
+        text += "# " + parameter.meaning;
+        if (!parameter.unit.empty()) text += " [" + parameter.unit + "]";
+        text += " From: " + describe(scene.origin_of(parameter.name()));
         const auto chosen = resolved.find(parameter.name());
         if (chosen != resolved.end()) text += "; used: " + chosen->second;
         text += '\n';

@@ -66,7 +66,9 @@ class TileResampler {
         count_cells(particles[Field::x], particles[Field::y], tile.begin, tile.end);
         const double limit = limits_.split_extent * limits_.cell_size;
         for (std::size_t p = tile.begin; p < tile.end; ++p) {
-            if (counts_[cell_of(particles[Field::x][p], particles[Field::y][p])] > limits_.max_per_cell) return true;
+            const int in_cell = counts_[cell_of(particles[Field::x][p], particles[Field::y][p])];
+            if (in_cell > limits_.max_per_cell) return true;
+            if (in_cell >= limits_.split_below) continue;
             const Symmetric q{particles[Field::q_xx][p], particles[Field::q_xy][p], particles[Field::q_yy][p]};
             if (q.largest() > limit * limit &&
                 particles[Field::volume][p] > limits_.minimum_depth * particles[Field::area][p]) {
@@ -106,7 +108,7 @@ class TileResampler {
             ParticleRow& r = rows[p];
             if (extent(r) <= limit || get(r, Field::volume) <= limits_.minimum_depth * get(r, Field::area)) continue;
             int& in_cell = counts_[cell_of(get(r, Field::x), get(r, Field::y))];
-            if (in_cell >= limits_.max_per_cell) continue;
+            if (in_cell >= limits_.split_below) continue;
             const Point axis = shape_of(r).axis();
             // Halves go at most half a cell away, which the sort's drift budget has room for.
             const double quarter = std::min(0.25 * extent(r), k_split_reach * limits_.cell_size), ox = quarter * axis.x, oy = quarter * axis.y;

@@ -31,7 +31,7 @@ TEST(ValueText, WordsAndSwitches) {
 
 TEST(ValueText, PictureSizes) {
     EXPECT_EQ(size_from_text("1600x1200")->height, 1200);
-    for (const std::string bad : {"1600", "1600x", "x1200", "10x10", "1600x1200x3", "99999x400"})
+    for (const std::string bad : {"1600", "1600x", "x1200", "10x10", "640x400", "1600x1200x3", "99999x400"})
         EXPECT_FALSE(size_from_text(bad)) << bad;
 }
 

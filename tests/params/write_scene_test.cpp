@@ -30,11 +30,11 @@ TEST_F(WriteScene, ReadingItBackGivesTheSameScene) {
 TEST_F(WriteScene, SaysWhereEachValueCameFrom) {
     const std::string text = scene_text(read(k_least + "preset = debris-flow\n", {"time.end=9"}).scene,
                                         {{"terrain.cell-size", "5"}});
-    EXPECT_NE(text.find("# degrees; scene file\nfriction-angle = 20\n"), std::string::npos);
-    EXPECT_NE(text.find("# m/s2; preset\nturbulence = 200\n"), std::string::npos);
-    EXPECT_NE(text.find("# s; command line\nend = 9\n"), std::string::npos);
-    EXPECT_NE(text.find("# m/s2; default\ngravity = 9.81\n"), std::string::npos);
-    EXPECT_NE(text.find("# m; default; used: 5\n# cell-size = (the DTM's own)\n"), std::string::npos);
+    EXPECT_NE(text.find("[degrees] From: scene file\nfriction-angle = 20\n"), std::string::npos);
+    EXPECT_NE(text.find("[m/s2] From: preset\nturbulence = 200\n"), std::string::npos);
+    EXPECT_NE(text.find("[s] From: command line\nend = 9\n"), std::string::npos);
+    EXPECT_NE(text.find("[m/s2] From: default\ngravity = 9.81\n"), std::string::npos);
+    EXPECT_NE(text.find("[m] From: default; used: 5\n# cell-size = (the DTM's own)\n"), std::string::npos);
     // The preset's coefficient was replaced by the scene's angle: one of the two, never both.
     EXPECT_EQ(text.find("\nfriction-coefficient = "), std::string::npos);
 }

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/raster_in.h"
+
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "gis/crs.h"
+#include "gis/gdal_session.h"
+#include "gis/raster_source.h"
+#include "gis/raster_warp.h"
+#include "gis/vertical_unit.h"
+
+namespace frana::gis {
+namespace {
+
+// Cells that lie within a thousandth of a cell of each other are the same cells: files round their corners.
+constexpr double k_same_place_cells = 1e-3;
+// A source up to this much finer than the grid is interpolated: an average over about one cell only blurs.
+constexpr double k_average_from = 1.25;
+
+/// The grid's upper left cell in the source's rows and columns, when the cells of both are the same.
+bool cells_coincide(const RasterSource& source, const CrsTransform& to_grid, const GridSpec& grid,
+                    Point& corner) {
+    const GeoTransform& g = source.geo_transform();
+    if (!to_grid.is_identity() || source.info().rotated || g[1] <= 0 || g[5] >= 0) return false;
+    const auto far = [&](Point map, double column, double row) {
+        const Point cell = source.cell_from_map(map);
+        return std::abs(cell.x - column) > k_same_place_cells || std::abs(cell.y - row) > k_same_place_cells;
+    };
+    const Point place = source.cell_from_map({grid.west, grid.north});
+    corner = {std::round(place.x), std::round(place.y)};
+    return !far({grid.west, grid.north}, corner.x, corner.y) &&
+           !far({grid.east(), grid.south()}, corner.x + static_cast<double>(grid.columns),
+                corner.y + static_cast<double>(grid.rows));
+}
+
+void copy_cells(const RasterSource& source, Point corner, double unit, Raster& target) {
+    const GridSpec& grid = target.grid;
+    const auto c0 = static_cast<std::int64_t>(corner.x), r0 = static_cast<std::int64_t>(corner.y);
+    const std::int64_t first_column = std::max<std::int64_t>(c0, 0),
+                       first_row = std::max<std::int64_t>(r0, 0);
+    const Window window{static_cast<int>(first_column), static_cast<int>(first_row),
+                        static_cast<int>(std::min(source.info().columns, c0 + grid.columns) - first_column),
+                        static_cast<int>(std::min(source.info().rows, r0 + grid.rows) - first_row)};
+    if (window.empty()) return;
+    const std::vector<double> values = source.read(window, unit);
+    for (std::int64_t row = 0; row < window.rows; ++row) {
+        std::copy_n(values.begin() + row * window.columns, window.columns,
+                    target.values.begin() +
+                        static_cast<std::ptrdiff_t>(target.index(window.row - r0 + row, window.column - c0)));
+    }
+}
+
+struct Method {
+    GDALResampleAlg algorithm;
+    const char* name;
+};
+
+Method method_for(Resampling wanted, Point source_cells_per_cell) {
+    const double ratio = std::sqrt(source_cells_per_cell.x * source_cells_per_cell.y);
+    switch (wanted) {
+        case Resampling::nearest:
+            return {GRA_NearestNeighbour, "nearest"};
+        case Resampling::bilinear:
+            return {GRA_Bilinear, "bilinear"};
+        case Resampling::cubic:
+            return {GRA_Cubic, "cubic"};
+        case Resampling::average:
+            return {GRA_Average, "average"};
+        case Resampling::automatic:
+            break;
+    }
+    return ratio > k_average_from ? Method{GRA_Average, "average"} : Method{GRA_Bilinear, "bilinear"};
+}
+
+/// Problems met inside a transform know nothing of files; here they learn which one.
+[[noreturn]] void rethrow_naming(const std::string& path, const Error& error) {
+    std::vector<Problem> problems = error.problems();
+    for (Problem& problem : problems) {
+        if (problem.where.empty()) problem.where = path;
+    }
+    throw Error(error.kind(), std::move(problems));
+}
+
+std::string unit_warning(const RasterInfo& info, const VerticalUnit& unit, const std::string& crs) {
+    if (!unit.known) {
+        return info.path + ": its values are in \"" + unit.name +
+               "\", which is no unit of length; taken as they are";
+    }
+    OGRSpatialReferenceH reference = OSRNewSpatialReference(crs.empty() ? nullptr : crs.c_str());
+    const bool horizontal_feet = !crs.empty() && OSRIsProjected(reference) &&
+                                 std::abs(OSRGetLinearUnits(reference, nullptr) - 1) > 1e-9;
+    OSRDestroySpatialReference(reference);
+    if (!unit.stated && horizontal_feet) {
+        return info.path +
+               ": eastings and northings are not in metres and the file does not state the unit of its "
+               "values; they were taken as metres. If they are feet, set the vertical unit";
+    }
+    return {};
+}
+
+/// The operation is chosen for the grid's surroundings, not for all the ground the file may cover.
+CrsTransform transform_to_grid(const std::string& source_crs, const GridSpec& grid) {
+    if (grid.crs_wkt.empty()) return {"", ""};
+    return {source_crs, grid.crs_wkt,
+            CrsTransform(grid.crs_wkt, source_crs, grid.bounds()).around(grid.bounds())};
+}
+
+void read_onto(const RasterSource& source, const std::string& source_crs, Resampling resampling,
+               const std::string& vertical_unit, RasterRead& read) {
+    const GridSpec& grid = read.raster.grid;
+    const CrsTransform to_grid = transform_to_grid(source_crs, grid);
+    read.transform = to_grid.info();
+    const VerticalUnit unit = vertical_unit == "auto" ? source.unit() : vertical_unit_named(vertical_unit);
+    if (std::string warning = unit_warning(source.info(), unit, source_crs); !warning.empty()) {
+        read.warnings.push_back(std::move(warning));
+    }
+    Point corner;
+    if (cells_coincide(source, to_grid, grid, corner)) {
+        copy_cells(source, corner, unit.metres, read.raster);
+        read.resampling_used = "exact copy";
+    } else {
+        const RasterWarp probe(source, to_grid, GRA_NearestNeighbour, unit.metres);
+        const Method method = method_for(resampling, probe.source_cells_per_cell(grid));
+        RasterWarp(source, to_grid, method.algorithm, unit.metres).fill(read.raster);
+        read.resampling_used = method.name;
+    }
+    if (std::string warning = source.suspicion(read.raster.values, unit.metres); !warning.empty()) {
+        read.warnings.push_back(std::move(warning));
+    }
+}
+
+}  // namespace
+
+RasterRead read_raster_on(const std::string& path, const GridSpec& target,
+                          const std::string& source_crs_override, Resampling resampling,
+                          const std::string& vertical_unit) {
+    const GdalSession session;
+    const RasterSource source(path, path);
+    const std::string crs = source_crs_override.empty() ? source.info().crs_wkt : source_crs_override;
+    if (crs.empty() && !target.crs_wkt.empty()) {
+        throw Error(
+            ErrorKind::input,
+            Problem{"the raster names no coordinate reference system", path, "", "",
+                    "Assign one (gdal_edit.py -a_srs EPSG:32632 FILE), or use crs = local throughout"});
+    }
+    RasterRead read;
+    read.raster = Raster(target, k_no_data);
+    try {
+        read_onto(source, crs, resampling, vertical_unit, read);
+    } catch (const Error& error) {
+        rethrow_naming(path, error);
+    }
+    read.nodata_cells = std::count_if(read.raster.values.begin(), read.raster.values.end(),
+                                      [](double value) { return std::isnan(value); });
+    return read;
+}
+
+}  // namespace frana::gis

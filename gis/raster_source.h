@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gdal.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "gis/memory_dataset.h"
+#include "gis/raster_in.h"
+#include "gis/vertical_unit.h"
+
+namespace frana::gis {
+
+/// Where cell corners lie: x = g[0] + column g[1] + row g[2], y = g[3] + column g[4] + row g[5].
+using GeoTransform = std::array<double, 6>;
+
+/// A rectangle of cells.
+struct Window {
+    int column = 0, row = 0, columns = 0, rows = 0;
+
+    [[nodiscard]] bool empty() const noexcept { return columns <= 0 || rows <= 0; }
+};
+
+/// Band 1 of a raster file, open for reading.
+class RasterSource {
+  public:
+    /// Throws Error(input) as inspect_raster. A class raster carries a colour table, as pictures do: only
+    /// where classes are expected is a colour table accepted.
+    RasterSource(const std::string& path, const std::string& where, bool accept_colour_table = false);
+
+    [[nodiscard]] const RasterInfo& info() const noexcept { return info_; }
+    [[nodiscard]] const VerticalUnit& unit() const noexcept { return unit_; }
+    [[nodiscard]] const GeoTransform& geo_transform() const noexcept { return geo_; }
+    /// Position in cells (column, row) from the upper left corner to map coordinates and back.
+    [[nodiscard]] Point map_from_cell(Point cell) const noexcept;
+    [[nodiscard]] Point cell_from_map(Point map) const noexcept;
+
+    /// Values with scale and offset applied, times `unit` (metres per vertical unit); NaN where there is no
+    /// data. Throws Error(input) when the file cannot be read there.
+    [[nodiscard]] std::vector<double> read(const Window& window, double unit) const;
+
+    /// A warning when the values look like customary "no data" that the file does not declare, else nothing.
+    [[nodiscard]] std::string suspicion(const std::vector<double>& values, double unit) const;
+
+  private:
+    RasterInfo info_;
+    GdalDataset dataset_;
+    GDALRasterBandH band_ = nullptr;
+    GeoTransform geo_{}, inverse_{};
+    VerticalUnit unit_;
+    double scale_ = 1, offset_ = 0;
+};
+
+}  // namespace frana::gis

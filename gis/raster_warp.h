@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gdalwarper.h>
+
+#include "core/raster.h"
+#include "gis/raster_source.h"
+
+namespace frana::gis {
+
+/// Brings a raster onto a grid in strips of rows, so that memory stays bounded however fine the source is.
+class RasterWarp {
+  public:
+    /// `to_grid` leads from the source's CRS to the grid's. `unit`: metres per unit of the source's values.
+    RasterWarp(const RasterSource& source, const CrsTransform& to_grid, GDALResampleAlg algorithm,
+               double unit);
+
+    /// Source cells per cell of the grid along columns and rows at the grid's centre.
+    [[nodiscard]] Point source_cells_per_cell(const GridSpec& grid) const;
+
+    /// Fills `target`; NaN where the source has no data or does not reach. Throws Error(input).
+    void fill(Raster& target) const;
+
+    /// GDAL's transformer: cells of a strip to cells of a source window and back.
+    static int transform(void* self, int to_source, int count, double* x, double* y, double* z, int* good);
+
+  private:
+    struct Strip;
+    [[nodiscard]] Window source_window(const GridSpec& strip, Point scale) const;
+    void fill_strip(const GridSpec& strip, Point scale, double* values) const;
+
+    const RasterSource& source_;
+    const CrsTransform& to_grid_;
+    GDALResampleAlg algorithm_;
+    double unit_;
+};
+
+}  // namespace frana::gis

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/styles.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/error.h"
+#include "core/file_aside.h"
+#include "core/json.h"
+
+namespace frana::gis {
+namespace {
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += c;
+        }
+    }
+    return out;
+}
+
+std::string hex(Rgb colour) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", colour.r, colour.g, colour.b);
+    return text.data();
+}
+
+void write_text(const std::string& path, const std::string& text) {
+    FileAside file(path);
+    std::ofstream out(file.partial_path(), std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) {
+        throw Error(ErrorKind::environment,
+                    Problem{"the style cannot be written", path, "", "",
+                            "Check that the folder exists, may be written and has room"});
+    }
+    file.rename_into_place();
+}
+
+const char* qgis_ramp_type(StyleKind kind) {
+    switch (kind) {
+        case StyleKind::ramp:
+            return "INTERPOLATED";
+        case StyleKind::classed:
+            return "DISCRETE";
+        case StyleKind::exact:
+            return "EXACT";
+    }
+    return "";
+}
+
+const char* sld_map_type(StyleKind kind) {
+    switch (kind) {
+        case StyleKind::ramp:
+            return "ramp";
+        case StyleKind::classed:
+            return "intervals";
+        case StyleKind::exact:
+            return "values";
+    }
+    return "";
+}
+
+std::string qml(const std::vector<ColourStop>& stops, const std::string& unit, StyleKind kind) {
+    std::ostringstream out;
+    const double least = stops.empty() ? 0 : stops.front().value,
+                 most = stops.empty() ? 1 : stops.back().value;
+    out << "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
+        << "<qgis version=\"3.22.0\" styleCategories=\"Symbology\">\n  <pipe>\n"
+        << "    <rasterrenderer type=\"singlebandpseudocolor\" band=\"1\" opacity=\"1\" alphaBand=\"-1\" "
+        << "nodataColor=\"\" classificationMin=\"" << shortest_text(kind == StyleKind::classed ? 0 : least)
+        << "\" classificationMax=\"" << shortest_text(most) << "\">\n"
+        << "      <rastershader>\n        <colorrampshader colorRampType=\"" << qgis_ramp_type(kind)
+        << "\" classificationMode=\"1\" clip=\"0\" labelPrecision=\"4\">\n";
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        // QGIS leaves what lies above the last class uncoloured; its maps always end in infinity.
+        const bool last_class = kind == StyleKind::classed && i + 1 == stops.size();
+        out << "          <item value=\"" << (last_class ? "inf" : shortest_text(stops[i].value))
+            << "\" color=\"" << hex(stops[i].colour) << "\" alpha=\"255\" label=\"" << escaped(stops[i].label)
+            << "\"/>\n";
+    }
+    out << "          <rampLegendSettings suffix=\"" << escaped(unit.empty() ? "" : " " + unit) << "\"/>\n"
+        << "        </colorrampshader>\n      </rastershader>\n    </rasterrenderer>\n"
+        << "    <brightnesscontrast/>\n    <huesaturation/>\n    <rasterresampler maxOversampling=\"1\"/>\n"
+        << "  </pipe>\n  <blendMode>0</blendMode>\n</qgis>\n";
+    return out.str();
+}
+
+std::string sld(const std::string& name, const std::vector<ColourStop>& stops, const std::string& unit,
+                StyleKind kind) {
+    std::ostringstream out;
+    const std::string title = name + (unit.empty() ? "" : " [" + unit + "]");
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        << "<StyledLayerDescriptor version=\"1.0.0\" xmlns=\"http://www.opengis.net/sld\" "
+        << "xmlns:ogc=\"http://www.opengis.net/ogc\">\n"
+        << "  <NamedLayer>\n    <Name>" << escaped(name) << "</Name>\n    <UserStyle>\n      <Title>"
+        << escaped(title)
+        << "</Title>\n      <FeatureTypeStyle>\n        <Rule>\n          <RasterSymbolizer>\n"
+        << "            <ColorMap type=\"" << sld_map_type(kind) << "\">\n";
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        // The same open end as in the QGIS style, in the largest number a Float32 raster holds.
+        const bool last_class = kind == StyleKind::classed && i + 1 == stops.size();
+        out << "              <ColorMapEntry quantity=\""
+            << (last_class ? "3.4e+38" : shortest_text(stops[i].value)) << "\" color=\""
+            << hex(stops[i].colour) << "\" opacity=\"1\" label=\"" << escaped(stops[i].label) << "\"/>\n";
+    }
+    out << "            </ColorMap>\n          </RasterSymbolizer>\n        </Rule>\n      "
+           "</FeatureTypeStyle>\n"
+        << "    </UserStyle>\n  </NamedLayer>\n</StyledLayerDescriptor>\n";
+    return out.str();
+}
+
+}  // namespace
+
+std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds,
+                                    const std::string& unit) {
+    std::vector<ColourStop> stops;
+    const std::size_t classes = bounds.size() < 2 ? 0 : bounds.size() - 1;
+    for (std::size_t i = 0; i < classes; ++i) {
+        const double t = classes == 1 ? 0 : static_cast<double>(i) / static_cast<double>(classes - 1);
+        stops.push_back({bounds[i + 1], colour_at(palette, t),
+                         shortest_text(bounds[i]) + " \u2013 " + shortest_text(bounds[i + 1]) +
+                             (unit.empty() ? "" : " " + unit)});
+    }
+    return stops;
+}
+
+void write_styles(const std::string& tif_path, const std::vector<ColourStop>& stops, const std::string& unit,
+                  StyleKind kind) {
+    const std::filesystem::path tif(tif_path);
+    std::filesystem::path beside = tif;
+    write_text(beside.replace_extension(".qml").string(), qml(stops, unit, kind));
+    write_text(beside.replace_extension(".sld").string(), sld(tif.stem().string(), stops, unit, kind));
+}
+
+}  // namespace frana::gis

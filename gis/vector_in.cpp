@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/vector_in.h"
+
+#include <cpl_vsi.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/json.h"
+#include "gis/crs.h"
+#include "gis/gdal_session.h"
+#include "gis/outline_check.h"
+#include "gis/polygon_geometry.h"
+
+namespace frana::gis {
+namespace {
+
+constexpr double k_bend_tolerance = 1e-3;          // 1 mm where the target is in metres
+constexpr double k_bend_tolerance_degrees = 1e-8;  // the same on the ground
+
+constexpr double k_overlap_share = 1e-3;  // less comes from digitising neighbours apart
+
+constexpr std::size_t k_most_problems = 10;  // a layer of lines would fill the screen
+
+struct Source {
+    std::string file;
+    std::string layer;  // empty: the only one with areas
+    std::string where;  // file and key, for messages
+};
+
+Source split(const std::string& path, const std::string& where) {
+    constexpr const char* k_mark = "|layer=";
+    const std::string prefix = where.empty() ? "" : where + ": ";
+    const std::size_t mark = path.find(k_mark);
+    if (mark == std::string::npos) return {path, "", prefix + path};
+    return {path.substr(0, mark), path.substr(mark + std::string(k_mark).size()), prefix + path};
+}
+
+Error fault(const Source& source, const std::string& what, const std::string& value,
+            const std::string& remedy) {
+    return {ErrorKind::input, Problem{what, source.where, value, "", remedy}};
+}
+
+GDALDatasetUniquePtr open(const Source& source) {
+    const GdalSession session;
+    GDALDatasetUniquePtr dataset(
+        GDALDataset::Open(source.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+    if (dataset) return dataset;
+    VSIStatBufL status;
+    if (VSIStatL(source.file.c_str(), &status) != 0) {
+        throw fault(source, "the file does not exist", "",
+                    "Check the path; it is relative to the scene file");
+    }
+    throw fault(
+        source, "the file is not a vector file that can be read: " + session.last_message(), "",
+        "Give a shapefile (with its .shx and .dbf), GeoPackage, GeoJSON or another file that OGR reads");
+}
+
+std::string layer_names(GDALDataset& dataset) {
+    std::string names;
+    for (OGRLayer* layer : dataset.GetLayers()) {
+        names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
+    }
+    return names;
+}
+
+/// A layer that can hold areas: closed lines count, points do not.
+bool may_hold_areas(OGRLayer& layer) {
+    const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
+    return type != wkbNone && type != wkbPoint && type != wkbMultiPoint;
+}
+
+OGRLayer& choose_layer(GDALDataset& dataset, const Source& source) {
+    if (!source.layer.empty()) {
+        if (OGRLayer* layer = dataset.GetLayerByName(source.layer.c_str())) return *layer;
+        throw fault(source, "the file has no such layer", source.layer,
+                    "Its layers: " + layer_names(dataset));
+    }
+    OGRLayer* found = nullptr;
+    for (OGRLayer* layer : dataset.GetLayers()) {
+        if (!may_hold_areas(*layer)) continue;
+        if (found) {
+            throw fault(source, "the file holds several layers", layer_names(dataset),
+                        "Name one: \"" + source.file + "|layer=" + found->GetName() + "\"");
+        }
+        found = layer;
+    }
+    if (!found)
+        throw fault(source, "the file holds no layer with areas", layer_names(dataset), "Give polygons");
+    return *found;
+}
+
+std::string crs_of(OGRLayer& layer) {
+    const OGRSpatialReference* crs = layer.GetSpatialRef();
+    if (!crs || !(crs->IsProjected() || crs->IsGeographic() || crs->IsCompound())) return {};
+    // GeoPackage's name for "not known", which it dresses up as degrees.
+    if (std::string(crs->GetName()).rfind("Undefined", 0) == 0) return {};
+    const char* const options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
+    char* text = nullptr;
+    const bool good = crs->exportToWkt(&text, options) == OGRERR_NONE;
+    std::string wkt = good && text ? text : "";
+    CPLFree(text);
+    return wkt;
+}
+
+void take_attributes(const OGRFeature& from, PolygonFeature& feature) {
+    const OGRFeatureDefn& fields = *from.GetDefnRef();
+    for (int i = 0; i < fields.GetFieldCount(); ++i) {
+        if (!from.IsFieldSetAndNotNull(i)) continue;
+        const OGRFieldDefn& field = *fields.GetFieldDefn(i);
+        const OGRFieldType type = field.GetType();
+        if (type == OFTInteger || type == OFTInteger64 || type == OFTReal) {
+            feature.numbers[field.GetNameRef()] = from.GetFieldAsDouble(i);
+        } else {
+            feature.texts[field.GetNameRef()] = from.GetFieldAsString(i);
+        }
+    }
+}
+
+/// One feature in its own CRS; adds to `problems` what keeps it from being used.
+PolygonFeature read_feature(const OGRFeature& from, const Source& source, Problems& problems,
+                            std::vector<std::string>& warnings) {
+    PolygonFeature feature;
+    const std::string name = "feature " + std::to_string(from.GetFID());
+    const auto problem = [&](const std::string& what, const std::string& value, const std::string& remedy) {
+        problems.add(Problem{name + " " + what, source.where, value, "", remedy});
+    };
+    const OGRGeometry* geometry = from.GetGeometryRef();
+    if (!geometry || geometry->IsEmpty()) {
+        warnings.push_back(source.where + ": " + name + " has no geometry and was left out");
+        return feature;
+    }
+    PolygonParts parts = polygon_parts(*geometry);
+    if (parts.closed_lines > 0) {
+        warnings.push_back(source.where + ": " + name + " is a closed line and was taken as an area");
+    }
+    if (parts.open_lines > 0) {
+        problem("is a line that does not close", "a gap of " + shortest_text(parts.widest_gap) + " CRS units",
+                "Close it, or draw it as a polygon");
+        return feature;
+    }
+    if (parts.polygons.empty()) {
+        problem(std::string("is no area but a ") + geometry->getGeometryName(), "", "Give polygons");
+        return feature;
+    }
+    OutlineCheck check = check_outline(std::move(parts.polygons));
+    if (check.crossing) {
+        problem("crosses itself", *check.crossing,
+                "Redraw the outline there, so that inside and outside are certain");
+        return feature;
+    }
+    for (const std::string& repair : check.repairs)
+        warnings.push_back(source.where + ": " + name + ": " + repair);
+    for (const auto& polygon : check.polygons) {
+        if (auto part = from_ogr(*polygon); part && area(*part) > 0)
+            feature.parts.push_back(std::move(*part));
+    }
+    if (feature.parts.empty()) problem("has no area", "", "Draw it anew");
+    take_attributes(from, feature);
+    return feature;
+}
+
+bool plausible(const std::string& crs, const Bounds& box) {
+    OGRSpatialReference reference;
+    if (reference.SetFromUserInput(crs.c_str()) != OGRERR_NONE || !reference.IsGeographic()) return true;
+    // Longitudes may run to 360; a radian-free check against metres labelled as degrees.
+    return box.west >= -360 && box.east <= 360 && box.south >= -90.000001 && box.north <= 90.000001;
+}
+
+Bounds bounds_of(const std::vector<PolygonFeature>& features) {
+    MultiPolygon all;
+    for (const PolygonFeature& feature : features) {
+        for (const Polygon& part : feature.parts) all.push_back({part.outer, {}});
+    }
+    return bounds(all);
+}
+
+std::vector<PolygonFeature> read_features(OGRLayer& layer, const Source& source,
+                                          std::vector<std::string>& warnings) {
+    Problems problems;
+    std::vector<PolygonFeature> features;
+    std::int64_t seen = 0, untold = 0;
+    layer.ResetReading();
+    for (const auto& from : layer) {
+        ++seen;
+        Problems of_this;
+        PolygonFeature feature = read_feature(*from, source, of_this, warnings);
+        for (const Problem& problem : of_this.list()) {
+            problems.list().size() < k_most_problems ? problems.add(problem) : void(++untold);
+        }
+        if (!feature.parts.empty()) features.push_back(std::move(feature));
+    }
+    if (untold > 0)
+        problems.add(
+            Problem{std::to_string(untold) + " more features have problems", source.where, "", "", ""});
+    problems.throw_if_any();
+    if (seen == 0) throw fault(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
+    if (features.empty())
+        throw fault(source, "the layer holds no polygon", layer.GetName(), "Draw at least one");
+    return features;
+}
+
+/// Ground that lies in two features would be released twice.
+void warn_of_overlaps(const std::vector<PolygonFeature>& features, const Source& source,
+                      std::vector<std::string>& warnings) {
+    for (std::size_t i = 0; i < features.size(); ++i) {
+        for (std::size_t j = i + 1; j < features.size(); ++j) {
+            const double shared = shared_area(features[i].parts, features[j].parts);
+            const double smaller = std::min(area(features[i].parts), area(features[j].parts));
+            if (shared <= k_overlap_share * smaller) continue;
+            warnings.push_back(source.where + ": areas " + std::to_string(i + 1) + " and " +
+                               std::to_string(j + 1) + " overlap by " +
+                               shortest_text(std::round(shared * 10) / 10) +
+                               " square units; what lies in both counts twice");
+        }
+    }
+}
+
+}  // namespace
+
+PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt,
+                           const std::string& where) {
+    const GdalSession session;
+    const Source source = split(path, where);
+    const GDALDatasetUniquePtr dataset = open(source);
+    OGRLayer& layer = choose_layer(*dataset, source);
+    const std::string crs = crs_of(layer);
+    if (crs.empty() && !target_crs_wkt.empty()) {
+        throw fault(source, "the file names no coordinate reference system", "",
+                    "Add a .prj file (or assign one: ogr2ogr -a_srs EPSG:...), or use terrain.crs = local "
+                    "throughout");
+    }
+    PolygonLayer read;
+    read.layer_name = layer.GetName();
+    read.crs_label = crs.empty() ? "none" : crs_name(crs);
+    read.features = read_features(layer, source, read.warnings);
+    if (session.failed())
+        throw fault(source, "the file is damaged: " + session.last_message(), "", "Export it anew");
+    const Bounds own = bounds_of(read.features);
+    if (!target_crs_wkt.empty() && !plausible(crs, own)) {
+        throw fault(source, "the coordinates are no degrees though the file's CRS is in degrees",
+                    shortest_text(own.west) + ", " + shortest_text(own.south),
+                    "Correct the .prj: " + read.crs_label);
+    }
+    const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt, own);
+    read.transform = transform.info();
+    const double tolerance =
+        is_projected_in_metres(target_crs_wkt) ? k_bend_tolerance : k_bend_tolerance_degrees;
+    try {
+        for (PolygonFeature& feature : read.features) {
+            for (Polygon& part : feature.parts) part = transformed(part, transform, tolerance);
+        }
+    } catch (const Error& error) {
+        throw fault(source, error.problems().front().what, error.problems().front().value,
+                    error.problems().front().remedy);
+    }
+    read.bounds = bounds_of(read.features);
+    warn_of_overlaps(read.features, source, read.warnings);
+    return read;
+}
+
+}  // namespace frana::gis

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace frana::gis {
+
+/// The unit in which a raster's values are given.
+struct VerticalUnit {
+    std::string name = "metre";
+    double metres = 1;    ///< per unit
+    bool known = true;    ///< false: the file names a unit that is not a length; values stay as they are
+    bool stated = false;  ///< the file says so itself
+};
+
+/// From a band's unit text ("m", "ft", "US survey foot", "" for unsaid), else from the CRS's vertical part.
+VerticalUnit vertical_unit_of(const std::string& band_unit, const std::string& crs_wkt);
+
+/// From a user's choice: "metre", "foot", "us-survey-foot". Throws Error(input) for another word.
+VerticalUnit vertical_unit_named(const std::string& name);
+
+}  // namespace frana::gis

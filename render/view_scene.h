@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/image.h"
+#include "render/view_camera.h"
+#include "render/view_ground.h"
+
+namespace frana::render {
+
+/// The ground in perspective, drawn by VTK: a mesh with a texture, walls where the terrain is cut off, lines
+/// on it.
+class ViewScene {
+  public:
+    ViewScene(const ViewGround& ground, const PlacedCamera& camera, int width, int height);
+    ~ViewScene();
+    ViewScene(const ViewScene&) = delete;
+    ViewScene& operator=(const ViewScene&) = delete;
+
+    /// Colours of the ground, as ViewGround::colours gives them.
+    void set_colours(std::vector<std::uint8_t> colours);
+    /// Raises the surface by a thickness where it has values; null: the bare ground.
+    void set_thickness(const Raster* thickness);
+    void add_line(const std::vector<ScenePoint>& points, double width_px, Rgb colour);
+
+    /// Throws Error(environment) when VTK or OpenGL fails.
+    [[nodiscard]] Image draw();
+
+  private:
+    class Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace frana::render

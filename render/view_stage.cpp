@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/view_stage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "core/error.h"
+#include "render/dashes.h"
+#include "render/furniture.h"
+#include "render/legend.h"
+#include "render/page_style.h"
+#include "render/sheet.h"
+#include "render/ticks.h"
+#include "render/view_scene.h"
+
+namespace frana::render {
+namespace {
+
+const ViewSpec& checked(const ViewSpec& spec) {
+    Problems problems;
+    if (spec.terrain == nullptr || spec.terrain->grid.cell_count() < 1) {
+        problems.add({"a view needs a terrain", "", "", "", ""});
+    }
+    if (spec.width < 320 || spec.height < 240 || spec.width > 8192 || spec.height > 8192) {
+        problems.add({"the view's size is out of range", "",
+                      std::to_string(spec.width) + " x " + std::to_string(spec.height),
+                      "320 x 240 to 8192 x 8192 pixels", ""});
+    }
+    if (!(spec.vertical_exaggeration > 0 && spec.vertical_exaggeration <= 20)) {
+        problems.add({"the vertical exaggeration is out of range", "", number(spec.vertical_exaggeration),
+                      "over 0 to 20", ""});
+    }
+    if (spec.camera &&
+        !(spec.camera->elevation_deg >= 1 && spec.camera->elevation_deg <= 89 && spec.camera->zoom > 0)) {
+        problems.add({"the camera's place is out of range", "",
+                      number(spec.camera->elevation_deg) + " degrees, zoom " + number(spec.camera->zoom),
+                      "elevation 1 to 89 degrees, zoom over 0", ""});
+    }
+    problems.throw_if_any();
+    return spec;
+}
+
+std::string direction_words(double azimuth_deg) {
+    constexpr std::array<const char*, 16> k_winds{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
+                                                  "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
+    const double turn = azimuth_deg - 360 * std::floor(azimuth_deg / 360);
+    const auto wind = static_cast<std::size_t>(std::lround(turn / 22.5)) % k_winds.size();
+    return std::string("view to the ") + k_winds[wind];
+}
+
+std::string scale_words(double exaggeration) {
+    return exaggeration == 1 ? "heights true to scale"
+                             : "heights exaggerated " + number(exaggeration) + " times";
+}
+
+}  // namespace
+
+class ViewStage::Scene {
+  public:
+    Scene(const ViewSpec& spec, bool for_frames)
+        : ground_(*checked(spec).terrain, spec.layer, spec.vertical_exaggeration),
+          raise_by_layer_(spec.thickness != nullptr && spec.thickness == spec.layer) {
+        const bool has_values = spec.layer != nullptr && data_bounds(*spec.layer).has_value();
+        if (has_values || for_frames) {
+            scale_ = ColourScale(
+                {spec.palette, spec.maximum, spec.classes, spec.categories, spec.layer, for_frames});
+        }
+        constexpr std::int64_t k_sample = 4000;
+        const std::vector<ScenePoint> flow = ground_.sample(spec.layer, k_sample);
+        if (flow.empty()) {
+            throw Error(ErrorKind::input, Problem{"a view needs terrain where its layer is", "", "", "",
+                                                  "is it the right DTM?"});
+        }
+        layout_.camera =
+            spec.camera.value_or(find_camera(has_values ? std::span(flow) : std::span<const ScenePoint>()));
+        arrange(spec, for_frames, !has_values && spec.layer != nullptr);
+        const PageBox& picture = layout_.picture;
+        const PlacedCamera camera = place_camera(layout_.camera, flow, picture.width() / picture.height());
+        note_flow(flow, camera);
+        scene_ = std::make_unique<ViewScene>(ground_, camera, static_cast<int>(picture.width()),
+                                             static_cast<int>(picture.height()));
+        scene_->set_thickness(spec.thickness);
+        add_outlines(spec, camera, flow);
+    }
+
+    Image draw(const Raster* layer, const std::string& subtitle) {
+        scene_->set_colours(ground_.colours(layer, scale_));
+        if (raise_by_layer_) scene_->set_thickness(layer);
+        const Image picture = scene_->draw();
+        Image page(static_cast<int>(layout_.page.width()), static_cast<int>(layout_.page.height()));
+        for (int row = 0; row < picture.height; ++row) {
+            std::memcpy(page.pixel(static_cast<int>(layout_.picture.left),
+                                   static_cast<int>(layout_.picture.top) + row),
+                        picture.pixel(0, row), 3 * static_cast<std::size_t>(picture.width));
+        }
+        compose(page, above_);
+        if (!subtitle.empty()) {
+            const PageStyle style(page.width, page.height);
+            const Lettering lettering;
+            lettering.write(
+                page, subtitle, subtitle_at_,
+                shrunk_to_fit(lettering, subtitle, style.subtitle, page.width - 2 * style.margin, 0.5),
+                Across::left, Upright::top);
+        }
+        return page;
+    }
+
+    [[nodiscard]] const ViewLayout& layout() const noexcept { return layout_; }
+    [[nodiscard]] const ColourScale& scale() const noexcept { return scale_; }
+
+  private:
+    void arrange(const ViewSpec& spec, bool for_frames, bool nothing_to_show) {
+        layout_.page = {0, 0, static_cast<double>(spec.width), static_cast<double>(spec.height)};
+        const double north = layout_.north_arrow_deg = spec.convergence_deg - layout_.camera.azimuth_deg;
+        const LegendContent content{spec.legend_title, spec.unit, &scale_, &spec.outlines, &spec.side_notes};
+        for (const double density : {1.0, 0.88, 0.77, 0.66}) {
+            const PageStyle style(spec.width, spec.height, density);
+            Sheet sheet(spec.width, spec.height);
+            layout_.legend.clear();
+            const double inner = spec.width - 2 * style.margin;
+            const TitleResult titles = draw_titles(sheet, style, spec.title, spec.subtitle, for_frames,
+                                                   {style.margin, style.margin}, inner);
+            subtitle_at_ = titles.subtitle_at;
+            const double foot_top = draw_foot(sheet, style, {spec.crs_label, spec.attribution}, style.margin,
+                                              spec.height - style.margin, inner);
+            const double column =
+                std::max(0.15 * spec.width, legend_width(content, style, sheet, 0.32 * spec.width));
+            layout_.picture = {std::round(style.margin), std::round(titles.bottom + style.gap),
+                               std::round(spec.width - style.margin - column - 1.6 * style.gap),
+                               std::round(foot_top - style.gap)};
+            const PageBox& picture = layout_.picture;
+            if (picture.width() < 80 || picture.height() < 60) continue;
+            sheet.canvas().frame(picture, {style.line(2), k_ink});
+            const double left = spec.width - style.margin - column;
+            const double legend_bottom =
+                draw_legend(content, style, {left, picture.top}, column, sheet, layout_.legend);
+
+            const std::vector<std::string> words = sheet.wrapped(
+                direction_words(layout_.camera.azimuth_deg) + ", " + scale_words(spec.vertical_exaggeration),
+                style.small, column);
+            double y = picture.bottom - Sheet::line_height(style.small) * static_cast<double>(words.size()) +
+                       0.3 * style.small.size_px;
+            sheet.lines(words, {left, y}, style.small, Across::left);
+            const double reach = north_arrow_height(style) / 2;
+            y -= style.gap / 2 + 2 * reach;
+            draw_north_arrow(sheet, style, {left + reach, y + reach}, north);
+            if (legend_bottom + style.gap > y) continue;
+            if (nothing_to_show) {
+                TextStyle note = style.heading;
+                note.halo_px = std::max(2.0, style.length(4));
+                sheet.text("nothing to show: the layer has no values",
+                           {(picture.left + picture.right) / 2, (picture.top + picture.bottom) / 2}, note,
+                           Across::centre, Upright::middle);
+            }
+            layout_.texts = sheet.texts();
+            above_ = sheet.draw();
+            return;
+        }
+        throw Error(ErrorKind::input,
+                    Problem{"the page is too small for the view's legend and notes", "",
+                            std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels", "",
+                            "draw a larger picture, or fewer classes, outlines or notes"});
+    }
+
+    [[nodiscard]] Point on_page(Point projected) const {
+        const PageBox& picture = layout_.picture;
+        return {(picture.left + picture.right) / 2 + projected.x * picture.height() / 2,
+                (picture.top + picture.bottom) / 2 - projected.y * picture.height() / 2};
+    }
+
+    void note_flow(const std::vector<ScenePoint>& flow, const PlacedCamera& camera) {
+        const Point first = on_page(camera.project(flow.front()));
+        PageBox box{first.x, first.y, first.x, first.y};
+        for (const ScenePoint& p : flow) {
+            const Point at = on_page(camera.project(p));
+            box = {std::min(box.left, at.x), std::min(box.top, at.y), std::max(box.right, at.x),
+                   std::max(box.bottom, at.y)};
+        }
+        layout_.flow = box;
+    }
+
+    /// Lines over the ground, following it closely; metres for a pixel taken in the middle of the flow.
+    void add_outlines(const ViewSpec& spec, const PlacedCamera& camera, const std::vector<ScenePoint>& flow) {
+        const PageStyle style(spec.width, spec.height);
+        const ScenePoint middle = flow[flow.size() / 2];
+        const double away = std::hypot(middle.x - camera.position.x, middle.y - camera.position.y,
+                                       middle.z - camera.position.z);
+        const double metres_per_pixel =
+            2 * away * std::tan(camera.opening_deg / 2 * std::numbers::pi / 180) / layout_.picture.height();
+        const double cell = ground_.heights().grid.cell_size;
+        for (const Outline& outline : spec.outlines) {
+            const double width = style.line(outline.width_px);
+            for (const Polygon& polygon : outline.polygons) {
+                add_ring(polygon.outer, outline, width, metres_per_pixel, cell, spec.thickness);
+                for (const Ring& hole : polygon.holes)
+                    add_ring(hole, outline, width, metres_per_pixel, cell, spec.thickness);
+            }
+        }
+    }
+
+    void add_ring(const Ring& ring, const Outline& outline, double width, double metres_per_pixel,
+                  double cell, const Raster* thickness) {
+        Polyline closed;
+        for (std::size_t i = 0; i <= ring.size(); ++i) {
+            const Point to = ring[i % ring.size()];
+            if (!closed.empty()) {
+                const Point from = closed.back();
+                const double length = std::hypot(to.x - from.x, to.y - from.y);
+                const int parts = std::clamp(static_cast<int>(length / (cell / 2)), 1, 100000);
+                for (int k = 1; k < parts; ++k) {
+                    closed.push_back(
+                        {from.x + (to.x - from.x) * k / parts, from.y + (to.y - from.y) * k / parts});
+                }
+            }
+            closed.push_back(to);
+        }
+        const auto put = [&](const Polyline& line, double lift, double width_px, Rgb colour) {
+            std::vector<ScenePoint> run;
+            for (std::size_t i = 0; i <= line.size(); ++i) {
+                const bool end = i == line.size();
+                ScenePoint p{0, 0, k_no_data};
+                if (!end) {
+                    const double above = thickness != nullptr ? cell_value(*thickness, line[i]) : 0;
+                    p = ground_.scene(line[i], lift + (std::isnan(above) ? 0 : above));
+                }
+                if (std::isnan(p.z)) {  // off the terrain
+                    if (run.size() > 1) scene_->add_line(run, width_px, colour);
+                    run.clear();
+                } else {
+                    run.push_back(p);
+                }
+            }
+        };
+        put(closed, 0.35 * cell, width + 2.6, {255, 255, 255});
+        std::vector<double> dashes = outline_dashes(outline, width);
+        for (double& length : dashes) length *= metres_per_pixel;
+        if (dashes.empty()) {
+            put(closed, 0.6 * cell, width, outline.colour);
+        } else {
+            for (const Polyline& stroke : dashed(closed, dashes))
+                put(stroke, 0.6 * cell, width, outline.colour);
+        }
+    }
+
+    ColourScale scale_;
+    ViewGround ground_;
+    ViewLayout layout_;
+    LayerImage above_;
+    Point subtitle_at_;
+    std::unique_ptr<ViewScene> scene_;
+    bool raise_by_layer_;
+};
+
+ViewStage::ViewStage(const ViewSpec& spec, bool for_frames)
+    : scene_(std::make_unique<Scene>(spec, for_frames)) {}
+ViewStage::~ViewStage() = default;
+
+Image ViewStage::draw(const Raster* layer, const std::string& subtitle) {
+    return scene_->draw(layer, subtitle);
+}
+
+const ViewLayout& ViewStage::layout() const noexcept {
+    return scene_->layout();
+}
+
+const ColourScale& ViewStage::scale() const noexcept {
+    return scene_->scale();
+}
+
+}  // namespace frana::render

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sample_data/bindo_terrain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sample_data/bindo_landslide.h"
+#include "sample_data/relief_noise.h"
+
+namespace frana::sample {
+namespace {
+
+constexpr double k_river_height = 478;  // where it enters in the west [m]
+constexpr double k_valley_edge = 60;    // gullies that begin here reach the valley and have fans
+constexpr double k_river_gradient = 0.013;
+
+/// A slope's steepness (rise over run) at a distance from the river; straight between stations.
+struct Station {
+    double distance, steepness;
+};
+
+// Flat by the river, a concave foot, steepest in the middle, gentler towards the shoulder: 28 degrees on the
+// whole.
+constexpr std::array<Station, 11> k_north_side{{{0, 0.00},
+                                                {34, 0.01},
+                                                {58, 0.12},
+                                                {105, 0.34},
+                                                {180, 0.48},
+                                                {280, 0.58},
+                                                {400, 0.64},
+                                                {540, 0.67},
+                                                {690, 0.62},
+                                                {850, 0.47},
+                                                {1100, 0.34}}};
+constexpr std::array<Station, 6> k_south_side{
+    {{0, 0.00}, {28, 0.01}, {46, 0.14}, {90, 0.34}, {180, 0.46}, {420, 0.52}}};
+
+/// Northing of the valley's middle; the river winds about it.
+double valley_axis(double x) {
+    return 272 + 58 * noise(x / 560, 0.5, 701) + 20 * noise(x / 230, 0.5, 709) + 0.035 * (x - 750);
+}
+
+/// Height above the river: the steepness summed up exactly, piece by piece.
+template <std::size_t N>
+double rise(const std::array<Station, N>& stations, double distance) {
+    double height = 0;
+    for (std::size_t i = 0; i + 1 < N; ++i) {
+        const Station &a = stations[i], &b = stations[i + 1];
+        if (distance <= a.distance) return height;
+        const double end = std::min(distance, b.distance);
+        const double share = (end - a.distance) / (b.distance - a.distance);
+        const double steepness = a.steepness + share * (b.steepness - a.steepness);
+        height += 0.5 * (a.steepness + steepness) * (end - a.distance);
+    }
+    return height + std::max(0.0, distance - stations[N - 1].distance) * stations[N - 1].steepness;
+}
+
+/// A gully on the northern hillside: where it runs, how deep, how wide, between which distances from the
+/// river.
+struct Gully {
+    double x, drift, depth, width, from, to;
+    unsigned seed;
+};
+
+constexpr std::array<Gully, 9> k_gullies{{{1085, -0.16, 26, 34, 60, 1150, 501},
+                                          {1002, 0.13, 10, 17, 420, 900, 507},
+                                          {388, 0.10, 22, 30, 60, 1150, 521},
+                                          {470, -0.22, 11, 18, 330, 1000, 533},
+                                          {150, 0.12, 17, 26, 60, 960, 541},
+                                          {1345, -0.08, 19, 28, 60, 1010, 557},
+                                          {1252, 0.20, 8, 15, 300, 820, 563},
+                                          {262, -0.18, 7, 14, 280, 760, 569},
+                                          {905, 0.05, 7, 15, 90, 560, 577}}};
+
+double incision(const Gully& gully, double x, double distance) {
+    const double along = smooth_step(gully.from, gully.from + 160, distance) *
+                         (1 - smooth_step(gully.to - 420, gully.to, distance));
+    if (along <= 0) return 0;
+    const double middle = gully.x + gully.drift * (distance - 500) +
+                          34 * noise(distance / 170, 0.37, gully.seed) +
+                          11 * noise(distance / 55, 0.71, gully.seed + 1);
+    const double aside = std::abs(x - middle) / (gully.width * (0.7 + 0.5 * along));
+    // A V rounded at the bottom, with shoulders that fade into the slope.
+    return gully.depth * along * std::exp(0.25 - std::sqrt(aside * aside + 0.0625));
+}
+
+/// An old slide body on the verge of failing: its foot bulges, its head has sunk.
+double slide_body(Point local) {
+    const double r = release_radius(local);
+    if (r >= 1.25) return 0;
+    const double inside = 1 - smooth_step(0.15, 1.25, r);
+    const double lower = smooth_step(1010, 830, local.y) - smooth_step(950, 1080, local.y);
+    return inside * (7 * lower + 5);
+}
+
+double hillside_relief(Point p, double distance) {
+    const double grown = smooth_step(45, 260, distance);
+    // Bending the coordinates first keeps crests and hollows from lying on a lattice.
+    const double bent_x = p.x + 60 * noise(p.x / 310, p.y / 310, 611),
+                 bent_y = p.y + 60 * noise(p.x / 310, p.y / 310, 613);
+    const double broad = 22 * fractal(bent_x / 420, bent_y / 560, 617, 3, 0.45);
+    // Crags run down the slope, so the noise is drawn out that way.
+    const double crags = 9 * (ridged(bent_x / 85, bent_y / 210, 631, 4, 0.5) - 0.72);
+    const double rough = 1.3 * fractal(p.x / 34, p.y / 44, 641, 4, 0.55);
+    const double calm = 1 - 0.75 * (1 - smooth_step(0.7, 1.6, release_radius(p)));  // slid ground is smoother
+    return grown * (broad + calm * (crags + rough));
+}
+
+double other_bank_relief(Point p, double distance) {
+    const double grown = smooth_step(40, 210, distance);
+    const double bent_x = p.x + 45 * noise(p.x / 190, p.y / 190, 653);
+    const double spurs = 26 * (ridged(bent_x / 240, p.y / 700, 659, 2, 0.4) - 0.75);
+    const double furrows = 7 * (ridged(bent_x / 70, p.y / 190, 677, 3, 0.5) - 0.72);
+    return grown * (12 * fractal(p.x / 330, p.y / 330, 661, 3, 0.45) + spurs + furrows +
+                    1.1 * fractal(p.x / 30, p.y / 30, 683, 3, 0.55));
+}
+
+/// What the gullies have carried out: cones at their mouths, lying on the flat and lapping up the slope.
+double fan(const Gully& gully, Point p) {
+    const double mouth_x = gully.x + gully.drift * (110 - 500) + 34 * noise(110.0 / 170, 0.37, gully.seed) +
+                           11 * noise(110.0 / 55, 0.71, gully.seed + 1);
+    const double reach = 3.4 * gully.width + 10;
+    const double away = std::hypot(0.8 * (p.x - mouth_x), p.y - valley_axis(mouth_x) - 92) +
+                        7 * noise(p.x / 30, p.y / 30, gully.seed + 2);
+    return 0.11 * reach * smooth_step(1, 0, away / reach);
+}
+
+/// The flat by the river: terraces and old arms, with the bed winding through it.
+double valley_floor(Point p, double distance) {
+    const double from_river = std::abs(p.y - river_line(p.x));
+    const double floor = 1 - smooth_step(34, 95, std::abs(distance));
+    const double arms = 1.1 * fractal(p.x / 120, p.y / 34, 673, 3, 0.5);
+    const double terrace = 1.8 * smooth_step(15, 22, from_river + 9 * noise(p.x / 60, p.y / 40, 691));
+    const double bed = -2.4 * (1 - smooth_step(4, 12, from_river));
+    return bed + floor * (terrace + arms * smooth_step(8, 20, from_river));
+}
+
+}  // namespace
+
+double river_line(double x) {
+    return valley_axis(x) + 24 * noise(x / 150, 0.5, 719) + 9 * noise(x / 62, 0.5, 727);
+}
+
+double bindo_height(Point p) {
+    // The slope's foot is no ruled line: it steps forward and back by some tens of metres.
+    const double distance = p.y - valley_axis(p.x) + 20 * noise(p.x / 130, p.y / 260, 739);
+    const double river = k_river_height - k_river_gradient * p.x;
+    const double height = river + valley_floor(p, distance);
+    if (distance < 0) return height + rise(k_south_side, -distance) + other_bank_relief(p, -distance);
+    // Where gullies meet, the deeper one rules, and where fans do, the higher one; sums would dig pits and
+    // pile hills.
+    double deepest = 0, highest = 0;
+    for (const Gully& gully : k_gullies) {
+        deepest = std::max(deepest, incision(gully, p.x, distance));
+        if (gully.from <= k_valley_edge) highest = std::max(highest, fan(gully, p));
+    }
+    return height + rise(k_north_side, distance) + hillside_relief(p, distance) + slide_body(p) - deepest +
+           highest;
+}
+
+}  // namespace frana::sample

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/variables_map.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "params/value_text.h"
+
+namespace frana::app {
+
+/// One command's words: what `frana COMMAND --help` prints and what it accepts.
+struct CommandForm {
+    std::string usage;    ///< "frana run SCENE.ini [options]"
+    std::string purpose;  ///< one or two sentences
+    std::string operand;  ///< name of the one positional argument, "" if there is none
+    boost::program_options::options_description options;
+};
+
+/// Reads the arguments of a command. None: help was asked for and printed, nothing else is to be done.
+/// Throws Error(input) for anything not in the form, or when the operand is missing.
+std::optional<boost::program_options::variables_map> parse_arguments(
+    const CommandForm& form, const std::vector<std::string>& arguments);
+
+/// A text option as given, if it was.
+std::optional<std::string> text_option(const boost::program_options::variables_map& values,
+                                       const std::string& name);
+/// All texts of an option that may be repeated.
+std::vector<std::string> text_options(const boost::program_options::variables_map& values,
+                                      const std::string& name);
+/// --threads: as given (1 to 1024), else all processors this process may use. Throws Error(input).
+int thread_count(const boost::program_options::variables_map& values);
+/// --size WxH. Throws Error(input).
+std::optional<Size> size_option(const boost::program_options::variables_map& values);
+/// --threshold in metres, greater than 0. Throws Error(input).
+std::optional<double> threshold_option(const boost::program_options::variables_map& values);
+
+}  // namespace frana::app

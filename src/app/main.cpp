@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include "app/commands.h"
+#include "app/signals.h"
+#include "app/version.h"
+#include "core/error.h"
+#include "params/nearest_name.h"
+
+namespace frana::app {
+namespace {
+
+constexpr const char* k_help =
+    "frana simulates how far a landslide runs.\n"
+    "\n"
+    "Usage: frana COMMAND [arguments]\n"
+    "\n"
+    "  run SCENE.ini            compute a scene; write rasters, maps, animation, comparison\n"
+    "  check SCENE.ini          validate a scene and print what would run; writes nothing\n"
+    "  render RESULT_DIR        draw maps, views or an animation of a result\n"
+    "  compare RESULT_DIR|RASTER --scar VECTOR\n"
+    "                           compare a result with a surveyed outline\n"
+    "  params                   every key of a scene file: type, unit, default, range, meaning\n"
+    "  materials                the material presets\n"
+    "  converge, bench          not available in this version\n"
+    "\n"
+    "  frana COMMAND --help     more about a command\n"
+    "  frana --version\n"
+    "\n"
+    "Exit codes: 0 done; 2 usage, configuration or input data wrong; 3 numerical failure; 4 environment "
+    "(disk,\n"
+    "rights, graphics); 130, 143 stopped by a signal.\n";
+
+struct Command {
+    const char* name;
+    int (*run)(const Arguments&);
+};
+
+int not_available(const Arguments&) {
+    throw Error(ErrorKind::input, Problem{"the commands converge and bench are not available in this version",
+                                          "command line", "", "", "`frana --help` lists the commands"});
+}
+
+constexpr Command k_commands[] = {{"run", cmd_run},
+                                  {"check", cmd_check},
+                                  {"render", cmd_render},
+                                  {"compare", cmd_compare},
+                                  {"params", cmd_params},
+                                  {"materials", cmd_materials},
+                                  {"converge", not_available},
+                                  {"bench", not_available}};
+
+int dispatch(const Arguments& words) {
+    if (words.empty()) {
+        std::cerr << k_help;
+        return static_cast<int>(ExitCode::input);
+    }
+    const std::string& name = words.front();
+    if (name == "--help" || name == "-h" || name == "help") {
+        std::cout << k_help;
+        return static_cast<int>(ExitCode::done);
+    }
+    if (name == "--version") {
+        std::cout << k_program << ' ' << k_version << '\n';
+        return static_cast<int>(ExitCode::done);
+    }
+    std::vector<std::string> names;
+    for (const Command& command : k_commands) {
+        if (name == command.name) return command.run({words.begin() + 1, words.end()});
+        names.emplace_back(command.name);
+    }
+    const std::string nearest = nearest_name(name, names);
+    throw Error(ErrorKind::input, Problem{"unknown command", "command line", name, "",
+                                          nearest.empty() ? "`frana --help` lists the commands"
+                                                          : "Did you mean " + nearest + "?"});
+}
+
+int report(const Error& error) {
+    const auto& problems = error.problems();
+    if (problems.size() == 1) {
+        std::cerr << "frana: " << describe(problems.front()) << '\n';
+    } else {
+        std::cerr << "frana: " << problems.size() << " problems:\n";
+        for (const Problem& problem : problems) std::cerr << "  - " << describe(problem) << '\n';
+    }
+    switch (error.kind()) {
+        case ErrorKind::numerical:
+            return static_cast<int>(ExitCode::numerical);
+        case ErrorKind::environment:
+            return static_cast<int>(ExitCode::environment);
+        case ErrorKind::input:
+            break;
+    }
+    return static_cast<int>(ExitCode::input);
+}
+
+}  // namespace
+}  // namespace frana::app
+
+int main(int count, char** words) {
+    try {
+        frana::app::ignore_file_signals();
+        const int code = frana::app::dispatch({words + 1, words + count});
+        std::cout.flush();
+        if (!std::cout) {
+            std::cerr << "frana: the output could not be written to stdout\n";
+            return static_cast<int>(frana::app::ExitCode::environment);
+        }
+        return code;
+    } catch (const frana::Error& error) {
+        return frana::app::report(error);
+    } catch (const std::bad_alloc&) {
+        std::cerr
+            << "frana: out of memory. Choose larger cells or a smaller part of the DTM (terrain.cell-size, "
+               "terrain.bounds)\n";
+    } catch (const std::exception& error) {
+        std::cerr << "frana: " << error.what() << '\n';
+    }
+    return static_cast<int>(frana::app::ExitCode::environment);
+}

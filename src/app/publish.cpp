@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "analysis/trace.h"
+#include "app/animation.h"
+#include "app/comparison.h"
+#include "app/number_text.h"
+#include "app/publish_rasters.h"
+#include "app/text_file.h"
+#include "app/thickness_volume.h"
+#include "app/timeseries.h"
+#include "app/version.h"
+#include "params/scene_parameters.h"
+#include "params/write_scene.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+std::string title_of(const SceneSpec& spec) {
+    return spec.output.title.value_or(scene_name(spec));
+}
+
+MultiPolygon parts_of(const gis::PolygonLayer& layer) {
+    MultiPolygon all;
+    for (const PolygonFeature& feature : layer.features)
+        all.insert(all.end(), feature.parts.begin(), feature.parts.end());
+    return all;
+}
+
+MapSource map_source(const Finished& run, const Runout& run_out, double covered_area) {
+    const Prepared& prepared = run.prepared;
+    MapFacts facts;
+    facts.scheme = prepared.spec.numerics.scheme;
+    facts.simulated_seconds = run.result.simulated_seconds;
+    facts.volume = run.result.volume_initial;
+    facts.volume_left = run.result.volume_left;
+    facts.last_speed = run.result.series.empty() ? 0 : run.result.series.back().max_speed;
+    facts.covered_area = covered_area;
+    facts.threshold = prepared.spec.output.trace_threshold;
+    facts.run_out = run_out;
+
+    MapSource source;
+    source.title = title_of(prepared.spec);
+    source.subtitle = map_subtitle(facts);
+    source.notes = map_notes(facts);
+    source.crs_label = prepared.ground.crs_label;
+    source.convergence_deg = prepared.convergence_deg;
+    source.terrain = prepared.scene.terrain;
+    for (const ReleaseArea& area : prepared.scene.release)
+        source.release.insert(source.release.end(), area.outline.begin(), area.outline.end());
+    if (prepared.scar) source.scar = parts_of(*prepared.scar);
+    source.size = *size_from_text(prepared.spec.output.map_size);
+    return source;
+}
+
+/// Draws what it is asked to; a fault is a warning, since the numbers are worth more than the picture.
+class Drawings {
+  public:
+    explicit Drawings(RunLog& log) : log_(log) {}
+
+    template <class Draw>
+    void attempt(const std::string& what, const Draw& draw) {
+        try {
+            draw();
+            log_.note("drew " + what);
+        } catch (const Error& error) {
+            log_.warn(what + " could not be drawn: " + error.what());
+            all_drawn_ = false;
+        }
+    }
+    [[nodiscard]] bool all_drawn() const noexcept { return all_drawn_; }
+
+  private:
+    RunLog& log_;
+    bool all_drawn_ = true;
+};
+
+void publish_maps(const Finished& run, const MapSource& source, const ResultDirectory& directory,
+                  Drawings& drawings) {
+    const std::vector<std::string>& asked = run.prepared.spec.output.maps;
+    if (asked.front() == "off") return;
+    directory.make_folder("maps");
+    const std::string ending = "_3d";
+    for (const std::string& name : asked.front() == "on" ? map_names() : asked) {
+        const bool view_3d = name.ends_with(ending);
+        const Layer layer = layer_named(view_3d ? name.substr(0, name.size() - ending.size()) : name);
+        const std::string file = "maps/" + name + ".png";
+        drawings.attempt(file, [&] {
+            draw_layer(source, layer, run.result.*layer.values, view_3d, directory.path(file));
+        });
+    }
+}
+
+void publish_animation(const Finished& run, const MapSource& source, const ResultDirectory& directory,
+                       const FrameWriter& frames, Drawings& drawings) {
+    const OutputSpec& output = run.prepared.spec.output;
+    if (output.animation && frames.count() > 0) {
+        drawings.attempt("animation.mp4", [&] {
+            MapSource film = source;
+            film.size = film_size(source.size);
+            write_animation(film, run.result.max_depth, stored_frames(directory.path("frames")), false,
+                            directory.path("animation.mp4"));
+        });
+    }
+    // The film was made from the frames; without output.frames they have done their work.
+    std::error_code ignored;
+    if (!output.frames) std::filesystem::remove_all(directory.path("frames"), ignored);
+}
+
+ComparisonInput comparison_input(const Finished& run, const MapSource& source) {
+    const SceneSpec& spec = run.prepared.spec;
+    return {run.result.max_depth,        source.scar,    scar_threshold(spec), "max_depth.tif",
+            spec.scar.perimeter.value(), run.result.bed, run.result.release};
+}
+
+/// A speed beyond 2 sqrt(g H), H from the highest surface to the lowest bed, is more than any fluid reaches
+/// even without friction (the front of a dam break of that height).
+void warn_of_impossible_speed(const Finished& run, RunLog& log) {
+    double highest = k_no_data, lowest = k_no_data;
+    const RunResult& result = run.result;
+    for (std::size_t i = 0; i < result.bed.values.size(); ++i) {
+        const double bed = result.bed.values[i];
+        if (std::isnan(bed)) continue;
+        const double surface = bed + (result.release.values[i] > 0 ? result.release.values[i] : 0);
+        if (!(surface <= highest)) highest = surface;
+        if (!(bed >= lowest)) lowest = bed;
+    }
+    const double bound = 2 * std::sqrt(run.prepared.scene.numerics.gravity * (highest - lowest));
+    const double speed = maximum(result.max_velocity);
+    if (speed > bound) {
+        log.warn("the greatest speed, " + figure(speed, 3) +
+                 " m/s, is more than the relief allows even without friction (" + figure(bound, 3) +
+                 " m/s): do not trust velocities and pressures of this run where they are so high");
+    }
+}
+
+void warn_of_trouble(const Finished& run, RunLog& log) {
+    const RunResult& result = run.result;
+    warn_of_impossible_speed(run, log);
+    compare_volumes(run.prepared.release.file_volume_m3, result.volume_initial, log);
+    for (const std::string& note : result.notes) log.note("engine: " + note);
+    if (result.stop_reason == StopReason::reached_no_data) {
+        log.warn(
+            "the run ended because the flow reached ground without elevation: the map is not complete; take "
+            "a larger "
+            "DTM, or set terrain.nodata-policy to wall or fill");
+    }
+    if (!result.hard_events.none())
+        log.warn("the computation met events that a good run does not have; see hard_events in summary.json");
+    if (result.stop_reason == StopReason::end_time && result.series.size() > 1 &&
+        result.series.back().max_speed > k_moving_speed) {
+        log.warn("the flow still moves at " + figure(result.series.back().max_speed, 3) +
+                 " m/s when time.end is reached: final depth and run-out are not those of the deposit");
+    }
+    if (result.volume_left > 0) {
+        log.warn(
+            grouped(result.volume_left) + " m3 left the computed ground (" +
+            figure(100 * result.volume_left / result.volume_initial, 2) +
+            " % of the release): the map does not show how far it runs; take a larger DTM or terrain.bounds");
+    }
+}
+
+SceneSpec echoed(const Prepared& prepared) {
+    SceneSpec spec = prepared.spec;
+    // The echo lies in another folder: what was derived from the scene file's own name must be written out.
+    spec.output.title = title_of(spec);
+    // The directory holds this result now; a repetition goes to its own unless told otherwise.
+    spec.output.directory.reset();
+    return spec;
+}
+
+}  // namespace
+
+bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
+    const Stopwatch output_watch;
+    const Prepared& prepared = run.prepared;
+    const RunResult& result = run.result;
+    warn_of_trouble(run, log);
+
+    const Raster trace = trace_mask(result.max_depth, prepared.spec.output.trace_threshold);
+    SummaryFacts facts;
+    facts.spec = prepared.spec;
+    facts.crs_label = prepared.ground.crs_label;
+    facts.threads = run.threads;
+    facts.run_out = runout(result.bed, result.release, trace);
+    facts.covered_area_m2 = masked_area(trace);
+
+    publish_rasters(prepared, result, directory);
+    publish_outlines(prepared, result, directory);
+    write_text_file(directory.path("timeseries.csv"), timeseries_csv(result.series));
+    write_text_file(directory.path("scene.ini"), scene_text(echoed(prepared), prepared.resolved));
+    if (frames.count() > 0) frames.finish();
+    const MapSource source = map_source(run, facts.run_out, facts.covered_area_m2);
+    std::optional<Comparison> comparison;
+    if (prepared.scar) {
+        const ComparisonInput input = comparison_input(run, source);
+        comparison = compare_with_scar(input, log);
+        write_comparison(*comparison, input, directory.path(""));
+        log.tell("area differs from the scar's by " + figure(comparison->figures.area_difference_percent, 3) +
+                 " %, Jaccard " + figure(comparison->figures.jaccard, 3));
+    }
+    facts.wall.output = output_watch.seconds() + frames.seconds();
+
+    const Stopwatch render_watch;
+    Drawings drawings(log);
+    publish_maps(run, source, directory, drawings);
+    if (comparison)
+        drawings.attempt("comparison.png",
+                         [&] { draw_comparison(*comparison, source, directory.path("comparison.png")); });
+    publish_animation(run, source, directory, frames, drawings);
+    facts.wall.render = render_watch.seconds();
+
+    facts.wall.input = run.input_seconds;
+    facts.wall.engine = result.engine_seconds;
+    facts.wall.total = run.since_start.seconds();
+    facts.peak_memory_bytes = peak_memory_bytes();
+    facts.warnings = log.warnings();
+    write_text_file(directory.path("summary.json"), summary_json(result, facts));
+    log.note("wrote summary.json");
+    write_text_file(directory.path("log.txt"), log.text());
+    return drawings.all_drawn();
+}
+
+}  // namespace frana::app

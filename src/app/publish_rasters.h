@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/prepare.h"
+#include "app/result_directory.h"
+#include "simulation/result.h"
+
+namespace frana::app {
+
+/// The result's rasters, each with its styles beside it, and what they stand on: dtm.tif, bed.tif,
+/// release.tif.
+void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory);
+
+/// extent.gpkg: release, trace (greatest depth over the threshold), deposit (final depth over it), scar if
+/// given.
+void publish_outlines(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory);
+
+}  // namespace frana::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/map_source.h"
+
+namespace frana::app {
+
+/// A result directory, read back from its files alone. What an older or foreign result lacks is left out.
+class ResultReader {
+  public:
+    /// Throws Error(input) when the directory is not there or holds no raster of a result.
+    explicit ResultReader(std::string directory);
+
+    [[nodiscard]] const std::string& directory() const noexcept { return directory_; }
+    [[nodiscard]] std::string path(const std::string& name) const;
+    [[nodiscard]] bool has(const std::string& name) const;
+    /// NAME.tif. Throws Error(input) when it is missing.
+    [[nodiscard]] Raster raster(const std::string& name) const;
+    /// A value of the result's scene.ini as text, if there is one.
+    [[nodiscard]] std::optional<std::string> scene_value(const std::string& key) const;
+    /// The same as a number, or a default.
+    [[nodiscard]] double scene_number(const std::string& key, double otherwise) const;
+
+    /// Everything maps share; terrain and outlines only where the result has them.
+    [[nodiscard]] MapSource map_source() const;
+
+  private:
+    [[nodiscard]] MultiPolygon outline(const std::string& layer, const std::string& crs_wkt) const;
+    [[nodiscard]] MapFacts facts() const;
+
+    std::string directory_;
+};
+
+}  // namespace frana::app

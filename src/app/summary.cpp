@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/summary.h"
+
+#include <sys/resource.h>
+
+#include <cmath>
+
+#include "analysis/trace.h"
+#include "app/version.h"
+#include "core/json.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+/// NaN (nothing ever flowed) is no maximum; then it is zero.
+double maximum_or_zero(const Raster& raster) {
+    const double largest = maximum(raster);
+    return std::isnan(largest) ? 0 : largest;
+}
+
+double relative_volume_error(const RunResult& result) {
+    if (result.volume_initial == 0) return 0;
+    return std::abs(result.volume_final + result.volume_left - result.volume_initial) / result.volume_initial;
+}
+
+void write_grid_and_particles(JsonWriter& json, const RunResult& result) {
+    const GridSpec& grid = result.max_depth.grid;
+    json.begin_object("grid").integer("columns", grid.columns).integer("rows", grid.rows);
+    json.number("cell_size", grid.cell_size)
+        .number("west", grid.west)
+        .number("north", grid.north)
+        .end_object();
+    json.begin_object("particles").integer("initial", result.particles_initial);
+    json.integer("final", result.particles_final).integer("peak", result.particles_peak).end_object();
+}
+
+void write_cost(JsonWriter& json, const RunResult& result, const SummaryFacts& facts) {
+    json.begin_object("wall_seconds").number("total", facts.wall.total).number("input", facts.wall.input);
+    json.number("engine", facts.wall.engine)
+        .number("output", facts.wall.output)
+        .number("render", facts.wall.render);
+    json.end_object();
+    json.integer("particle_steps", result.particle_steps);
+    json.number("particle_steps_per_second",
+                facts.wall.engine > 0 ? static_cast<double>(result.particle_steps) / facts.wall.engine : 0);
+    json.integer("peak_memory_bytes", facts.peak_memory_bytes);
+}
+
+void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts& facts) {
+    json.begin_object("volume")
+        .number("initial_m3", result.volume_initial)
+        .number("final_m3", result.volume_final);
+    json.number("left_domain_m3", result.volume_left).number("relative_error", relative_volume_error(result));
+    json.end_object();
+    json.number("max_depth_m", maximum_or_zero(result.max_depth));
+    json.number("max_velocity_ms", maximum_or_zero(result.max_velocity));
+    json.number("max_pressure_kpa", maximum_or_zero(result.max_pressure));
+    json.number("covered_area_m2", facts.covered_area_m2);
+    json.number("trace_threshold_m", facts.spec.output.trace_threshold);
+    json.begin_object("runout").number("horizontal_m", facts.run_out.horizontal_m);
+    json.number("drop_m", facts.run_out.drop_m).number("reach_angle_deg", facts.run_out.reach_angle_deg);
+    json.end_object();
+    const HardEvents& events = result.hard_events;
+    json.begin_object("hard_events").integer("non_finite", events.non_finite);
+    json.integer("depth_clamped", events.depth_clamped).integer("speed_clamped", events.speed_clamped);
+    json.integer("entered_no_data", events.entered_no_data).end_object();
+}
+
+}  // namespace
+
+std::string stop_word(StopReason reason) {
+    switch (reason) {
+        case StopReason::still:
+            return "still";
+        case StopReason::all_left:
+            return "all-left";
+        case StopReason::requested:
+            return "requested";
+        case StopReason::reached_no_data:
+            return "reached-no-data";
+        case StopReason::non_finite:
+            return "non-finite";
+        case StopReason::end_time:
+            break;
+    }
+    return "end-time";
+}
+
+std::int64_t peak_memory_bytes() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+}
+
+std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
+    JsonWriter json;
+    json.begin_object();
+    json.text("program", k_program).text("version", k_version).text("scene", facts.spec.file);
+    json.text("model", facts.spec.material.model).text("scheme", facts.spec.numerics.scheme);
+    json.text("slope_correction", slope_correction(facts.spec.numerics));
+    json.text("crs", facts.crs_label).integer("threads", facts.threads).integer("steps", result.steps);
+    json.number("simulated_seconds", result.simulated_seconds);
+    json.text("stop_reason", stop_word(result.stop_reason));
+    json.text("stop_reason_text", describe(result.stop_reason));
+    write_grid_and_particles(json, result);
+    json.begin_array("terms");
+    for (const std::string& term : result.terms) json.text("", term);
+    json.end_array();
+    write_cost(json, result, facts);
+    write_figures(json, result, facts);
+    json.begin_array("warnings");
+    for (const std::string& warning : facts.warnings) json.text("", warning);
+    json.end_array();
+    json.end_object();
+    return json.str();
+}
+
+}  // namespace frana::app

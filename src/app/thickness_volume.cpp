@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/thickness_volume.h"
+
+#include <cmath>
+
+#include "app/number_text.h"
+#include "gis/crs.h"
+#include "gis/raster_in.h"
+#include "gis/rasterize.h"
+
+namespace frana::app {
+namespace {
+
+constexpr double k_worth_a_warning = 0.01;  // of the volume; finer than any thickness is known
+
+double volume_inside(const Raster& thickness, const Raster& cover) {
+    double sum = 0;
+    for (std::size_t i = 0; i < thickness.values.size(); ++i)
+        if (cover.values[i] != 0 && thickness.values[i] > 0) sum += thickness.values[i];
+    return sum * thickness.grid.cell_area();
+}
+
+/// The raster's own cells; none where they are not square, turned, or in another CRS.
+std::optional<GridSpec> own_grid(const gis::RasterInfo& file, const GridSpec& working) {
+    const bool square = !file.rotated && std::abs(file.cell_x - file.cell_y) <= 1e-9 * file.cell_x;
+    const bool same_crs = file.crs_wkt.empty() || working.crs_wkt.empty() ||
+                          gis::crs_name(gis::horizontal_crs(file.crs_wkt)) == gis::crs_name(working.crs_wkt);
+    if (!square || !same_crs) return std::nullopt;
+    GridSpec grid;
+    grid.west = file.bounds.west;
+    grid.north = file.bounds.north;
+    grid.cell_size = file.cell_x;
+    grid.columns = file.columns;
+    grid.rows = file.rows;
+    grid.crs_wkt = working.crs_wkt;
+    return grid;
+}
+
+}  // namespace
+
+std::optional<double> thickness_volume(const ReleaseInput& release, const GridSpec& working_grid) {
+    if (release.thickness_files.size() != 1 || release.areas.size() != 1) return std::nullopt;
+    const ReleaseArea& area = release.areas.front();
+    if (!area.thickness_raster || area.normal_to_bed) return std::nullopt;
+    const gis::RasterInfo& file = release.thickness_files.front();
+    const std::optional<GridSpec> grid = own_grid(file, working_grid);
+    if (!grid) return std::nullopt;
+    const Raster own = gis::read_raster_on(file.path, *grid, "", gis::Resampling::nearest).raster;
+    return volume_inside(own, gis::coverage(area.outline, *grid));
+}
+
+void compare_volumes(std::optional<double> in_file, double released, RunLog& log) {
+    if (!in_file || !(*in_file > 0)) return;
+    const double difference = released / *in_file - 1;
+    const std::string text = "the thickness raster holds " + grouped(*in_file) +
+                             " m3 inside the perimeter; released are " + grouped(released) + " m3";
+    if (std::abs(difference) > k_worth_a_warning)
+        log.warn(text + " (" + figure(100 * difference, 2) +
+                 " %): interpolation between its cells makes the difference");
+    else
+        log.note(text);
+}
+
+}  // namespace frana::app

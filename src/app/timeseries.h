@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulation/result.h"
+
+namespace frana::app {
+
+/// timeseries.csv: a header with units, one row a step, numbers that read back as the same bits.
+std::string timeseries_csv(const std::vector<SeriesRow>& series);
+
+}  // namespace frana::app

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+using Command = TinyScene;
+
+TEST_F(Command, HelpAndVersion) {
+    EXPECT_EQ(frana({"--version"}).out.rfind("frana ", 0), 0U);
+    for (const std::string command : {"run", "check", "render", "compare", "params", "materials"}) {
+        const Outcome outcome = frana({command, "--help"});
+        EXPECT_EQ(outcome.exit_code, 0) << command;
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_EQ(outcome.out.rfind("Usage: frana " + command, 0), 0U) << outcome.out;
+        EXPECT_NE(frana({"--help"}).out.find("  " + command), std::string::npos);
+    }
+}
+
+TEST_F(Command, MistakesOnTheCommandLine) {
+    EXPECT_EQ(frana({}).exit_code, 2);
+    EXPECT_NE(frana({"chek"}).err.find("Did you mean check?"), std::string::npos);
+    EXPECT_EQ(frana({"chek"}).exit_code, 2);
+    EXPECT_EQ(frana({"run"}).exit_code, 2);
+    EXPECT_EQ(frana({"run", "scene.ini", "--overwrit"}).exit_code, 2);  // abbreviations are not guessed
+    EXPECT_EQ(frana({"run", "scene.ini", "--threads", "0"}).exit_code, 2);
+    EXPECT_EQ(frana({"run", "scene.ini", "--resume"}).exit_code, 2);
+    EXPECT_EQ(frana({"run", "scene.ini", "other.ini"}).exit_code, 2);
+    EXPECT_EQ(frana({"bench", "accuracy"}).exit_code, 2);
+    EXPECT_EQ(frana({"render", "nowhere"}).exit_code, 2);
+    EXPECT_EQ(frana({"compare", "dtm.asc"}).exit_code, 2);
+    EXPECT_EQ(frana({"params", "--json", "--ini"}).exit_code, 2);
+    EXPECT_EQ(files().size(), 4U);  // dtm.asc, dtm.prj, perimeter.geojson, scene.ini
+}
+
+TEST_F(Command, ParamsAndMaterials) {
+    EXPECT_NE(frana({"params"}).out.find("# friction-angle = "), std::string::npos);
+    EXPECT_NE(frana({"params", "--json"}).out.find("\"material.friction-angle\""), std::string::npos);
+    EXPECT_NE(frana({"params", "--markdown"}).out.find("| `friction-angle` |"), std::string::npos);
+    const Outcome materials = frana({"materials"});
+    EXPECT_EQ(materials.exit_code, 0);
+    EXPECT_NE(materials.out.find("bindo\n"), std::string::npos);
+    EXPECT_NE(materials.out.find("material.density = 1291"), std::string::npos);
+}
+
+TEST_F(Command, CheckPrintsWhatWouldRunAndWritesNothing) {
+    const std::vector<std::string> before = files();
+    const Outcome outcome = frana({"check", "scene.ini", "--threads", "1"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string words :
+         {"ready to run", "EPSG:32632", "west 527000.00, south 5094000.00", "60 x 30", "4 000 m3", "2 000 m2",
+          "-9999", "particles", "memory", "terms", "estimated time"})
+        EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " in\n" << outcome.out;
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Command, FullDeviceForStandardOutputIsAnError) {
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+    // The shell is needed for the redirection only.
+    const int status = std::system((std::string(FRANA_PROGRAM) + " params > /dev/full 2> /dev/null").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 4);
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace frana::test {
+
+/// What one call of the program did.
+struct Outcome {
+    int exit_code = -1;
+    std::string out;
+    std::string err;
+};
+
+/// Runs frana with these arguments in a folder and waits for it. With `signal_after_ms`, sends SIGINT then.
+Outcome run_program(const std::string& folder, const std::vector<std::string>& arguments,
+                    int signal_after_ms = 0);
+
+std::string read_text(const std::string& path);
+
+/// The number that follows "key": in a JSON text; fails the test when there is none.
+double json_number(const std::string& json, const std::string& key);
+
+}  // namespace frana::test

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "simulation/simulation.h"
+
+namespace frana {
+namespace {
+
+// A slide of 2 m on a 27 degree slope that runs out on the flat.
+Scene slide() {
+    Scene scene;
+    scene.grid = {600000, 5000120, 2, 120, 60, ""};
+    scene.terrain = Raster(scene.grid);
+    for (std::int64_t r = 0; r < 60; ++r) {
+        for (std::int64_t c = 0; c < 120; ++c) scene.terrain.at(r, c) = 100 + std::max(0.0, 0.5 * (120 - 2.0 * static_cast<double>(c)));
+    }
+    scene.release = {{{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}}, 2, {}, false}};
+    scene.material.friction_coefficient = 0.3;
+    scene.time.end = 40;
+    scene.time.frame_interval = 2;
+    return scene;
+}
+
+TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
+    const Scene scene = slide();
+    RunOptions options;
+    std::vector<double> times;
+    options.on_frame = [&](const Frame& frame) { times.push_back(frame.time); };
+    const RunResult result = run(scene, options);
+    EXPECT_EQ(result.stop_reason, StopReason::still);
+    EXPECT_TRUE(result.hard_events.none());
+    EXPECT_NEAR(result.volume_initial, 2 * 30 * 40, 1e-9 * result.volume_initial);
+    EXPECT_NEAR(result.volume_final + result.volume_left, result.volume_initial, 1e-12 * result.volume_initial);
+    EXPECT_EQ(static_cast<std::int64_t>(result.series.size()), result.steps);
+    ASSERT_GT(times.size(), 3u);
+    EXPECT_EQ(times[0], 0);
+    for (std::size_t i = 1; i + 1 < times.size(); ++i) EXPECT_NEAR(times[i], 2.0 * static_cast<double>(i), 1e-9);
+    double seen = 0;
+    for (std::size_t i = 0; i < result.max_depth.values.size(); ++i) {
+        const double depth = result.max_depth.values[i];
+        EXPECT_EQ(std::isnan(depth), std::isnan(result.arrival_time.values[i]));
+        EXPECT_EQ(std::isnan(depth), std::isnan(result.max_velocity.values[i]));
+        if (std::isnan(depth)) continue;
+        seen = std::max(seen, depth);
+        if (!std::isnan(result.final_depth.values[i])) EXPECT_LE(result.final_depth.values[i], depth + 1e-12);
+        EXPECT_NEAR(result.max_pressure.values[i], 2000 * std::pow(result.max_velocity.values[i], 2) / 1000, 1e-9);
+    }
+    EXPECT_GE(seen, 1.9);
+    EXPECT_LT(seen, 4);
+}
+
+TEST(Run, NothingMovesUnderTheFrictionBound) {
+    Scene scene = slide();
+    scene.material.friction_coefficient = 2;
+    const RunResult result = run(scene, {});
+    EXPECT_EQ(result.stop_reason, StopReason::still);
+    for (const double v : result.max_velocity.values) {
+        if (!std::isnan(v)) EXPECT_EQ(v, 0);
+    }
+}
+
+TEST(Run, StopsWithAReasonWhereTheTerrainEnds) {
+    Scene scene = slide();
+    for (std::int64_t r = 0; r < 60; ++r) {
+        for (std::int64_t c = 60; c < 120; ++c) scene.terrain.at(r, c) = k_no_data;
+    }
+    const RunResult result = run(scene, {});
+    EXPECT_EQ(result.stop_reason, StopReason::reached_no_data);
+    EXPECT_GT(result.hard_events.entered_no_data, 0);
+}
+
+TEST(Run, StopsOnRequest) {
+    RunOptions options;
+    options.stop_requested = [] { return true; };
+    const RunResult result = run(slide(), options);
+    EXPECT_EQ(result.stop_reason, StopReason::requested);
+    EXPECT_EQ(result.steps, 1);
+}
+
+TEST(Estimate, CountsWithoutRunning) {
+    const RunEstimate e = estimate(slide(), 1);
+    EXPECT_EQ(e.particles, 30 * 40);  // 4 particles for each 4 m2
+    EXPECT_NEAR(e.volume, 2400, 1e-6);
+    EXPECT_GT(e.memory_bytes, 0);
+    EXPECT_GT(e.first_step_seconds, 0);
+}
+
+}  // namespace
+}  // namespace frana

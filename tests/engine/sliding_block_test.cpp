@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// A wide uniform slab on a plane must accelerate in map view by g cos^2(theta) (tan theta - tan phi) (specification,
+// section 5), and reach Voellmy's terminal speed. Only the slab's middle is looked at: its edges collapse.
+#include <gtest/gtest.h>
+
+#include "cases.h"
+
+namespace frana::test {
+namespace {
+
+constexpr double k_gravity = 9.81;
+
+// Mean speed (map view) of particles in the middle of a slab 200 m long that started at rest at 20 m < x < 220 m.
+double slab_speed(double slope_deg, const Material& material, SlopeCorrection slope, double jitter, double time,
+                  double travelled) {
+    const double gradient = std::tan(slope_deg * M_PI / 180);
+    const std::int64_t columns = 300 + static_cast<std::int64_t>(travelled);
+    const GridSpec grid = bench::plain_grid(columns, 12, 1);
+    const Raster bed =
+        bench::sample_raster(grid, [&](Point p) { return (static_cast<double>(columns) - p.x) * gradient; });
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 2, jitter, [](Point p) { return bench::Seed{p.x > 20 && p.x < 220 ? 1.0 : 0.0}; });
+    Flow flow(bed, seeds, material, numerics(Scheme::standard, slope, Boundary::wall), 2);
+    flow.advance_to(time);
+    double sum = 0;
+    int n = 0;
+    const ParticleSet& p = flow.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (std::abs(p[Field::x][i] - 120 - travelled) > 20) continue;
+        sum += p[Field::u][i];
+        ++n;
+    }
+    return sum / n;
+}
+
+class SlidingBlock : public testing::TestWithParam<std::tuple<double, SlopeCorrection, double>> {};
+
+TEST_P(SlidingBlock, AcceleratesAsARigidBlock) {
+    const auto [slope_deg, slope, jitter] = GetParam();
+    const double theta = slope_deg * M_PI / 180, phi = 20 * M_PI / 180, time = 4;
+    const double cosine = std::cos(theta);
+    const double exact = k_gravity * cosine * cosine * (std::tan(theta) - std::tan(phi)) * time;
+    const double speed = slab_speed(slope_deg, dry_friction(20), slope, jitter, time, 0.5 * exact * time);
+    EXPECT_NEAR(speed, exact, 1e-3 * exact);  // the mark of the accuracy bench
+}
+
+INSTANTIATE_TEST_SUITE_P(Slopes, SlidingBlock,
+                         testing::Combine(testing::Values(25.0, 35.0, 45.0),
+                                          testing::Values(SlopeCorrection::normal, SlopeCorrection::surface),
+                                          testing::Values(0.0, 0.8)));
+
+TEST(SlidingBlock, WithoutCorrectionItIsTooFastByTheSquaredSecant) {
+    const double theta = 35 * M_PI / 180, phi = 20 * M_PI / 180, time = 4;
+    const double gentle = k_gravity * (std::tan(theta) - std::tan(phi)) * time;
+    EXPECT_NEAR(slab_speed(35, dry_friction(20), SlopeCorrection::none, 0, time, 0.5 * gentle * time), gentle,
+                1e-3 * gentle);
+}
+
+// g sin(theta) = g cos(theta) tan(phi) + g v^2 / (xi d) along the bed, d = h cos(theta); map speed v cos(theta).
+TEST(VoellmyPlane, ReachesTheTerminalSpeed) {
+    const double theta = 30 * M_PI / 180, phi = 15 * M_PI / 180, turbulence = 300;
+    Material material = dry_friction(15);
+    material.turbulence = turbulence;
+    const double thickness = 1 * std::cos(theta);
+    const double along = std::sqrt(turbulence * thickness * (std::sin(theta) - std::cos(theta) * std::tan(phi)));
+    const double map_speed = along * std::cos(theta);
+    // Approach: dv/dt = a (1 - v^2 / v_t^2), so v = v_t tanh(a t / v_t); after 20 s 1 - tanh < 1e-5.
+    const double a = k_gravity * (std::sin(theta) - std::cos(theta) * std::tan(phi));
+    const double time = 20, reached = along * std::tanh(a * time / along);
+    ASSERT_GT(reached / along, 1 - 1e-5);
+    const double distance = along * along / a * std::log(std::cosh(a * time / along)) * std::cos(theta);
+    const double speed = slab_speed(30, material, SlopeCorrection::normal, 0, time, distance);
+    EXPECT_NEAR(speed, map_speed, 1e-3 * map_speed);
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/raster_in.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "files.h"
+#include "gis/crs.h"
+#include "gis/crs_transform.h"
+
+namespace frana::gis {
+namespace {
+
+using test::error_of;
+using test::Folder;
+using test::make_raster;
+using test::TestRaster;
+
+constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+
+GridSpec utm_grid(double west, double north, double cell, int columns, int rows) {
+    return {west, north, cell, columns, rows, crs_from_user("EPSG:32632", "")};
+}
+
+/// An inclined plane: z = 1000 + 0.3 (x - west) + 0.2 (y - north), which every fair resampling reproduces.
+double plane(double x, double y) {
+    return 1000 + 0.3 * (x - 527000) + 0.2 * (y - 5095000);
+}
+
+TestRaster plane_raster(int columns, int rows, double cell) {
+    TestRaster raster{columns, rows,         527000, 5095000, cell, cell, "EPSG:32632",
+                      {},      std::nullopt, "",     1,       0,    0,    false};
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            raster.values.push_back(plane(527000 + (column + 0.5) * cell, 5095000 - (row + 0.5) * cell));
+        }
+    }
+    return raster;
+}
+
+TEST(InspectRaster, SaysWhatTheFileSays) {
+    const Folder folder;
+    TestRaster raster = plane_raster(4, 3, 5);
+    raster.nodata = -9999;
+    make_raster(folder.file("dtm.tif"), raster);
+    const RasterInfo info = inspect_raster(folder.file("dtm.tif"), "scene.ini: terrain.dtm");
+    EXPECT_EQ(info.crs_label, "EPSG:32632 (WGS 84 / UTM zone 32N)");
+    EXPECT_EQ(info.driver, "GTiff");
+    EXPECT_EQ(info.columns, 4);
+    EXPECT_EQ(info.rows, 3);
+    EXPECT_EQ(info.cell_x, 5);
+    EXPECT_EQ(info.bounds.east, 527020);
+    EXPECT_EQ(info.bounds.south, 5094985);
+    EXPECT_TRUE(info.has_nodata);
+    EXPECT_EQ(info.nodata, -9999);
+    EXPECT_EQ(info.vertical_unit, "metre");
+    EXPECT_FALSE(info.rotated);
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"dtm.tif"}) << "reading must leave no file behind";
+}
+
+TEST(InspectRaster, RefusesWithPathAndKey) {
+    const Folder folder;
+    test::write_text(folder.file("note.txt"), "not a raster");
+    test::write_text(folder.file("nowhere.asc"), "");
+    for (const char* name : {"missing.tif", "note.txt"}) {
+        const Error error =
+            error_of([&] { (void)inspect_raster(folder.file(name), "scene.ini: terrain.dtm"); });
+        EXPECT_EQ(error.kind(), ErrorKind::input);
+        EXPECT_EQ(error.problems().front().where, "scene.ini: terrain.dtm");
+        EXPECT_EQ(error.problems().front().value, folder.file(name));
+    }
+    EXPECT_NE(std::string(error_of([&] { (void)inspect_raster(folder.file("missing.tif"), ""); }).what())
+                  .find("does not exist"),
+              std::string::npos);
+    test::write_text(folder.file("unplaced.pgm"), "P2\n2 2\n255\n1 2\n3 4\n");
+    EXPECT_EQ(error_of([&] { (void)inspect_raster(folder.file("unplaced.pgm"), ""); }).kind(),
+              ErrorKind::input);
+}
+
+TEST(ReadRaster, SameCellsAreCopiedBitByBit) {
+    const Folder folder;
+    make_raster(folder.file("dtm.tif"), plane_raster(40, 30, 5));
+    const RasterRead read = read_raster_on(folder.file("dtm.tif"), utm_grid(527010, 5094990, 5, 20, 10), "",
+                                           Resampling::automatic);
+    EXPECT_EQ(read.resampling_used, "exact copy");
+    EXPECT_EQ(read.nodata_cells, 0);
+    for (int row = 0; row < 10; ++row) {
+        for (int column = 0; column < 20; ++column) {
+            const double x = 527000 + (column + 2.5) * 5, y = 5095000 - (row + 2.5) * 5;
+            ASSERT_EQ(read.raster.at(row, column), plane(x, y));
+        }
+    }
+}
+
+TEST(ReadRaster, BeyondTheFileThereIsNoData) {
+    const Folder folder;
+    make_raster(folder.file("dtm.tif"), plane_raster(4, 4, 5));
+    for (const double cell : {5.0, 2.5}) {
+        const RasterRead read = read_raster_on(
+            folder.file("dtm.tif"), utm_grid(526990, 5095010, cell, 12, 12), "", Resampling::automatic);
+        const auto inside = static_cast<std::int64_t>(20 / cell * 20 / cell);
+        const auto covered = std::min<std::int64_t>(inside, cell == 5 ? 16 : 64);
+        EXPECT_EQ(read.nodata_cells, 144 - covered) << cell;
+        EXPECT_TRUE(std::isnan(read.raster.at(0, 0)));
+    }
+    const RasterRead nothing =
+        read_raster_on(folder.file("dtm.tif"), utm_grid(600000, 5095010, 5, 3, 3), "", Resampling::automatic);
+    EXPECT_EQ(nothing.nodata_cells, 9);
+}
+
+TEST(ReadRaster, APlaneStaysAPlane) {
+    const Folder folder;
+    make_raster(folder.file("dtm.tif"), plane_raster(60, 60, 5));
+    struct Wanted {
+        double cell;
+        Resampling resampling;
+        const char* name;
+    };
+    for (const Wanted& w :
+         {Wanted{2, Resampling::automatic, "bilinear"}, Wanted{15, Resampling::automatic, "average"},
+          Wanted{10, Resampling::average, "average"}, Wanted{2, Resampling::cubic, "cubic"}}) {
+        const int n = static_cast<int>(240 / w.cell);
+        const GridSpec grid = utm_grid(527030, 5094970, w.cell, n, n);
+        const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", w.resampling);
+        EXPECT_EQ(read.resampling_used, w.name);
+        for (int row = 0; row < n; ++row) {
+            for (int column = 0; column < n; ++column) {
+                const Point centre = grid.cell_centre(row, column);
+                // Rounding of weights only: 1e-9 of values about 1000.
+                ASSERT_NEAR(read.raster.at(row, column), plane(centre.x, centre.y), 1e-6)
+                    << w.name << " " << w.cell;
+            }
+        }
+    }
+}
+
+TEST(ReadRaster, AnAverageWeighsPartCellsByTheirArea) {
+    const Folder folder;
+    make_raster(folder.file("dtm.tif"), plane_raster(60, 60, 5));
+    const GridSpec grid = utm_grid(527000, 5095000, 12, 20, 20);
+    const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::automatic);
+    // Along one axis: the mean position of the 5 m cells' centres, each weighted with its share of the 12 m
+    // cell.
+    const auto mean_position = [](int cell) {
+        double sum = 0;
+        for (int fine = 0; fine < 60; ++fine) {
+            const double share = std::min(fine * 5 + 5, cell * 12 + 12) - std::max(fine * 5, cell * 12);
+            if (share > 0) sum += share * (fine + 0.5) * 5;
+        }
+        return sum / 12;
+    };
+    for (int i = 0; i < 20; ++i) {
+        // GDAL's weights are single precision: 1e-7 of values about 1000.
+        const double expected = plane(527000 + mean_position(19 - i), 5095000 - mean_position(i));
+        ASSERT_NEAR(read.raster.at(i, 19 - i), expected, 1e-4);
+    }
+}
+
+TEST(ReadRaster, StripsLeaveNoSeam) {
+    const Folder folder;
+    // 3000 x 3000 cells averaged onto 30 x 30: more than is read at once.
+    make_raster(folder.file("dtm.tif"), plane_raster(3000, 3000, 0.1));
+    const GridSpec grid = utm_grid(527000, 5095000, 10, 30, 30);
+    const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::automatic);
+    for (int row = 0; row < 30; ++row) {
+        const Point centre = grid.cell_centre(row, 7);
+        ASSERT_NEAR(read.raster.at(row, 7), plane(centre.x, centre.y), 1e-6);
+    }
+}
+
+TEST(ReadRaster, NoDataStaysAndDoesNotBleed) {
+    const Folder folder;
+    TestRaster raster = plane_raster(20, 20, 5);
+    for (double& value : raster.values) value = 500;
+    raster.nodata = -9999;
+    raster.values[10 * 20 + 10] = -9999;
+    raster.values[3 * 20 + 4] = k_nan;  // undeclared, but no number either
+    raster.values[15 * 20 + 4] = std::numeric_limits<double>::infinity();
+    make_raster(folder.file("dtm.tif"), raster);
+    for (const Resampling resampling : {Resampling::bilinear, Resampling::cubic, Resampling::nearest}) {
+        const GridSpec grid = utm_grid(527000, 5095000, 1, 100, 100);
+        const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", resampling);
+        // Each hole is 5 x 5 fine cells.
+        EXPECT_EQ(read.nodata_cells, 75) << read.resampling_used;
+        EXPECT_TRUE(std::isnan(read.raster.at(52, 52)));
+        for (const double value : read.raster.values) {
+            ASSERT_TRUE(std::isnan(value) || std::abs(value - 500) < 1e-9) << value;
+        }
+    }
+    const RasterRead coarse =
+        read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 20, 5, 5), "", Resampling::average);
+    EXPECT_EQ(coarse.nodata_cells, 0);
+    for (const double value : coarse.raster.values) ASSERT_NEAR(value, 500, 1e-9);
+    const RasterRead same = read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 5, 20, 20), "",
+                                           Resampling::automatic);
+    EXPECT_EQ(same.nodata_cells, 3);
+    EXPECT_TRUE(same.warnings.empty());
+}
+
+TEST(ReadRaster, WarnsOfUndeclaredNoData) {
+    const Folder folder;
+    TestRaster raster = plane_raster(4, 4, 5);
+    raster.values[5] = -9999;
+    make_raster(folder.file("dtm.tif"), raster);
+    const RasterRead read =
+        read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 5, 4, 4), "", Resampling::automatic);
+    ASSERT_EQ(read.warnings.size(), 1U);
+    EXPECT_NE(read.warnings[0].find("1 cells hold -9999"), std::string::npos);
+}
+
+TEST(ReadRaster, FeetBecomeMetres) {
+    const Folder folder;
+    struct Wanted {
+        const char* unit;
+        const char* crs;
+        const char* override_unit;
+        double factor;
+    };
+    for (const Wanted& w :
+         {Wanted{"ft", "EPSG:32632", "auto", 0.3048},
+          Wanted{"US survey foot", "EPSG:32632", "auto", 1200.0 / 3937}, Wanted{"m", "EPSG:32632", "auto", 1},
+          Wanted{"", "EPSG:32632+6360", "auto", 1200.0 / 3937}, Wanted{"", "EPSG:32632+5703", "auto", 1},
+          Wanted{"", "EPSG:32632", "foot", 0.3048}, Wanted{"ft", "EPSG:32632", "metre", 1}}) {
+        TestRaster raster = plane_raster(4, 4, 5);
+        raster.unit = w.unit;
+        raster.crs = w.crs;
+        make_raster(folder.file("dtm.tif"), raster);
+        const RasterRead read = read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 5, 4, 4), "",
+                                               Resampling::automatic, w.override_unit);
+        EXPECT_DOUBLE_EQ(read.raster.at(0, 0), raster.values[0] * w.factor) << w.unit << " " << w.crs;
+    }
+}
+
+TEST(ReadRaster, ScaleAndOffsetApplyButNotToNoData) {
+    const Folder folder;
+    TestRaster raster = plane_raster(2, 2, 5);
+    raster.values = {0, 1, 2, 255};
+    raster.bytes = true;
+    raster.nodata = 255;
+    raster.scale = 0.5;
+    raster.offset = 100;
+    make_raster(folder.file("dtm.tif"), raster);
+    const RasterRead read =
+        read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 5, 2, 2), "", Resampling::automatic);
+    EXPECT_EQ(read.raster.values[0], 100);
+    EXPECT_EQ(read.raster.values[2], 101);
+    EXPECT_TRUE(std::isnan(read.raster.values[3]));
+}
+
+TEST(ReadRaster, ReprojectsToTheRightPlace) {
+    const Folder folder;
+    // A plane in degrees, 0.0001 degree cells; its values at any UTM point follow from the point's own
+    // degrees.
+    const auto height = [](Point degrees) {
+        return 1000 + 5000 * (degrees.x - 9.37) + 8000 * (degrees.y - 46);
+    };
+    TestRaster raster{400, 300, 9.36, 46.02, 1e-4, 1e-4, "EPSG:4326", {}, std::nullopt, "", 1, 0, 0, false};
+    for (int row = 0; row < 300; ++row) {
+        for (int column = 0; column < 400; ++column) {
+            raster.values.push_back(height({9.36 + (column + 0.5) * 1e-4, 46.02 - (row + 0.5) * 1e-4}));
+        }
+    }
+    make_raster(folder.file("dtm.tif"), raster);
+    const GridSpec grid = utm_grid(528400, 5094800, 5, 200, 100);
+    const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::bilinear);
+    EXPECT_EQ(read.nodata_cells, 0);
+    const CrsTransform to_degrees(grid.crs_wkt, crs_from_user("EPSG:4326", ""));
+    for (int row = 0; row < 100; row += 7) {
+        for (int column = 0; column < 200; column += 7) {
+            // Positions are approximated to 0.01 cell of 1e-4 degrees, in each direction.
+            const double tolerance = 0.01 * 1e-4 * (5000 + 8000);
+            ASSERT_NEAR(read.raster.at(row, column), height(to_degrees(grid.cell_centre(row, column))),
+                        tolerance);
+        }
+    }
+}
+
+TEST(ReadRaster, ATiltedRasterIsReadUpright) {
+    const Folder folder;
+    TestRaster raster = plane_raster(40, 40, 5);
+    raster.rotation = 0.5;
+    for (int row = 0; row < 40; ++row) {
+        for (int column = 0; column < 40; ++column) {
+            const double c = column + 0.5, r = row + 0.5;
+            raster.values[static_cast<std::size_t>(row * 40 + column)] =
+                plane(527000 + 5 * c + 0.5 * r, 5095000 + 0.5 * c - 5 * r);
+        }
+    }
+    make_raster(folder.file("dtm.tif"), raster);
+    EXPECT_TRUE(inspect_raster(folder.file("dtm.tif"), "").rotated);
+    const GridSpec grid = utm_grid(527050, 5094950, 5, 20, 20);
+    const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::bilinear);
+    for (int i = 0; i < 20; ++i) {
+        const Point centre = grid.cell_centre(i, 19 - i);
+        ASSERT_NEAR(read.raster.at(i, 19 - i), plane(centre.x, centre.y), 1e-6);
+    }
+}
+
+TEST(ReadRaster, WithoutACrsOnlyLocalWorks) {
+    const Folder folder;
+    TestRaster raster = plane_raster(4, 4, 5);
+    raster.crs.clear();
+    make_raster(folder.file("dtm.tif"), raster);
+    GridSpec grid = utm_grid(527000, 5095000, 5, 4, 4);
+    const Error error =
+        error_of([&] { (void)read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::automatic); });
+    EXPECT_NE(std::string(error.what()).find("no coordinate reference system"), std::string::npos);
+    EXPECT_EQ(read_raster_on(folder.file("dtm.tif"), grid, grid.crs_wkt, Resampling::automatic).nodata_cells,
+              0);
+    grid.crs_wkt.clear();
+    EXPECT_EQ(read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::automatic).nodata_cells, 0);
+}
+
+TEST(FillNodata, FillsHolesNearDataAndNothingElse) {
+    Raster raster(utm_grid(527000, 5095000, 5, 30, 30), 100.123456789);
+    raster.at(10, 10) = raster.at(10, 11) = k_no_data;
+    EXPECT_EQ(fill_nodata(raster, 5), 2);
+    EXPECT_NEAR(raster.at(10, 10), 100.123456789, 1e-5);  // GDAL fills in single precision
+    EXPECT_EQ(raster.at(0, 0), 100.123456789);
+    EXPECT_EQ(fill_nodata(raster, 5), 0);
+    for (int row = 0; row < 30; ++row) {
+        for (int column = 5; column < 30; ++column) raster.at(row, column) = k_no_data;
+    }
+    EXPECT_LE(fill_nodata(raster, 3), 30 * 4);
+    EXPECT_TRUE(std::isnan(raster.at(15, 29)));
+}
+
+}  // namespace
+}  // namespace frana::gis

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/animation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "scenes.h"
+
+namespace frana::render {
+namespace {
+
+/// Depths at a share of the whole tongue.
+Raster part(double share) {
+    Raster raster = test::tongue();
+    for (double& value : raster.values) value *= share;
+    return raster;
+}
+
+TEST(MapAnimator, AFrameOfTheBaseIsTheMapItself) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec spec = test::full_map(ground, layer, 800, 600);
+    MapAnimator animator(spec);
+    const Image frame = animator.frame(layer, spec.subtitle);
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    ASSERT_EQ(frame.rgb.size(), map.rgb.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < map.rgb.size(); ++i) different += frame.rgb[i] != map.rgb[i] ? 1 : 0;
+    // The subtitle is set by itself in a frame and with everything else in a map: rounding of soft edges
+    // only.
+    EXPECT_LT(different, map.rgb.size() / 500);
+}
+
+TEST(MapAnimator, TheScaleStaysAndOnlyMapAndSubtitleChange) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    const MapSpec spec = test::full_map(ground, layer, 800, 600);
+    MapLayout layout;
+    draw_map(spec, &layout);
+    MapAnimator animator(spec);
+    const Image early = animator.frame(part(0.2), "t = 2 s"), late = animator.frame(part(1), "t = 20 s");
+    bool map_differs = false;
+    for (int y = 0; y < early.height; ++y) {
+        for (int x = 0; x < early.width; ++x) {
+            const bool in_map = x >= layout.map.left && x < layout.map.right && y >= layout.map.top;
+            if (in_map) map_differs |= early.colour(x, y) != late.colour(x, y);
+            if (!in_map && y > layout.map.top) {
+                ASSERT_EQ(early.colour(x, y), late.colour(x, y)) << x << ", " << y;
+            }
+        }
+    }
+    EXPECT_TRUE(map_differs);
+    EXPECT_NE(early.rgb, animator.frame(part(0.2), "t = 3 s").rgb);
+}
+
+TEST(MapAnimator, AFrameBeyondTheScaleIsRefusedNotHidden) {
+    const Raster ground = test::terrain(), layer = test::tongue(9.5);
+    MapAnimator animator(test::full_map(ground, layer, 640, 480));
+    try {
+        animator.frame(test::tongue(25), "");
+        FAIL() << "accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::input);
+    }
+}
+
+TEST(MapAnimator, WithAGivenMaximumHigherValuesHaveAClass) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec spec = test::full_map(ground, layer, 640, 480);
+    spec.layer = nullptr;
+    EXPECT_THROW(MapAnimator{spec}, Error);  // nothing fixes the scale
+    spec.maximum = 5;
+    MapAnimator animator(spec);
+    EXPECT_EQ(animator.frame(test::tongue(25), "").width, 640);
+}
+
+TEST(MapAnimator, AnEmptyFrameIsJustTheGround) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapAnimator animator(test::full_map(ground, layer, 640, 480));
+    EXPECT_NE(animator.frame(Raster(ground.grid, k_no_data), "").rgb, animator.frame(layer, "").rgb);
+}
+
+TEST(ViewAnimator, FramesFollowTheirLayer) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    ViewSpec spec;
+    spec.terrain = &ground;
+    spec.layer = &layer;
+    spec.thickness = &layer;
+    spec.width = 640;
+    spec.height = 480;
+    ViewAnimator animator(spec);
+    const Image full = animator.frame(layer, "t = 1 s"), again = animator.frame(layer, "t = 1 s");
+    EXPECT_EQ(full.rgb, again.rgb);
+    EXPECT_NE(full.rgb, animator.frame(part(0.3), "t = 1 s").rgb);
+}
+
+}  // namespace
+}  // namespace frana::render

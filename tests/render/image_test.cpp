@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/image.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/error.h"
+#include "scenes.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGReader.h"
+
+namespace frana::render {
+namespace {
+
+TEST(WritePng, IsReadBackPixelForPixel) {
+    const test::Folder folder("png");
+    Image image(37, 23);
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = static_cast<std::uint8_t>(i * 7);
+    write_png(folder.file("a.png"), image);
+
+    vtkNew<vtkPNGReader> reader;
+    reader->SetFileName(folder.file("a.png").c_str());
+    reader->Update();
+    const int* size = reader->GetOutput()->GetDimensions();
+    ASSERT_EQ(size[0], 37);
+    ASSERT_EQ(size[1], 23);
+    for (int row = 0; row < 23; ++row) {
+        for (int column = 0; column < 37; ++column) {
+            const auto* p =
+                static_cast<unsigned char*>(reader->GetOutput()->GetScalarPointer(column, 22 - row, 0));
+            ASSERT_EQ((Rgb{p[0], p[1], p[2]}), image.colour(column, row));
+        }
+    }
+    EXPECT_EQ(folder.count(), 1U);  // nothing left aside
+}
+
+TEST(WritePng, AFolderThatIsNotThereIsAnEnvironmentError) {
+    const test::Folder folder("png_missing");
+    try {
+        write_png(folder.file("no/such/folder/a.png"), Image(4, 4));
+        FAIL() << "accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::environment);
+        EXPECT_NE(std::string(error.what()).find("a.png"), std::string::npos);
+    }
+}
+
+TEST(WritePng, AFullDiskIsReportedAndLeavesTheOldFile) {
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    const test::Folder folder("png_full");
+    const std::string path = folder.file("a.png");
+    write_png(path, Image(4, 4));
+    const auto size = std::filesystem::file_size(path);
+    // The file aside is made to be the device that is always full.
+    std::filesystem::create_symlink("/dev/full", path + ".partial" + std::to_string(getpid()));
+    EXPECT_THROW(write_png(path, Image(400, 400)), Error);
+    EXPECT_EQ(std::filesystem::file_size(path), size);
+    EXPECT_EQ(folder.count(), 1U);
+}
+
+TEST(WritePng, EmptyPicturesAreRefused) {
+    const test::Folder folder("png_empty");
+    EXPECT_THROW(write_png(folder.file("a.png"), Image()), Error);
+    EXPECT_EQ(folder.count(), 0U);
+}
+
+}  // namespace
+}  // namespace frana::render

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/lettering.h"
+
+#include <gtest/gtest.h>
+
+namespace frana::render {
+namespace {
+
+/// The smallest box round all dark pixels.
+PageBox ink(const Image& page) {
+    PageBox box{1e9, 1e9, -1e9, -1e9};
+    for (int row = 0; row < page.height; ++row) {
+        for (int column = 0; column < page.width; ++column) {
+            if (page.colour(column, row) == Rgb{255, 255, 255}) continue;
+            box.left = std::min<double>(box.left, column);
+            box.top = std::min<double>(box.top, row);
+            box.right = std::max<double>(box.right, column + 1);
+            box.bottom = std::max<double>(box.bottom, row + 1);
+        }
+    }
+    return box;
+}
+
+TEST(Lettering, BoxesTellWhereTheInkIs) {
+    const Lettering lettering;
+    for (const double angle : {0.0, 90.0, 37.0, -60.0}) {
+        for (const Across across : {Across::left, Across::centre, Across::right}) {
+            Image page(300, 300);
+            TextStyle style{20, {0, 0, 0}};
+            style.angle_deg = angle;
+            const TextBox told =
+                lettering.write(page, "Ágp 5 m²", {150, 150}, style, across, Upright::middle);
+            const TextBox placed = lettering.place("Ágp 5 m²", {150, 150}, style, across, Upright::middle);
+            const PageBox found = ink(page);
+            EXPECT_EQ(told.box.left, placed.box.left);
+            EXPECT_EQ(told.box.top, placed.box.top);
+            // The faintest rim (one part in 255) rounds to white: a pixel of difference on each side.
+            EXPECT_NEAR(found.left, told.box.left, 1);
+            EXPECT_NEAR(found.top, told.box.top, 1);
+            EXPECT_NEAR(found.right, told.box.right, 1);
+            EXPECT_NEAR(found.bottom, told.box.bottom, 1);
+        }
+    }
+}
+
+TEST(Lettering, ReferencePoints) {
+    const Lettering lettering;
+    const TextStyle style{40, {0, 0, 0}};
+    const auto box = [&](Across across, Upright upright) {
+        return lettering.place("HHH", {200, 100}, style, across, upright).box;
+    };
+    EXPECT_NEAR(box(Across::left, Upright::top).left, 200, 1);
+    EXPECT_NEAR(box(Across::right, Upright::top).right, 200, 1);
+    const PageBox middle = box(Across::centre, Upright::middle);
+    EXPECT_NEAR((middle.left + middle.right) / 2, 200, 1);
+    EXPECT_NEAR((middle.top + middle.bottom) / 2, 100, 1);
+    EXPECT_NEAR(box(Across::left, Upright::baseline).bottom, 100, 1);
+    EXPECT_NEAR(box(Across::left, Upright::top).top, 100, 1);
+}
+
+TEST(Lettering, CapitalsAlignWhateverElseIsInTheLine) {
+    const Lettering lettering;
+    const TextStyle style{30, {0, 0, 0}};
+    EXPECT_EQ(lettering.place("H", {50, 50}, style, Across::left, Upright::baseline).box.bottom,
+              lettering.place("ÁH", {50, 50}, style, Across::left, Upright::baseline).box.bottom);
+}
+
+TEST(Lettering, GreekDegreesAndSuperscriptsHaveInkOfTheirOwn) {
+    const Lettering lettering;
+    const TextStyle style{24, {0, 0, 0}};
+    for (const char* glyph : {"ξ", "µ", "φ", "²", "³", "°", "–", "≥", "ä", "ñ"}) {
+        EXPECT_GT(lettering.width(glyph, style), 2) << glyph;
+    }
+}
+
+TEST(Lettering, DollarsAreNotMathematics) {
+    const Lettering lettering;
+    const TextStyle style{20, {0, 0, 0}};
+    EXPECT_GT(lettering.width("$x_1$", style), lettering.width("x_1", style) + 10);
+}
+
+TEST(Lettering, BrokenUtf8AndLineEndsDoNoHarm) {
+    const Lettering lettering;
+    Image page(200, 50);
+    const TextBox box = lettering.write(page, "a\xff\xc3(\n\xf0\x9f", {10, 25}, {20, {0, 0, 0}}, Across::left,
+                                        Upright::middle);
+    EXPECT_GT(box.box.width(), 20);
+}
+
+TEST(Lettering, NothingFromNothing) {
+    const Lettering lettering;
+    EXPECT_EQ(lettering.width("", {20}), 0);
+    EXPECT_EQ(lettering.width("   ", {20}), 0);
+}
+
+}  // namespace
+}  // namespace frana::render

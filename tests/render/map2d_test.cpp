@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/map2d.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "scenes.h"
+
+namespace frana::render {
+namespace {
+
+/// Pixel that shows a map point.
+std::pair<int, int> pixel(const MapLayout& layout, Point map) {
+    return {static_cast<int>(layout.map.left + (map.x - layout.window.west) / layout.metres_per_pixel),
+            static_cast<int>(layout.map.top + (layout.window.north - map.y) / layout.metres_per_pixel)};
+}
+
+const LegendEntry* entry(const MapLayout& layout, double value) {
+    for (const LegendEntry& one : layout.legend) {
+        if (one.lower <= value && value < one.upper) return &one;
+    }
+    return nullptr;
+}
+
+TEST(Map, EveryCellHasTheColourThatTheLegendGivesItsValue) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec spec = test::full_map(ground, layer, 1000, 800);
+    spec.outlines.clear();  // they would cover cells
+    spec.contours = false;
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    int seen = 0;
+    for (std::int64_t row = 0; row < layer.grid.rows; ++row) {
+        for (std::int64_t column = 0; column < layer.grid.columns; ++column) {
+            if (!layer.has_data(row, column)) continue;
+            // A quarter of a cell off the centre, where a coordinate cross could lie.
+            Point at = layer.grid.cell_centre(row, column);
+            at.x += layer.grid.cell_size / 4;
+            at.y += layer.grid.cell_size / 4;
+            const auto [x, y] = pixel(layout, at);
+            const LegendEntry* legend = entry(layout, layer.at(row, column));
+            ASSERT_NE(legend, nullptr);
+            if (map.colour(x, y) == legend->colour) ++seen;
+        }
+    }
+    // All but the cells that a thin coordinate cross covers.
+    EXPECT_GE(seen, 20 * 65 - 30);
+}
+
+TEST(Map, LegendBoxesShowThePalettesColours) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapLayout layout;
+    const Image map = draw_map(test::full_map(ground, layer, 1600, 1200), &layout);
+    ASSERT_EQ(layout.legend.size(), 5U);  // 0, 2, ... 10 for 9.5 m
+    for (std::size_t i = 0; i < layout.legend.size(); ++i) {
+        const LegendEntry& one = layout.legend[i];
+        // The greatest class stands on top.
+        const Rgb expected = colour_at(palette("depth"), 1 - static_cast<double>(i) / 4);
+        EXPECT_EQ(one.colour, expected);
+        EXPECT_EQ(map.colour(static_cast<int>((one.box.left + one.box.right) / 2),
+                             static_cast<int>((one.box.top + one.box.bottom) / 2)),
+                  expected);
+    }
+    EXPECT_EQ(layout.legend.front().label, "8 – 10");
+    EXPECT_EQ(layout.legend.back().label, "0 – 2");
+}
+
+TEST(Map, NothingIsColouredWhereNothingFlowed) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec spec = test::full_map(ground, layer, 800, 600);
+    spec.outlines.clear();
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    for (int y = static_cast<int>(layout.map.top) + 3; y < layout.map.bottom - 3; ++y) {
+        for (int x = static_cast<int>(layout.map.left) + 3; x < layout.map.right - 3; ++x) {
+            const double east = layout.window.west + (x + 0.5 - layout.map.left) * layout.metres_per_pixel;
+            const double north = layout.window.north - (y + 0.5 - layout.map.top) * layout.metres_per_pixel;
+            const bool beside =
+                east < 527500 - 2 || east > 527700 + 2 || north > 5094800 + 2 || north < 5094150 - 2;
+            if (!beside) continue;
+            const Rgb c = map.colour(x, y);
+            ASSERT_LT(std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}), 40)
+                << x << ", " << y;  // grey relief
+        }
+    }
+}
+
+TEST(Map, ScaleBarIsAsLongAsItSays) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    for (const auto& [width, height] : {std::pair{800, 600}, {1600, 1200}, {1234, 777}}) {
+        MapLayout layout;
+        const Image map = draw_map(test::full_map(ground, layer, width, height), &layout);
+        // On the page: the bar's frame at both ends, thinner than a pixel on small pages, so any ink counts.
+        // Half a pixel of frame and one of rounding.
+        const int y = static_cast<int>((layout.scale_bar.top + layout.scale_bar.bottom) / 2);
+        int first = -1, last = -1;
+        for (int x = static_cast<int>(layout.map.right) + 2; x < width; ++x) {
+            if (map.colour(x, y).r > 220) continue;
+            if (first < 0) first = x;
+            last = x;
+        }
+        const double grid_metres = (last - first) * layout.metres_per_pixel;
+        EXPECT_NEAR(grid_metres, layout.scale_bar_metres, 1.5 * layout.metres_per_pixel);
+        EXPECT_NEAR(layout.scale_bar.width() * layout.metres_per_pixel, layout.scale_bar_metres, 1e-6);
+        // A round length, and said so.
+        const double power = std::pow(10, std::floor(std::log10(layout.scale_bar_metres)));
+        const double leading = layout.scale_bar_metres / power;
+        EXPECT_TRUE(std::fabs(leading - 1) < 1e-9 || std::fabs(leading - 2) < 1e-9 ||
+                    std::fabs(leading - 5) < 1e-9);
+        const std::string words = std::to_string(static_cast<int>(layout.scale_bar_metres)) + " m";
+        EXPECT_TRUE(std::any_of(layout.texts.begin(), layout.texts.end(), [&](const TextBox& text) {
+            return text.text == words;
+        })) << words;
+    }
+}
+
+TEST(Map, PixelsAreSquareAndTheWindowFillsTheFrame) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapLayout layout;
+    const Image map = draw_map(test::full_map(ground, layer, 1100, 700), &layout);
+    EXPECT_EQ(map.width, 1100);
+    EXPECT_EQ(map.height, 700);
+    EXPECT_NEAR(layout.window.width() / layout.map.width(), layout.metres_per_pixel, 1e-9);
+    EXPECT_NEAR(layout.window.height() / layout.map.height(), layout.metres_per_pixel, 1e-9);
+}
+
+TEST(Map, AnOutlineLiesWhereItsCoordinatesAre) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec spec = test::full_map(ground, layer, 1200, 900);
+    spec.outlines = {{"Scar", test::square({527600, 5094500}, 200), {200, 20, 30}, 3, false}};
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    for (const Point corner : {Point{527400, 5094437}, Point{527800, 5094611}, Point{527483, 5094700}}) {
+        const auto [x, y] = pixel(layout, corner);
+        EXPECT_TRUE(test::near(map.colour(x, y), {200, 20, 30}, 12)) << corner.x << " " << corner.y;
+    }
+}
+
+TEST(Map, NorthArrowTurnsWithTheConvergence) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    for (const double angle : {0.0, 25.0, -25.0}) {
+        MapSpec spec = test::full_map(ground, layer, 1600, 1200);
+        spec.convergence_deg = angle;
+        MapLayout layout;
+        draw_map(spec, &layout);
+        EXPECT_EQ(layout.north_arrow_deg, angle);
+        const auto letter = std::find_if(layout.texts.begin(), layout.texts.end(),
+                                         [](const TextBox& text) { return text.text == "N"; });
+        ASSERT_NE(letter, layout.texts.end());
+        const double x = (letter->box.left + letter->box.right) / 2 -
+                         (layout.north_arrow.left + layout.north_arrow.right) / 2;
+        const double y = (layout.north_arrow.top + layout.north_arrow.bottom) / 2 -
+                         (letter->box.top + letter->box.bottom) / 2;
+        // The letter stands some 30 pixels from the centre; a pixel of rounding is two degrees there.
+        EXPECT_NEAR(std::atan2(x, y) * 180 / std::numbers::pi, angle, 2.5);
+        const bool said = std::any_of(layout.texts.begin(), layout.texts.end(),
+                                      [](const TextBox& text) { return text.text.find("true north") == 0; });
+        EXPECT_EQ(said, angle != 0);
+    }
+}
+
+TEST(Map, CoordinateLabelsStandAtTheirCoordinates) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapLayout layout;
+    draw_map(test::full_map(ground, layer, 1600, 1200), &layout);
+    int eastings = 0, northings = 0;
+    for (const TextBox& text : layout.texts) {
+        const std::string& words = text.text;
+        if (words.size() < 5 || words[words.size() - 2] != ' ' ||
+            !std::isdigit(static_cast<unsigned char>(words[0])))
+            continue;
+        std::string digits;
+        std::copy_if(words.begin(), words.end(), std::back_inserter(digits),
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
+        const double value = std::stod(digits);
+        if (words.back() == 'E') {
+            const double x = layout.map.left + (value - layout.window.west) / layout.metres_per_pixel;
+            EXPECT_NEAR((text.box.left + text.box.right) / 2, x, 1.5);  // two roundings to whole pixels
+            ++eastings;
+        } else if (words.back() == 'N') {
+            const double y = layout.map.top + (layout.window.north - value) / layout.metres_per_pixel;
+            EXPECT_NEAR((text.box.top + text.box.bottom) / 2, y, 1.5);
+            ++northings;
+        }
+    }
+    EXPECT_GE(eastings, 2);
+    EXPECT_GE(northings, 2);
+}
+
+TEST(Map, AnEmptyLayerIsSaidToBeEmpty) {
+    const Raster ground = test::terrain();
+    const Raster empty(ground.grid, k_no_data);
+    MapSpec spec = test::full_map(ground, empty, 800, 600);
+    MapLayout layout;
+    draw_map(spec, &layout);
+    EXPECT_TRUE(layout.legend.empty());
+    EXPECT_TRUE(std::any_of(layout.texts.begin(), layout.texts.end(), [](const TextBox& text) {
+        return text.text.find("no values") != std::string::npos;
+    }));
+}
+
+TEST(Map, CategoriesAreDrawnInTheirOwnColours) {
+    const Raster ground = test::terrain();
+    Raster classes = test::tongue();
+    for (double& value : classes.values) {
+        if (!std::isnan(value)) value = value > 5 ? 1 : 3;
+    }
+    MapSpec spec = test::full_map(ground, classes, 900, 700);
+    spec.outlines.clear();
+    spec.contours = false;
+    spec.categories = {
+        {1, "hit", {40, 120, 60}}, {2, "false alarm", {230, 160, 20}}, {3, "miss", {160, 30, 120}}};
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    ASSERT_EQ(layout.legend.size(), 3U);
+    EXPECT_EQ(layout.legend[0].label, "hit");
+    const auto [x, y] = pixel(layout, {527597, 5094482});
+    EXPECT_EQ(map.colour(x, y), (Rgb{40, 120, 60}));
+}
+
+TEST(Map, WithoutLayerOrWithoutTerrain) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec bare;
+    bare.terrain = &ground;
+    bare.title = "Terrain";
+    EXPECT_EQ(draw_map(bare).width, 1600);
+    MapSpec flat;
+    flat.layer = &layer;
+    EXPECT_EQ(draw_map(flat).height, 1200);
+}
+
+TEST(Map, ContradictionsAreRefused) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    const auto refused = [](const MapSpec& spec) {
+        try {
+            draw_map(spec);
+        } catch (const Error& error) {
+            return error.kind() == ErrorKind::input;
+        }
+        return false;
+    };
+    EXPECT_TRUE(refused(MapSpec{}));
+    MapSpec tiny = test::full_map(ground, layer, 100, 100);
+    EXPECT_TRUE(refused(tiny));
+    MapSpec crowded = test::full_map(ground, layer, 400, 300);
+    crowded.side_notes.assign(60, "a line of figures");
+    EXPECT_TRUE(refused(crowded));
+    MapSpec unknown = test::full_map(ground, layer, 800, 600);
+    unknown.palette = "rainbow";
+    EXPECT_TRUE(refused(unknown));
+    MapSpec window = test::full_map(ground, layer, 800, 600);
+    window.window = Bounds{10, 10, 5, 20};
+    EXPECT_TRUE(refused(window));
+}
+
+}  // namespace
+}  // namespace frana::render

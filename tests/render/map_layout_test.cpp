@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// No text is cut off or covers another, at any size and with any of the things a map may hold.
+#include <gtest/gtest.h>
+
+#include "render/map2d.h"
+#include "render/view3d.h"
+#include "scenes.h"
+
+namespace frana::render {
+namespace {
+
+int dark_pixels(const Image& image, const PageBox& box) {
+    int count = 0;
+    for (int y = static_cast<int>(box.top); y < static_cast<int>(box.bottom); ++y) {
+        for (int x = static_cast<int>(box.left); x < static_cast<int>(box.right); ++x) {
+            const Rgb c = image.colour(x, y);
+            count += c.r < 160 && c.g < 160 && c.b < 160 ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+void expect_tidy(const std::vector<TextBox>& texts, const PageBox& page, const Image& image) {
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        EXPECT_TRUE(texts[i].box.inside(page)) << texts[i].text;
+        EXPECT_GE(texts[i].size_px, 9) << texts[i].text;  // DejaVu is legible from 9 pixels on
+        // Rotated or straight, letters ink at least one pixel in twelve of their box.
+        EXPECT_GT(dark_pixels(image, texts[i].box), texts[i].box.width() * texts[i].box.height() / 12)
+            << texts[i].text;
+        for (std::size_t j = 0; j < i; ++j) {
+            EXPECT_FALSE(texts[i].box.overlaps(texts[j].box)) << texts[i].text << " / " << texts[j].text;
+        }
+    }
+}
+
+class AtSize : public testing::TestWithParam<std::pair<int, int>> {};
+
+TEST_P(AtSize, MapsAreTidy) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    const auto [width, height] = GetParam();
+    MapSpec spec = test::full_map(ground, layer, width, height);
+    spec.title = "Maximum flow depth of the rock slide above the village in the second scenario";
+    spec.attribution =
+        "frana 0.1.0, terrain of the regional survey of 2019, not for construction; file max_depth.tif";
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    expect_tidy(layout.texts, layout.page, map);
+    EXPECT_TRUE(layout.map.inside(layout.page));
+    for (const LegendEntry& one : layout.legend) {
+        EXPECT_TRUE(one.box.inside(layout.page));
+        EXPECT_FALSE(one.box.overlaps(layout.map));
+        for (const TextBox& text : layout.texts) EXPECT_FALSE(one.box.overlaps(text.box)) << text.text;
+    }
+    for (const TextBox& text : layout.texts) {
+        EXPECT_FALSE(text.box.overlaps(layout.scale_bar)) << text.text;
+        // A text is on the map or off it, never across the frame.
+        EXPECT_TRUE(text.box.inside(layout.map) || !text.box.overlaps(layout.map)) << text.text;
+    }
+    EXPECT_FALSE(layout.north_arrow.overlaps(layout.scale_bar));
+    EXPECT_FALSE(layout.north_arrow.overlaps(layout.map));
+}
+
+TEST_P(AtSize, ViewsAreTidy) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    const auto [width, height] = GetParam();
+    const MapSpec map = test::full_map(ground, layer, width, height);
+    ViewSpec spec;
+    spec.title = map.title;
+    spec.subtitle = map.subtitle;
+    spec.legend_title = map.legend_title;
+    spec.unit = map.unit;
+    spec.crs_label = map.crs_label;
+    spec.terrain = &ground;
+    spec.layer = &layer;
+    spec.outlines = map.outlines;
+    spec.side_notes = map.side_notes;
+    spec.width = width;
+    spec.height = height;
+    ViewLayout layout;
+    const Image view = draw_view(spec, &layout);
+    expect_tidy(layout.texts, layout.page, view);
+    for (const TextBox& text : layout.texts) EXPECT_FALSE(text.box.overlaps(layout.picture)) << text.text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, AtSize,
+                         testing::Values(std::pair{800, 600}, std::pair{1600, 1200}, std::pair{1280, 720},
+                                         std::pair{640, 480}, std::pair{900, 1200}, std::pair{2400, 1000}),
+                         [](const auto& size) {
+                             return std::to_string(size.param.first) + "x" +
+                                    std::to_string(size.param.second);
+                         });
+
+}  // namespace
+}  // namespace frana::render

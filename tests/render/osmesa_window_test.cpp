@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/osmesa_window.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <thread>
+
+#include "core/error.h"
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPNGReader.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+
+namespace frana::render {
+namespace {
+
+void paint(OsmesaWindow& window, double red, double green, double blue) {
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetBackground(red, green, blue);
+    window.vtk().AddRenderer(renderer);
+    window.render();
+}
+
+TEST(OsmesaWindow, DrawsWithoutADisplayAndReadsBackTheRightWayUp) {
+    OsmesaWindow window(64, 48);
+    vtkNew<vtkRenderer> lower, upper;
+    lower->SetViewport(0, 0, 1, 0.5);
+    lower->SetBackground(1, 0, 0);
+    upper->SetViewport(0, 0.5, 1, 1);
+    upper->SetBackground(0, 0, 1);
+    window.vtk().AddRenderer(lower);
+    window.vtk().AddRenderer(upper);
+    window.render();
+    const Image image = window.read_rgb();
+    ASSERT_EQ(image.width, 64);
+    ASSERT_EQ(image.height, 48);
+    EXPECT_EQ(image.colour(32, 10), (Rgb{0, 0, 255}));
+    EXPECT_EQ(image.colour(32, 40), (Rgb{255, 0, 0}));
+}
+
+TEST(OsmesaWindow, SeveralAtOnceAndOneAfterTheOther) {
+    auto first = std::make_unique<OsmesaWindow>(20, 20);
+    OsmesaWindow second(30, 30);
+    paint(*first, 1, 0, 0);
+    paint(second, 0, 1, 0);
+    EXPECT_EQ(first->read_rgb().colour(5, 5), (Rgb{255, 0, 0}));
+    first.reset();
+    second.render();
+    EXPECT_EQ(second.read_rgb().colour(5, 5), (Rgb{0, 255, 0}));
+    second.resize(50, 40);
+    second.render();
+    EXPECT_EQ(second.read_rgb().width, 50);
+}
+
+TEST(OsmesaWindow, WorksOnAnotherThread) {
+    Rgb seen;
+    std::thread([&] {
+        OsmesaWindow window(20, 20);
+        paint(window, 0, 0, 1);
+        seen = window.read_rgb().colour(10, 10);
+    }).join();
+    EXPECT_EQ(seen, (Rgb{0, 0, 255}));
+}
+
+TEST(OsmesaWindow, AVtkErrorBecomesAnErrorAndNothingIsPrinted) {
+    testing::internal::CaptureStderr();
+    testing::internal::CaptureStdout();
+    std::string words;
+    ErrorKind kind = ErrorKind::input;
+    {
+        OsmesaWindow window(20, 20);
+        vtkNew<vtkPoints> points;
+        points->InsertNextPoint(0, 0, 0);
+        points->InsertNextPoint(1, 0, 0);
+        points->InsertNextPoint(0, 1, 0);
+        vtkNew<vtkCellArray> cells;
+        cells->InsertNextCell({0, 1, 2});
+        vtkNew<vtkPolyData> mesh;
+        mesh->SetPoints(points);
+        mesh->SetPolys(cells);
+        vtkNew<vtkPolyDataMapper> mapper;
+        mapper->SetInputData(mesh);
+        // VTK's pipeline runs while it draws; a file that is not there makes it complain, draw without and go
+        // on.
+        vtkNew<vtkPNGReader> reader;
+        reader->SetFileName("there is no such picture.png");
+        vtkNew<vtkTexture> texture;
+        texture->SetInputConnection(reader->GetOutputPort());
+        vtkNew<vtkActor> actor;
+        actor->SetMapper(mapper);
+        actor->SetTexture(texture);
+        vtkNew<vtkRenderer> renderer;
+        renderer->AddActor(actor);
+        window.vtk().AddRenderer(renderer);
+        try {
+            window.render();
+        } catch (const Error& error) {
+            kind = error.kind();
+            words = error.what();
+        }
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+    EXPECT_EQ(kind, ErrorKind::environment);
+    EXPECT_NE(words.find("no such picture"), std::string::npos) << words;
+}
+
+TEST(OsmesaWindow, SenselessSizesAreRefused) {
+    EXPECT_THROW(OsmesaWindow(0, 10), Error);
+    EXPECT_THROW(OsmesaWindow(10, 100000), Error);
+}
+
+}  // namespace
+}  // namespace frana::render

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+#include "core/geometry.h"
+#include "core/raster.h"
+#include "render/image.h"
+#include "render/map2d.h"
+
+namespace frana::render::test {
+
+/// A slope of 0.4 falling to the south into a level valley, with gentle ribs; 120 x 100 cells of 10 m.
+inline Raster terrain() {
+    Raster raster(GridSpec{527000, 5095000, 10, 120, 100, "a projected CRS"});
+    for (std::int64_t row = 0; row < raster.grid.rows; ++row) {
+        for (std::int64_t column = 0; column < raster.grid.columns; ++column) {
+            const Point p = raster.grid.local_from_map(raster.grid.cell_centre(row, column));
+            raster.at(row, column) = 600 + 0.4 * std::max(0.0, p.y - 200) + 6 * std::sin(p.x / 60);
+        }
+    }
+    return raster;
+}
+
+/// A tongue down the middle of that slope: depths 0 to `deepest`, NaN round it.
+inline Raster tongue(double deepest = 9.5) {
+    Raster raster(terrain().grid, k_no_data);
+    for (std::int64_t row = 20; row < 85; ++row) {
+        for (std::int64_t column = 50; column < 70; ++column) {
+            const double across = 1 - std::pow((static_cast<double>(column) - 59.5) / 10.5, 2);
+            const double along = std::sin(std::numbers::pi * (static_cast<double>(row) - 19) / 67);
+            raster.at(row, column) = deepest * across * along;
+        }
+    }
+    return raster;
+}
+
+inline MultiPolygon square(Point centre, double half) {
+    return {Polygon{{{centre.x - half, centre.y - half},
+                     {centre.x + half, centre.y - half},
+                     {centre.x + half, centre.y + half},
+                     {centre.x - half, centre.y + half}},
+                    {}}};
+}
+
+/// A map with everything on it. The rasters must outlive it.
+inline MapSpec full_map(const Raster& ground, const Raster& layer, int width, int height) {
+    MapSpec spec;
+    spec.title = "Maximum flow depth";
+    spec.subtitle = "Scenario “test” · ξ = 200 m/s² · φ = 34°";
+    spec.legend_title = "Maximum depth";
+    spec.unit = "m";
+    spec.attribution = "frana";
+    spec.crs_label = "EPSG:32632 (WGS 84 / UTM zone 32N)";
+    spec.terrain = &ground;
+    spec.layer = &layer;
+    spec.outlines = {{"Release", square({527600, 5094700}, 80), {200, 20, 30}, 2.5, true},
+                     {"Surveyed scar", square({527600, 5094500}, 200), {20, 40, 160}, 2.5, false}};
+    spec.side_notes = {"Volume: 1 200 000 m³", "Reach angle: 21.3°"};
+    spec.convergence_deg = 0.27;
+    spec.width = width;
+    spec.height = height;
+    return spec;
+}
+
+inline bool near(Rgb a, Rgb b, int tolerance) {
+    return std::abs(a.r - b.r) <= tolerance && std::abs(a.g - b.g) <= tolerance &&
+           std::abs(a.b - b.b) <= tolerance;
+}
+
+/// A folder of its own for each test, removed with what is in it.
+class Folder {
+  public:
+    explicit Folder(const std::string& name)
+        : path_(std::filesystem::temp_directory_path() /
+                ("frana_render_" + name + std::to_string(getpid()))) {
+        std::filesystem::create_directories(path_);
+    }
+    ~Folder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
+    [[nodiscard]] std::size_t count() const {
+        return static_cast<std::size_t>(
+            std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator{}));
+    }
+
+  private:
+    std::filesystem::path path_;
+};
+
+}  // namespace frana::render::test

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/view3d.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "render/view_camera.h"
+#include "scenes.h"
+
+namespace frana::render {
+namespace {
+
+ViewSpec view(const Raster& ground, const Raster& layer) {
+    ViewSpec spec;
+    spec.title = "Maximum depth";
+    spec.legend_title = "Maximum depth";
+    spec.unit = std::string("m");  // from a literal, GCC 12 warns of an overlap that cannot be
+    spec.terrain = &ground;
+    spec.layer = &layer;
+    spec.width = 800;
+    spec.height = 600;
+    return spec;
+}
+
+TEST(View, TheFlowFillsThePictureAndStaysInIt) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    ViewLayout layout;
+    const Image image = draw_view(view(ground, layer), &layout);
+    EXPECT_EQ(image.width, 800);
+    EXPECT_TRUE(layout.flow.inside(layout.picture));
+    const double share = std::max(layout.flow.width() / layout.picture.width(),
+                                  layout.flow.height() / layout.picture.height());
+    EXPECT_NEAR(share, 0.8, 0.01);  // the margin that place_camera leaves
+}
+
+TEST(View, LooksUphillFromBeforeTheFront) {
+    const Raster ground = test::terrain(), layer = test::tongue();  // runs down to the south
+    ViewLayout layout;
+    draw_view(view(ground, layer), &layout);
+    const double off_north = std::remainder(layout.camera.azimuth_deg, 360);
+    EXPECT_LT(std::fabs(off_north), 45);
+    EXPECT_NEAR(layout.north_arrow_deg, -layout.camera.azimuth_deg, 1e-9);
+}
+
+TEST(View, ShowsTheFlowInHuesOfTheLegend) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    ViewLayout layout;
+    const Image image = draw_view(view(ground, layer), &layout);
+    for (const LegendEntry& one : layout.legend) {
+        int like_it = 0;
+        for (int y = static_cast<int>(layout.flow.top); y < layout.flow.bottom; ++y) {
+            for (int x = static_cast<int>(layout.flow.left); x < layout.flow.right; ++x) {
+                // Shading takes at most an eighth of the light.
+                const Rgb c = image.colour(x, y);
+                const auto shaded = [](int seen, int full) {
+                    return seen <= full + 6 && seen >= 0.87 * full - 6;
+                };
+                like_it += shaded(c.r, one.colour.r) && shaded(c.g, one.colour.g) && shaded(c.b, one.colour.b)
+                               ? 1
+                               : 0;
+            }
+        }
+        EXPECT_GT(like_it, 100) << one.label;
+    }
+}
+
+TEST(View, GivenCameraAndExaggerationAreUsed) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    ViewSpec spec = view(ground, layer);
+    spec.camera = Camera{90, 50, 1.5};
+    spec.vertical_exaggeration = 2;
+    ViewLayout layout;
+    draw_view(spec, &layout);
+    EXPECT_EQ(layout.camera.azimuth_deg, 90);
+    EXPECT_EQ(layout.north_arrow_deg, -90);
+    EXPECT_TRUE(std::any_of(layout.texts.begin(), layout.texts.end(), [](const TextBox& text) {
+        return text.text.find("exaggerated 2") != std::string::npos ||
+               text.text.find("2 times") != std::string::npos;
+    }));
+}
+
+TEST(View, WithoutLayerShowsTheTerrain) {
+    const Raster ground = test::terrain();
+    ViewSpec spec;
+    spec.terrain = &ground;
+    spec.width = 640;
+    spec.height = 480;
+    const Image image = draw_view(spec);
+    EXPECT_EQ(image.height, 480);
+}
+
+TEST(View, GapsInTheTerrainAreNoObstacle) {
+    Raster ground = test::terrain();
+    const Raster layer = test::tongue();
+    for (std::int64_t row = 0; row < 30; ++row) {
+        for (std::int64_t column = 0; column < 30; ++column) ground.at(row, column) = k_no_data;
+    }
+    ViewLayout layout;
+    draw_view(view(ground, layer), &layout);
+    EXPECT_TRUE(layout.flow.inside(layout.picture));
+}
+
+TEST(View, NonsenseIsRefused) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    EXPECT_THROW(draw_view(ViewSpec{}), Error);
+    ViewSpec flat = view(ground, layer);
+    flat.vertical_exaggeration = 0;
+    EXPECT_THROW(draw_view(flat), Error);
+    ViewSpec below = view(ground, layer);
+    below.camera = Camera{0, -20, 1};
+    EXPECT_THROW(draw_view(below), Error);
+    Raster elsewhere = layer;
+    elsewhere.grid.west += 1e6;
+    EXPECT_THROW(draw_view(view(ground, elsewhere)), Error);
+}
+
+TEST(ViewCamera, ProjectionMatchesItsOwnAxes) {
+    PlacedCamera camera{{0, -100, 100}, {0, 0, 0}, 30};
+    EXPECT_NEAR(camera.project({0, 0, 0}).x, 0, 1e-12);
+    EXPECT_NEAR(camera.project({0, 0, 0}).y, 0, 1e-12);
+    EXPECT_GT(camera.project({10, 0, 0}).x, 0);  // east is right when looking north
+    EXPECT_GT(camera.project({0, 0, 10}).y, 0);
+    // The upper edge of the picture is half the opening above the axis.
+    const double slope = std::tan((45 - 15) * std::numbers::pi / 180);
+    EXPECT_NEAR(camera.project({0, -100 + 100, 100 - slope * 100}).y, 1, 1e-9);
+}
+
+TEST(ViewCamera, AllPointsFitAndOneTouchesTheMargin) {
+    std::vector<ScenePoint> points;
+    for (int i = 0; i < 50; ++i) points.push_back({20.0 * i, 13.0 * (i % 7) - 500, 5.0 * (i % 11)});
+    for (const double aspect : {0.5, 1.0, 2.5}) {
+        const PlacedCamera camera = place_camera({40, 30, 1}, points, aspect);
+        double most = 0;
+        for (const ScenePoint& p : points) {
+            const Point at = camera.project(p);
+            most = std::max({most, std::fabs(at.x) / aspect, std::fabs(at.y)});
+        }
+        EXPECT_NEAR(most, 0.8, 1e-9) << aspect;
+    }
+}
+
+}  // namespace
+}  // namespace frana::render
