@@ -153,6 +153,8 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
     if (ground != nullptr) {
         check_release(reading, *ground, release, log, problems);
         if (problems.empty()) release.file_volume_m3 = thickness_volume(release, ground->terrain.grid);
+        // Interpolated at the rim, a raster would lose volume; what the file holds is what is released.
+        if (release.file_volume_m3) release.areas.front().volume = release.file_volume_m3;
     }
     return release;
 }

@@ -8,7 +8,7 @@
 namespace frana {
 namespace {
 
-constexpr int k_lines = 8;  // scan lines a lattice row
+constexpr int k_lines = 8;  // scan lines a lattice row, at least
 
 struct Interval {
     double from, to;
@@ -47,8 +47,33 @@ void join(std::vector<Interval>& intervals) {
 }
 
 struct Covered {
-    double length = 0, moment_x = 0, moment_y = 0;  // of the scan lines inside a lattice cell
+    double area = 0, moment_x = 0, moment_y = 0;  // of the strips inside a lattice cell
 };
+
+// Heights at which the outline bends, within (from, to), with the two ends and an even division between: between two
+// of them every strip's width changes linearly, so its middle line gives its area exactly.
+std::vector<double> strip_edges(const std::vector<double>& vertex_heights, double from, double to) {
+    std::vector<double> edges;
+    for (int line = 0; line <= k_lines; ++line) edges.push_back(from + (to - from) * line / k_lines);
+    for (auto y = std::upper_bound(vertex_heights.begin(), vertex_heights.end(), from);
+         y != vertex_heights.end() && *y < to; ++y) {
+        edges.push_back(*y);
+    }
+    std::sort(edges.begin(), edges.end());
+    return edges;
+}
+
+std::vector<double> heights_of(const MultiPolygon& outline) {
+    std::vector<double> heights;
+    for (const Polygon& polygon : outline) {
+        for (const Point& p : polygon.outer) heights.push_back(p.y);
+        for (const Ring& hole : polygon.holes) {
+            for (const Point& p : hole) heights.push_back(p.y);
+        }
+    }
+    std::sort(heights.begin(), heights.end());
+    return heights;
+}
 
 }  // namespace
 
@@ -62,11 +87,15 @@ double fill_outline(const MultiPolygon& outline, double spacing, const std::func
     std::vector<Covered> cells(static_cast<std::size_t>(last_column - first_column + 1));
     std::vector<double> crossings;
     std::vector<Interval> inside;
+    const std::vector<double> vertex_heights = heights_of(outline);
     double volume = 0;
     for (std::int64_t row = first_row; row <= last_row; ++row) {
         std::fill(cells.begin(), cells.end(), Covered{});
-        for (int line = 0; line < k_lines; ++line) {
-            const double y = (static_cast<double>(row) + (line + 0.5) / k_lines) * spacing;
+        const std::vector<double> edges = strip_edges(vertex_heights, static_cast<double>(row) * spacing,
+                                                      static_cast<double>(row + 1) * spacing);
+        for (std::size_t strip = 0; strip + 1 < edges.size(); ++strip) {
+            const double height = edges[strip + 1] - edges[strip], y = 0.5 * (edges[strip + 1] + edges[strip]);
+            if (!(height > 0)) continue;
             inside.clear();
             for (const Polygon& polygon : outline) cut(polygon, y, crossings, inside);
             join(inside);
@@ -78,21 +107,22 @@ double fill_outline(const MultiPolygon& outline, double spacing, const std::func
                     const double east = std::min(piece.to, static_cast<double>(column + 1) * spacing);
                     if (east <= west) continue;
                     Covered& cell = cells[static_cast<std::size_t>(column - first_column)];
-                    cell.length += east - west;
-                    cell.moment_x += (east - west) * 0.5 * (east + west);
-                    cell.moment_y += (east - west) * y;
+                    const double piece_area = (east - west) * height;
+                    cell.area += piece_area;
+                    cell.moment_x += piece_area * 0.5 * (east + west);
+                    cell.moment_y += piece_area * y;
                 }
             }
         }
         for (const Covered& cell : cells) {
-            if (!(cell.length > 1e-9 * spacing)) continue;
-            const Point centre{cell.moment_x / cell.length, cell.moment_y / cell.length};
+            if (!(cell.area > 1e-9 * spacing * spacing)) continue;
+            const Point centre{cell.moment_x / cell.area, cell.moment_y / cell.area};
             const double depth = thickness(centre);
             if (!(depth > 0)) continue;
             ParticleRow particle = ParticleSet::initial_row();
             get(particle, Field::x) = centre.x;
             get(particle, Field::y) = centre.y;
-            get(particle, Field::area) = cell.length * spacing / k_lines;
+            get(particle, Field::area) = cell.area;
             get(particle, Field::volume) = depth * get(particle, Field::area);
             volume += get(particle, Field::volume);
             particles.push_back(particle);

@@ -102,7 +102,7 @@ Laws make_laws(const Material& material, const Numerics& numerics, double cell_s
     laws.stress.regularisation = material.yield_regularisation;
     laws.stress.exact_ratio = material.exact_yield_ratio;
     laws.resample.cell_size = cell_size;
-    laws.resample.split_below = numerics.particles_per_cell;
+    laws.resample.split_below = (3 * numerics.particles_per_cell + 1) / 2;
     laws.resample.max_per_cell = 3 * numerics.particles_per_cell;
     return laws;
 }

@@ -104,7 +104,15 @@ Release make_release(const Scene& scene) {
             if (area.normal_to_bed && t > 0) t *= secant_of_slope(scene.terrain, cell_of(grid, local));
             return t;
         };
-        release.volume += fill_outline(to_local(area.outline, grid), spacing, thickness, release.particles);
+        const std::size_t first = release.particles.size();
+        double volume = fill_outline(to_local(area.outline, grid), spacing, thickness, release.particles);
+        if (area.volume && volume > 0) {
+            const double factor = *area.volume / volume;
+            for (std::size_t p = first; p < release.particles.size(); ++p) release.particles[Field::volume][p] *= factor;
+            volume = *area.volume;
+            if (std::abs(factor - 1) > std::abs(release.scaled - 1)) release.scaled = factor;
+        }
+        release.volume += volume;
     }
     if (release.particles.size() == 0) {
         throw Error(ErrorKind::input,

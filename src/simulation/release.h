@@ -13,6 +13,7 @@ struct Release {
     Raster bed;             ///< terrain, less the mass where the terrain contains it [m]
     Raster depth;           ///< released volume over cell area, vertical [m]; NaN where nothing is released
     double volume = 0;      ///< [m3]
+    double scaled = 1;      ///< the factor farthest from 1 by which a thickness was scaled to match a volume
 };
 
 /// Fills the release areas of a scene with particles.

@@ -66,6 +66,7 @@ struct ReleaseArea {
     MultiPolygon outline;
     double thickness = 0;                    ///< [m]; ignored where a raster is given
     std::optional<Raster> thickness_raster;  ///< on the working grid; NaN or <= 0: nothing released there
+    std::optional<double> volume;            ///< [m3]: the thickness is scaled so that this is released
     bool normal_to_bed = false;              ///< thickness measured normal to the bed; false: vertically
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include "simulation/dispatch.h"
 #include "simulation/flow.h"
@@ -91,6 +92,11 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     result.particles_initial = result.particles_peak = static_cast<std::int64_t>(release.particles.size());
     result.volume_initial = flow.volume();
     release.particles = ParticleSet();  // the flow has its own copy
+    if (std::abs(release.scaled - 1) > 1e-9) {
+        char text[96];
+        std::snprintf(text, sizeof text, "release thickness scaled by %.4f to hold the given volume", release.scaled);
+        result.notes.emplace_back(text);
+    }
 
     const double interval = scene.time.frame_interval;
     int frame = 0;

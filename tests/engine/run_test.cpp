@@ -16,7 +16,7 @@ Scene slide() {
     for (std::int64_t r = 0; r < 60; ++r) {
         for (std::int64_t c = 0; c < 120; ++c) scene.terrain.at(r, c) = 100 + std::max(0.0, 0.5 * (120 - 2.0 * static_cast<double>(c)));
     }
-    scene.release = {{{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}}, 2, {}, false}};
+    scene.release = {{{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}}, 2, {}, {}, false}};
     scene.material.friction_coefficient = 0.3;
     scene.time.end = 40;
     scene.time.frame_interval = 2;
@@ -44,7 +44,9 @@ TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
         EXPECT_EQ(std::isnan(depth), std::isnan(result.max_velocity.values[i]));
         if (std::isnan(depth)) continue;
         seen = std::max(seen, depth);
-        if (!std::isnan(result.final_depth.values[i])) EXPECT_LE(result.final_depth.values[i], depth + 1e-12);
+        if (!std::isnan(result.final_depth.values[i])) {
+            EXPECT_LE(result.final_depth.values[i], depth + 1e-12);
+        }
         EXPECT_NEAR(result.max_pressure.values[i], 2000 * std::pow(result.max_velocity.values[i], 2) / 1000, 1e-9);
     }
     EXPECT_GE(seen, 1.9);
@@ -57,7 +59,9 @@ TEST(Run, NothingMovesUnderTheFrictionBound) {
     const RunResult result = run(scene, {});
     EXPECT_EQ(result.stop_reason, StopReason::still);
     for (const double v : result.max_velocity.values) {
-        if (!std::isnan(v)) EXPECT_EQ(v, 0);
+        if (!std::isnan(v)) {
+            EXPECT_EQ(v, 0);
+        }
     }
 }
 

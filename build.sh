@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Sets frana up on a bare Debian 12 and builds it. Usage: ./build.sh build | demo | test
+set -euo pipefail
+cd "$(dirname "$0")"
+
+packages=(
+  g++ cmake ninja-build pkg-config ca-certificates
+  libgdal-dev libproj-dev proj-data libeigen3-dev
+  libosmesa6-dev libvtk9-dev fonts-dejavu-core
+  libavformat-dev libavcodec-dev libswscale-dev libavutil-dev
+  libboost-program-options-dev libgtest-dev
+)
+
+say() { printf '== %s\n' "$*"; }
+
+install_packages() {
+  local missing=() name
+  for name in "${packages[@]}"; do
+    dpkg-query -W -f='${Status}' "$name" 2>/dev/null | grep -q 'install ok installed' || missing+=("$name")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    say "all Debian packages are there"
+    return
+  fi
+  local root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "build.sh: run as root or install sudo; missing packages: ${missing[*]}" >&2; exit 4; }
+    root=(sudo)
+  fi
+  say "installing ${missing[*]}"
+  "${root[@]}" apt-get update -qq
+  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
+}
+
+# configure_and_build TARGET...: Release, into build/.
+configure_and_build() {
+  say "building $* into build/ (Release)"
+  cmake --preset release -DFRANA_TESTS="$tests" >build.log 2>&1 || { cat build.log; exit 1; }
+  rm -f build.log
+  cmake --build build --target "$@"
+}
+
+build() {
+  tests=OFF configure_and_build frana
+  say "built build/frana"
+}
+
+demo() {
+  tests=OFF configure_and_build frana
+  say "running the sample scene: a hillside after Bindo-Cortenova 2002, on synthetic terrain"
+  build/frana run sample_data/bindo/scene.ini --out results/bindo --overwrite
+  say "done; look at results/bindo/maps/max_depth.png, results/bindo/animation.mp4 and, in QGIS, results/bindo/*.tif"
+}
+
+run_tests() {
+  tests=ON configure_and_build all
+  say "running the tests"
+  local report=build/test-report.txt status=0
+  (cd build && ctest --output-on-failure --parallel 2 --timeout 600) >"$report" 2>&1 || status=$?
+  # Everything but the thousand lines that say nothing: failures in full, then what was skipped and why.
+  grep -vE '^ +Start +[0-9]+:|^ *[0-9]+/[0-9]+ Test .* Passed +[0-9.]+ sec$' "$report" || true
+  local total failed skipped
+  total=$(grep -cE '^ *[0-9]+/[0-9]+ Test +#' "$report" || true)
+  skipped=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped' "$report" || true)
+  failed=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*(Failed|Timeout|Exception|Not Run)' "$report" || true)
+  if [ "$total" -eq 0 ]; then
+    echo "build.sh: no test was run" >&2
+    echo "0 passed, 1 failed"
+    exit 1
+  fi
+  [ "$status" -eq 0 ] || [ "$failed" -gt 0 ] || failed=1
+  local line="$((total - failed - skipped)) passed, $failed failed"
+  [ "$skipped" -eq 0 ] || line="$line, $skipped skipped"
+  echo "$line"
+  [ "$failed" -eq 0 ]
+}
+
+case "${1:-}" in
+  build) install_packages; build ;;
+  demo) install_packages; demo ;;
+  test) install_packages; run_tests ;;
+  *) echo "usage: ./build.sh build | demo | test" >&2; exit 2 ;;
+esac
