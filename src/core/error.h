@@ -27,7 +27,8 @@ struct Problem {
 /// One line: "where: what (value V; allowed L). Remedy."
 std::string describe(const Problem& problem);
 
-/// The only exception frana throws for users' and environment's faults; thrown at set-up and I/O, caught in main.
+/// The only exception frana throws for users' and environment's faults; thrown at set-up and I/O, caught in
+/// main.
 class Error : public std::runtime_error {
   public:
     Error(ErrorKind kind, std::vector<Problem> problems);

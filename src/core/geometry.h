@@ -33,8 +33,8 @@ double area(const Ring& ring);
 double area(const Polygon& polygon);
 double area(const MultiPolygon& polygons);
 
-/// Whether a point lies inside (even-odd rule, holes respected). Points exactly on an edge belong to one side only,
-/// so that neighbours sharing an edge never count a point twice.
+/// Whether a point lies inside (even-odd rule, holes respected). Points exactly on an edge belong to one side
+/// only, so that neighbours sharing an edge never count a point twice.
 bool contains(const Ring& ring, Point point);
 bool contains(const Polygon& polygon, Point point);
 bool contains(const MultiPolygon& polygons, Point point);

@@ -20,7 +20,8 @@ struct Bounds {
     [[nodiscard]] double height() const noexcept { return north - south; }
 };
 
-/// A north-up grid of square cells. Row 0 is the northernmost, as in GDAL; a value belongs to a cell's centre.
+/// A north-up grid of square cells. Row 0 is the northernmost, as in GDAL; a value belongs to a cell's
+/// centre.
 ///
 /// The engine works in local metres from (west, south) with y to the north: see local_from_map.
 struct GridSpec {
@@ -42,7 +43,9 @@ struct GridSpec {
     }
     /// Local metres from the south-western corner; the subtraction happens once, in double.
     [[nodiscard]] Point local_from_map(Point map) const noexcept { return {map.x - west, map.y - south()}; }
-    [[nodiscard]] Point map_from_local(Point local) const noexcept { return {local.x + west, local.y + south()}; }
+    [[nodiscard]] Point map_from_local(Point local) const noexcept {
+        return {local.x + west, local.y + south()};
+    }
 
     /// Same cells in the same place (to 1e-6 of a cell); the CRS text is not compared.
     [[nodiscard]] bool same_cells(const GridSpec& other) const noexcept;

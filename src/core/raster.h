@@ -13,7 +13,8 @@ namespace frana {
 
 inline constexpr double k_no_data = std::numeric_limits<double>::quiet_NaN();
 
-/// One value per cell of a GridSpec, row by row from the north. Inside frana "no data" is NaN; files get -9999.
+/// One value per cell of a GridSpec, row by row from the north. Inside frana "no data" is NaN; files get
+/// -9999.
 struct Raster {
     GridSpec grid;
     std::vector<double> values;  ///< rows x columns
@@ -25,8 +26,12 @@ struct Raster {
     [[nodiscard]] std::size_t index(std::int64_t row, std::int64_t column) const noexcept {
         return static_cast<std::size_t>(row * grid.columns + column);
     }
-    [[nodiscard]] double at(std::int64_t row, std::int64_t column) const noexcept { return values[index(row, column)]; }
-    [[nodiscard]] double& at(std::int64_t row, std::int64_t column) noexcept { return values[index(row, column)]; }
+    [[nodiscard]] double at(std::int64_t row, std::int64_t column) const noexcept {
+        return values[index(row, column)];
+    }
+    [[nodiscard]] double& at(std::int64_t row, std::int64_t column) noexcept {
+        return values[index(row, column)];
+    }
     [[nodiscard]] bool has_data(std::int64_t row, std::int64_t column) const noexcept {
         return !std::isnan(at(row, column));
     }

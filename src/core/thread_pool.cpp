@@ -4,8 +4,8 @@
 namespace frana {
 namespace {
 
-// A step has a dozen short loops: waking a sleeping thread for each would cost more than the loops. Threads therefore
-// look again this many times (some tens of microseconds) before they sleep.
+// A step has a dozen short loops: waking a sleeping thread for each would cost more than the loops. Threads
+// therefore look again this many times (some tens of microseconds) before they sleep.
 constexpr int k_looks_before_sleep = 4000;
 
 inline void pause() noexcept {
@@ -37,7 +37,8 @@ void ThreadPool::start(std::size_t count, Call call, const void* task) {
     epoch_.notify_all();
     work();
     int looks = 0;
-    for (int left = busy_.load(std::memory_order_acquire); left != 0; left = busy_.load(std::memory_order_acquire)) {
+    for (int left = busy_.load(std::memory_order_acquire); left != 0;
+         left = busy_.load(std::memory_order_acquire)) {
         if (++looks < k_looks_before_sleep) {
             pause();
         } else {

@@ -9,8 +9,9 @@
 
 namespace frana {
 
-/// A fixed team of threads for loops over independent tasks. Which thread runs which task is not determined, so a
-/// task may write only what no other task of the loop touches; then results do not depend on the number of threads.
+/// A fixed team of threads for loops over independent tasks. Which thread runs which task is not determined,
+/// so a task may write only what no other task of the loop touches; then results do not depend on the number
+/// of threads.
 class ThreadPool {
   public:
     /// A team of `threads` (at least 1), the calling thread included.
@@ -28,7 +29,8 @@ class ThreadPool {
             for (std::size_t i = 0; i < count; ++i) task(i);
             return;
         }
-        start(count, [](const void* f, std::size_t i) { (*static_cast<const Task*>(f))(i); }, &task);
+        start(
+            count, [](const void* f, std::size_t i) { (*static_cast<const Task*>(f))(i); }, &task);
     }
 
     /// Calls task(begin, end) for consecutive blocks of [0, count), each of at most `block` items.

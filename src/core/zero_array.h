@@ -10,8 +10,8 @@
 
 namespace frana {
 
-/// A fixed array that starts as zeros and costs memory only where it is written: the system hands out zero pages on
-/// first touch. Grid-wide fields use it so that idle terrain costs nothing.
+/// A fixed array that starts as zeros and costs memory only where it is written: the system hands out zero
+/// pages on first touch. Grid-wide fields use it so that idle terrain costs nothing.
 template <class T>
 class ZeroArray {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);

@@ -6,8 +6,8 @@
 namespace frana {
 namespace {
 
-// Calls visit(ghost, inner, normal_is_x) for the pairs of the first ghost column and row on each side. Rows come
-// after columns and span the ghost columns too, so corners are folded twice, once in each direction.
+// Calls visit(ghost, inner, normal_is_x) for the pairs of the first ghost column and row on each side. Rows
+// come after columns and span the ghost columns too, so corners are folded twice, once in each direction.
 // Ghosts of the second ring are never touched by a particle inside.
 template <class Visit>
 void for_each_mirror_pair(const NodeGrid& nodes, const Visit& visit) {
@@ -76,7 +76,8 @@ void mirror_velocities(NodeGrid& nodes) {
 }
 
 void mirror_bed(NodeGrid& nodes) {
-    for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool) { nodes.bed[ghost] = nodes.bed[inner]; });
+    for_each_mirror_pair(
+        nodes, [&](std::size_t ghost, std::size_t inner, bool) { nodes.bed[ghost] = nodes.bed[inner]; });
 }
 
 }  // namespace frana

@@ -5,9 +5,9 @@
 
 namespace frana {
 
-/// Walls by mirroring (specification 4, item 6). The wall runs along the outer edge of the outermost cells, half a
-/// cell beyond the nodes there, so a ghost node is the mirror image of a node inside: what particles gave to the
-/// ghost belongs to that node, with the normal component turned round.
+/// Walls by mirroring (specification 4, item 6). The wall runs along the outer edge of the outermost cells,
+/// half a cell beyond the nodes there, so a ghost node is the mirror image of a node inside: what particles
+/// gave to the ghost belongs to that node, with the normal component turned round.
 ///
 /// Adds the ghosts' mass, momentum, area (sums) to the inner nodes and makes the ghosts their mirror images.
 void mirror_sums(NodeGrid& nodes);

@@ -30,7 +30,8 @@ void mean_levels(const NodeRange& range, NodeGrid& nodes) {
         const double surface_spread = std::max(0.0, s.fy / s.area - (depth + above) * (depth + above));
         levels[n].depth = depth;
         levels[n].level = nodes.bed[n] + above + depth;
-        levels[n].ponding = 1 - smooth_step(k_level_ratio, k_sloping_ratio, surface_spread / (bed_spread + flat));
+        levels[n].ponding =
+            1 - smooth_step(k_level_ratio, k_sloping_ratio, surface_spread / (bed_spread + flat));
         s.fx = s.fy = 0;
     });
 }

@@ -6,16 +6,18 @@
 
 namespace frana {
 
-/// Each node's mean depth and free surface, and how level that surface is. Reads NodeSums mass, area, area_bed and
-/// the squares in fx, fy, which it clears for the forces; writes NodeLevel depth, level, ponding.
+/// Each node's mean depth and free surface, and how level that surface is. Reads NodeSums mass, area,
+/// area_bed and the squares in fx, fy, which it clears for the forces; writes NodeLevel depth, level,
+/// ponding.
 ///
-/// Ponding tells a pool from a layer on a slope: it compares the spread of the particles' free surface round the node
-/// with the spread of the bed under them. 1 where the surface spreads less than a fifth of the bed, 0 where more than
-/// half, smooth between. On a level bed, and for a single particle, both references are the same.
+/// Ponding tells a pool from a layer on a slope: it compares the spread of the particles' free surface round
+/// the node with the spread of the bed under them. 1 where the surface spreads less than a fifth of the bed,
+/// 0 where more than half, smooth between. On a level bed, and for a single particle, both references are the
+/// same.
 void mean_levels(const NodeRange& range, NodeGrid& nodes);
 
-/// Each node's support: the least share of any neighbour whose bed lies under the surface, full at 0.6 (specification
-/// 4, item 4); needs mean_levels of the whole neighbourhood.
+/// Each node's support: the least share of any neighbour whose bed lies under the surface, full at 0.6
+/// (specification 4, item 4); needs mean_levels of the whole neighbourhood.
 void node_references(const NodeRange& range, NodeGrid& nodes);
 
 }  // namespace frana

@@ -7,8 +7,8 @@
 namespace frana {
 namespace {
 
-// Cells without terrain still lie in the stencils of their neighbours: they take the mean of the neighbours that have
-// an elevation, ring by ring, twice. Nothing farther away is ever read.
+// Cells without terrain still lie in the stencils of their neighbours: they take the mean of the neighbours
+// that have an elevation, ring by ring, twice. Nothing farther away is ever read.
 void extend_into_gaps(std::vector<double>& bed, std::int64_t stride, std::int64_t rows) {
     for (int ring = 0; ring < 2; ++ring) {
         const std::vector<double> before = bed;
@@ -19,7 +19,8 @@ void extend_into_gaps(std::vector<double>& bed, std::int64_t stride, std::int64_
                 double sum = 0;
                 int n = 0;
                 for (std::int64_t b = std::max<std::int64_t>(j - 1, 0); b <= std::min(j + 1, rows - 1); ++b) {
-                    for (std::int64_t a = std::max<std::int64_t>(i - 1, 0); a <= std::min(i + 1, stride - 1); ++a) {
+                    for (std::int64_t a = std::max<std::int64_t>(i - 1, 0); a <= std::min(i + 1, stride - 1);
+                         ++a) {
                         const double z = before[static_cast<std::size_t>(b * stride + a)];
                         if (std::isnan(z)) continue;
                         sum += z;
@@ -65,12 +66,14 @@ NodeGrid::NodeGrid(const Raster& terrain)
         const double slope = std::isnan(bed[inner]) ? 0 : bed[edge] - bed[inner];
         bed[ghost] = bed[edge] + steps * slope;
     };
-    const std::int64_t in_x = std::min<std::int64_t>(1, columns_ - 1), in_y = std::min<std::int64_t>(1, rows_ - 1);
+    const std::int64_t in_x = std::min<std::int64_t>(1, columns_ - 1),
+                       in_y = std::min<std::int64_t>(1, rows_ - 1);
     for (std::int64_t j = 0; j < rows_; ++j) {
         for (std::int64_t k = 1; k <= k_ghost; ++k) {
             const auto steps = static_cast<double>(k);
             extrapolate(index(-k, j), index(0, j), index(in_x, j), steps);
-            extrapolate(index(columns_ - 1 + k, j), index(columns_ - 1, j), index(columns_ - 1 - in_x, j), steps);
+            extrapolate(index(columns_ - 1 + k, j), index(columns_ - 1, j), index(columns_ - 1 - in_x, j),
+                        steps);
         }
     }
     for (std::int64_t i = -k_ghost; i < columns_ + k_ghost; ++i) {

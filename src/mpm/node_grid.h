@@ -14,28 +14,30 @@ inline constexpr std::int64_t k_ghost = 2;
 
 /// What one node gathers in a step; one cache line. After update_nodes the same places hold velocities.
 struct alignas(64) NodeSums {
-    double mass;                  ///< volume: density is constant and divided out [m3]
-    double px, py;                ///< momentum [m4/s]; after the update: velocity [m/s]
-    double area;                  ///< area the particles claim [m2]; after the update: share of the cell, phi [-]
-    double area_bed;              ///< sum of area times bed elevation over the node's own bed [m3]; later: held or not
-    double fx, fy;                ///< force over density [m4/s2]; after the update: velocity before it [m/s]; at first:
-                                  ///< sums of area times squared bed (fx) and surface (fy) over the node's own bed [m4]
-    double support;               ///< after the update: NodeLevel::support
+    double mass;      ///< volume: density is constant and divided out [m3]
+    double px, py;    ///< momentum [m4/s]; after the update: velocity [m/s]
+    double area;      ///< area the particles claim [m2]; after the update: share of the cell, phi [-]
+    double area_bed;  ///< sum of area times bed elevation over the node's own bed [m3]; later: held or not
+    double fx, fy;    ///< force over density [m4/s2]; after the update: velocity before it [m/s]; at first:
+                      ///< sums of area times squared bed (fx) and surface (fy) over the node's own bed [m4]
+    double support;   ///< after the update: NodeLevel::support
 };
 
 /// The reference state that a node's pressure is measured against (specification, section 4, item 4).
 struct NodeLevel {
     double depth;    ///< mean depth of the node's particles [m]
     double level;    ///< mean free surface of the node's particles [m]
-    double ponding;  ///< 1: the surface is level (still-water reference); 0: it follows the bed (thickness reference)
+    double ponding;  ///< 1: the surface is level (still-water reference); 0: it follows the bed (thickness
+                     ///< reference)
     double support;  ///< 1: filled all round; 0: a free front
 };
 
 /// Share of a cell from which it counts as filled (specification 4, item 4).
 inline constexpr double k_filled_share = 0.6;
 
-/// Depth that a node shows [m]: the mean depth of its particles where it is filled, itself and all round, free of the
-/// unevenness of their arrangement; volume over cell area at fronts and films, where the cell is only partly covered.
+/// Depth that a node shows [m]: the mean depth of its particles where it is filled, itself and all round,
+/// free of the unevenness of their arrangement; volume over cell area at fronts and films, where the cell is
+/// only partly covered.
 inline double shown_depth(double mass, double area, double support, double inverse_cell_area) noexcept {
     const double by_volume = mass * inverse_cell_area;
     if (!(area > 0)) return by_volume;
@@ -43,7 +45,8 @@ inline double shown_depth(double mass, double area, double support, double inver
     return by_volume + support * (share < 1 ? share : 1) * (mass / area - by_volume);
 }
 
-/// The background grid: one node at each cell centre of the terrain, rows from the south, with ghost nodes around.
+/// The background grid: one node at each cell centre of the terrain, rows from the south, with ghost nodes
+/// around.
 ///
 ///     node (i, j) lies at ((i + 1/2) dx, (j + 1/2) dx) in local metres, i in [-k_ghost, columns + k_ghost)
 class NodeGrid {
@@ -66,14 +69,16 @@ class NodeGrid {
         return !solid_.empty() && solid_[index(i, j)] != 0;
     }
     [[nodiscard]] bool any_solid() const noexcept { return !solid_.empty(); }
-    [[nodiscard]] const std::uint8_t* solid() const noexcept { return solid_.empty() ? nullptr : solid_.data(); }
+    [[nodiscard]] const std::uint8_t* solid() const noexcept {
+        return solid_.empty() ? nullptr : solid_.data();
+    }
 
     /// Elevation of the lowest cell; `bed` is relative to it so that sums keep their digits.
     [[nodiscard]] double datum() const noexcept { return datum_; }
 
-    std::vector<double> bed;       ///< padded, relative to datum [m]
-    ZeroArray<NodeSums> sums;      ///< padded
-    ZeroArray<NodeLevel> levels;   ///< padded; empty when no term needs it
+    std::vector<double> bed;      ///< padded, relative to datum [m]
+    ZeroArray<NodeSums> sums;     ///< padded
+    ZeroArray<NodeLevel> levels;  ///< padded; empty when no term needs it
 
     void allocate_levels() { levels = ZeroArray<NodeLevel>(sums.size()); }
 

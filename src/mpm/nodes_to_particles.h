@@ -18,7 +18,8 @@ inline constexpr double k_relaxation_gain = 0.03, k_relaxation_limit = 0.2;
 /// Least factor by which an area may change in a step; the stable step keeps well clear of it.
 inline constexpr double k_least_growth = 0.1;
 
-/// Bound of a particle's area, and of its shape's trace, in cells: what cannot be split (films) grows no further.
+/// Bound of a particle's area, and of its shape's trace, in cells: what cannot be split (films) grows no
+/// further.
 inline constexpr double k_largest_claim = 4;
 
 /// How velocity comes back from the nodes (paper, equations 33-34).
@@ -35,18 +36,18 @@ struct ApicTransfer {
 struct ParticleUpdate {
     double dt = 0;
     double gravity = 0;
-    bool wall = false;          ///< particles are kept inside; otherwise they may leave
-    Point origin;               ///< release centroid, for the front distance, local metres
+    bool wall = false;  ///< particles are kept inside; otherwise they may leave
+    Point origin;       ///< release centroid, for the front distance, local metres
 };
 
 /// What a tile's particles showed in a step; combined tile by tile in their order.
 struct ParticleReport {
-    double wave_speed = 0;      ///< greatest |v| + sqrt(g h) [m/s]
-    double speed = 0;           ///< greatest |v| [m/s]
-    double diffusivity = 0;     ///< greatest of the in-plane stress [m2/s]
-    double front_squared = 0;   ///< farthest from the origin [m2]
-    double kinetic = 0;         ///< sum of V v^2 / 2 [m5/s2]
-    double volume = 0;          ///< inside [m3]
+    double wave_speed = 0;     ///< greatest |v| + sqrt(g h) [m/s]
+    double speed = 0;          ///< greatest |v| [m/s]
+    double diffusivity = 0;    ///< greatest of the in-plane stress [m2/s]
+    double front_squared = 0;  ///< farthest from the origin [m2]
+    double kinetic = 0;        ///< sum of V v^2 / 2 [m5/s2]
+    double volume = 0;         ///< inside [m3]
     std::int64_t outside = 0, non_finite = 0, no_data = 0, clamped = 0;
 
     void merge(const ParticleReport& r) noexcept {
@@ -64,11 +65,11 @@ struct ParticleReport {
 };
 
 /// New velocity, position, depth and stress of a tile's particles (paper, equations 33-38).
-/// Reads NodeSums after update_nodes; reads and writes x, y, u, v, area; writes c_* (affine), divergence (Relaxed),
-/// s_* (Stress). Relaxed adds the area relaxation, which ties h_p to the mass on the grid: A grows or shrinks with
-/// what the particles claim of each cell, and only shrinks at a free front.
-/// Relaxed and affine together also carry the particle's shape q_*, which decides about splitting.
-/// A particle that leaves through an open boundary stays in the arrays until the next sort and is counted `outside`.
+/// Reads NodeSums after update_nodes; reads and writes x, y, u, v, area; writes c_* (affine), divergence
+/// (Relaxed), s_* (Stress). Relaxed adds the area relaxation, which ties h_p to the mass on the grid: A grows
+/// or shrinks with what the particles claim of each cell, and only shrinks at a free front. Relaxed and
+/// affine together also carry the particle's shape q_*, which decides about splitting. A particle that leaves
+/// through an open boundary stays in the arrays until the next sort and is counted `outside`.
 template <class Shape, class Transfer, class Stress, bool Relaxed>
 ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate& k, const Stress& stress,
                                   const NodeGrid& nodes, ParticleSet& particles) {
@@ -100,8 +101,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
         const Stencil<Shape> s(x[p], y[p], dx, inverse_dx, stride);
         double un = 0, vn = 0, du = 0, dv = 0, share = 0, support = 0;
-        double u_x = 0, u_y = 0, v_x = 0, v_y = 0;          // gradient of the nodal velocity
-        double m_xx = 0, m_xy = 0, m_yx = 0, m_yy = 0;      // first moments, for the affine part
+        double u_x = 0, u_y = 0, v_x = 0, v_y = 0;      // gradient of the nodal velocity
+        double m_xx = 0, m_xy = 0, m_yx = 0, m_yy = 0;  // first moments, for the affine part
         for (int b = 0; b < Shape::width; ++b) {
             const NodeSums* row = sums + s.first + b * stride;
             const double to_y = s.to_first_y + b * dx;
@@ -152,14 +153,16 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             u[p] = un;
             v[p] = vn;
         }
-        // Equation (38) in two dimensions: the area follows the map x -> x + dt v(x), whose determinant this is.
+        // Equation (38) in two dimensions: the area follows the map x -> x + dt v(x), whose determinant this
+        // is.
         const double div = u_x + v_y;
         double growth = 1 + k.dt * div + k.dt * k.dt * (u_x * v_y - u_y * v_x);
         if (!(growth > k_least_growth)) {
             growth = k_least_growth;
             ++report.clamped;
         }
-        // Where the cells are not full, converging material first fills the gaps: only a full cell gets deeper.
+        // Where the cells are not full, converging material first fills the gaps: only a full cell gets
+        // deeper.
         if (Relaxed && growth < 1 && share < 1) growth = 1;
         double new_area = area[p] * growth;
         if constexpr (Relaxed && Transfer::affine) {  // Q <- F Q F^T, F = I + dt grad v
@@ -178,7 +181,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             const double beta = std::min(k_relaxation_limit, k_relaxation_gain * speed * courant);
             if (share > 1 || support > 0.999) new_area *= 1 + beta * (1 / share - 1);
         }
-        // A film too thin to be split claims no more than a few cells: beyond that its support would be a fiction.
+        // A film too thin to be split claims no more than a few cells: beyond that its support would be a
+        // fiction.
         if constexpr (Relaxed) new_area = std::min(new_area, std::max(area[p], k_largest_claim * cell_area));
         area[p] = new_area;
         const double depth = volume[p] / new_area;
@@ -205,8 +209,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             ++report.outside;
             continue;
         }
-        if (nodes.any_solid() &&
-            nodes.is_solid(static_cast<std::int64_t>(px * inverse_dx), static_cast<std::int64_t>(py * inverse_dx))) {
+        if (nodes.any_solid() && nodes.is_solid(static_cast<std::int64_t>(px * inverse_dx),
+                                                static_cast<std::int64_t>(py * inverse_dx))) {
             ++report.no_data;
         }
         report.wave_speed = std::max(report.wave_speed, wave);

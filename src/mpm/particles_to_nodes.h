@@ -8,9 +8,9 @@
 
 namespace frana {
 
-/// Mass, momentum and area of a tile's particles to the nodes (paper, equations 27 and 29; affine part: APIC).
-/// Reads x, y, u, v, volume, area, and c_* if Affine; adds to NodeSums mass, px, py, area,
-/// and area_bed and the squares in fx, fy if Levels.
+/// Mass, momentum and area of a tile's particles to the nodes (paper, equations 27 and 29; affine part:
+/// APIC). Reads x, y, u, v, volume, area, and c_* if Affine; adds to NodeSums mass, px, py, area, and
+/// area_bed and the squares in fx, fy if Levels.
 template <class Shape, bool Affine, bool Levels>
 void particles_to_nodes(const ParticleTile& tile, const ParticleSet& particles, NodeGrid& nodes) {
     const double* x = particles[Field::x];

@@ -15,13 +15,15 @@ namespace frana {
 inline constexpr double k_shock_viscosity = 0.3;
 
 /// Hydrostatic pressure, bed slope and in-plane stress, to the nodes' forces over density.
-/// Plain form (paper, equation 28): F_i = sum A [ 1/2 g h^2 grad N_i - g h grad Z N_i ] - sum V sigma grad N_i.
-/// Referenced form (specification 4, item 4; NodeLevel): h^2 and h are measured against the node's own still level or
-/// mean depth, which integrates to zero in the continuum, so that a uniform state exerts exactly no force whatever
-/// the particles' arrangement; update_nodes adds back the weight of a reference that follows the bed.
-/// Reads x, y, volume, area, s_* if Stress, divergence if Referenced; reads NodeLevel; adds to NodeSums fx, fy.
+/// Plain form (paper, equation 28): F_i = sum A [ 1/2 g h^2 grad N_i - g h grad Z N_i ] - sum V sigma grad
+/// N_i. Referenced form (specification 4, item 4; NodeLevel): h^2 and h are measured against the node's own
+/// still level or mean depth, which integrates to zero in the continuum, so that a uniform state exerts
+/// exactly no force whatever the particles' arrangement; update_nodes adds back the weight of a reference
+/// that follows the bed. Reads x, y, volume, area, s_* if Stress, divergence if Referenced; reads NodeLevel;
+/// adds to NodeSums fx, fy.
 template <class Shape, bool Referenced, bool Stress>
-void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity, NodeGrid& nodes) {
+void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity,
+                       NodeGrid& nodes) {
     const double* x = particles[Field::x];
     const double* y = particles[Field::y];
     const double* volume = particles[Field::volume];

@@ -13,7 +13,8 @@ namespace frana {
 struct HatShape {
     static constexpr int width = 2;
 
-    /// Weights and derivatives (per node spacing) at position s in node spacings; returns the first node touched.
+    /// Weights and derivatives (per node spacing) at position s in node spacings; returns the first node
+    /// touched.
     static std::int64_t evaluate(double s, double (&weight)[2], double (&slope)[2]) noexcept {
         const double base = std::floor(s);
         const double f = s - base;
@@ -43,14 +44,14 @@ struct QuadraticSplineShape {
     }
 };
 
-/// The nodes that a particle touches: index of the south-western one, weights and gradients a direction, and the
-/// vector from the particle to that first node.
+/// The nodes that a particle touches: index of the south-western one, weights and gradients a direction, and
+/// the vector from the particle to that first node.
 template <class Shape>
 struct Stencil {
     static constexpr int width = Shape::width;
     std::size_t first;
-    double wx[width], wy[width];  // [-]
-    double gx[width], gy[width];  // [1/m]
+    double wx[width], wy[width];    // [-]
+    double gx[width], gy[width];    // [1/m]
     double to_first_x, to_first_y;  // [m]
 
     /// @param x, y local metres, inside the grid

@@ -23,16 +23,16 @@ struct NormalSlope {
 
 struct NodeUpdate {
     double dt = 0;
-    double gravity = 0;             ///< g_z [m/s2]
+    double gravity = 0;                   ///< g_z [m/s2]
     double gravity_x = 0, gravity_y = 0;  ///< tilted gravity for verification [m/s2]
-    double minimum_depth = 0;       ///< depth from which a node counts in the maxima [m]
+    double minimum_depth = 0;             ///< depth from which a node counts in the maxima [m]
 };
 
 /// What a tile's nodes showed in a step.
 struct NodeReport {
-    double max_depth = 0;        ///< [m]
-    double max_speed = 0;        ///< along the bed [m/s]
-    std::int64_t covered = 0;    ///< nodes deeper than the minimum
+    double max_depth = 0;      ///< [m]
+    double max_speed = 0;      ///< along the bed [m/s]
+    std::int64_t covered = 0;  ///< nodes deeper than the minimum
 
     void merge(const NodeReport& r) noexcept {
         max_depth = std::max(max_depth, r.max_depth);
@@ -54,7 +54,8 @@ struct NodeDrive {
 ///     normal   a = -(g/n) [ grad Z + G^-1 grad h ], the G^-1 part only where material does not pond
 /// Reads NodeSums mass, fx, fy; NodeLevel (if allocated); bed.
 template <class Slope>
-NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
+NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column,
+                   std::int64_t row) {
     const double half_inverse_dx = 0.5 / nodes.cell_size();
     const double* bed = nodes.bed.data();
     NodeDrive d{0, 0, 0, 0, 1};
@@ -86,11 +87,12 @@ NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, st
 
 /// Marks the nodes that static friction holds (NodeSums::area_bed = 1, otherwise 0).
 ///
-/// At the rim of a resting mass the outermost nodes gather much pressure and little weight: alone each would creep.
-/// A node slower than friction can stop in a few steps is therefore judged with its eight neighbours: it stays where
-/// friction on all nine can stop all nine within this step.
+/// At the rim of a resting mass the outermost nodes gather much pressure and little weight: alone each would
+/// creep. A node slower than friction can stop in a few steps is therefore judged with its eight neighbours:
+/// it stays where friction on all nine can stop all nine within this step.
 template <class Slope>
-void hold_nodes(const NodeRange& range, const NodeUpdate& k, const VoellmyFriction& friction, NodeGrid& nodes) {
+void hold_nodes(const NodeRange& range, const NodeUpdate& k, const VoellmyFriction& friction,
+                NodeGrid& nodes) {
     constexpr double k_slow = 4;
     const double slow = k_slow * k.dt * friction.friction_coefficient * k.gravity;
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
@@ -101,7 +103,8 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const VoellmyFricti
         if (node.px * node.px + node.py * node.py > slow * slow * node.mass * node.mass) return;
         double px = 0, py = 0, bound = 0;
         for (std::int64_t b = std::max<std::int64_t>(row - 1, 0); b <= std::min(row + 1, rows - 1); ++b) {
-            for (std::int64_t a = std::max<std::int64_t>(column - 1, 0); a <= std::min(column + 1, stride - 1); ++a) {
+            for (std::int64_t a = std::max<std::int64_t>(column - 1, 0);
+                 a <= std::min(column + 1, stride - 1); ++a) {
                 const auto n = static_cast<std::size_t>(b * stride + a);
                 const NodeSums& near = nodes.sums[n];
                 if (!(near.mass > 0)) continue;
@@ -116,13 +119,13 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const VoellmyFricti
     });
 }
 
-/// New nodal velocities (paper, equations 31-32): what drives the node, then bed friction as a cap on the speed along
-/// the bed that stops but never reverses.
-/// Reads NodeSums, NodeLevel (if allocated), bed; writes velocity, share, old velocity and support into NodeSums.
-/// Calls observe(node, depth, speed) for every node deeper than the minimum.
+/// New nodal velocities (paper, equations 31-32): what drives the node, then bed friction as a cap on the
+/// speed along the bed that stops but never reverses. Reads NodeSums, NodeLevel (if allocated), bed; writes
+/// velocity, share, old velocity and support into NodeSums. Calls observe(node, depth, speed) for every node
+/// deeper than the minimum.
 template <class Slope, class Observe>
-NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const VoellmyFriction& friction, NodeGrid& nodes,
-                        const Observe& observe) {
+NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const VoellmyFriction& friction,
+                        NodeGrid& nodes, const Observe& observe) {
     NodeReport report;
     const double inverse_area = 1 / (nodes.cell_size() * nodes.cell_size());
     const std::uint8_t* solid = nodes.solid();

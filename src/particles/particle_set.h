@@ -12,15 +12,26 @@
 
 namespace frana {
 
-/// The fields a particle may carry. k_field_table describes them; a scene allocates only those its terms declare.
+/// The fields a particle may carry. k_field_table describes them; a scene allocates only those its terms
+/// declare.
 enum class Field : unsigned char {
-    x, y,                    // position
-    u, v,                    // velocity
-    volume, area,            // depth is volume / area
-    c_xx, c_xy, c_yx, c_yy,  // affine velocity (APIC): rows are components, columns directions
-    divergence,              // of the nodal velocity, last step
-    s_xx, s_xy, s_yy,        // in-plane viscous stress over density
-    q_xx, q_xy, q_yy,        // squared extents: the shape that the flow has given the particle
+    x,
+    y,  // position
+    u,
+    v,  // velocity
+    volume,
+    area,  // depth is volume / area
+    c_xx,
+    c_xy,
+    c_yx,
+    c_yy,        // affine velocity (APIC): rows are components, columns directions
+    divergence,  // of the nodal velocity, last step
+    s_xx,
+    s_xy,
+    s_yy,  // in-plane viscous stress over density
+    q_xx,
+    q_xy,
+    q_yy,  // squared extents: the shape that the flow has given the particle
     count
 };
 inline constexpr std::size_t k_fields = static_cast<std::size_t>(Field::count);
@@ -30,10 +41,23 @@ struct FieldInfo {
     double initial;
 };
 inline constexpr std::array<FieldInfo, k_fields> k_field_table{{
-    {"x", "m", 0}, {"y", "m", 0}, {"u", "m/s", 0}, {"v", "m/s", 0}, {"volume", "m3", 0}, {"area", "m2", 0},
-    {"c_xx", "1/s", 0}, {"c_xy", "1/s", 0}, {"c_yx", "1/s", 0}, {"c_yy", "1/s", 0}, {"divergence", "1/s", 0},
-    {"s_xx", "m2/s2", 0}, {"s_xy", "m2/s2", 0}, {"s_yy", "m2/s2", 0},
-    {"q_xx", "m2", 0}, {"q_xy", "m2", 0}, {"q_yy", "m2", 0},
+    {"x", "m", 0},
+    {"y", "m", 0},
+    {"u", "m/s", 0},
+    {"v", "m/s", 0},
+    {"volume", "m3", 0},
+    {"area", "m2", 0},
+    {"c_xx", "1/s", 0},
+    {"c_xy", "1/s", 0},
+    {"c_yx", "1/s", 0},
+    {"c_yy", "1/s", 0},
+    {"divergence", "1/s", 0},
+    {"s_xx", "m2/s2", 0},
+    {"s_xy", "m2/s2", 0},
+    {"s_yy", "m2/s2", 0},
+    {"q_xx", "m2", 0},
+    {"q_xy", "m2", 0},
+    {"q_yy", "m2", 0},
 }};
 
 /// A set of fields, as bits.
@@ -43,7 +67,9 @@ class FieldMask {
     constexpr FieldMask(std::initializer_list<Field> fields) {
         for (Field f : fields) bits_ |= 1u << static_cast<unsigned>(f);
     }
-    [[nodiscard]] constexpr bool has(Field f) const noexcept { return (bits_ >> static_cast<unsigned>(f)) & 1u; }
+    [[nodiscard]] constexpr bool has(Field f) const noexcept {
+        return (bits_ >> static_cast<unsigned>(f)) & 1u;
+    }
     constexpr FieldMask operator|(FieldMask other) const noexcept {
         other.bits_ |= bits_;
         return other;

@@ -43,8 +43,8 @@ ParticleRow merged(const ParticleRow& a, const ParticleRow& b) {
     ParticleRow r = a;
     const double va = get(a, Field::volume), vb = get(b, Field::volume), volume = va + vb;
     const double wa = va / volume, wb = vb / volume;
-    for (const Field f : {Field::x, Field::y, Field::u, Field::v, Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy,
-                          Field::divergence, Field::s_xx, Field::s_xy, Field::s_yy}) {
+    for (const Field f : {Field::x, Field::y, Field::u, Field::v, Field::c_xx, Field::c_xy, Field::c_yx,
+                          Field::c_yy, Field::divergence, Field::s_xx, Field::s_xy, Field::s_yy}) {
         get(r, f) = wa * get(a, f) + wb * get(b, f);
     }
     get(r, Field::volume) = volume;
@@ -69,7 +69,8 @@ class TileResampler {
             const int in_cell = counts_[cell_of(particles[Field::x][p], particles[Field::y][p])];
             if (in_cell > limits_.max_per_cell) return true;
             if (in_cell >= limits_.split_below) continue;
-            const Symmetric q{particles[Field::q_xx][p], particles[Field::q_xy][p], particles[Field::q_yy][p]};
+            const Symmetric q{particles[Field::q_xx][p], particles[Field::q_xy][p],
+                              particles[Field::q_yy][p]};
             if (q.largest() > limit * limit &&
                 particles[Field::volume][p] > limits_.minimum_depth * particles[Field::area][p]) {
                 return true;
@@ -78,7 +79,8 @@ class TileResampler {
         return false;
     }
 
-    std::vector<ParticleRow> operator()(const ParticleSet& particles, const ParticleTile& tile, ResampleCounts& counts) {
+    std::vector<ParticleRow> operator()(const ParticleSet& particles, const ParticleTile& tile,
+                                        ResampleCounts& counts) {
         std::vector<ParticleRow> rows;
         rows.reserve(2 * (tile.end - tile.begin));
         for (std::size_t p = tile.begin; p < tile.end; ++p) rows.push_back(particles.row(p));
@@ -106,12 +108,14 @@ class TileResampler {
         const std::size_t before = rows.size();
         for (std::size_t p = 0; p < before; ++p) {
             ParticleRow& r = rows[p];
-            if (extent(r) <= limit || get(r, Field::volume) <= limits_.minimum_depth * get(r, Field::area)) continue;
+            if (extent(r) <= limit || get(r, Field::volume) <= limits_.minimum_depth * get(r, Field::area))
+                continue;
             int& in_cell = counts_[cell_of(get(r, Field::x), get(r, Field::y))];
             if (in_cell >= limits_.split_below) continue;
             const Point axis = shape_of(r).axis();
             // Halves go at most half a cell away, which the sort's drift budget has room for.
-            const double quarter = std::min(0.25 * extent(r), k_split_reach * limits_.cell_size), ox = quarter * axis.x, oy = quarter * axis.y;
+            const double quarter = std::min(0.25 * extent(r), k_split_reach * limits_.cell_size),
+                         ox = quarter * axis.x, oy = quarter * axis.y;
             const double x = get(r, Field::x), y = get(r, Field::y);
             const auto inside = [&](double a, double b) {
                 return a > 0 && a < limits_.width && b > 0 && b < limits_.height;
@@ -124,7 +128,8 @@ class TileResampler {
             // Half the extent along the axis, the same across it.
             const Symmetric q = shape_of(r);
             const double along = 0.75 * q.largest();
-            set_shape(r, {q.xx - along * axis.x * axis.x, q.xy - along * axis.x * axis.y, q.yy - along * axis.y * axis.y});
+            set_shape(r, {q.xx - along * axis.x * axis.x, q.xy - along * axis.x * axis.y,
+                          q.yy - along * axis.y * axis.y});
             ParticleRow other = r;
             get(r, Field::x) = x - ox;
             get(r, Field::y) = y - oy;
@@ -185,7 +190,8 @@ class TileResampler {
 
 }  // namespace
 
-ResampleCounts resample(ParticleSet& particles, TileOrder& order, const ResampleLimits& limits, ThreadPool& pool) {
+ResampleCounts resample(ParticleSet& particles, TileOrder& order, const ResampleLimits& limits,
+                        ThreadPool& pool) {
     const auto& tiles = order.tiles();
     std::vector<std::vector<ParticleRow>> changed(tiles.size());
     std::vector<std::uint8_t> needs(tiles.size(), 0);

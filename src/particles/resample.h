@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "core/thread_pool.h"
 #include "core/grid_spec.h"
+#include "core/thread_pool.h"
 #include "particles/particle_set.h"
 #include "particles/tile_order.h"
 
@@ -16,9 +16,9 @@ inline constexpr double k_split_reach = 0.5;
 /// Splitting and merging (specification 4, item 3 and its counterpart).
 struct ResampleLimits {
     double cell_size = 1;
-    double split_extent = 0.7;     ///< in cells: a particle longer than this becomes two along its longer axis
-    double merge_extent = 0.65;    ///< in cells: two particles merge only if the result is not longer
-    int split_below = 4;           ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
+    double split_extent = 0.7;   ///< in cells: a particle longer than this becomes two along its longer axis
+    double merge_extent = 0.65;  ///< in cells: two particles merge only if the result is not longer
+    int split_below = 4;  ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
     int max_per_cell = 12;         ///< more than this in a cell: pairs merge
     double minimum_depth = 0.001;  ///< thinner particles are not split [m]
     double width = 0, height = 0;  ///< of the terrain [m]: no half is put outside
@@ -28,8 +28,10 @@ struct ResampleCounts {
     std::int64_t split = 0, merged = 0;
 };
 
-/// Splits and merges tile by tile, in the particles' order. Volume, area and momentum are conserved; a merged pair loses the kinetic energy of its relative
-/// motion only. Needs c_* and q_*; particles must be sorted and stay sorted.
-ResampleCounts resample(ParticleSet& particles, TileOrder& order, const ResampleLimits& limits, ThreadPool& pool);
+/// Splits and merges tile by tile, in the particles' order. Volume, area and momentum are conserved; a merged
+/// pair loses the kinetic energy of its relative motion only. Needs c_* and q_*; particles must be sorted and
+/// stay sorted.
+ResampleCounts resample(ParticleSet& particles, TileOrder& order, const ResampleLimits& limits,
+                        ThreadPool& pool);
 
 }  // namespace frana

@@ -29,7 +29,8 @@ void cut(const Polygon& polygon, double y, std::vector<double>& crossings, std::
         if (!hole.empty()) cross(hole);
     }
     std::sort(crossings.begin(), crossings.end());
-    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) inside.push_back({crossings[i], crossings[i + 1]});
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+        inside.push_back({crossings[i], crossings[i + 1]});
 }
 
 // Sorts and joins intervals that overlap: parts drawn twice count once.
@@ -50,8 +51,8 @@ struct Covered {
     double area = 0, moment_x = 0, moment_y = 0;  // of the strips inside a lattice cell
 };
 
-// Heights at which the outline bends, within (from, to), with the two ends and an even division between: between two
-// of them every strip's width changes linearly, so its middle line gives its area exactly.
+// Heights at which the outline bends, within (from, to), with the two ends and an even division between:
+// between two of them every strip's width changes linearly, so its middle line gives its area exactly.
 std::vector<double> strip_edges(const std::vector<double>& vertex_heights, double from, double to) {
     std::vector<double> edges;
     for (int line = 0; line <= k_lines; ++line) edges.push_back(from + (to - from) * line / k_lines);
@@ -77,8 +78,8 @@ std::vector<double> heights_of(const MultiPolygon& outline) {
 
 }  // namespace
 
-double fill_outline(const MultiPolygon& outline, double spacing, const std::function<double(Point)>& thickness,
-                    ParticleSet& particles) {
+double fill_outline(const MultiPolygon& outline, double spacing,
+                    const std::function<double(Point)>& thickness, ParticleSet& particles) {
     const Bounds box = bounds(outline);
     const auto first_column = static_cast<std::int64_t>(std::floor(box.west / spacing));
     const auto last_column = static_cast<std::int64_t>(std::floor(box.east / spacing));
@@ -94,14 +95,16 @@ double fill_outline(const MultiPolygon& outline, double spacing, const std::func
         const std::vector<double> edges = strip_edges(vertex_heights, static_cast<double>(row) * spacing,
                                                       static_cast<double>(row + 1) * spacing);
         for (std::size_t strip = 0; strip + 1 < edges.size(); ++strip) {
-            const double height = edges[strip + 1] - edges[strip], y = 0.5 * (edges[strip + 1] + edges[strip]);
+            const double height = edges[strip + 1] - edges[strip],
+                         y = 0.5 * (edges[strip + 1] + edges[strip]);
             if (!(height > 0)) continue;
             inside.clear();
             for (const Polygon& polygon : outline) cut(polygon, y, crossings, inside);
             join(inside);
             for (const Interval& piece : inside) {
                 const auto from = static_cast<std::int64_t>(std::floor(piece.from / spacing));
-                const auto to = std::min(static_cast<std::int64_t>(std::floor(piece.to / spacing)), last_column);
+                const auto to =
+                    std::min(static_cast<std::int64_t>(std::floor(piece.to / spacing)), last_column);
                 for (std::int64_t column = from; column <= to; ++column) {
                     const double west = std::max(piece.from, static_cast<double>(column) * spacing);
                     const double east = std::min(piece.to, static_cast<double>(column + 1) * spacing);

@@ -10,14 +10,14 @@ namespace frana {
 
 /// Fills an outline with particles on a square lattice, whatever the resolution of any raster.
 ///
-/// Each lattice cell that the outline covers, wholly or in part, gives one particle at the centroid of the covered
-/// part, with the area really covered (in all exact, but where parts overlap) and the thickness there. Holes and
-/// overlapping parts are respected: ground is never filled twice.
+/// Each lattice cell that the outline covers, wholly or in part, gives one particle at the centroid of the
+/// covered part, with the area really covered (in all exact, but where parts overlap) and the thickness
+/// there. Holes and overlapping parts are respected: ground is never filled twice.
 /// @param outline in local metres
 /// @param spacing of the lattice [m]; the lattice is anchored at the origin
 /// @param thickness vertical thickness [m] at a local point; NaN or <= 0: no particle
 /// @returns the volume added [m3]
-double fill_outline(const MultiPolygon& outline, double spacing, const std::function<double(Point)>& thickness,
-                    ParticleSet& particles);
+double fill_outline(const MultiPolygon& outline, double spacing,
+                    const std::function<double(Point)>& thickness, ParticleSet& particles);
 
 }  // namespace frana

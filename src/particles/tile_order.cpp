@@ -16,7 +16,8 @@ void TileOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& ke
         }
     });
 
-    // Counting sort over the tiles met; their numbers are few, so the count array spans only [lowest, highest].
+    // Counting sort over the tiles met; their numbers are few, so the count array spans only [lowest,
+    // highest].
     std::int64_t lowest = grid_.tiles_x() * grid_.tiles_y(), highest = -1;
     for (const std::int64_t key : keys_) {
         if (key < 0) continue;
@@ -30,7 +31,8 @@ void TileOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& ke
     tiles_.clear();
     for (std::size_t t = 1; t < start.size(); ++t) {
         if (start[t] > 0) {
-            tiles_.push_back({start[t - 1], start[t - 1] + start[t], lowest + static_cast<std::int64_t>(t) - 1});
+            tiles_.push_back(
+                {start[t - 1], start[t - 1] + start[t], lowest + static_cast<std::int64_t>(t) - 1});
         }
         start[t] += start[t - 1];
     }
@@ -62,7 +64,8 @@ void TileOrder::index_tiles(const ParticleSet& particles) {
     // One cell more than the drift for the stencil, one for rounding.
     const double reach = (k_drift_limit + 2) * grid_.cell_size;
     const auto tile_at = [&](double position, std::int64_t count) {
-        const auto cell = static_cast<std::int64_t>(position / grid_.cell_size + static_cast<double>(grid_.ghost));
+        const auto cell =
+            static_cast<std::int64_t>(position / grid_.cell_size + static_cast<double>(grid_.ghost));
         return std::clamp<std::int64_t>(cell / k_tile, 0, count - 1);
     };
     for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
@@ -71,7 +74,8 @@ void TileOrder::index_tiles(const ParticleSet& particles) {
         colours_[static_cast<std::size_t>((ty & 1) * 2 + (tx & 1))].push_back(t);
         const auto [west, east] = std::minmax_element(x + tile.begin, x + tile.end);
         const auto [south, north] = std::minmax_element(y + tile.begin, y + tile.end);
-        const std::int64_t x1 = tile_at(*east + reach, grid_.tiles_x()), y1 = tile_at(*north + reach, grid_.tiles_y());
+        const std::int64_t x1 = tile_at(*east + reach, grid_.tiles_x()),
+                           y1 = tile_at(*north + reach, grid_.tiles_y());
         for (std::int64_t b = tile_at(std::max(*south - reach, 0.0), grid_.tiles_y()); b <= y1; ++b) {
             for (std::int64_t a = tile_at(std::max(*west - reach, 0.0), grid_.tiles_x()); a <= x1; ++a) {
                 node_tiles_.push_back(b * grid_.tiles_x() + a);

@@ -12,8 +12,8 @@ namespace frana {
 
 /// Side of a tile, in nodes.
 inline constexpr std::int64_t k_tile = 16;
-/// How many cells particles may drift from the cell they were ordered in before they are ordered anew. With the
-/// stencil's own node it must stay under half a tile: then tiles of one colour never touch the same node.
+/// How many cells particles may drift from the cell they were ordered in before they are ordered anew. With
+/// the stencil's own node it must stay under half a tile: then tiles of one colour never touch the same node.
 inline constexpr double k_drift_limit = 3;
 
 /// A run of particles that lie in one tile (give or take the drift), and the nodes that they can touch.
@@ -28,12 +28,15 @@ struct TileGrid {
     std::int64_t ghost = 0;              ///< nodes before cell 0
     double cell_size = 1;
 
-    [[nodiscard]] std::int64_t tiles_x() const noexcept { return (columns + 2 * ghost + k_tile - 1) / k_tile; }
+    [[nodiscard]] std::int64_t tiles_x() const noexcept {
+        return (columns + 2 * ghost + k_tile - 1) / k_tile;
+    }
     [[nodiscard]] std::int64_t tiles_y() const noexcept { return (rows + 2 * ghost + k_tile - 1) / k_tile; }
 };
 
-/// The order of particles by tile. It fixes the order of every sum over particles, whatever the number of threads:
-/// tiles of one colour run side by side, colours one after another, particles of a tile in their order.
+/// The order of particles by tile. It fixes the order of every sum over particles, whatever the number of
+/// threads: tiles of one colour run side by side, colours one after another, particles of a tile in their
+/// order.
 class TileOrder {
   public:
     explicit TileOrder(TileGrid grid) : grid_(grid) {}
@@ -41,12 +44,15 @@ class TileOrder {
     /// Sorts the particles by tile (stable) and drops those for which `keep` is 0.
     /// @param keep one byte a particle, or empty to keep all
     void sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool);
-    /// Rebuilds the tile runs for particles that are sorted by tile already, with these counts per run of tiles().
+    /// Rebuilds the tile runs for particles that are sorted by tile already, with these counts per run of
+    /// tiles().
     void set_counts(const std::vector<std::size_t>& counts);
 
     [[nodiscard]] const std::vector<ParticleTile>& tiles() const noexcept { return tiles_; }
     /// Indices into tiles(), by colour.
-    [[nodiscard]] const std::array<std::vector<std::uint32_t>, 4>& colours() const noexcept { return colours_; }
+    [[nodiscard]] const std::array<std::vector<std::uint32_t>, 4>& colours() const noexcept {
+        return colours_;
+    }
     /// Tiles whose nodes any particle can touch until the next sort, in ascending order.
     [[nodiscard]] const std::vector<std::int64_t>& node_tiles() const noexcept { return node_tiles_; }
     [[nodiscard]] const TileGrid& grid() const noexcept { return grid_; }

@@ -32,17 +32,18 @@ struct NoStress {
 ///
 ///     sigma = ( 2 mu + tau_Y / sqrt(I2 + r^2) ) D,      I2 = 1/2 Dbar : Dbar
 ///
-/// Dbar: D, D33 = -(D11 + D22), and vertical shear 3 / (2 + zeta) v / h (equations 5-6). r is the shear rate under
-/// which the yield part is softened into a very viscous one; share/doc/model.md shows that results do not depend on
-/// it over two decades. Limits: at rest sigma = 0; at depth 0 the shear is infinite and the yield part vanishes.
+/// Dbar: D, D33 = -(D11 + D22), and vertical shear 3 / (2 + zeta) v / h (equations 5-6). r is the shear rate
+/// under which the yield part is softened into a very viscous one; share/doc/model.md shows that results do
+/// not depend on it over two decades. Limits: at rest sigma = 0; at depth 0 the shear is infinite and the
+/// yield part vanishes.
 struct BinghamStress {
     static constexpr bool active = true;
     static constexpr FieldMask fields = k_stress_fields;
 
-    double viscosity_over_density = 0;     ///< mu / rho [m2/s]
-    double yield_over_density = 0;         ///< tau_Y / rho [m2/s2]
-    double regularisation = 0.01;          ///< r [1/s]
-    bool exact_ratio = true;               ///< zeta from the cubic; false: from the paper's quadratic
+    double viscosity_over_density = 0;  ///< mu / rho [m2/s]
+    double yield_over_density = 0;      ///< tau_Y / rho [m2/s2]
+    double regularisation = 0.01;       ///< r [1/s]
+    bool exact_ratio = true;            ///< zeta from the cubic; false: from the paper's quadratic
 
     [[nodiscard]] PlaneStress operator()(const StrainRate& rate) const noexcept {
         double factor = 2 * viscosity_over_density;
@@ -57,8 +58,8 @@ struct BinghamStress {
                 shear_y = k * rate.v;
             }
             const double zz = -(rate.xx + rate.yy);
-            const double invariant = 0.5 * (rate.xx * rate.xx + rate.yy * rate.yy + zz * zz) + rate.xy * rate.xy +
-                                     0.25 * (shear_x * shear_x + shear_y * shear_y);
+            const double invariant = 0.5 * (rate.xx * rate.xx + rate.yy * rate.yy + zz * zz) +
+                                     rate.xy * rate.xy + 0.25 * (shear_x * shear_x + shear_y * shear_y);
             factor += yield_over_density / std::sqrt(invariant + regularisation * regularisation);
         }
         return {factor * rate.xx, factor * rate.xy, factor * rate.yy, factor};

@@ -13,11 +13,11 @@ using namespace voellmy_bingham;
 namespace {
 
 template <class Slope>
-NodeReport update_nodes_stage(const NodeRange& range, const NodeUpdate& update, const VoellmyFriction& friction,
-                              double time, NodeGrid& nodes, Maxima& maxima) {
-    return update_nodes<Slope>(range, update, friction, nodes, [&](std::size_t node, double depth, double speed) {
-        maxima.see(node, depth, speed, time);
-    });
+NodeReport update_nodes_stage(const NodeRange& range, const NodeUpdate& update,
+                              const VoellmyFriction& friction, double time, NodeGrid& nodes, Maxima& maxima) {
+    return update_nodes<Slope>(
+        range, update, friction, nodes,
+        [&](std::size_t node, double depth, double speed) { maxima.see(node, depth, speed, time); });
 }
 
 template <class Slope>
@@ -28,18 +28,22 @@ void choose_slope(Stages& stages) {
 
 template <class Shape, class Transfer, bool Stress, bool Relaxed>
 ParticleReport nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
-                                        const BinghamStress& stress, const NodeGrid& nodes, ParticleSet& particles) {
+                                        const BinghamStress& stress, const NodeGrid& nodes,
+                                        ParticleSet& particles) {
     if constexpr (Stress) {
-        return nodes_to_particles<Shape, Transfer, BinghamStress, Relaxed>(tile, update, stress, nodes, particles);
+        return nodes_to_particles<Shape, Transfer, BinghamStress, Relaxed>(tile, update, stress, nodes,
+                                                                           particles);
     } else {
-        return nodes_to_particles<Shape, Transfer, NoStress, Relaxed>(tile, update, NoStress{}, nodes, particles);
+        return nodes_to_particles<Shape, Transfer, NoStress, Relaxed>(tile, update, NoStress{}, nodes,
+                                                                      particles);
     }
 }
 
 // 2 schemes x 3 transfers x 2 stresses = 12 of nodes_to_particles, 4 of each of the other particle stages.
 template <class Shape, bool Relaxed, class Transfer>
 void choose_transfer(bool stress, Stages& stages) {
-    stages.particles_to_nodes = particles_to_nodes<Shape, Transfer::affine, Relaxed>;
+    stages.particles_to_nodes = stages.references ? particles_to_nodes<Shape, Transfer::affine, true>
+                                                  : particles_to_nodes<Shape, Transfer::affine, false>;
     stages.nodes_to_particles = stress ? nodes_to_particles_stage<Shape, Transfer, true, Relaxed>
                                        : nodes_to_particles_stage<Shape, Transfer, false, Relaxed>;
     if (Transfer::affine) stages.fields = stages.fields | k_affine_fields;
@@ -52,9 +56,12 @@ void choose_scheme(Transfer transfer, bool stress, Stages& stages) {
     if (Relaxed) stages.fields = stages.fields | FieldMask{Field::divergence};
     if (stress) stages.fields = stages.fields | k_stress_fields;
     switch (transfer) {
-        case Transfer::pic: return choose_transfer<Shape, Relaxed, PicTransfer>(stress, stages);
-        case Transfer::flip: return choose_transfer<Shape, Relaxed, FlipTransfer>(stress, stages);
-        case Transfer::apic: return choose_transfer<Shape, Relaxed, ApicTransfer>(stress, stages);
+        case Transfer::pic:
+            return choose_transfer<Shape, Relaxed, PicTransfer>(stress, stages);
+        case Transfer::flip:
+            return choose_transfer<Shape, Relaxed, FlipTransfer>(stress, stages);
+        case Transfer::apic:
+            return choose_transfer<Shape, Relaxed, ApicTransfer>(stress, stages);
     }
 }
 
@@ -75,15 +82,21 @@ Stages choose_stages(const Material& material, const Numerics& numerics) {
     if (numerics.scheme == Scheme::paper) {
         choose_scheme<HatShape, false>(transfer, has_stress(material), stages);
     } else {
+        stages.references = numerics.well_balanced;
         choose_scheme<QuadraticSplineShape, true>(transfer, has_stress(material), stages);
-        stages.references = true;
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
     }
     switch (numerics.slope_correction) {
-        case SlopeCorrection::none: choose_slope<GentleSlope>(stages); break;
-        case SlopeCorrection::surface: choose_slope<SurfaceSlope>(stages); break;
-        case SlopeCorrection::normal: choose_slope<NormalSlope>(stages); break;
+        case SlopeCorrection::none:
+            choose_slope<GentleSlope>(stages);
+            break;
+        case SlopeCorrection::surface:
+            choose_slope<SurfaceSlope>(stages);
+            break;
+        case SlopeCorrection::normal:
+            choose_slope<NormalSlope>(stages);
+            break;
     }
     return stages;
 }
@@ -113,7 +126,8 @@ std::vector<std::string> list_terms(const Material& material, const Numerics& nu
     if (numerics.slope_correction == SlopeCorrection::surface) terms.push_back("slope correction: surface");
     if (material.friction_coefficient > 0) terms.push_back("Coulomb bed friction");
     if (std::isfinite(material.turbulence)) terms.push_back("turbulent bed friction");
-    if (material.surface_pressure > 0 && material.friction_coefficient > 0) terms.push_back("surface pressure");
+    if (material.surface_pressure > 0 && material.friction_coefficient > 0)
+        terms.push_back("surface pressure");
     if (material.viscosity > 0) terms.push_back("in-plane viscosity");
     if (material.yield_stress > 0) terms.push_back("in-plane yield stress");
     static constexpr const char* k_transfers[] = {"PIC", "FLIP", "APIC"};
@@ -122,7 +136,7 @@ std::vector<std::string> list_terms(const Material& material, const Numerics& nu
         terms.push_back(std::string("bilinear shape functions, ") + transfer);
     } else {
         terms.push_back(std::string("quadratic B-splines, ") + transfer);
-        terms.push_back("reference level per node");
+        if (numerics.well_balanced) terms.push_back("reference level per node");
         terms.push_back("area relaxation");
         terms.push_back("compressive artificial viscosity");
         if (transfer_of(numerics) == Transfer::apic) terms.push_back("splitting and merging");

@@ -15,7 +15,8 @@ ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
     particles.resize(seeds.size());
     for (std::size_t p = 0; p < seeds.size(); ++p) {
         ParticleRow row = seeds.row(p);
-        if (!seeds.mask().has(Field::q_xx)) get(row, Field::q_xx) = get(row, Field::q_yy) = get(row, Field::area);
+        if (!seeds.mask().has(Field::q_xx))
+            get(row, Field::q_xx) = get(row, Field::q_yy) = get(row, Field::area);
         particles.set_row(p, row);
     }
     return particles;
@@ -33,8 +34,8 @@ voellmy_bingham::State initial_state(const Raster& bed, ParticleSet particles) {
 
 }  // namespace
 
-Flow::Flow(const Raster& bed, const ParticleSet& particles, const Material& material, const Numerics& numerics,
-           int threads, std::optional<TiltedGravity> tilt)
+Flow::Flow(const Raster& bed, const ParticleSet& particles, const Material& material,
+           const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt)
     : grid_(bed.grid),
       numerics_(numerics),
       pool_(threads),
@@ -42,7 +43,8 @@ Flow::Flow(const Raster& bed, const ParticleSet& particles, const Material& mate
       laws_(make_laws(material, numerics, bed.grid.cell_size)),
       state_(initial_state(bed, with_fields(particles, stages_.fields))),
       maxima_(state_.nodes.sums.size()) {
-    if (stages_.references) state_.nodes.allocate_levels();
+    // Without references the levels stay zero: the pressure is then measured against nothing.
+    if (numerics.scheme == Scheme::standard) state_.nodes.allocate_levels();
     laws_.resample.width = state_.nodes.width();
     laws_.resample.height = state_.nodes.height();
     laws_.resample.minimum_depth = 1e-3 * bed.grid.cell_size;
@@ -89,7 +91,8 @@ Point Flow::centroid() const {
 }
 
 double Flow::stable_step() const {
-    return frana::stable_step(grid_.cell_size, laws_.cfl, state_.wave_speed, laws_.gravity, state_.diffusivity);
+    return frana::stable_step(grid_.cell_size, laws_.cfl, state_.wave_speed, laws_.gravity,
+                              state_.diffusivity);
 }
 
 Flow::NodalFields Flow::nodal_fields() {
@@ -143,7 +146,8 @@ void Flow::see_present() {
         for (std::int64_t column = 0; column < grid_.columns; ++column) {
             const double depth = shot.depth.at(row, column);
             if (std::isnan(depth)) continue;
-            maxima_.see(state_.nodes.index(column, grid_.rows - 1 - row), depth, shot.speed.at(row, column), state_.time);
+            maxima_.see(state_.nodes.index(column, grid_.rows - 1 - row), depth, shot.speed.at(row, column),
+                        state_.time);
         }
     }
 }

@@ -11,18 +11,20 @@
 
 namespace frana {
 
-/// Gravity of a frame tilted along the bed, so that solutions in slope coordinates are tested on a flat bed [m/s2].
+/// Gravity of a frame tilted along the bed, so that solutions in slope coordinates are tested on a flat bed
+/// [m/s2].
 struct TiltedGravity {
     double along_x = 0, along_y = 0, normal = 9.81;
 };
 
-/// A flow that can be stepped: the engine without scenes, files and clocks. `run` drives it; so do the benches.
+/// A flow that can be stepped: the engine without scenes, files and clocks. `run` drives it; so do the
+/// benches.
 class Flow {
   public:
     /// @param bed elevation [m], NaN where there is none; its grid gives cell size and extent
     /// @param particles in local metres; fields the scheme needs are added with their initial values
-    Flow(const Raster& bed, const ParticleSet& particles, const Material& material, const Numerics& numerics, int threads,
-         std::optional<TiltedGravity> tilt = std::nullopt);
+    Flow(const Raster& bed, const ParticleSet& particles, const Material& material, const Numerics& numerics,
+         int threads, std::optional<TiltedGravity> tilt = std::nullopt);
 
     voellmy_bingham::StepReport advance(double dt_limit);
     /// Steps until `time`; every step at most `dt_limit` if that is positive.
@@ -43,7 +45,8 @@ class Flow {
     /// First stable step from the present state [s].
     [[nodiscard]] double stable_step() const;
 
-    /// Depth and speed along the bed of the particles as they are, as north-up rasters; NaN under the minimum depth.
+    /// Depth and speed along the bed of the particles as they are, as north-up rasters; NaN under the minimum
+    /// depth.
     struct Snapshot {
         Raster depth, speed;
     };
@@ -56,7 +59,8 @@ class Flow {
     /// Folds the present depth into the maxima (they are otherwise taken at the start of each step).
     void see_present();
     [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }
-    /// A padded node array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the others.
+    /// A padded node array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the
+    /// others.
     [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
 
   private:

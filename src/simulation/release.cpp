@@ -57,7 +57,8 @@ double secant_of_slope(const Raster& terrain, Cell c) {
     const auto difference = [&](std::int64_t dr, std::int64_t dc) {
         const auto value = [&](std::int64_t sign) {
             const std::int64_t r = std::clamp<std::int64_t>(c.row + sign * dr, 0, terrain.grid.rows - 1);
-            const std::int64_t k = std::clamp<std::int64_t>(c.column + sign * dc, 0, terrain.grid.columns - 1);
+            const std::int64_t k =
+                std::clamp<std::int64_t>(c.column + sign * dc, 0, terrain.grid.columns - 1);
             const double z = terrain.at(r, k);
             return std::isnan(z) ? terrain.at(c.row, c.column) : z;
         };
@@ -108,16 +109,19 @@ Release make_release(const Scene& scene) {
         double volume = fill_outline(to_local(area.outline, grid), spacing, thickness, release.particles);
         if (area.volume && volume > 0) {
             const double factor = *area.volume / volume;
-            for (std::size_t p = first; p < release.particles.size(); ++p) release.particles[Field::volume][p] *= factor;
+            for (std::size_t p = first; p < release.particles.size(); ++p)
+                release.particles[Field::volume][p] *= factor;
             volume = *area.volume;
             if (std::abs(factor - 1) > std::abs(release.scaled - 1)) release.scaled = factor;
         }
         release.volume += volume;
     }
     if (release.particles.size() == 0) {
-        throw Error(ErrorKind::input,
-                    Problem{"nothing would be released: the perimeter holds no thickness above zero", "release.thickness", "",
-                            "", "Check that the thickness raster covers the perimeter and is positive inside it"});
+        throw Error(
+            ErrorKind::input,
+            Problem{"nothing would be released: the perimeter holds no thickness above zero",
+                    "release.thickness", "", "",
+                    "Check that the thickness raster covers the perimeter and is positive inside it"});
     }
     refuse_gaps(scene, release.particles);
 

@@ -17,8 +17,8 @@ struct Release {
 };
 
 /// Fills the release areas of a scene with particles.
-/// Throws Error(input) when nothing would be released, or where the terrain under the release has no data (the cells
-/// are counted and the first named).
+/// Throws Error(input) when nothing would be released, or where the terrain under the release has no data
+/// (the cells are counted and the first named).
 Release make_release(const Scene& scene);
 
 }  // namespace frana

@@ -12,7 +12,7 @@ namespace frana {
 
 /// One row of timeseries.csv.
 struct SeriesRow {
-    double time = 0;            ///< [s]
+    double time = 0;  ///< [s]
     std::int64_t step = 0;
     double dt = 0;              ///< [s]
     double volume = 0;          ///< inside the domain [m3]
@@ -41,17 +41,17 @@ struct Progress {
 
 struct RunOptions {
     int threads = 1;
-    std::function<void(const Frame&)> on_frame;          ///< called at time 0, at every frame interval and at the end
-    std::function<void(const Progress&)> on_progress;    ///< called every step; must be cheap
-    std::function<bool()> stop_requested;                ///< polled every step
+    std::function<void(const Frame&)> on_frame;  ///< called at time 0, at every frame interval and at the end
+    std::function<void(const Progress&)> on_progress;  ///< called every step; must be cheap
+    std::function<bool()> stop_requested;              ///< polled every step
 };
 
 /// Events that must not happen in a good run; all zero then.
 struct HardEvents {
-    std::int64_t non_finite = 0;        ///< particles with a non-finite state
-    std::int64_t depth_clamped = 0;     ///< particles whose area had to be bounded
-    std::int64_t speed_clamped = 0;     ///< nodes whose speed had to be bounded
-    std::int64_t entered_no_data = 0;   ///< particles found over a cell without terrain
+    std::int64_t non_finite = 0;       ///< particles with a non-finite state
+    std::int64_t depth_clamped = 0;    ///< particles whose area had to be bounded
+    std::int64_t speed_clamped = 0;    ///< nodes whose speed had to be bounded
+    std::int64_t entered_no_data = 0;  ///< particles found over a cell without terrain
 
     [[nodiscard]] bool none() const noexcept {
         return non_finite == 0 && depth_clamped == 0 && speed_clamped == 0 && entered_no_data == 0;
@@ -62,13 +62,13 @@ enum class StopReason { end_time, still, all_left, requested, reached_no_data, n
 
 /// What a run gives back: rasters on the working grid (NaN where nothing ever flowed), series, counts.
 struct RunResult {
-    Raster bed;             ///< what was slid over [m]
-    Raster release;         ///< vertical thickness released, averaged over each cell [m]
-    Raster max_depth;       ///< [m], taken at every step
-    Raster max_velocity;    ///< along the bed [m/s], taken at every step
-    Raster max_pressure;    ///< density times speed squared [kPa], taken at every step
-    Raster arrival_time;    ///< first time deeper than the minimum depth [s]
-    Raster final_depth;     ///< [m]
+    Raster bed;           ///< what was slid over [m]
+    Raster release;       ///< vertical thickness released, averaged over each cell [m]
+    Raster max_depth;     ///< [m], taken at every step
+    Raster max_velocity;  ///< along the bed [m/s], taken at every step
+    Raster max_pressure;  ///< density times speed squared [kPa], taken at every step
+    Raster arrival_time;  ///< first time deeper than the minimum depth [s]
+    Raster final_depth;   ///< [m]
     std::vector<SeriesRow> series;
 
     std::int64_t steps = 0;
@@ -76,7 +76,7 @@ struct RunResult {
     StopReason stop_reason = StopReason::end_time;
     std::int64_t particles_initial = 0, particles_final = 0, particles_peak = 0;
     std::int64_t particle_steps = 0;
-    double engine_seconds = 0;       ///< wall time inside the engine, without on_frame
+    double engine_seconds = 0;  ///< wall time inside the engine, without on_frame
     double volume_initial = 0, volume_final = 0, volume_left = 0;  ///< [m3]
     HardEvents hard_events;
     std::vector<std::string> terms;  ///< physics and numerics really computed
@@ -86,10 +86,10 @@ struct RunResult {
 /// What a run of a scene would take, without running it.
 struct RunEstimate {
     std::int64_t particles = 0;
-    double volume = 0;             ///< released [m3]
-    std::int64_t memory_bytes = 0; ///< engine and rasters
-    double first_step_seconds = 0; ///< stable step at the start [s]
-    double wall_seconds = 0;       ///< rough
+    double volume = 0;              ///< released [m3]
+    std::int64_t memory_bytes = 0;  ///< engine and rasters
+    double first_step_seconds = 0;  ///< stable step at the start [s]
+    double wall_seconds = 0;        ///< rough
     std::vector<std::string> terms;
 };
 

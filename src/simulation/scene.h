@@ -32,14 +32,14 @@ enum class NodataPolicy {
 
 /// One phase with Voellmy bed friction and depth-integrated Bingham stress. Angles are already tangents here.
 struct Material {
-    double density = 2000;                                          ///< [kg/m3]
-    double friction_coefficient = 0.3;                              ///< tan(phi) [-]
-    double turbulence = std::numeric_limits<double>::infinity();    ///< Voellmy xi [m/s2]; infinity: off
-    double surface_pressure = 0;                                    ///< p_A, gauge [Pa]
-    double viscosity = 0;                                           ///< mu [Pa s]
-    double yield_stress = 0;                                        ///< tau_Y [Pa]
-    double yield_regularisation = 0.01;                             ///< shear rate under which yield is softened [1/s]
-    bool exact_yield_ratio = true;                                  ///< zeta from the cubic; false: the paper's (9)
+    double density = 2000;                                        ///< [kg/m3]
+    double friction_coefficient = 0.3;                            ///< tan(phi) [-]
+    double turbulence = std::numeric_limits<double>::infinity();  ///< Voellmy xi [m/s2]; infinity: off
+    double surface_pressure = 0;                                  ///< p_A, gauge [Pa]
+    double viscosity = 0;                                         ///< mu [Pa s]
+    double yield_stress = 0;                                      ///< tau_Y [Pa]
+    double yield_regularisation = 0.01;  ///< shear rate under which yield is softened [1/s]
+    bool exact_yield_ratio = true;       ///< zeta from the cubic; false: the paper's (9)
 };
 
 struct Numerics {
@@ -47,18 +47,18 @@ struct Numerics {
     std::optional<Transfer> transfer;  ///< none: the scheme's own (paper: pic, default: apic)
     int particles_per_cell = 4;        ///< a square number: 1, 4, 9, 16
     double cfl = 0.5;
-    bool well_balanced = true;         ///< still level per node (default scheme only)
+    bool well_balanced = true;  ///< still level per node (default scheme only)
     SlopeCorrection slope_correction = SlopeCorrection::normal;
     Boundary boundary = Boundary::open;
     NodataPolicy nodata = NodataPolicy::stop;
-    double gravity = 9.81;             ///< [m/s2]
-    double minimum_depth = 0.01;       ///< depth from which a cell counts as reached in maxima and arrival [m]
+    double gravity = 9.81;        ///< [m/s2]
+    double minimum_depth = 0.01;  ///< depth from which a cell counts as reached in maxima and arrival [m]
 };
 
 struct TimeControl {
-    double end = 60;                 ///< [s]
-    bool stop_when_still = true;     ///< end early once nothing moves
-    double frame_interval = 0;       ///< [s]; 0: no frames
+    double end = 60;              ///< [s]
+    bool stop_when_still = true;  ///< end early once nothing moves
+    double frame_interval = 0;    ///< [s]; 0: no frames
 };
 
 /// One area that fails, in map coordinates of the working CRS.
@@ -72,8 +72,8 @@ struct ReleaseArea {
 
 /// Everything the engine needs, validated, in SI units; const from here on.
 struct Scene {
-    GridSpec grid;                    ///< working grid
-    Raster terrain;                   ///< DTM on the working grid [m]; NaN: no data
+    GridSpec grid;                          ///< working grid
+    Raster terrain;                         ///< DTM on the working grid [m]; NaN: no data
     bool terrain_contains_release = false;  ///< the bed is the terrain less the released (vertical) thickness
     std::vector<ReleaseArea> release;
     Material material;

@@ -16,7 +16,9 @@ namespace {
 class Stopwatch {
   public:
     void start() { begin_ = std::chrono::steady_clock::now(); }
-    void stop() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+    void stop() {
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    }
     [[nodiscard]] double seconds() const { return seconds_; }
 
   private:
@@ -24,8 +26,9 @@ class Stopwatch {
     double seconds_ = 0;
 };
 
-// Decides when a flow has come to rest: at once when nothing at all moves, otherwise when nothing has moved faster
-// than a crawl for a while (a mass that barely overcomes friction is faster than that within the same while).
+// Decides when a flow has come to rest: at once when nothing at all moves, otherwise when nothing has moved
+// faster than a crawl for a while (a mass that barely overcomes friction is faster than that within the same
+// while).
 class StillWatch {
   public:
     bool still(double speed, double dt) {
@@ -35,8 +38,8 @@ class StillWatch {
     }
 
   private:
-    static constexpr double k_crawl = 0.01;   // [m/s]
-    static constexpr double k_while = 5;      // [s]
+    static constexpr double k_crawl = 0.01;  // [m/s]
+    static constexpr double k_while = 5;     // [s]
     static constexpr int k_frozen_steps = 10;
     int frozen_ = 0;
     double crawling_ = 0;
@@ -53,7 +56,8 @@ SeriesRow series_row(const Flow& flow, const voellmy_bingham::StepReport& report
     row.max_speed = report.nodes.max_speed;
     row.front_distance = std::sqrt(report.particles.front_squared);
     row.kinetic_energy = density * report.particles.kinetic;
-    row.covered_area = static_cast<double>(report.nodes.covered) * flow.nodes().cell_size() * flow.nodes().cell_size();
+    row.covered_area =
+        static_cast<double>(report.nodes.covered) * flow.nodes().cell_size() * flow.nodes().cell_size();
     return row;
 }
 
@@ -72,12 +76,18 @@ Raster pressure_kpa(const Raster& speed, double density) {
 
 const char* describe(StopReason reason) {
     switch (reason) {
-        case StopReason::end_time: return "end time reached";
-        case StopReason::still: return "everything at rest";
-        case StopReason::all_left: return "everything has left the domain";
-        case StopReason::requested: return "stopped by a signal";
-        case StopReason::reached_no_data: return "the flow reached cells without terrain";
-        case StopReason::non_finite: return "non-finite values appeared";
+        case StopReason::end_time:
+            return "end time reached";
+        case StopReason::still:
+            return "everything at rest";
+        case StopReason::all_left:
+            return "everything has left the domain";
+        case StopReason::requested:
+            return "stopped by a signal";
+        case StopReason::reached_no_data:
+            return "the flow reached cells without terrain";
+        case StopReason::non_finite:
+            return "non-finite values appeared";
     }
     return "";
 }
@@ -94,7 +104,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     release.particles = ParticleSet();  // the flow has its own copy
     if (std::abs(release.scaled - 1) > 1e-9) {
         char text[96];
-        std::snprintf(text, sizeof text, "release thickness scaled by %.4f to hold the given volume", release.scaled);
+        std::snprintf(text, sizeof text, "release thickness scaled by %.4f to hold the given volume",
+                      release.scaled);
         result.notes.emplace_back(text);
     }
 
@@ -122,13 +133,15 @@ RunResult run(const Scene& scene, const RunOptions& options) {
             std::max(result.particles_peak, static_cast<std::int64_t>(flow.particles().size()));
         result.hard_events.non_finite += report.particles.non_finite;
         result.hard_events.depth_clamped += report.particles.clamped;
-        if (scene.numerics.nodata == NodataPolicy::stop) result.hard_events.entered_no_data += report.particles.no_data;
+        if (scene.numerics.nodata == NodataPolicy::stop)
+            result.hard_events.entered_no_data += report.particles.no_data;
         if (target - flow.time() <= 1e-9 * target) {
             if (target < scene.time.end) give_frame();
             next_frame = interval * (std::floor(flow.time() / interval + 1e-6) + 1);
         }
         if (options.on_progress) {
-            options.on_progress({flow.steps(), flow.time(), scene.time.end, static_cast<std::int64_t>(flow.particles().size())});
+            options.on_progress({flow.steps(), flow.time(), scene.time.end,
+                                 static_cast<std::int64_t>(flow.particles().size())});
         }
         if (report.particles.non_finite > 0) {
             result.stop_reason = StopReason::non_finite;
@@ -180,7 +193,8 @@ RunEstimate estimate(const Scene& scene, int threads) {
     e.volume = flow.volume();
     e.first_step_seconds = flow.stable_step();
     e.terms = list_terms(scene.material, scene.numerics);
-    // Rasters: terrain, bed, release and five results as doubles; nodes only where material may come, taken as all.
+    // Rasters: terrain, bed, release and five results as doubles; nodes only where material may come, taken
+    // as all.
     const std::int64_t cells = scene.grid.cell_count();
     constexpr std::int64_t k_rasters = 10;
     constexpr std::int64_t k_node_bytes = sizeof(NodeSums) + sizeof(NodeLevel) + 4 * sizeof(double);

@@ -7,8 +7,8 @@
 namespace frana {
 
 /// Runs a scene to its end. Same scene, same bits, whatever the number of threads.
-/// Throws Error(input) where the scene cannot be run (nothing released, nodata under the release with its cells named).
-/// A numerical failure does not throw: the result says so in stop_reason and hard_events.
+/// Throws Error(input) where the scene cannot be run (nothing released, nodata under the release with its
+/// cells named). A numerical failure does not throw: the result says so in stop_reason and hard_events.
 RunResult run(const Scene& scene, const RunOptions& options);
 
 /// Particles, memory, first step and terms of a scene; seeds but does not run. Throws as run does.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Equation (45) of the paper: a mudflow on a slope splits round an obstacle. Masses and momenta of particles and nodes
-// agree at every step, and the flow stays symmetric about y = 10 m.
+// Equation (45) of the paper: a mudflow on a slope splits round an obstacle. Masses and momenta of particles
+// and nodes agree at every step, and the flow stays symmetric about y = 10 m.
 #include <gtest/gtest.h>
 
 #include "cases.h"
@@ -13,8 +13,8 @@ Flow obstacle_flow(Scheme scheme) {
     const Raster bed = bench::sample_raster(grid, [](Point p) {
         return 60 - p.x / 3 + 15 * std::exp(-((p.x - 50) * (p.x - 50) + (p.y - 10) * (p.y - 10)) / 7);
     });
-    const ParticleSet seeds = bench::fill_lattice(
-        grid, 2, 0, [](Point p) { return bench::Seed{p.x < 20 ? p.x / 3 : 0}; });
+    const ParticleSet seeds =
+        bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{p.x < 20 ? p.x / 3 : 0}; });
     Material material = dry_friction(12);
     material.density = 1200;
     material.viscosity = 10;
@@ -61,7 +61,8 @@ TEST_P(Conservation, StaysSymmetric) {
     double greatest = 0;
     for (std::int64_t row = 0; row < 10; ++row) {
         for (std::int64_t column = 0; column < 150; ++column) {
-            greatest = std::max(greatest, std::abs(fields.depth.at(row, column) - fields.depth.at(19 - row, column)));
+            greatest = std::max(greatest,
+                                std::abs(fields.depth.at(row, column) - fields.depth.at(19 - row, column)));
         }
     }
     // Rounding only, grown by the flow's own instability round the obstacle for 3 s.

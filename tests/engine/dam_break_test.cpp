@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frictionless dam breaks in a 1000 m channel, 20 s, against Stoker and Ritter (bench/dam_break.h). The bounds are the
-// figures that the method's scratch study reached (0.028 / 0.016 m wet, 0.022 / 0.011 m dry at 200 / 400 cells), with a
-// quarter to spare; they are no worse than finite-volume codes of second order within a factor 1.5.
+// Frictionless dam breaks in a 1000 m channel, 20 s, against Stoker and Ritter (bench/dam_break.h). The
+// bounds are the figures that the method's scratch study reached (0.028 / 0.016 m wet, 0.022 / 0.011 m dry at
+// 200 / 400 cells), with a quarter to spare; they are no worse than finite-volume codes of second order
+// within a factor 1.5.
 #include <gtest/gtest.h>
 
 #include "bench/dam_break.h"
@@ -45,7 +46,8 @@ TEST(DamBreak, RitterConverges) {
     EXPECT_LT(fine, 0.62 * coarse);
 }
 
-// The published scheme is kept as published: it does not converge (specification, section 4), and that is known.
+// The published scheme is kept as published: it does not converge (specification, section 4), and that is
+// known.
 TEST(DamBreak, PaperSchemeDoesNotConverge) {
     EXPECT_GT(depth_error(400, 0, Scheme::paper), depth_error(200, 0, Scheme::paper));
 }

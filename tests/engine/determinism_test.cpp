@@ -12,15 +12,16 @@ namespace {
 // A flow that spreads, splits, merges, meets a slope and leaves through an edge.
 Flow::NodalFields end_state(int threads, std::size_t& particles) {
     const GridSpec grid = bench::plain_grid(120, 90, 2);
-    const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.3 * (240 - p.x) + 2 * std::sin(0.1 * p.y); });
-    const ParticleSet seeds = bench::fill_lattice(grid, 2, 0.5, [](Point p) {
-        return bench::Seed{8 - 0.2 * std::hypot(p.x - 60, p.y - 80)};
-    });
+    const Raster bed =
+        bench::sample_raster(grid, [](Point p) { return 0.3 * (240 - p.x) + 2 * std::sin(0.1 * p.y); });
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 2, 0.5, [](Point p) { return bench::Seed{8 - 0.2 * std::hypot(p.x - 60, p.y - 80)}; });
     Material material = dry_friction(10);
     material.turbulence = 500;
     material.viscosity = 500;
     material.yield_stress = 50;
-    Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), threads);
+    Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open),
+              threads);
     flow.advance_to(12);
     particles = flow.particles().size();
     return flow.nodal_fields();

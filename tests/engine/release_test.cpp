@@ -10,12 +10,14 @@
 namespace frana {
 namespace {
 
-const Polygon k_square_with_hole{{{10, 10}, {50, 10}, {50, 50}, {10, 50}}, {{{20, 20}, {30, 20}, {30, 30}, {20, 30}}}};
+const Polygon k_square_with_hole{{{10, 10}, {50, 10}, {50, 50}, {10, 50}},
+                                 {{{20, 20}, {30, 20}, {30, 30}, {20, 30}}}};
 
 TEST(FillOutline, KeepsAreaHolesAndParts) {
     const MultiPolygon outline{k_square_with_hole, {{{70, 10}, {90, 10}, {80, 30}}, {}}};
     ParticleSet particles;
-    const double volume = fill_outline(outline, 1.3, [](Point) { return 2.0; }, particles);
+    const double volume = fill_outline(
+        outline, 1.3, [](Point) { return 2.0; }, particles);
     EXPECT_NEAR(volume, 2 * area(outline), 1e-12 * volume);
     for (std::size_t i = 0; i < particles.size(); ++i) {
         const Point p{particles[Field::x][i], particles[Field::y][i]};
@@ -27,13 +29,17 @@ TEST(FillOutline, CountsOverlappingPartsOnce) {
     const Polygon square{{{10, 10}, {50, 10}, {50, 50}, {10, 50}}, {}};
     const Polygon shifted{{{30, 10}, {70, 10}, {70, 50}, {30, 50}}, {}};
     ParticleSet particles;
-    EXPECT_NEAR(fill_outline({square, shifted}, 1, [](Point) { return 1.0; }, particles), 60 * 40, 1e-9);
+    EXPECT_NEAR(fill_outline(
+                    {square, shifted}, 1, [](Point) { return 1.0; }, particles),
+                60 * 40, 1e-9);
 }
 
 TEST(FillOutline, FillsASliverNarrowerThanTheLattice) {
     ParticleSet particles;
     const MultiPolygon sliver{{{{10, 10.1}, {90, 10.1}, {90, 10.4}, {10, 10.4}}, {}}};
-    EXPECT_NEAR(fill_outline(sliver, 2, [](Point) { return 1.0; }, particles), 80 * 0.3, 1e-10);
+    EXPECT_NEAR(fill_outline(
+                    sliver, 2, [](Point) { return 1.0; }, particles),
+                80 * 0.3, 1e-10);
     EXPECT_GE(particles.size(), 40u);
 }
 
@@ -44,7 +50,11 @@ Scene slope_scene() {
     for (std::int64_t r = 0; r < 50; ++r) {
         for (std::int64_t c = 0; c < 50; ++c) scene.terrain.at(r, c) = 0.75 * 2 * static_cast<double>(c);
     }
-    scene.release = {{{{{{500040, 5100040}, {500060, 5100040}, {500060, 5100060}, {500040, 5100060}}, {}}}, 3, {}, {}, false}};
+    scene.release = {{{{{{500040, 5100040}, {500060, 5100040}, {500060, 5100060}, {500040, 5100060}}, {}}},
+                      3,
+                      {},
+                      {},
+                      false}};
     return scene;
 }
 
@@ -70,7 +80,8 @@ TEST(MakeRelease, TakesTheMassOutOfTheTerrainThatContainsIt) {
     scene.terrain_contains_release = true;
     const Release release = make_release(scene);
     double taken = 0;
-    for (std::size_t i = 0; i < release.bed.values.size(); ++i) taken += scene.terrain.values[i] - release.bed.values[i];
+    for (std::size_t i = 0; i < release.bed.values.size(); ++i)
+        taken += scene.terrain.values[i] - release.bed.values[i];
     EXPECT_NEAR(taken * 4, release.volume, 1e-9 * release.volume);
 }
 

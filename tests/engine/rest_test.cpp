@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mass whose driving force is under the friction bound stays exactly at rest: not one bit of any position changes.
+// A mass whose driving force is under the friction bound stays exactly at rest: not one bit of any position
+// changes.
 #include <gtest/gtest.h>
 
 #include "cases.h"
@@ -15,9 +16,8 @@ TEST_P(RestingPile, DoesNotMoveByOneBit) {
     const double gradient = std::tan(slope_deg * M_PI / 180);
     const GridSpec grid = bench::plain_grid(100, 100, 1);
     const Raster bed = bench::sample_raster(grid, [&](Point p) { return (100 - p.x) * gradient; });
-    const ParticleSet seeds = bench::fill_lattice(grid, 2, jitter, [](Point p) {
-        return bench::Seed{3 - 0.1 * std::hypot(p.x - 50, p.y - 50)};
-    });
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 2, jitter, [](Point p) { return bench::Seed{3 - 0.1 * std::hypot(p.x - 50, p.y - 50)}; });
     const SlopeCorrection slope = scheme == Scheme::paper ? SlopeCorrection::none : SlopeCorrection::normal;
     Flow flow(bed, seeds, dry_friction(30), numerics(scheme, slope, Boundary::open), 1);
     std::vector<double> x(flow.particles()[Field::x], flow.particles()[Field::x] + flow.particles().size());
@@ -34,11 +34,12 @@ INSTANTIATE_TEST_SUITE_P(All, RestingPile,
 TEST(MovingPile, SlidesAboveTheFrictionAngleAndStopsOnTheFlat) {
     const GridSpec grid = bench::plain_grid(160, 60, 1);
     const double gradient = std::tan(30 * M_PI / 180);
-    const Raster bed = bench::sample_raster(grid, [&](Point p) { return p.x < 60 ? (60 - p.x) * gradient : 0; });
-    const ParticleSet seeds = bench::fill_lattice(grid, 2, 0, [](Point p) {
-        return bench::Seed{2 - 0.2 * std::hypot(p.x - 25, p.y - 30)};
-    });
-    Flow flow(bed, seeds, dry_friction(20), numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
+    const Raster bed =
+        bench::sample_raster(grid, [&](Point p) { return p.x < 60 ? (60 - p.x) * gradient : 0; });
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 2, 0, [](Point p) { return bench::Seed{2 - 0.2 * std::hypot(p.x - 25, p.y - 30)}; });
+    Flow flow(bed, seeds, dry_friction(20),
+              numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
     const double start = flow.centroid().x;
     flow.advance_to(60);
     EXPECT_EQ(greatest_speed(flow), 0) << "friction must stop the mass, not leave it creeping";

@@ -14,9 +14,14 @@ Scene slide() {
     scene.grid = {600000, 5000120, 2, 120, 60, ""};
     scene.terrain = Raster(scene.grid);
     for (std::int64_t r = 0; r < 60; ++r) {
-        for (std::int64_t c = 0; c < 120; ++c) scene.terrain.at(r, c) = 100 + std::max(0.0, 0.5 * (120 - 2.0 * static_cast<double>(c)));
+        for (std::int64_t c = 0; c < 120; ++c)
+            scene.terrain.at(r, c) = 100 + std::max(0.0, 0.5 * (120 - 2.0 * static_cast<double>(c)));
     }
-    scene.release = {{{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}}, 2, {}, {}, false}};
+    scene.release = {{{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}},
+                      2,
+                      {},
+                      {},
+                      false}};
     scene.material.friction_coefficient = 0.3;
     scene.time.end = 40;
     scene.time.frame_interval = 2;
@@ -32,11 +37,13 @@ TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
     EXPECT_EQ(result.stop_reason, StopReason::still);
     EXPECT_TRUE(result.hard_events.none());
     EXPECT_NEAR(result.volume_initial, 2 * 30 * 40, 1e-9 * result.volume_initial);
-    EXPECT_NEAR(result.volume_final + result.volume_left, result.volume_initial, 1e-12 * result.volume_initial);
+    EXPECT_NEAR(result.volume_final + result.volume_left, result.volume_initial,
+                1e-12 * result.volume_initial);
     EXPECT_EQ(static_cast<std::int64_t>(result.series.size()), result.steps);
     ASSERT_GT(times.size(), 3u);
     EXPECT_EQ(times[0], 0);
-    for (std::size_t i = 1; i + 1 < times.size(); ++i) EXPECT_NEAR(times[i], 2.0 * static_cast<double>(i), 1e-9);
+    for (std::size_t i = 1; i + 1 < times.size(); ++i)
+        EXPECT_NEAR(times[i], 2.0 * static_cast<double>(i), 1e-9);
     double seen = 0;
     for (std::size_t i = 0; i < result.max_depth.values.size(); ++i) {
         const double depth = result.max_depth.values[i];
@@ -47,7 +54,8 @@ TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
         if (!std::isnan(result.final_depth.values[i])) {
             EXPECT_LE(result.final_depth.values[i], depth + 1e-12);
         }
-        EXPECT_NEAR(result.max_pressure.values[i], 2000 * std::pow(result.max_velocity.values[i], 2) / 1000, 1e-9);
+        EXPECT_NEAR(result.max_pressure.values[i], 2000 * std::pow(result.max_velocity.values[i], 2) / 1000,
+                    1e-9);
     }
     EXPECT_GE(seen, 1.9);
     EXPECT_LT(seen, 4);

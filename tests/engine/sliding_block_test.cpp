@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A wide uniform slab on a plane must accelerate in map view by g cos^2(theta) (tan theta - tan phi) (specification,
-// section 5), and reach Voellmy's terminal speed. Only the slab's middle is looked at: its edges collapse.
+// A wide uniform slab on a plane must accelerate in map view by g cos^2(theta) (tan theta - tan phi)
+// (specification, section 5), and reach Voellmy's terminal speed. Only the slab's middle is looked at: its
+// edges collapse.
 #include <gtest/gtest.h>
 
 #include "cases.h"
@@ -10,9 +11,10 @@ namespace {
 
 constexpr double k_gravity = 9.81;
 
-// Mean speed (map view) of particles in the middle of a slab 200 m long that started at rest at 20 m < x < 220 m.
-double slab_speed(double slope_deg, const Material& material, SlopeCorrection slope, double jitter, double time,
-                  double travelled) {
+// Mean speed (map view) of particles in the middle of a slab 200 m long that started at rest at 20 m < x <
+// 220 m.
+double slab_speed(double slope_deg, const Material& material, SlopeCorrection slope, double jitter,
+                  double time, double travelled) {
     const double gradient = std::tan(slope_deg * M_PI / 180);
     const std::int64_t columns = 300 + static_cast<std::int64_t>(travelled);
     const GridSpec grid = bench::plain_grid(columns, 12, 1);
@@ -56,13 +58,15 @@ TEST(SlidingBlock, WithoutCorrectionItIsTooFastByTheSquaredSecant) {
                 1e-3 * gentle);
 }
 
-// g sin(theta) = g cos(theta) tan(phi) + g v^2 / (xi d) along the bed, d = h cos(theta); map speed v cos(theta).
+// g sin(theta) = g cos(theta) tan(phi) + g v^2 / (xi d) along the bed, d = h cos(theta); map speed v
+// cos(theta).
 TEST(VoellmyPlane, ReachesTheTerminalSpeed) {
     const double theta = 30 * M_PI / 180, phi = 15 * M_PI / 180, turbulence = 300;
     Material material = dry_friction(15);
     material.turbulence = turbulence;
     const double thickness = 1 * std::cos(theta);
-    const double along = std::sqrt(turbulence * thickness * (std::sin(theta) - std::cos(theta) * std::tan(phi)));
+    const double along =
+        std::sqrt(turbulence * thickness * (std::sin(theta) - std::cos(theta) * std::tan(phi)));
     const double map_speed = along * std::cos(theta);
     // Approach: dv/dt = a (1 - v^2 / v_t^2), so v = v_t tanh(a t / v_t); after 20 s 1 - tanh < 1e-5.
     const double a = k_gravity * (std::sin(theta) - std::cos(theta) * std::tan(phi));

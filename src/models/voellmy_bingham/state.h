@@ -19,11 +19,11 @@ struct State {
     ParticleSet particles;
     NodeGrid nodes;
     TileOrder order;
-    double time = 0;            ///< [s]
-    double drift = 0;           ///< how far particles may have moved since the last sort [cells]
-    double wave_speed = 0;      ///< greatest |v| + sqrt(g h) [m/s]
-    double diffusivity = 0;     ///< greatest of the in-plane stress [m2/s]
-    double volume_left = 0;     ///< through open boundaries [m3]
+    double time = 0;         ///< [s]
+    double drift = 0;        ///< how far particles may have moved since the last sort [cells]
+    double wave_speed = 0;   ///< greatest |v| + sqrt(g h) [m/s]
+    double diffusivity = 0;  ///< greatest of the in-plane stress [m2/s]
+    double volume_left = 0;  ///< through open boundaries [m3]
 };
 
 /// Parameters and laws; const while the flow runs.
@@ -31,9 +31,9 @@ struct Laws {
     double gravity = 9.81;                ///< vertical, or normal to a tilted flat bed [m/s2]
     double gravity_x = 0, gravity_y = 0;  ///< of a tilted frame, for verification [m/s2]
     double cfl = 0.5;
-    double minimum_depth = 0.01;          ///< [m]
+    double minimum_depth = 0.01;  ///< [m]
     bool wall = false;
-    Point origin;                         ///< release centroid, local metres
+    Point origin;  ///< release centroid, local metres
     VoellmyFriction friction;
     BinghamStress stress;
     ResampleLimits resample;

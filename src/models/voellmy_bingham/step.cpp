@@ -22,13 +22,12 @@ void for_tiles_by_colour(const TileOrder& order, ThreadPool& pool, const Stage& 
 template <class Stage>
 void for_node_tiles(const State& state, ThreadPool& pool, const Stage& stage) {
     const auto& tiles = state.order.node_tiles();
-    pool.for_each(tiles.size(), [&](std::size_t t) {
-        stage(t, NodeRange(tiles[t], state.order.grid(), state.nodes));
-    });
+    pool.for_each(tiles.size(),
+                  [&](std::size_t t) { stage(t, NodeRange(tiles[t], state.order.grid(), state.nodes)); });
 }
 
-// Sorts by tile, dropping what has left, and forgets the nodes that no particle can touch any more: their old sums
-// must not be read as a neighbour's.
+// Sorts by tile, dropping what has left, and forgets the nodes that no particle can touch any more: their old
+// sums must not be read as a neighbour's.
 void sort_particles(State& state, bool drop, ThreadPool& pool) {
     std::vector<std::uint8_t> keep;
     if (drop) {
@@ -67,14 +66,17 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
 }
 
 void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, ThreadPool& pool) {
-    for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) { clear_nodes(range, state.nodes); });
+    for_node_tiles(state, pool,
+                   [&](std::size_t, const NodeRange& range) { clear_nodes(range, state.nodes); });
     for_tiles_by_colour(state.order, pool, [&](const ParticleTile& tile) {
         stages.particles_to_nodes(tile, state.particles, state.nodes);
     });
     if (laws.wall) mirror_sums(state.nodes);
     if (stages.references) {
-        for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) { mean_levels(range, state.nodes); });
-        for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) { node_references(range, state.nodes); });
+        for_node_tiles(state, pool,
+                       [&](std::size_t, const NodeRange& range) { mean_levels(range, state.nodes); });
+        for_node_tiles(state, pool,
+                       [&](std::size_t, const NodeRange& range) { node_references(range, state.nodes); });
         if (laws.wall) mirror_levels(state.nodes);
     }
 }
@@ -83,17 +85,20 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
                 ThreadPool& pool) {
     StepReport report;
     const double dx = state.nodes.cell_size();
-    const double dt = std::min(stable_step(dx, laws.cfl, state.wave_speed, laws.gravity, state.diffusivity), dt_limit);
+    const double dt =
+        std::min(stable_step(dx, laws.cfl, state.wave_speed, laws.gravity, state.diffusivity), dt_limit);
     report.dt = dt;
 
-    // Particles to nodes: mass, momentum, area, reference levels; then the force of pressure, slope and stress.
+    // Particles to nodes: mass, momentum, area, reference levels; then the force of pressure, slope and
+    // stress.
     gather_on_nodes(state, laws, stages, pool);
     for_tiles_by_colour(state.order, pool, [&](const ParticleTile& tile) {
         stages.pressure_to_nodes(tile, state.particles, laws.gravity, state.nodes);
     });
     if (laws.wall) fold_forces(state.nodes);
 
-    // Nodes: gravity along the bed, friction as a cap, maxima. Holding looks at neighbours, so it comes first.
+    // Nodes: gravity along the bed, friction as a cap, maxima. Holding looks at neighbours, so it comes
+    // first.
     const NodeUpdate node_update{dt, laws.gravity, laws.gravity_x, laws.gravity_y, laws.minimum_depth};
     if (laws.friction.friction_coefficient > 0) {
         for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {

@@ -11,9 +11,11 @@ namespace frana::voellmy_bingham {
 void prepare(State& state, const Laws& laws, ThreadPool& pool);
 
 /// One time step of at most `dt_limit`, folding what the nodes saw into `maxima`.
-StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_limit, Maxima& maxima, ThreadPool& pool);
+StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_limit, Maxima& maxima,
+                ThreadPool& pool);
 
-/// Mass, momentum, area and reference levels on the nodes for the particles as they are now, without moving anything.
+/// Mass, momentum, area and reference levels on the nodes for the particles as they are now, without moving
+/// anything.
 void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, ThreadPool& pool);
 
 }  // namespace frana::voellmy_bingham
