@@ -22,6 +22,9 @@ inline constexpr double k_least_growth = 0.1;
 /// further.
 inline constexpr double k_largest_claim = 4;
 
+/// A particle this many times deeper than its cells' mean depth is not compressed further.
+inline constexpr double k_tower = 2;
+
 /// How velocity comes back from the nodes (paper, equations 33-34).
 struct PicTransfer {
     static constexpr bool affine = false, increment = false;
@@ -36,6 +39,7 @@ struct ApicTransfer {
 struct ParticleUpdate {
     double dt = 0;
     double gravity = 0;
+    double film = 0;            ///< depth under which a particle is not split [m]
     bool wall = false;  ///< particles are kept inside; otherwise they may leave
     Point origin;       ///< release centroid, for the front distance, local metres
 };
@@ -48,6 +52,7 @@ struct ParticleReport {
     double front_squared = 0;  ///< farthest from the origin [m2]
     double kinetic = 0;        ///< sum of V v^2 / 2 [m5/s2]
     double volume = 0;         ///< inside [m3]
+    double longest = 0;        ///< greatest trace of a shape that could be split [m2]
     std::int64_t outside = 0, non_finite = 0, no_data = 0, clamped = 0;
 
     void merge(const ParticleReport& r) noexcept {
@@ -57,6 +62,7 @@ struct ParticleReport {
         front_squared = std::max(front_squared, r.front_squared);
         kinetic += r.kinetic;
         volume += r.volume;
+        longest = std::max(longest, r.longest);
         outside += r.outside;
         non_finite += r.non_finite;
         no_data += r.no_data;
@@ -100,7 +106,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
 
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
         const Stencil<Shape> s(x[p], y[p], dx, inverse_dx, stride);
-        double un = 0, vn = 0, du = 0, dv = 0, share = 0, support = 0;
+        double un = 0, vn = 0, du = 0, dv = 0, share = 0, support = 0, cell_depth = 0;
         double u_x = 0, u_y = 0, v_x = 0, v_y = 0;      // gradient of the nodal velocity
         double m_xx = 0, m_xy = 0, m_yx = 0, m_yy = 0;  // first moments, for the affine part
         for (int b = 0; b < Shape::width; ++b) {
@@ -128,6 +134,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
                 }
                 if constexpr (Relaxed) {
                     share += w * row[a].area;
+                    cell_depth += w * row[a].mass;
                     support += w * row[a].support;
                 }
             }
@@ -161,15 +168,19 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             growth = k_least_growth;
             ++report.clamped;
         }
-        // Where the cells are not full, converging material first fills the gaps: only a full cell gets
-        // deeper.
-        if (Relaxed && growth < 1 && share < 1) growth = 1;
+        // Where the cells are not full, converging material first fills the gaps: only a full cell gets deeper, and no
+        // particle gets much deeper than the cells round it, however long it is pressed into a corner.
+        if constexpr (Relaxed) {
+            const bool tower = volume[p] * share * cell_area > k_tower * area[p] * cell_depth;
+            if (growth < 1 && (share < 1 || tower)) growth = 1;
+        }
         double new_area = area[p] * growth;
         if constexpr (Relaxed && Transfer::affine) {  // Q <- F Q F^T, F = I + dt grad v
             const double fxx = 1 + k.dt * u_x, fxy = k.dt * u_y, fyx = k.dt * v_x, fyy = 1 + k.dt * v_y;
             const double axx = fxx * q_xx[p] + fxy * q_xy[p], axy = fxx * q_xy[p] + fxy * q_yy[p];
             const double ayx = fyx * q_xx[p] + fyy * q_xy[p], ayy = fyx * q_xy[p] + fyy * q_yy[p];
             const double xx = axx * fxx + axy * fxy, xy = axx * fyx + axy * fyy, yy = ayx * fyx + ayy * fyy;
+            if (volume[p] > k.film * area[p]) report.longest = std::max(report.longest, xx + yy);
             const double fit = std::min(1.0, k_largest_claim * cell_area / (xx + yy));
             q_xx[p] = fit * xx;
             q_xy[p] = fit * xy;

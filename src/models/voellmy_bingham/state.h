@@ -21,6 +21,7 @@ struct State {
     TileOrder order;
     double time = 0;         ///< [s]
     double drift = 0;        ///< how far particles may have moved since the last sort [cells]
+    int since_sort = 0;         ///< [steps]
     double wave_speed = 0;   ///< greatest |v| + sqrt(g h) [m/s]
     double diffusivity = 0;  ///< greatest of the in-plane stress [m2/s]
     double volume_left = 0;  ///< through open boundaries [m3]
