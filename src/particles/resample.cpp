@@ -110,7 +110,8 @@ class TileResampler {
             ParticleRow& r = rows[p];
             if (extent(r) <= limit || get(r, Field::volume) <= limits_.minimum_depth * get(r, Field::area))
                 continue;
-            int& in_cell = counts_[cell_of(get(r, Field::x), get(r, Field::y))];
+            // Counted before any of this pass's splits, so that the outcome does not depend on the particles' order.
+            const int in_cell = counts_[cell_of(get(r, Field::x), get(r, Field::y))];
             if (in_cell >= limits_.split_below) continue;
             const Point axis = shape_of(r).axis();
             // Halves go at most half a cell away, which the sort's drift budget has room for.
@@ -140,7 +141,6 @@ class TileResampler {
             get(other, Field::u) += du;
             get(other, Field::v) += dv;
             rows.push_back(other);
-            ++in_cell;
             ++counts.split;
         }
     }
