@@ -139,12 +139,11 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Voell
         const double old_u = node.px / node.mass, old_v = node.py / node.mass;
         double u = old_u + k.dt * drive.ax, v = old_v + k.dt * drive.ay;
         if ((solid && solid[i]) || (holds && node.area_bed != 0)) u = v = 0;
-        double speed2 = u * u + v * v;
-        if constexpr (Slope::metric) {
-            const double climb = u * drive.slope_x + v * drive.slope_y;
-            speed2 += climb * climb;
-        }
-        double speed = std::sqrt(speed2);
+        const auto along_bed = [&](double a, double b) {
+            const double climb = Slope::metric ? a * drive.slope_x + b * drive.slope_y : 0;
+            return std::sqrt(a * a + b * b + climb * climb);
+        };
+        const double speed = along_bed(u, v);
         if (speed > 0 && friction.active()) {
             const double root = Slope::metric ? std::sqrt(drive.n) : 1;
             const double depth = node.mass / node.area;
@@ -152,15 +151,17 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Voell
             const double left = after / speed;
             u *= left;
             v *= left;
-            speed = after;
         }
         const double support = levels ? levels[i].support : 0;
         const double cell_depth = shown_depth(node.mass, node.area, support, inverse_area);
         if (cell_depth >= k.minimum_depth) {
             ++report.covered;
             report.max_depth = std::max(report.max_depth, cell_depth);
-            report.max_speed = std::max(report.max_speed, speed);
-            observe(i, cell_depth, speed);
+            // The particles' own mean velocity: the new nodal one overshoots where a node holds next to
+            // nothing.
+            const double seen = along_bed(old_u, old_v);
+            report.max_speed = std::max(report.max_speed, seen);
+            observe(i, cell_depth, seen);
         }
         node.px = u;
         node.py = v;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/channel_dam_break.h"
+
+#include <algorithm>
+
+#include "bench/dam_break.h"
+
+namespace frana::bench {
+namespace {
+
+constexpr double k_length = 1000, k_width = 50, k_dam = 500, k_left = 10, k_time = 20;
+
+// Outer edge of the foremost particle [m].
+double foremost(const Flow& flow) {
+    const ParticleSet& particles = flow.particles();
+    double front = 0;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        front = std::max(front, particles[Field::x][p] + 0.5 * std::sqrt(particles[Field::area][p]));
+    return front;
+}
+
+struct Marks {
+    double cell_size, mean_depth_error;
+};
+
+CaseFigures run_channel(double cell_size, Scheme scheme, double right, std::optional<Marks> marks) {
+    Setup setup;
+    const GridSpec grid = plain_grid(std::llround(k_length / cell_size), std::llround(k_width / cell_size),
+                                     cell_size);
+    setup.bed = Raster(grid, 0.0);
+    setup.seeds = fill_lattice(grid, 2, 0, [&](Point p) { return Seed{p.x < k_dam ? k_left : right}; });
+    setup.material = water();
+    setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
+    TimedFlow run(setup);
+    run.advance_to(k_time);
+
+    const DamBreak exact(k_left, right, k_gravity);
+    CaseFigures figures = compare_with_exact(run, [&](Point p) {
+        const WaterState state = exact.at(p.x - k_dam, k_time);
+        return ExactState{state.depth, state.depth * state.velocity, 0};
+    });
+    OwnFigure mean{"mean depth error [m]", figures.mean_depth_error, {}};
+    if (marks && marks->cell_size == cell_size) mean.mark = marks->mean_depth_error;
+    figures.own.push_back(mean);
+    if (right == 0) {
+        const double front = (foremost(run.flow()) - k_dam - exact.front(k_time)) / cell_size;
+        figures.own.push_back({"front error [cells]", front, 2.0});
+    }
+    return figures;
+}
+
+AccuracyCase channel_case(const char* name, const char* what, double right, std::optional<Marks> marks) {
+    return {name, what, {10, 5, 2.5, 1.25, 0.625}, false, [right, marks](double cell_size, Scheme scheme) {
+                return run_channel(cell_size, scheme, right, marks);
+            }};
+}
+
+}  // namespace
+
+std::vector<AccuracyCase> channel_dam_breaks() {
+    return {channel_case("stoker", "dam break, 10 m over 2 m of water, 20 s", 2, Marks{2.5, 0.015}),
+            channel_case("stoker-weak", "dam break, 10 m over 5 m of water, 20 s", 5, {}),
+            channel_case("ritter", "dam break, 10 m over dry ground, 20 s", 0, Marks{2.5, 0.0105})};
+}
+
+}  // namespace frana::bench
