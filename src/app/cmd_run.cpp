@@ -4,6 +4,7 @@
 
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/error_estimate.h"
 #include "app/number_text.h"
 #include "app/progress.h"
 #include "app/publish.h"
@@ -107,6 +108,8 @@ int cmd_run(const Arguments& arguments) {
     const bool all_drawn =
         publish({prepared, result, threads, input_seconds, since_start}, directory, frames, log);
     directory.publish();
+    if (const auto estimate = read_error_estimate(target, prepared.spec))
+        log.tell("error estimate of `frana converge`:\n" + *estimate);
     log.tell("result in " + target);
     if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
     return static_cast<int>(exit_code(result, all_drawn));

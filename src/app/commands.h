@@ -17,6 +17,7 @@ int cmd_run(const Arguments& arguments);
 int cmd_check(const Arguments& arguments);
 int cmd_render(const Arguments& arguments);
 int cmd_compare(const Arguments& arguments);
+int cmd_converge(const Arguments& arguments);
 int cmd_params(const Arguments& arguments);
 int cmd_materials(const Arguments& arguments);
 

@@ -25,7 +25,8 @@ constexpr const char* k_help =
     "                           compare a result with a surveyed outline\n"
     "  params                   every key of a scene file: type, unit, default, range, meaning\n"
     "  materials                the material presets\n"
-    "  converge, bench          not available in this version\n"
+    "  converge SCENE.ini       the scene at several resolutions: how wrong is the finest?\n"
+    "  bench                    not available in this version\n"
     "\n"
     "  frana COMMAND --help     more about a command\n"
     "  frana --version\n"
@@ -40,7 +41,7 @@ struct Command {
 };
 
 int not_available(const Arguments&) {
-    throw Error(ErrorKind::input, Problem{"the commands converge and bench are not available in this version",
+    throw Error(ErrorKind::input, Problem{"the command bench is not available in this version",
                                           "command line", "", "", "`frana --help` lists the commands"});
 }
 
@@ -50,7 +51,7 @@ constexpr Command k_commands[] = {{"run", cmd_run},
                                   {"compare", cmd_compare},
                                   {"params", cmd_params},
                                   {"materials", cmd_materials},
-                                  {"converge", not_available},
+                                  {"converge", cmd_converge},
                                   {"bench", not_available}};
 
 int dispatch(const Arguments& words) {

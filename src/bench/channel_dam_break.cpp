@@ -25,8 +25,8 @@ struct Marks {
 
 CaseFigures run_channel(double cell_size, Scheme scheme, double right, std::optional<Marks> marks) {
     Setup setup;
-    const GridSpec grid = plain_grid(std::llround(k_length / cell_size), std::llround(k_width / cell_size),
-                                     cell_size);
+    const GridSpec grid =
+        plain_grid(std::llround(k_length / cell_size), std::llround(k_width / cell_size), cell_size);
     setup.bed = Raster(grid, 0.0);
     setup.seeds = fill_lattice(grid, 2, 0, [&](Point p) { return Seed{p.x < k_dam ? k_left : right}; });
     setup.material = water();

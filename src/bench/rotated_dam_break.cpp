@@ -9,8 +9,8 @@ namespace {
 
 constexpr double k_depth = 10, k_time = 20, k_behind = 720, k_half_width = 245, k_half_strip = 25,
                  k_stretch = 500;
-constexpr double k_side = 1360;              // of the square grid [m]
-constexpr Point k_dam_middle{780, 660};      // the water and its sideways spread stay inside
+constexpr double k_side = 1360;          // of the square grid [m]
+constexpr Point k_dam_middle{780, 660};  // the water and its sideways spread stay inside
 const double k_cosine = std::cos(30 * k_degree), k_sine = std::sin(30 * k_degree);
 
 // Distance in front of the dam and along it.
@@ -26,12 +26,14 @@ Point from_flow(double front, double side) {
 
 CaseFigures run_rotated(double cell_size, Scheme scheme) {
     Setup setup;
-    const GridSpec grid = plain_grid(std::llround(k_side / cell_size), std::llround(k_side / cell_size), cell_size);
+    const GridSpec grid =
+        plain_grid(std::llround(k_side / cell_size), std::llround(k_side / cell_size), cell_size);
     setup.bed = Raster(grid, 0.0);
     Polygon water_body;
     water_body.outer = {from_flow(-k_behind, -k_half_width), from_flow(0, -k_half_width),
                         from_flow(0, k_half_width), from_flow(-k_behind, k_half_width)};
-    fill_outline({water_body}, 0.5 * cell_size, [](Point) { return k_depth; }, setup.seeds);
+    fill_outline(
+        {water_body}, 0.5 * cell_size, [](Point) { return k_depth; }, setup.seeds);
     setup.material = water();
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::open);
     TimedFlow run(setup);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "mpm/boundary.h"
 #include "mpm/shape.h"
@@ -12,12 +11,10 @@ namespace frana::bench {
 namespace {
 
 template <class Shape>
-std::function<double(Point)> interpolated(std::shared_ptr<const NodeGrid> nodes) {
-    return [nodes](Point local) {
-        const double dx = nodes->cell_size();
-        const Stencil<Shape> stencil(local.x, local.y, dx, 1 / dx, nodes->stride());
-        return interpolate(stencil, nodes->bed.data(), nodes->stride()).value + nodes->datum();
-    };
+double interpolated(const NodeGrid& nodes, Point local) {
+    const double dx = nodes.cell_size();
+    const Stencil<Shape> stencil(local.x, local.y, dx, 1 / dx, nodes.stride());
+    return interpolate(stencil, nodes.bed.data(), nodes.stride()).value + nodes.datum();
 }
 
 }  // namespace
@@ -48,10 +45,13 @@ const char* name_of(Scheme scheme) {
     return scheme == Scheme::paper ? "paper" : "default";
 }
 
-std::function<double(Point)> bed_between_nodes(const Raster& bed, Scheme scheme, Boundary boundary) {
-    auto nodes = std::make_shared<NodeGrid>(bed);  // shared by the copies of the function object only
-    if (boundary == Boundary::wall) mirror_bed(*nodes);
-    return scheme == Scheme::paper ? interpolated<HatShape>(nodes) : interpolated<QuadraticSplineShape>(nodes);
+SchemeBed::SchemeBed(const Raster& bed, Scheme scheme, Boundary boundary)
+    : nodes_(bed), hats_(scheme == Scheme::paper) {
+    if (boundary == Boundary::wall) mirror_bed(nodes_);
+}
+
+double SchemeBed::operator()(Point local) const {
+    return hats_ ? interpolated<HatShape>(nodes_, local) : interpolated<QuadraticSplineShape>(nodes_, local);
 }
 
 TimedFlow::TimedFlow(const Setup& setup, int threads) {

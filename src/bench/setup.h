@@ -33,8 +33,17 @@ Numerics numerics_of(Scheme scheme, SlopeCorrection slope, Boundary boundary);
 /// "default" or "paper".
 const char* name_of(Scheme scheme);
 
-/// Bed elevation between the nodes as the scheme's own shape functions see it [m].
-std::function<double(Point)> bed_between_nodes(const Raster& bed, Scheme scheme, Boundary boundary);
+/// Bed elevation between the nodes as the scheme's own shape functions see it.
+class SchemeBed {
+  public:
+    SchemeBed(const Raster& bed, Scheme scheme, Boundary boundary);
+    /// Elevation at a local point inside the grid [m].
+    [[nodiscard]] double operator()(Point local) const;
+
+  private:
+    NodeGrid nodes_;
+    bool hats_;
+};
 
 /// A flow with a watch that runs only while the engine does, and with what went wrong on the way.
 class TimedFlow {
@@ -42,7 +51,8 @@ class TimedFlow {
     explicit TimedFlow(const Setup& setup, int threads = 1);
 
     /// Steps to `end`, or until a value is not finite; `after_step` is not timed.
-    void advance_to(double end, const std::function<void(const voellmy_bingham::StepReport&)>& after_step = {});
+    void advance_to(double end,
+                    const std::function<void(const voellmy_bingham::StepReport&)>& after_step = {});
 
     [[nodiscard]] Flow& flow() noexcept { return *flow_; }
     [[nodiscard]] double seconds() const noexcept { return seconds_; }

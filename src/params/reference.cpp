@@ -62,7 +62,9 @@ std::string reference_json() {
 }
 
 std::string reference_markdown() {
-    std::string text = "# Keys of a scene file\n";
+    std::string text =
+        "<!-- SPDX-License-Identifier: Apache-2.0 -->\n<!-- Written by `frana params --markdown`; do not edit. "
+        "-->\n# Keys of a scene file\n";
     for (const Section& section : scene_sections()) {
         text += "\n## [" + section.name + "]\n" + section.meaning +
                 "\n\n| key | type | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";

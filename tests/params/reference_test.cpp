@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "params/materials.h"
@@ -47,6 +49,12 @@ TEST(Reference, NamesEveryKeyInEveryForm) {
         EXPECT_NE(json.find("\"name\": \"" + parameter.name() + "\""), std::string::npos) << parameter.name();
         EXPECT_NE(markdown.find("| `" + parameter.key + "` |"), std::string::npos) << parameter.name();
     }
+}
+
+TEST(Reference, TheDocumentInShareIsWhatTheProgramPrints) {
+    std::ifstream file(FRANA_SOURCE_SHARE "/doc/parameters.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(text, reference_markdown()) << "run: frana params --markdown > share/doc/parameters.md";
 }
 
 using ReferenceFile = SceneFixture;

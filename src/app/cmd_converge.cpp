@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <boost/program_options/value_semantic.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+#include "analysis/convergence.h"
+#include "analysis/runout.h"
+#include "analysis/trace.h"
+#include "app/command_line.h"
+#include "app/commands.h"
+#include "app/error_estimate.h"
+#include "app/number_text.h"
+#include "app/prepare.h"
+#include "app/progress.h"
+#include "app/share_directory.h"
+#include "app/signals.h"
+#include "app/text_file.h"
+#include "app/version.h"
+#include "core/json.h"
+#include "gis/raster_out.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+CommandForm converge_form() {
+    namespace options = boost::program_options;
+    CommandForm form{
+        "frana converge SCENE.ini [options]",
+        "Runs a scene at several resolutions, the scene's own cells being the finest and each other level "
+        "twice as\ncoarse, and estimates how far the finest is from the truth: convergence.csv, "
+        "convergence.json, uncertainty.tif.",
+        "SCENE.ini",
+        {}};
+    form.options.add_options()("out", options::value<std::string>(),
+                               "folder (default: RESULT_DIR-convergence)")(
+        "levels", options::value<std::string>()->default_value("3"), "number of resolutions, 3 to 6")(
+        "set", options::value<std::vector<std::string>>(),
+        "section.key=value, overrides the scene; repeatable")("threads", options::value<std::string>(),
+                                                              "number of threads (default: all processors)")(
+        "overwrite", "replace an existing convergence study")("quiet,q", "no progress on the terminal");
+    return form;
+}
+
+/// One resolution's figures and cost.
+struct Level {
+    double cell_size = 0;
+    std::int64_t particles = 0, steps = 0;
+    double wall_seconds = 0;
+    double max_depth = 0, max_velocity = 0, covered_area = 0, run_out = 0;
+    Raster depth;
+};
+
+Level run_level(const Prepared& prepared, int threads, bool quiet) {
+    RunOptions options;
+    ProgressReporter progress(quiet);
+    options.threads = threads;
+    options.on_progress = [&progress](const Progress& now) { progress.show(now); };
+    options.stop_requested = [] { return stop_signal() != 0; };
+    RunResult result = run(prepared.scene, options);
+    progress.finish();
+    if (result.stop_reason == StopReason::non_finite || result.stop_reason == StopReason::reached_no_data) {
+        throw Error(ErrorKind::numerical,
+                    Problem{std::string("the run at ") + figure(prepared.scene.grid.cell_size) +
+                                " m ended early: " + describe(result.stop_reason),
+                            "convergence", "", "", "Mend the scene until `frana run` completes it"});
+    }
+    const Raster trace = trace_mask(result.max_depth, prepared.spec.output.trace_threshold);
+    Level level;
+    level.cell_size = prepared.scene.grid.cell_size;
+    level.particles = result.particles_peak;
+    level.steps = result.steps;
+    level.wall_seconds = result.engine_seconds;
+    level.max_depth = maximum(result.max_depth);
+    level.max_velocity = maximum(result.max_velocity);
+    level.covered_area = masked_area(trace);
+    level.run_out = runout(result.bed, result.release, trace).horizontal_m;
+    level.depth = std::move(result.max_depth);
+    return level;
+}
+
+struct FigureName {
+    const char *key, *title, *unit;
+    double Level::*value;
+};
+constexpr FigureName k_figures[] = {{"max_depth_m", "maximum depth", "m", &Level::max_depth},
+                                    {"max_velocity_ms", "maximum velocity", "m/s", &Level::max_velocity},
+                                    {"covered_area_m2", "covered area", "m2", &Level::covered_area},
+                                    {"runout_m", "run-out", "m", &Level::run_out}};
+
+GridConvergence convergence_of(const std::vector<Level>& levels, double Level::*value) {
+    std::vector<Refinement> refinements;
+    for (const Level& level : levels) refinements.push_back({level.cell_size, level.*value});
+    return grid_convergence(refinements);
+}
+
+std::string csv_text(const std::vector<Level>& levels) {
+    std::string text =
+        "cell_size_m,particles,steps,wall_seconds,max_depth_m,max_velocity_ms,covered_area_m2,runout_m\n";
+    for (const Level& l : levels) {
+        text += shortest_text(l.cell_size) + ',' + std::to_string(l.particles) + ',' +
+                std::to_string(l.steps) + ',' + shortest_text(l.wall_seconds) + ',' +
+                shortest_text(l.max_depth) + ',' + shortest_text(l.max_velocity) + ',' +
+                shortest_text(l.covered_area) + ',' + shortest_text(l.run_out) + '\n';
+    }
+    return text;
+}
+
+std::string json_text(const std::vector<Level>& levels, const SceneSpec& spec) {
+    JsonWriter json;
+    json.begin_object().text("program", k_program).text("version", k_version).text("scene", spec.file);
+    json.number("finest_cell_size_m", levels.back().cell_size);
+    json.begin_object("figures");
+    for (const FigureName& name : k_figures) {
+        const GridConvergence c = convergence_of(levels, name.value);
+        json.begin_object(name.key)
+            .number("finest", levels.back().*name.value)
+            .text("trend", describe(c.trend));
+        if (std::isnan(c.observed_order)) {
+            json.null("observed_order");
+        } else {
+            json.number("observed_order", c.observed_order);
+        }
+        json.number("extrapolated", c.extrapolated).number("estimated_error", c.error);
+        json.number("grid_convergence_index_percent", c.index_percent).end_object();
+    }
+    return json.end_object().end_object().str();
+}
+
+/// The table a person reads, and the sentences kept for later runs.
+std::string table_text(const std::vector<Level>& levels) {
+    char line[160];
+    std::string text = "    cell   particles   steps   engine    depth   velocity        area   run-out\n";
+    for (const Level& l : levels) {
+        std::snprintf(line, sizeof line,
+                      "%6.2f m  %10lld  %6lld  %6.1f s  %5.2f m  %5.2f m/s  %7.0f m2  %6.1f m\n", l.cell_size,
+                      static_cast<long long>(l.particles), static_cast<long long>(l.steps), l.wall_seconds,
+                      l.max_depth, l.max_velocity, l.covered_area, l.run_out);
+        text += line;
+    }
+    return text;
+}
+
+std::string sentences(const std::vector<Level>& levels) {
+    std::string text;
+    for (const FigureName& name : k_figures) {
+        const GridConvergence c = convergence_of(levels, name.value);
+        text += std::string(name.title) + ' ' + figure(levels.back().*name.value) + ' ' + name.unit +
+                ", estimated error " + figure(c.error, 2) + ' ' + name.unit + " (" +
+                figure(c.index_percent, 2) + " %; " + describe(c.trend);
+        if (c.trend == Trend::converging) text += ", order " + figure(c.observed_order, 2);
+        text += ")\n";
+    }
+    return text + "from " + std::to_string(levels.size()) + " resolutions, the finest " +
+           figure(levels.back().cell_size) +
+           " m; discretisation only: data and material are not in it, and where figures do not converge the "
+           "estimate is "
+           "a caution\n";
+}
+
+int level_count(const boost::program_options::variables_map& values) {
+    constexpr std::int64_t k_least = 3, k_most = 6;
+    const std::string text = values["levels"].as<std::string>();
+    const auto count = integer_from_text(text);
+    if (!count || *count < k_least || *count > k_most) {
+        throw Error(ErrorKind::input,
+                    Problem{"is not a number of resolutions", "--levels", text, "3 to 6", ""});
+    }
+    return static_cast<int>(*count);
+}
+
+fs::path make_folder(const std::string& name, bool overwrite) {
+    const fs::path folder = fs::absolute(name);
+    if (fs::exists(folder / "convergence.json") && !overwrite) {
+        throw Error(ErrorKind::input, Problem{"holds a convergence study already", "--out", folder.string(),
+                                              "", "Choose another folder, or add --overwrite"});
+    }
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) {
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), "--out",
+                                                    folder.string(), "", "Choose another folder"});
+    }
+    return folder;
+}
+
+}  // namespace
+
+int cmd_converge(const Arguments& arguments) {
+    const auto values = parse_arguments(converge_form(), arguments);
+    if (!values) return static_cast<int>(ExitCode::done);
+    const int count = level_count(*values), threads = thread_count(*values);
+    const bool quiet = values->count("quiet") > 0;
+    const std::string file = (*values)["operand"].as<std::string>();
+    const std::vector<std::string> overrides = text_options(*values, "set");
+
+    // Every level is read before any is computed: all faults at once, nothing half done.
+    RunLog log(quiet);
+    const auto read_level = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = overrides;
+        all.insert(all.end(), more.begin(), more.end());
+        SceneReading reading = read_scene(file, all, materials_directory());
+        return prepare(reading, log);
+    };
+    std::vector<Prepared> scenes;
+    scenes.push_back(read_level({}));
+    const SceneSpec spec = scenes.front().spec;
+    const fs::path folder =
+        make_folder(text_option(*values, "out").value_or(convergence_directory(output_directory(spec))),
+                    values->count("overwrite") > 0);
+    const double finest = scenes.front().scene.grid.cell_size;
+    for (int k = 1; k < count; ++k) {
+        scenes.push_back(read_level({"terrain.cell-size=" + shortest_text(finest * std::pow(2.0, k))}));
+    }
+
+    catch_stop_signals();
+    std::vector<Level> levels;
+    for (; !scenes.empty(); scenes.pop_back()) {  // the coarsest is the last
+        scenes.back().scene.time.frame_interval = 0;
+        levels.push_back(run_level(scenes.back(), threads, quiet));
+        if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
+    }
+
+    std::vector<Raster> depths;
+    for (Level& level : levels) depths.push_back(std::move(level.depth));
+    const std::string told = sentences(levels);
+    gis::write_geotiff((folder / "uncertainty.tif").string(), field_uncertainty(depths),
+                       {"uncertainty",
+                        "Estimated discretisation error of the maximum depth",
+                        "m",
+                        {{"PROGRAM", k_program}, {"VERSION", k_version}}});
+    write_text_file((folder / "convergence.csv").string(), csv_text(levels));
+    write_error_estimate(folder.string(), spec, told);
+    write_text_file((folder / "convergence.json").string(), json_text(levels, spec));
+    std::cout << table_text(levels) << '\n' << told;
+    if (!quiet) std::cerr << "frana: convergence study in " << folder.string() << '\n';
+    return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/accuracy.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "bench/bingham_slump.h"
+#include "bench/channel_dam_break.h"
+#include "bench/conservation.h"
+#include "bench/granular_slope.h"
+#include "bench/lake.h"
+#include "bench/lake_dtm.h"
+#include "bench/radial_dam_break.h"
+#include "bench/rotated_dam_break.h"
+#include "bench/similarity.h"
+#include "bench/sliding_block.h"
+#include "bench/thacker.h"
+#include "bench/voellmy_plane.h"
+#include "core/error.h"
+
+namespace frana::bench {
+namespace {
+
+void append(std::vector<AccuracyCase>& cases, std::vector<AccuracyCase> more) {
+    for (AccuracyCase& one : more) cases.push_back(std::move(one));
+}
+
+std::vector<AccuracyCase> chosen(const AccuracyOptions& options) {
+    std::vector<AccuracyCase> all = accuracy_cases(options.sample_terrain);
+    if (options.only.empty()) return all;
+    std::vector<AccuracyCase> some;
+    Problems problems;
+    std::string names;
+    for (const AccuracyCase& one : all) names += (names.empty() ? "" : ", ") + one.name;
+    for (const std::string& name : options.only) {
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const AccuracyCase& one) { return one.name == name; });
+        if (found == all.end()) {
+            problems.add({"no such case of the accuracy bench", "--case", name, names, "Give one of these"});
+        } else {
+            some.push_back(*found);
+        }
+    }
+    problems.throw_if_any();
+    return some;
+}
+
+double order_between(const CaseFigures& coarse, const CaseFigures& fine) {
+    // Under this an error is the rounding of sums over a grid, which no refinement makes smaller.
+    constexpr double k_rounding = 1e-11;
+    if (!(coarse.l1_depth > k_rounding && fine.l1_depth > k_rounding)) return k_no_data;
+    return std::log(coarse.l1_depth / fine.l1_depth) / std::log(coarse.cell_size / fine.cell_size);
+}
+
+}  // namespace
+
+std::vector<AccuracyCase> accuracy_cases(const std::optional<Raster>& sample_terrain) {
+    std::vector<AccuracyCase> cases = lakes();
+    if (sample_terrain) cases.push_back(lake_dtm(*sample_terrain));
+    append(cases, channel_dam_breaks());
+    cases.push_back(rotated_dam_break());
+    append(cases, radial_dam_breaks());
+    append(cases, granular_slopes());
+    append(cases, similarities());
+    append(cases, thackers());
+    cases.push_back(voellmy_plane());
+    cases.push_back(bingham_slump());
+    cases.push_back(sliding_block());
+    cases.push_back(conservation());
+    return cases;
+}
+
+std::vector<AccuracyRow> run_accuracy(const AccuracyOptions& options) {
+    std::vector<AccuracyRow> rows;
+    for (const AccuracyCase& one : chosen(options)) {
+        const std::size_t levels =
+            options.quick ? std::min<std::size_t>(2, one.cell_sizes.size()) : one.cell_sizes.size();
+        for (const Scheme scheme : k_schemes) {
+            for (std::size_t level = 0; level < levels; ++level) {
+                AccuracyRow row{one.name, scheme, one.run(one.cell_sizes[level], scheme), k_no_data};
+                if (level > 0 && !one.rounding)
+                    row.observed_order = order_between(rows.back().figures, row.figures);
+                if (options.report) {
+                    char line[160];
+                    std::snprintf(line, sizeof line, "%-18s %-8s %6g m  l1_depth %.3g  %.2f s",
+                                  one.name.c_str(), name_of(scheme), row.figures.cell_size,
+                                  row.figures.l1_depth, row.figures.wall_seconds);
+                    options.report(line);
+                }
+                rows.push_back(std::move(row));
+            }
+        }
+    }
+    return rows;
+}
+
+}  // namespace frana::bench
