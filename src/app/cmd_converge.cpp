@@ -20,6 +20,7 @@
 #include "app/version.h"
 #include "core/json.h"
 #include "gis/raster_out.h"
+#include "render/chart.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -33,7 +34,7 @@ CommandForm converge_form() {
         "frana converge SCENE.ini [options]",
         "Runs a scene at several resolutions, the scene's own cells being the finest and each other level "
         "twice as\ncoarse, and estimates how far the finest is from the truth: convergence.csv, "
-        "convergence.json, uncertainty.tif.",
+        "convergence.json, convergence.png, uncertainty.tif.",
         "SCENE.ini",
         {}};
     form.options.add_options()("out", options::value<std::string>(),
@@ -162,6 +163,27 @@ std::string sentences(const std::vector<Level>& levels) {
            "a caution\n";
 }
 
+/// Distance of each level's figures from their extrapolated values, over those, against the cell size.
+render::Image chart_of(const std::vector<Level>& levels) {
+    render::ChartContent content{
+        "Convergence",
+        "distance from the extrapolated value, where a figure converges; from the finest otherwise",
+        "cell size [m]",
+        "relative distance [-]",
+        4,
+        {}};
+    for (const FigureName& name : k_figures) {
+        const double limit = convergence_of(levels, name.value).extrapolated;
+        render::ChartSeries series{"this scene", {0, 90, 181}, render::Marker::circle, false, {}};
+        for (const Level& level : levels) {
+            const double distance = std::abs(level.*name.value - limit) / std::abs(limit);
+            if (distance > 0) series.points.push_back({level.cell_size, distance});
+        }
+        content.panels.push_back({name.title, {series}, "no difference between the levels"});
+    }
+    return render::draw_chart(content, 1600, 700);
+}
+
 int level_count(const boost::program_options::variables_map& values) {
     constexpr std::int64_t k_least = 3, k_most = 6;
     const std::string text = values["levels"].as<std::string>();
@@ -233,6 +255,7 @@ int cmd_converge(const Arguments& arguments) {
                         "Estimated discretisation error of the maximum depth",
                         "m",
                         {{"PROGRAM", k_program}, {"VERSION", k_version}}});
+    render::write_png((folder / "convergence.png").string(), chart_of(levels));
     write_text_file((folder / "convergence.csv").string(), csv_text(levels));
     write_error_estimate(folder.string(), spec, told);
     write_text_file((folder / "convergence.json").string(), json_text(levels, spec));

@@ -6,6 +6,7 @@
 
 #include "bench/bingham_slump.h"
 #include "bench/channel_dam_break.h"
+#include "bench/choose.h"
 #include "bench/conservation.h"
 #include "bench/granular_slope.h"
 #include "bench/lake.h"
@@ -16,33 +17,12 @@
 #include "bench/sliding_block.h"
 #include "bench/thacker.h"
 #include "bench/voellmy_plane.h"
-#include "core/error.h"
 
 namespace frana::bench {
 namespace {
 
 void append(std::vector<AccuracyCase>& cases, std::vector<AccuracyCase> more) {
     for (AccuracyCase& one : more) cases.push_back(std::move(one));
-}
-
-std::vector<AccuracyCase> chosen(const AccuracyOptions& options) {
-    std::vector<AccuracyCase> all = accuracy_cases(options.sample_terrain);
-    if (options.only.empty()) return all;
-    std::vector<AccuracyCase> some;
-    Problems problems;
-    std::string names;
-    for (const AccuracyCase& one : all) names += (names.empty() ? "" : ", ") + one.name;
-    for (const std::string& name : options.only) {
-        const auto found =
-            std::find_if(all.begin(), all.end(), [&](const AccuracyCase& one) { return one.name == name; });
-        if (found == all.end()) {
-            problems.add({"no such case of the accuracy bench", "--case", name, names, "Give one of these"});
-        } else {
-            some.push_back(*found);
-        }
-    }
-    problems.throw_if_any();
-    return some;
 }
 
 double order_between(const CaseFigures& coarse, const CaseFigures& fine) {
@@ -72,7 +52,7 @@ std::vector<AccuracyCase> accuracy_cases(const std::optional<Raster>& sample_ter
 
 std::vector<AccuracyRow> run_accuracy(const AccuracyOptions& options) {
     std::vector<AccuracyRow> rows;
-    for (const AccuracyCase& one : chosen(options)) {
+    for (const AccuracyCase& one : choose(accuracy_cases(options.sample_terrain), options.only, "accuracy")) {
         const std::size_t levels =
             options.quick ? std::min<std::size_t>(2, one.cell_sizes.size()) : one.cell_sizes.size();
         for (const Scheme scheme : k_schemes) {

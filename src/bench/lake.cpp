@@ -39,15 +39,21 @@ CaseFigures run_table_1(double cell_size, Scheme scheme, const std::function<dou
     const Raster bed = bed_of(cell_size, z);
     constexpr double k_mark = 1e-12;
     CaseFigures figures = run_lake(bed, k_level, paper_material(), scheme, 0, 1);
-    double depth = own(figures, 0), momentum = own(figures, 1);
+    double momentum = own(figures, 1);
     for (const auto& [material, jitter] :
          {std::pair{paper_material(), 0.8}, std::pair{water(), 0.0}, std::pair{water(), 0.8}}) {
         const CaseFigures other = run_lake(bed, k_level, material, scheme, jitter, 1);
-        depth = std::max(depth, own(other, 0));
         momentum = std::max(momentum, own(other, 1));
+        figures.steps += other.steps;
+        figures.wall_seconds += other.wall_seconds;
+        figures.l1_depth = std::max(figures.l1_depth, other.l1_depth);
+        figures.l2_depth = std::max(figures.l2_depth, other.l2_depth);
+        figures.linf_depth = std::max(figures.linf_depth, other.linf_depth);
+        figures.l1_momentum = std::max(figures.l1_momentum, other.l1_momentum);
+        if (!other.failure.empty()) figures.failure = other.failure;
     }
-    figures.own = {{"greatest |h - h0| of four runs [m]", depth, k_mark},
-                   {"greatest |hu|, |hv| of four runs [m2/s]", momentum, k_mark}};
+    figures.own = {{"greatest |h - h0| [m]", figures.linf_depth, k_mark},
+                   {"greatest |hu|, |hv| [m2/s]", momentum, k_mark}};
     return figures;
 }
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/bench_chart.h"
+
+#include <algorithm>
+
+#include "bench/peers.h"
+#include "render/chart.h"
+
+namespace frana::app {
+namespace {
+
+constexpr Rgb k_default{0, 90, 181}, k_paper{213, 94, 0}, k_peer{90, 90, 90};
+
+// Depth with a full line, momentum with a dashed one.
+render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name,
+                              Scheme scheme, bool momentum) {
+    const bool paper = scheme == Scheme::paper;
+    render::ChartSeries series{
+        std::string("scheme = ") + bench::name_of(scheme) + (momentum ? ", momentum" : ", depth"),
+        paper ? k_paper : k_default,
+        momentum ? render::Marker::diamond
+        : paper  ? render::Marker::square
+                 : render::Marker::circle,
+        momentum,
+        {}};
+    for (const bench::AccuracyRow& row : rows) {
+        if (row.case_name != name || row.scheme != scheme) continue;
+        series.points.push_back(
+            {row.figures.wall_seconds, momentum ? row.figures.l1_momentum : row.figures.l1_depth});
+    }
+    return series;
+}
+
+// GeoClaw publishes mean errors in metres; over the exact mean depth they are l1_depth.
+render::ChartSeries geoclaw_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name) {
+    render::ChartSeries series{
+        "GeoClaw, depth, published, its own machine", k_peer, render::Marker::triangle, true, {}};
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const bench::AccuracyRow& one) { return one.case_name == name; });
+    const double mean_depth = row->figures.mean_depth_error / row->figures.l1_depth;
+    for (const bench::PeerFigure& peer : bench::peer_figures())
+        if (peer.case_name == name && peer.code == "GeoClaw, order 2")
+            series.points.push_back({peer.seconds, peer.value / mean_depth});
+    return series;
+}
+
+}  // namespace
+
+render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows) {
+    render::ChartContent content{
+        "Error against time",
+        "One point a resolution, coarse to fine; one thread. A scheme that converges falls "
+        "to the right.",
+        "wall time of the engine [s]",
+        "relative L1 error [-]",
+        5,
+        {}};
+    for (const bench::AccuracyRow& row : rows) {
+        if (!content.panels.empty() && content.panels.back().title == row.case_name) continue;
+        render::ChartPanel panel{row.case_name, {}, "no error: exact to the last bit"};
+        for (const Scheme scheme : bench::k_schemes)
+            for (const bool momentum : {false, true})
+                panel.series.push_back(series_of(rows, row.case_name, scheme, momentum));
+        render::ChartSeries peer = geoclaw_of(rows, row.case_name);
+        if (!peer.points.empty()) panel.series.push_back(std::move(peer));
+        content.panels.push_back(std::move(panel));
+    }
+    content.panels_across = std::min<int>(5, static_cast<int>(content.panels.size()));
+    return render::draw_chart(content, 2000, 1500);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "bench/accuracy.h"
+#include "render/image.h"
+
+namespace frana::app {
+
+/// accuracy.png: l1_depth against wall time, logarithmic, a panel for each case, both schemes; on the dam
+/// breaks also GeoClaw's published figures. Cases without error to show, being at rounding, say so.
+render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows);
+
+}  // namespace frana::app

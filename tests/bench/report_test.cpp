@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/accuracy_report.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "cli/program.h"
+
+namespace frana::bench {
+namespace {
+
+AccuracyRow row(const char* name, Scheme scheme, double cell, double seconds, double error, double order) {
+    AccuracyRow r;
+    r.case_name = name;
+    r.scheme = scheme;
+    r.figures.cell_size = cell;
+    r.figures.wall_seconds = seconds;
+    r.figures.l1_depth = r.figures.l1_momentum = error;
+    r.observed_order = order;
+    return r;
+}
+
+// The paper's scheme is better here, for less time: the words must say so.
+std::vector<AccuracyRow> paper_wins() {
+    return {row("stoker", Scheme::standard, 10, 1, 0.1, k_no_data),
+            row("stoker", Scheme::standard, 5, 8, 0.05, 1),
+            row("stoker", Scheme::paper, 10, 0.5, 0.02, k_no_data),
+            row("stoker", Scheme::paper, 5, 4, 0.01, 1)};
+}
+
+TEST(AccuracyCsv, HasTheContractsColumns) {
+    std::istringstream lines(accuracy_csv(paper_wins()));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line,
+              "case,scheme,cell_size,particles,steps,wall_seconds,l1_depth,l2_depth,linf_depth,l1_momentum,"
+              "observed_order");
+    std::getline(lines, line);
+    EXPECT_EQ(line, "stoker,default,10,0,0,1,0.1,0,0,0.1,nan");
+    std::getline(lines, line);
+    EXPECT_EQ(line, "stoker,default,5,0,0,8,0.05,0,0,0.05,1.0000");
+}
+
+TEST(ErrorInTime, IsStraightInLogarithms) {
+    EXPECT_NEAR(error_in_time({{1, 0.1}, {100, 0.001}}, 10), 0.01, 1e-15);
+    EXPECT_TRUE(std::isnan(error_in_time({{1, 0.1}, {100, 0.001}}, 0.5)));
+    EXPECT_TRUE(std::isnan(error_in_time({{1, 0.1}, {100, 0.001}}, 200)));
+}
+
+TEST(AccuracyVerdict, NamesTheBetterSchemeWhicheverItIs) {
+    const std::string words = accuracy_verdict(paper_wins());
+    EXPECT_NE(words.find("stoker: PAPER"), std::string::npos) << words;
+    EXPECT_NE(words.find("the paper's in 1"), std::string::npos) << words;
+}
+
+TEST(AccuracyTable, SaysWhereAnotherCodeIsBetterAndWhereAMarkIsMissed) {
+    std::vector<AccuracyRow> rows = paper_wins();
+    rows[1].figures.own = {{"mean depth error [m]", 0.05, 0.015}};  // GeoClaw has 0.0231 with 5 m cells
+    const std::string table = accuracy_table(rows);
+    EXPECT_NE(table.find("MISSED"), std::string::npos);
+    EXPECT_NE(table.find("FRANA'S DEFAULT IS WORSE, 2.16 times"), std::string::npos) << table;
+    rows[1].figures.own[0].value = 0.01;
+    EXPECT_EQ(accuracy_table(rows).find("WORSE"), std::string::npos);
+}
+
+TEST(OwnFigure, IsMissedByNoNumber) {
+    EXPECT_FALSE((OwnFigure{"x", k_no_data, 1.0}).met());
+    EXPECT_FALSE((OwnFigure{"x", -2, 1.0}).met());
+    EXPECT_TRUE((OwnFigure{"x", -1, 1.0}).met());
+}
+
+TEST(BenchCommand, WritesCsvAndPicture) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / ("frana_bench_" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    const test::Outcome outcome = test::run_program(
+        folder.string(), {"bench", "accuracy", "--quick", "--case", "similarity", "--out", "result"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("com1DFA"), std::string::npos);
+    const std::string csv = test::read_text((folder / "result" / "accuracy.csv").string());
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);  // header, 2 schemes x 2 resolutions
+    EXPECT_GT(fs::file_size(folder / "result" / "accuracy.png"), 1000u);
+    const test::Outcome wrong = test::run_program(folder.string(), {"bench", "speeed"});
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_NE(wrong.err.find("accuracy, stability, speed"), std::string::npos) << wrong.err;
+    fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace frana::bench

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/speed.h"
+
+#include <gtest/gtest.h>
+
+namespace frana::bench {
+namespace {
+
+TEST(Speed, MeasuresOneAndSeveralThreadsWithTheSameBits) {
+    SpeedOptions options;
+    options.quick = true;
+    options.threads = 2;
+    options.sizes = {400};
+    options.steps = 20;
+    const SpeedResult result = run_speed(options);
+    ASSERT_EQ(result.rows.size(), 4u);  // slide and mud, 1 and 2 threads
+    for (const SpeedRow& row : result.rows) {
+        EXPECT_EQ(row.particles, 400);
+        EXPECT_GT(row.particle_steps_per_second, 0);
+        EXPECT_GT(row.bytes_per_particle, 0);
+        EXPECT_GT(row.fraction_of_memory_bandwidth, 0);
+        EXPECT_TRUE(row.same_bits);
+    }
+    EXPECT_GT(result.rows[2].bytes_per_particle, result.rows[0].bytes_per_particle)
+        << "stress is carried only where there is some";
+    const std::string csv = speed_csv(result);
+    EXPECT_EQ(
+        csv.substr(0, csv.find('\n')),
+        "case,particles,threads,particle_steps_per_second,bytes_per_particle,fraction_of_memory_bandwidth");
+}
+
+}  // namespace
+}  // namespace frana::bench

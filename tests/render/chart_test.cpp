@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/chart.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace frana::render {
+namespace {
+
+TEST(Decades, AreWholePowersRoundTheValues) {
+    const Decades d = decades_of({0.02, 3, 40});
+    EXPECT_EQ(d.low, -2);
+    EXPECT_EQ(d.high, 2);
+    const Decades exact = decades_of({1, 100});
+    EXPECT_EQ(exact.low, 0);
+    EXPECT_EQ(exact.high, 2);
+}
+
+TEST(Decades, AreNeverEmpty) {
+    EXPECT_EQ(decades_of({10}).high - decades_of({10}).low, 1);
+    EXPECT_EQ(decades_of({}).high - decades_of({}).low, 1);
+    const Decades d = decades_of({0, -1, std::numeric_limits<double>::quiet_NaN(), 5});
+    EXPECT_EQ(d.low, 0);
+    EXPECT_EQ(d.high, 1);
+}
+
+ChartContent two_panels() {
+    ChartContent content{"Errors", "of two schemes", "time [s]", "error [-]", 2, {}};
+    const Rgb blue{0, 90, 181}, red{220, 50, 32};
+    content.panels = {
+        {"first",
+         {{"one", blue, Marker::circle, false, {{0.1, 0.1}, {1, 0.01}, {10, 0.001}}},
+          {"other", red, Marker::square, true, {{0.1, 0.5}, {1, 0.4}, {10, 0.3}}}},
+         ""},
+        {"second", {{"one", blue, Marker::circle, false, {{1, 0}, {2, -3}}}}, "no error to show"}};
+    return content;
+}
+
+TEST(Chart, PutsPointsWhereTheAxesSay) {
+    ChartLayout layout;
+    draw_chart(two_panels(), 1000, 600, &layout);
+    ASSERT_EQ(layout.panels.size(), 2u);
+    ASSERT_EQ(layout.points.size(), 3u);
+    const PageBox& box = layout.panels[0];
+    const auto& one = layout.points[0];
+    ASSERT_EQ(one.size(), 3u);
+    // 0.1 to 10 s and 0.001 to 1: the corners and the middle, to rounding.
+    EXPECT_NEAR(one[0].x, box.left, 1e-9);
+    EXPECT_NEAR(one[1].x, (box.left + box.right) / 2, 1e-9);
+    EXPECT_NEAR(one[2].x, box.right, 1e-9);
+    EXPECT_NEAR(one[2].y, box.bottom, 1e-9);
+    EXPECT_NEAR(one[0].y, box.top + box.height() / 3, 1e-9);
+    EXPECT_TRUE(layout.points[2].empty()) << "values that have no logarithm must be left out";
+}
+
+TEST(Chart, NamesAxesPanelsAndSeriesOnThePage) {
+    ChartLayout layout;
+    draw_chart(two_panels(), 1000, 600, &layout);
+    const PageBox page{0, 0, 1000, 600};
+    for (const std::string word :
+         {"Errors", "time [s]", "error [-]", "first", "second", "one", "other", "0.1", "no error to show"}) {
+        const auto found = std::find_if(layout.texts.begin(), layout.texts.end(),
+                                        [&](const TextBox& box) { return box.text == word; });
+        ASSERT_NE(found, layout.texts.end()) << word;
+        EXPECT_TRUE(found->box.inside(page)) << word;
+    }
+    EXPECT_EQ(std::count_if(layout.texts.begin(), layout.texts.end(),
+                            [](const TextBox& box) { return box.text == "one"; }),
+              1)
+        << "a label that panels share stands once";
+}
+
+TEST(Chart, InksTheSeriesInTheirColours) {
+    ChartLayout layout;
+    const Image page = draw_chart(two_panels(), 1000, 600, &layout);
+    const Point at = layout.points[1][1];
+    EXPECT_EQ(page.colour(static_cast<int>(at.x), static_cast<int>(at.y)), (Rgb{220, 50, 32}));
+}
+
+}  // namespace
+}  // namespace frana::render
