@@ -37,21 +37,28 @@ const OwnFigure* find_figure(const CaseFigures& figures, std::string_view name) 
     return nullptr;
 }
 
-// A peer's figure and what the default scheme reaches with the same cells.
-std::string peer_line(const PeerFigure& peer, const std::vector<AccuracyRow>& rows) {
-    std::string line = text("    %-17s %-8g %-26s %-10.4g", std::string(peer.code).c_str(), peer.cell_size,
-                            std::string(peer.measure).c_str(), peer.value);
-    if (peer.seconds > 0) line += text(" %.3g s on its own machine", peer.seconds);
+// The default scheme's row with a peer's cells or, where there is none, the next coarser ones.
+const AccuracyRow* row_beside(const PeerFigure& peer, const std::vector<AccuracyRow>& rows) {
+    const AccuracyRow* best = nullptr;
     for (const AccuracyRow& row : rows) {
         if (row.case_name != peer.case_name || row.scheme != Scheme::standard ||
-            row.figures.cell_size != peer.cell_size)
+            row.figures.cell_size < peer.cell_size)
             continue;
-        const OwnFigure* own = find_figure(row.figures, peer.measure);
-        if (own == nullptr) continue;
-        line += own->value <= peer.value
-                    ? text("; frana's default has %.2f of it", own->value / peer.value)
-                    : text("; FRANA'S DEFAULT IS WORSE, %.2f times", own->value / peer.value);
+        if (best == nullptr || row.figures.cell_size < best->figures.cell_size) best = &row;
     }
+    return best;
+}
+
+std::string peer_line(const PeerFigure& peer, const std::vector<AccuracyRow>& rows) {
+    std::string line = text("    %-17s %-8g %-42s %-10.4g", std::string(peer.code).c_str(), peer.cell_size,
+                            std::string(peer.measure).c_str(), peer.value);
+    if (peer.seconds > 0) line += text(" %.3g s on its own machine", peer.seconds);
+    const AccuracyRow* row = row_beside(peer, rows);
+    const OwnFigure* own = row == nullptr ? nullptr : find_figure(row->figures, peer.measure);
+    if (own == nullptr) return line + "\n";
+    line += text("; frana's default, %g m: ", row->figures.cell_size);
+    line += own->value <= peer.value ? text("%.2f of it", own->value / peer.value)
+                                     : text("WORSE, %.2f times", own->value / peer.value);
     return line + "\n";
 }
 

@@ -6,7 +6,11 @@ namespace {
 
 // A step has a dozen short loops: waking a sleeping thread for each would cost more than the loops. Threads
 // therefore look again this many times (some tens of microseconds) before they sleep.
-constexpr int k_looks_before_sleep = 4000;
+// Where there are more threads than processors, looking only takes the processor from the thread that is waited for.
+int looks_before_sleep(int threads) {
+    constexpr int k_looks = 4000;
+    return threads <= static_cast<int>(std::thread::hardware_concurrency()) ? k_looks : 0;
+}
 
 inline void pause() noexcept {
 #if defined(__x86_64__)
@@ -16,7 +20,7 @@ inline void pause() noexcept {
 
 }  // namespace
 
-ThreadPool::ThreadPool(int threads) {
+ThreadPool::ThreadPool(int threads) : looks_(looks_before_sleep(threads)) {
     for (int i = 1; i < threads; ++i) workers_.emplace_back([this] { serve(); });
 }
 
@@ -39,7 +43,7 @@ void ThreadPool::start(std::size_t count, Call call, const void* task) {
     int looks = 0;
     for (int left = busy_.load(std::memory_order_acquire); left != 0;
          left = busy_.load(std::memory_order_acquire)) {
-        if (++looks < k_looks_before_sleep) {
+        if (++looks < looks_) {
             pause();
         } else {
             busy_.wait(left, std::memory_order_acquire);
@@ -59,7 +63,7 @@ void ThreadPool::serve() {
     while (true) {
         int looks = 0;
         while (epoch_.load(std::memory_order_acquire) == seen) {
-            if (++looks < k_looks_before_sleep) {
+            if (++looks < looks_) {
                 pause();
             } else {
                 epoch_.wait(seen, std::memory_order_acquire);

@@ -48,6 +48,7 @@ class ThreadPool {
     void work();
     void serve();
 
+    const int looks_;  ///< before an idle thread sleeps
     std::vector<std::thread> workers_;
     std::atomic<std::uint32_t> epoch_{0};
     std::atomic<std::size_t> next_{0};
