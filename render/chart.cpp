@@ -82,7 +82,7 @@ class Axes {
                 horizontal(down(k * std::pow(10.0, e)), {hair, k_fine_grid}, sheet);
         }
         const double room = 0.55 * style.small.size_px;
-        for (int e = x_.low; e <= x_.high; e += stride(x_, 6)) {
+        for (int e = x_.low; e <= x_.high; e += stride(x_, 5)) {
             const double x = across(std::pow(10.0, e));
             vertical(x, {hair, k_grid}, sheet);
             sheet.text(power_of_ten(e), {x, box_.bottom + room}, style.small, Across::centre, Upright::top);

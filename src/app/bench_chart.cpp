@@ -25,8 +25,10 @@ render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const
         {}};
     for (const bench::AccuracyRow& row : rows) {
         if (row.case_name != name || row.scheme != scheme) continue;
-        series.points.push_back(
-            {row.figures.wall_seconds, momentum ? row.figures.l1_momentum : row.figures.l1_depth});
+        const double error = momentum ? row.figures.l1_momentum : row.figures.l1_depth;
+        // At rest to rounding: would only stretch the axis.
+        constexpr double k_nothing = 1e-18;
+        if (error > k_nothing) series.points.push_back({row.figures.wall_seconds, error});
     }
     return series;
 }

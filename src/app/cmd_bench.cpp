@@ -26,7 +26,8 @@ CommandForm bench_form() {
     CommandForm form{"frana bench accuracy|stability|speed [options]",
                      "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
                      "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
-                     "with --out also writes\naccuracy.csv and accuracy.png, stability.csv or speed.csv.",
+                     "with --out also writes\naccuracy.csv and accuracy.png, stability.csv or "
+                     "speed.csv.\naccuracy takes some ten minutes, with --quick half a minute.",
                      "accuracy|stability|speed",
                      {}};
     form.options.add_options()("out", options::value<std::string>(), "folder for the files")(

@@ -26,7 +26,7 @@ TEST_F(Command, MistakesOnTheCommandLine) {
     EXPECT_EQ(frana({"run", "scene.ini", "--threads", "0"}).exit_code, 2);
     EXPECT_EQ(frana({"run", "scene.ini", "--resume"}).exit_code, 2);
     EXPECT_EQ(frana({"run", "scene.ini", "other.ini"}).exit_code, 2);
-    EXPECT_EQ(frana({"bench", "accuracy"}).exit_code, 2);
+    EXPECT_EQ(frana({"bench", "acuracy"}).exit_code, 2);
     EXPECT_EQ(frana({"render", "nowhere"}).exit_code, 2);
     EXPECT_EQ(frana({"compare", "dtm.asc"}).exit_code, 2);
     EXPECT_EQ(frana({"params", "--json", "--ini"}).exit_code, 2);
