@@ -6,7 +6,8 @@ namespace {
 
 // A step has a dozen short loops: waking a sleeping thread for each would cost more than the loops. Threads
 // therefore look again this many times (some tens of microseconds) before they sleep.
-// Where there are more threads than processors, looking only takes the processor from the thread that is waited for.
+// Where there are more threads than processors, looking only takes the processor from the thread that is
+// waited for.
 int looks_before_sleep(int threads) {
     constexpr int k_looks = 4000;
     return threads <= static_cast<int>(std::thread::hardware_concurrency()) ? k_looks : 0;
@@ -32,29 +33,41 @@ ThreadPool::~ThreadPool() {
 }
 
 void ThreadPool::start(std::size_t count, Call call, const void* task) {
-    count_ = count;
     call_ = call;
     task_ = task;
-    next_.store(0, std::memory_order_relaxed);
-    busy_.store(static_cast<int>(workers_.size()), std::memory_order_relaxed);
+    done_.store(0, std::memory_order_relaxed);
+    const std::uint64_t loop = (tickets_.load(std::memory_order_relaxed) >> k_count_bits) + 1;
+    tickets_.store(loop << k_count_bits | count, std::memory_order_release);
     epoch_.fetch_add(1, std::memory_order_release);
     epoch_.notify_all();
     work();
+    // Only tasks in hand are waited for: a thread that has not even woken up does not hold the loop back.
     int looks = 0;
-    for (int left = busy_.load(std::memory_order_acquire); left != 0;
-         left = busy_.load(std::memory_order_acquire)) {
+    for (std::size_t done = done_.load(std::memory_order_acquire); done != count;
+         done = done_.load(std::memory_order_acquire)) {
         if (++looks < looks_) {
             pause();
         } else {
-            busy_.wait(left, std::memory_order_acquire);
+            done_.wait(done, std::memory_order_acquire);
         }
     }
 }
 
+// Takes tasks until none is left. A ticket carries the loop's number and the tasks left in it, and changes as
+// one: who takes one knows that its loop cannot end before that task does, so call_ and task_ are that
+// loop's.
 void ThreadPool::work() {
-    for (std::size_t i = next_.fetch_add(1, std::memory_order_relaxed); i < count_;
-         i = next_.fetch_add(1, std::memory_order_relaxed)) {
-        call_(task_, i);
+    constexpr std::uint64_t k_left = (std::uint64_t{1} << k_count_bits) - 1;
+    std::uint64_t ticket = tickets_.load(std::memory_order_acquire);
+    while ((ticket & k_left) != 0) {
+        if (!tickets_.compare_exchange_weak(ticket, ticket - 1, std::memory_order_acq_rel,
+                                            std::memory_order_acquire)) {
+            continue;
+        }
+        call_(task_, static_cast<std::size_t>((ticket & k_left) - 1));
+        done_.fetch_add(1, std::memory_order_acq_rel);
+        done_.notify_one();
+        ticket = tickets_.load(std::memory_order_acquire);
     }
 }
 
@@ -69,10 +82,9 @@ void ThreadPool::serve() {
                 epoch_.wait(seen, std::memory_order_acquire);
             }
         }
-        ++seen;
+        seen = epoch_.load(std::memory_order_acquire);
         if (stop_.load()) return;
         work();
-        if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();
     }
 }
 

@@ -51,10 +51,11 @@ class ThreadPool {
     const int looks_;  ///< before an idle thread sleeps
     std::vector<std::thread> workers_;
     std::atomic<std::uint32_t> epoch_{0};
-    std::atomic<std::size_t> next_{0};
-    std::atomic<int> busy_{0};
+    static constexpr int k_count_bits = 32;
+    std::atomic<std::uint64_t> tickets_{
+        0};  ///< number of the loop, and in the low bits how many tasks are left
+    std::atomic<std::size_t> done_{0};
     std::atomic<bool> stop_{false};
-    std::size_t count_ = 0;
     Call call_ = nullptr;
     const void* task_ = nullptr;
 };
