@@ -70,9 +70,8 @@ run_tests() {
     exit 1
   fi
   [ "$status" -eq 0 ] || [ "$failed" -gt 0 ] || failed=1
-  local line="$((total - failed - skipped)) passed, $failed failed"
-  [ "$skipped" -eq 0 ] || line="$line, $skipped skipped"
-  echo "$line"
+  [ "$skipped" -eq 0 ] || say "$skipped skipped; the reasons are above"
+  echo "$((total - failed - skipped)) passed, $failed failed"
   [ "$failed" -eq 0 ]
 }
 
