@@ -34,17 +34,6 @@ CommandForm run_form() {
     return form;
 }
 
-/// Files of the user's that the run reads.
-std::vector<std::string> input_files(const SceneSpec& spec) {
-    std::vector<std::string> files{spec.file, spec.terrain.dtm};
-    for (const auto& file : {spec.release.perimeter, spec.scar.perimeter})
-        if (file) files.push_back(*file);
-    if (spec.release.thickness)
-        for (const std::string& file : {spec.release.thickness->raster, spec.release.thickness->post})
-            if (!file.empty()) files.push_back(file);
-    return files;
-}
-
 ExitCode exit_code(const RunResult& result, bool all_drawn) {
     switch (result.stop_reason) {
         // The map ends where the terrain does: a script must not take it for a whole one.

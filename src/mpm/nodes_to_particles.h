@@ -220,8 +220,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             ++report.outside;
             continue;
         }
-        if (nodes.any_solid() && nodes.is_solid(static_cast<std::int64_t>(px * inverse_dx),
-                                                static_cast<std::int64_t>(py * inverse_dx))) {
+        if (nodes.any_solid() && nodes.is_gap(static_cast<std::int64_t>(px * inverse_dx),
+                                              static_cast<std::int64_t>(py * inverse_dx))) {
             ++report.no_data;
         }
         report.wave_speed = std::max(report.wave_speed, wave);

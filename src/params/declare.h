@@ -7,6 +7,7 @@
 
 #include "core/json.h"
 #include "params/parameter.h"
+#include "params/source.h"
 #include "params/value_text.h"
 
 // The kinds of parameter there are. Each function turns "which member, what limits, what it means" into a
@@ -142,7 +143,53 @@ Parameter text(const std::string& name, Member member, const std::string& type, 
         [](const std::string& value) { return value; });
     result.meaning = meaning;
     result.absent = absent;
+    if (type == "file") {
+        result.map_files = [read = result.read, write = result.write](SceneSpec& scene, const FileMap& map) {
+            if (const auto path = write(scene); path && !path->empty()) read(scene, map(*path));
+        };
+    }
+    return result;
+}
+
+/// A number, attribute:NAME or raster:FILE, as far as `kinds` allows them.
+template <class Member>
+Parameter source(const std::string& name, Member member, const std::string& unit, Range range,
+                 const std::vector<SourceSpec::Kind>& kinds, const std::string& meaning,
+                 const std::string& absent) {
+    using Kind = SourceSpec::Kind;
+    const auto allowed = [kinds](Kind kind) {
+        return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+    };
+    std::vector<std::string> forms;
+    if (allowed(Kind::number)) forms.push_back("a number");
+    if (allowed(Kind::attribute)) forms.push_back("attribute:NAME");
+    if (allowed(Kind::raster)) forms.push_back("raster:FILE");
+    Parameter result = parameter(
+        name, "text", member,
+        [range, allowed](auto& target, const std::string& text) -> std::optional<Refusal> {
+            const auto value = source_from_text(text);
+            if (!value || !allowed(value->kind)) return Refusal{"is not understood", ""};
+            if (value->kind == Kind::number && !range.has(value->number))
+                return Refusal{"is out of range", ""};
+            target = *value;
+            return std::nullopt;
+        },
+        [](const SourceSpec& value) { return text_of(value); });
+    result.unit = unit;
+    result.limits = joined(forms, ", ") + "; values " + range.text();
+    result.meaning = meaning;
+    result.absent = absent;
+    result.map_files = [member](SceneSpec& scene, const FileMap& map) {
+        auto& target = member(scene);
+        if (target && target->kind == Kind::raster) target->name = map(target->name);
+    };
     return result;
 }
 
 }  // namespace frana::declare
+
+// The member a parameter stands for, of a scene that may or may not be const.
+#define FRANA_MEMBER(path)     \
+    [](auto& scene) -> auto& { \
+        return scene.path;     \
+    }

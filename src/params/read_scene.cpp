@@ -106,12 +106,9 @@ void Reader::apply(const Layer& layer, const IniEntry& entry) {
 }
 
 void Reader::make_paths_absolute(const Parameter& parameter, const std::string& where) {
-    if (parameter.type == "file") {
-        parameter.read(reading_.scene, absolute_path(*parameter.write(reading_.scene), directory_));
-    } else if (parameter.name() == "release.thickness") {
-        ThicknessSpec& thickness = *reading_.scene.release.thickness;
-        if (!thickness.raster.empty()) thickness.raster = absolute_path(thickness.raster, directory_);
-        if (!thickness.post.empty()) thickness.post = absolute_path(thickness.post, directory_);
+    if (parameter.map_files) {
+        parameter.map_files(reading_.scene,
+                            [&](const std::string& path) { return absolute_path(path, directory_); });
     }
     const std::string value = parameter.write(reading_.scene).value_or("");
     if (value.find('#') != std::string::npos) {
@@ -166,6 +163,19 @@ std::string absolute_path(const std::string& path, const std::string& directory)
     const auto bar = path.find('|');
     const std::string suffix = bar == std::string::npos ? "" : path.substr(bar);
     return (fs::path(directory) / trimmed(path.substr(0, bar))).lexically_normal().string() + suffix;
+}
+
+std::vector<std::string> input_files(const SceneSpec& scene) {
+    std::vector<std::string> files{scene.file};
+    SceneSpec copy = scene;
+    for (const Parameter& parameter : scene_parameters()) {
+        if (!parameter.map_files || parameter.section == "output") continue;
+        parameter.map_files(copy, [&](const std::string& path) {
+            files.push_back(path);
+            return path;
+        });
+    }
+    return files;
 }
 
 SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides,

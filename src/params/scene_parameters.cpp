@@ -2,6 +2,7 @@
 #include "params/scene_parameters.h"
 
 #include "params/declare.h"
+#include "params/site_parameters.h"
 
 namespace frana {
 namespace {
@@ -11,79 +12,6 @@ using declare::number;
 using declare::on_off;
 using declare::Range;
 using declare::text;
-
-// The member a parameter stands for, of a scene that may or may not be const.
-#define FRANA_MEMBER(path)     \
-    [](auto& scene) -> auto& { \
-        return scene.path;     \
-    }
-
-/// A key that is known but whose feature does not exist yet: refused, never ignored.
-template <class Member>
-Parameter unavailable(const std::string& name, Member member, const std::string& meaning) {
-    Parameter result = text(name, member, "file", meaning, "none");
-    result.limits = "not available in this version";
-    result.read = [](SceneSpec&, const std::string&) {
-        return Refusal{"is not available in this version", "Remove the key"};
-    };
-    return result;
-}
-
-Parameter bounds_parameter() {
-    Parameter result =
-        text("terrain.bounds", FRANA_MEMBER(terrain.dtm), "list",
-             "Part of the DTM to compute on: west south east north in the working CRS.", "the whole DTM");
-    result.unit = "m";
-    result.limits = "four numbers, west < east and south < north";
-    result.read = [](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
-        std::vector<double> numbers;
-        for (const std::string& word : words_of(value)) {
-            const auto number = number_from_text(word);
-            if (!number) return Refusal{"'" + word + "' is not a number", ""};
-            numbers.push_back(*number);
-        }
-        if (numbers.size() != 4) return Refusal{"does not have four numbers", ""};
-        const Bounds box{numbers[0], numbers[1], numbers[2], numbers[3]};
-        if (!(box.west < box.east) || !(box.south < box.north))
-            return Refusal{"is an empty rectangle", "Write west south east north, in this order"};
-        scene.terrain.bounds = box;
-        return std::nullopt;
-    };
-    result.write = [](const SceneSpec& scene) -> std::optional<std::string> {
-        if (!scene.terrain.bounds) return std::nullopt;
-        const Bounds& box = *scene.terrain.bounds;
-        return shortest_text(box.west) + " " + shortest_text(box.south) + " " + shortest_text(box.east) +
-               " " + shortest_text(box.north);
-    };
-    result.reset = [](SceneSpec& scene) { scene.terrain.bounds.reset(); };
-    return result;
-}
-
-Parameter thickness_parameter() {
-    Parameter result = declare::parameter(
-        "release.thickness", "text", FRANA_MEMBER(release.thickness),
-        [](std::optional<ThicknessSpec>& target, const std::string& value) -> std::optional<Refusal> {
-            const auto spec = thickness_from_text(value);
-            if (!spec) return Refusal{"is not understood", ""};
-            if (spec->kind == ThicknessSpec::Kind::slip_surface)
-                return Refusal{"is not available in this version",
-                               "Give a number, attribute:NAME, raster:FILE or difference:PRE,POST"};
-            if (spec->kind == ThicknessSpec::Kind::number && !(spec->metres > 0))
-                return Refusal{"is not a thickness", "It must be greater than 0 m"};
-            target = spec;
-            return std::nullopt;
-        },
-        [](const ThicknessSpec& thickness) { return text_of(thickness); });
-    result.unit = "m";
-    result.limits =
-        "a number greater than 0, attribute:NAME, raster:FILE, difference:PRE,POST (not available yet: "
-        "slip-surface)";
-    result.meaning =
-        "Thickness of what fails: one number, a column of the perimeter, a raster, or a DTM before less one "
-        "after.";
-    result.absent = "required";
-    return result;
-}
 
 Parameter turbulence_parameter() {
     Parameter result =
@@ -164,52 +92,6 @@ Parameter map_size_parameter() {
         return std::nullopt;
     };
     return result;
-}
-
-void add_terrain(std::vector<Parameter>& list) {
-    list.push_back(text("terrain.dtm", FRANA_MEMBER(terrain.dtm), "file",
-                        "Digital terrain model: any raster GDAL reads, elevations in its first band.",
-                        "required"));
-    list.push_back(
-        text("terrain.crs", FRANA_MEMBER(terrain.crs), "text",
-             "Working CRS, projected, in metres (EPSG:32632, WKT, PROJ); auto: the DTM's own if it is one, "
-             "else the UTM zone it lies in; local: plain metres without a CRS."));
-    list.push_back(text("terrain.dtm-crs", FRANA_MEMBER(terrain.dtm_crs), "text",
-                        "CRS of the DTM where its file names none or a wrong one.", "the file's own"));
-    list.push_back(number("terrain.cell-size", FRANA_MEMBER(terrain.cell_size), "m", Range{0.01, 1000},
-                          "Side of the working grid's cells.", "the DTM's own"));
-    list.push_back(bounds_parameter());
-    list.push_back(
-        choice("terrain.nodata-policy", FRANA_MEMBER(terrain.nodata_policy), {"stop", "wall", "fill"},
-               "Flow that reaches ground without elevation: end the run, meet a wall, or cross a bed "
-               "interpolated there beforehand."));
-    list.push_back(
-        choice("terrain.vertical-unit", FRANA_MEMBER(terrain.vertical_unit),
-               {"auto", "metre", "foot", "us-survey-foot"},
-               "Unit of the DTM's elevations; auto: as the file says, metres where it says nothing."));
-    list.push_back(
-        choice("terrain.resampling", FRANA_MEMBER(terrain.resampling),
-               {"automatic", "nearest", "bilinear", "cubic", "average"},
-               "How the DTM comes onto the working grid; automatic: copied where the cells coincide, "
-               "averaged to coarser cells, bilinear to finer ones."));
-    list.push_back(unavailable("terrain.friction-zones", FRANA_MEMBER(terrain.friction_zones),
-                               "Polygons with their own friction."));
-}
-
-void add_release(std::vector<Parameter>& list) {
-    list.push_back(
-        text("release.perimeter", FRANA_MEMBER(release.perimeter), "file",
-             "Outline of what fails: any polygon layer OGR reads, in its own CRS; FILE|layer=NAME picks one.",
-             "required, unless thickness is a raster or a difference: then where that is positive"));
-    list.push_back(thickness_parameter());
-    list.push_back(choice("release.thickness-direction", FRANA_MEMBER(release.thickness_direction),
-                          {"vertical", "normal"},
-                          "Direction in which the thickness was measured: plumb, or normal to "
-                          "the slope."));
-    list.push_back(
-        on_off("release.dtm-contains-release", FRANA_MEMBER(release.dtm_contains_release),
-               "on: the DTM is the ground before the failure and the bed lies under the release; off: the "
-               "release lies on top of the DTM."));
 }
 
 void add_material(std::vector<Parameter>& list) {
@@ -313,7 +195,9 @@ std::vector<Parameter> scene_parameters() {
     std::vector<Parameter> list;
     add_terrain(list);
     add_release(list);
+    add_inflow(list);
     add_material(list);
+    add_zones(list);
     add_numerics(list);
     add_rest(list);
     return list;
@@ -328,7 +212,9 @@ std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
 std::vector<Section> scene_sections() {
     return {{"terrain", "The ground and the working grid."},
             {"release", "What fails, and how thick it is."},
+            {"inflow", "What flows in through a line, over time."},
             {"material", "What it is made of."},
+            {"zones", "Where the ground differs from what [material] says."},
             {"numerics", "How it is computed."},
             {"time", "How long."},
             {"output", "What is written."},

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/grid_spec.h"
+#include "params/source.h"
 #include "params/thickness.h"
 
 namespace frana {
@@ -26,6 +27,9 @@ struct TerrainSpec {
     std::string vertical_unit = "auto";
     std::string resampling = "automatic";
     std::optional<std::string> friction_zones;
+    std::optional<std::string> obstacles;
+    std::optional<SourceSpec> obstacle_height;
+    std::optional<std::string> walls;
 };
 
 /// [release]
@@ -34,6 +38,20 @@ struct ReleaseSpec {
     std::optional<ThicknessSpec> thickness;
     std::string thickness_direction = "vertical";
     bool dtm_contains_release = false;
+    std::optional<SourceSpec> volume, start, velocity, direction, slip_depth;
+    std::string slip_shape = "auto";
+};
+
+/// [inflow]
+struct InflowSpec {
+    std::optional<std::string> line, hydrograph;
+    std::optional<double> direction;  ///< degrees clockwise from grid north; none: downhill
+};
+
+/// [zones]
+struct ZonesSpec {
+    std::optional<SourceSpec> friction_angle, friction_coefficient, turbulence, cohesion, erodible_depth;
+    std::string beyond_dtm = "stop";
 };
 
 /// [material], in the units a user writes (degrees).
@@ -98,7 +116,9 @@ struct SceneSpec {
     std::string file;  ///< the scene file, absolute
     TerrainSpec terrain;
     ReleaseSpec release;
+    InflowSpec inflow;
     MaterialSpec material;
+    ZonesSpec zones;
     NumericsSpec numerics;
     TimeSpec time;
     OutputSpec output;

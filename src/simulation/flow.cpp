@@ -10,15 +10,21 @@
 namespace frana {
 namespace {
 
-ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
-    ParticleSet particles(fields);
-    particles.resize(seeds.size());
+// Appends seeds, giving fields that they do not carry their initial values.
+void append(const ParticleSet& seeds, ParticleSet& particles) {
+    const std::size_t before = particles.size();
+    particles.resize(before + seeds.size());
     for (std::size_t p = 0; p < seeds.size(); ++p) {
         ParticleRow row = seeds.row(p);
         if (!seeds.mask().has(Field::q_xx))
             get(row, Field::q_xx) = get(row, Field::q_yy) = get(row, Field::area);
-        particles.set_row(p, row);
+        particles.set_row(before + p, row);
     }
+}
+
+ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
+    ParticleSet particles(fields);
+    append(seeds, particles);
     return particles;
 }
 
@@ -54,6 +60,11 @@ Flow::Flow(const Raster& bed, const ParticleSet& particles, const Material& mate
         laws_.gravity_y = tilt->along_y;
     }
     laws_.origin = centroid();
+    voellmy_bingham::prepare(state_, laws_, pool_);
+}
+
+void Flow::add_particles(const ParticleSet& particles) {
+    append(particles, state_.particles);
     voellmy_bingham::prepare(state_, laws_, pool_);
 }
 

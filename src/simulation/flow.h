@@ -26,6 +26,13 @@ class Flow {
     Flow(const Raster& bed, const ParticleSet& particles, const Material& material, const Numerics& numerics,
          int threads, std::optional<TiltedGravity> tilt = std::nullopt);
 
+    /// Marks where walls stand: 1 in a raster on the same grid.
+    void add_walls(const Raster& walls) { state_.nodes.mark_walls(walls); }
+    /// More particles between two steps, in local metres; those outside count as left.
+    void add_particles(const ParticleSet& particles);
+    /// Takes ground away between two steps: depth in each cell [m], NaN for none.
+    void lower_bed(const Raster& depth) { state_.nodes.lower_bed(depth); }
+
     voellmy_bingham::StepReport advance(double dt_limit);
     /// Steps until `time`; every step at most `dt_limit` if that is positive.
     void advance_to(double time);
@@ -42,6 +49,8 @@ class Flow {
     [[nodiscard]] Point centroid() const;
     /// Measures the front distance from here on [local metres].
     void set_origin(Point origin) { laws_.origin = origin; }
+    /// Rids the time of the last bit that summing steps has cost it.
+    void set_time(double time) { state_.time = time; }
     /// First stable step from the present state [s].
     [[nodiscard]] double stable_step() const;
 

@@ -68,14 +68,33 @@ struct ReleaseArea {
     std::optional<Raster> thickness_raster;  ///< on the working grid; NaN or <= 0: nothing released there
     std::optional<double> volume;            ///< [m3]: the thickness is scaled so that this is released
     bool normal_to_bed = false;              ///< thickness measured normal to the bed; false: vertically
+    double start = 0;                        ///< when it fails [s]; until then its ground lies still
+    double speed = 0;                        ///< at the start, along the bed [m/s]
+    std::optional<double> azimuth;  ///< of that speed, clockwise from the grid's north [rad]; none: down the mean slope
+};
+
+/// Discharge and velocity at one time; linear between times, nothing before the first and after the last.
+struct HydrographPoint {
+    double time = 0;       ///< [s]
+    double discharge = 0;  ///< [m3/s]
+    double speed = 0;      ///< of what crosses the line, in map view [m/s]
+};
+
+/// Material that flows in through a line, in map coordinates of the working CRS.
+struct Inflow {
+    Polyline line;
+    std::vector<HydrographPoint> hydrograph;  ///< times rise; an equal time is a jump
+    std::optional<double> azimuth;  ///< clockwise from the grid's north [rad]; none: normal to the line, downhill
 };
 
 /// Everything the engine needs, validated, in SI units; const from here on.
 struct Scene {
     GridSpec grid;                          ///< working grid
     Raster terrain;                         ///< DTM on the working grid [m]; NaN: no data
+    std::optional<Raster> walls;            ///< on the working grid: 1 where a wall stands that no flow overtops
     bool terrain_contains_release = false;  ///< the bed is the terrain less the released (vertical) thickness
     std::vector<ReleaseArea> release;
+    std::vector<Inflow> inflows;
     Material material;
     Numerics numerics;
     TimeControl time;
