@@ -42,6 +42,15 @@ struct Material {
     bool exact_yield_ratio = true;       ///< zeta from the cubic; false: the paper's (9)
 };
 
+/// Parameters that differ from place to place: rasters on the working grid. NaN: the uniform value of Material (and of
+/// Entrainment) holds there. A raster that is absent costs nothing.
+struct MaterialZones {
+    std::optional<Raster> friction_coefficient;  ///< tan(phi) [-], >= 0
+    std::optional<Raster> turbulence;            ///< Voellmy xi [m/s2], > 0; infinity: off
+    std::optional<Raster> cohesion;              ///< [Pa], >= 0
+    std::optional<Raster> erodible_depth;        ///< vertical [m], >= 0
+};
+
 struct Numerics {
     Scheme scheme = Scheme::standard;
     std::optional<Transfer> transfer;  ///< none: the scheme's own (paper: pic, default: apic)
@@ -96,6 +105,7 @@ struct Scene {
     std::vector<ReleaseArea> release;
     std::vector<Inflow> inflows;
     Material material;
+    MaterialZones zones;
     Numerics numerics;
     TimeControl time;
 };
