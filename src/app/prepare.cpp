@@ -4,6 +4,9 @@
 #include <utility>
 
 #include "app/number_text.h"
+#include "app/prepare_inflow.h"
+#include "app/prepare_obstacles.h"
+#include "app/prepare_zones.h"
 #include "core/json.h"
 #include "gis/crs.h"
 
@@ -95,7 +98,10 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     Problems problems = reading.problems;
     std::optional<TerrainInput> ground = prepare_terrain(reading, log, problems);
     const TerrainInput* known_ground = ground ? &*ground : nullptr;
+    std::optional<Raster> walls = prepare_obstacles(reading, ground ? &*ground : nullptr, log, problems);
     ReleaseInput release = prepare_release(reading, known_ground, log, problems);
+    std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, log, problems);
+    MaterialZones zones = prepare_zones(reading, known_ground, log, problems);
     std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, log, problems);
     problems.throw_if_any();
 
@@ -105,6 +111,11 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.terrain = std::exchange(ground->terrain, Raster{});
     prepared.scene.terrain_contains_release = reading.scene.release.dtm_contains_release;
     prepared.scene.release = std::exchange(release.areas, {});
+    const auto& volume = reading.scene.release.volume;
+    if (volume && volume->kind == SourceSpec::Kind::number) prepared.scene.release_volume = volume->number;
+    prepared.scene.walls = std::move(walls);
+    prepared.scene.inflows = std::move(inflows);
+    prepared.scene.zones = std::move(zones);
     prepared.scene.material = material_of(reading.scene.material);
     prepared.scene.numerics = numerics_of(reading.scene);
     prepared.scene.time.end = reading.scene.time.end;

@@ -59,9 +59,13 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
 
 void publish_outlines(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     std::vector<gis::OutlineLayer> layers{{"release", {}}};
-    for (const ReleaseArea& area : prepared.scene.release) {
+    for (std::size_t i = 0; i < prepared.scene.release.size(); ++i) {
+        const ReleaseArea& area = prepared.scene.release[i];
+        const ReleasedArea& released = result.released[i];
         PolygonFeature release = feature(area.outline, 0);
-        if (!area.thickness_raster) release.numbers["thickness_m"] = area.thickness;
+        if (!area.thickness_raster) release.numbers["thickness_m"] = area.thickness * released.scaled;
+        release.numbers["volume_m3"] = released.volume;
+        release.numbers["start_s"] = released.start;
         layers[0].features.push_back(std::move(release));
     }
     const double threshold = prepared.spec.output.trace_threshold;

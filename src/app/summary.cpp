@@ -20,8 +20,8 @@ double maximum_or_zero(const Raster& raster) {
 }
 
 double relative_volume_error(const RunResult& result) {
-    if (result.volume_initial == 0) return 0;
-    return std::abs(result.volume_final + result.volume_left - result.volume_initial) / result.volume_initial;
+    if (result.volume_entered == 0) return 0;
+    return std::abs(result.volume_final + result.volume_left - result.volume_entered) / result.volume_entered;
 }
 
 void write_grid_and_particles(JsonWriter& json, const RunResult& result) {
@@ -50,9 +50,18 @@ void write_cost(JsonWriter& json, const RunResult& result, const SummaryFacts& f
 void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts& facts) {
     json.begin_object("volume")
         .number("initial_m3", result.volume_initial)
+        .number("entered_m3", result.volume_entered)
+        .number("inflow_m3", result.volume_inflow)
         .number("final_m3", result.volume_final);
     json.number("left_domain_m3", result.volume_left).number("relative_error", relative_volume_error(result));
     json.end_object();
+    json.begin_array("release_areas");
+    for (const ReleasedArea& area : result.released) {
+        json.begin_object().number("start_s", area.start).number("area_m2", area.area);
+        json.number("volume_m3", area.volume).number("thickness_scaled_by", area.scaled);
+        json.boolean("failed", area.failed).end_object();
+    }
+    json.end_array();
     json.number("max_depth_m", maximum_or_zero(result.max_depth));
     json.number("max_velocity_ms", maximum_or_zero(result.max_velocity));
     json.number("max_pressure_kpa", maximum_or_zero(result.max_pressure));

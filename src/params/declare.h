@@ -87,6 +87,7 @@ Parameter number(const std::string& name, Member member, const std::string& unit
         [](double value) { return shortest_text(value); });
     result.unit = unit;
     result.limits = range.text();
+    result.fits = [range](double value) { return range.has(value); };
     result.meaning = meaning;
     result.absent = absent;
     return result;
@@ -177,6 +178,7 @@ Parameter source(const std::string& name, Member member, const std::string& unit
         [](const SourceSpec& value) { return text_of(value); });
     result.unit = unit;
     result.limits = joined(forms, ", ") + "; values " + range.text();
+    result.fits = [range](double value) { return range.has(value); };
     result.meaning = meaning;
     result.absent = absent;
     result.map_files = [member](SceneSpec& scene, const FileMap& map) {

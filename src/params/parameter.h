@@ -32,6 +32,7 @@ struct Parameter {
     std::function<std::optional<Refusal>(SceneSpec&, const std::string&)> read;
     std::function<std::optional<std::string>(const SceneSpec&)> write;  ///< none: not given
     std::function<void(SceneSpec&)> reset;                              ///< back to the default
+    std::function<bool(double)> fits;  ///< whether a number is within the limits; empty: not a number
     std::function<void(SceneSpec&, const FileMap&)> map_files;  ///< each file the value names; empty: none
 
     [[nodiscard]] std::string name() const { return section + "." + key; }

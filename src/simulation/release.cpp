@@ -83,10 +83,10 @@ void refuse_walls(const Scene& scene, const ParticleSet& particles) {
 
 // A number per particle, weighted by volume.
 template <class Value>
-Point mean_of(const ParticleSet& particles, std::size_t first, const Value& value) {
+Point mean_of(const ParticleSet& particles, const Value& value) {
     Point sum;
     double total = 0;
-    for (std::size_t p = first; p < particles.size(); ++p) {
+    for (std::size_t p = 0; p < particles.size(); ++p) {
         const double volume = particles[Field::volume][p];
         const Point v = value({particles[Field::x][p], particles[Field::y][p]});
         sum.x += volume * v.x;
@@ -96,15 +96,15 @@ Point mean_of(const ParticleSet& particles, std::size_t first, const Value& valu
     return total > 0 ? Point{sum.x / total, sum.y / total} : sum;
 }
 
-// Gives the particles from `first` on their speed along the bed, all in the same direction of the map.
-void set_in_motion(const Scene& scene, const ReleaseArea& area, std::size_t first, ParticleSet& particles) {
+// Gives the particles their speed along the bed, all in the same direction of the map.
+void set_in_motion(const Scene& scene, const ReleaseArea& area, ParticleSet& particles) {
     if (!(area.speed > 0)) return;
     const auto slope = [&](Point local) { return gradient(scene.terrain, cell_of(scene.grid, local)); };
     Point direction;
     if (area.azimuth) {
         direction = {std::sin(*area.azimuth), std::cos(*area.azimuth)};
     } else {
-        const Point mean = mean_of(particles, first, slope);
+        const Point mean = mean_of(particles, slope);
         const double steepness = std::hypot(mean.x, mean.y);
         if (!(steepness > 1e-6)) {
             throw Error(ErrorKind::input,
@@ -113,7 +113,7 @@ void set_in_motion(const Scene& scene, const ReleaseArea& area, std::size_t firs
         }
         direction = {-mean.x / steepness, -mean.y / steepness};
     }
-    for (std::size_t p = first; p < particles.size(); ++p) {
+    for (std::size_t p = 0; p < particles.size(); ++p) {
         const Point g = slope({particles[Field::x][p], particles[Field::y][p]});
         const double speed = area.speed * map_share(scene.numerics, g, direction);
         particles[Field::u][p] = speed * direction.x;
@@ -121,7 +121,21 @@ void set_in_motion(const Scene& scene, const ReleaseArea& area, std::size_t firs
     }
 }
 
-// Appends one area's particles and tells what it holds.
+void scale_by(double factor, ParticleSet& particles, ReleasedArea& area) {
+    for (std::size_t p = 0; p < particles.size(); ++p) particles[Field::volume][p] *= factor;
+    area.scaled *= factor;
+    area.volume *= factor;
+}
+
+// Makes all areas together hold a volume.
+void scale_to(double volume, std::vector<ParticleSet>& filled, std::vector<ReleasedArea>& areas) {
+    double sum = 0;
+    for (const ReleasedArea& area : areas) sum += area.volume;
+    if (!(sum > 0)) return;
+    for (std::size_t i = 0; i < filled.size(); ++i) scale_by(volume / sum, filled[i], areas[i]);
+}
+
+// Seeds one area's particles and tells what it holds.
 ReleasedArea fill_area(const Scene& scene, const ReleaseArea& area, ParticleSet& particles) {
     const GridSpec& grid = scene.grid;
     const auto thickness = [&](Point local) {
@@ -134,17 +148,14 @@ ReleasedArea fill_area(const Scene& scene, const ReleaseArea& area, ParticleSet&
     };
     ReleasedArea released;
     released.start = area.start;
-    const std::size_t first = particles.size();
     released.volume =
         fill_outline(to_local(area.outline, grid), lattice_spacing(scene), thickness, particles);
-    for (std::size_t p = first; p < particles.size(); ++p) released.area += particles[Field::area][p];
+    for (std::size_t p = 0; p < particles.size(); ++p) released.area += particles[Field::area][p];
     if (area.volume && released.volume > 0) {
-        released.scaled = *area.volume / released.volume;
-        for (std::size_t p = first; p < particles.size(); ++p)
-            particles[Field::volume][p] *= released.scaled;
+        scale_by(*area.volume / released.volume, particles, released);
         released.volume = *area.volume;
     }
-    set_in_motion(scene, area, first, particles);
+    set_in_motion(scene, area, particles);
     return released;
 }
 
@@ -174,12 +185,15 @@ Raster cell_depth(const ParticleSet& particles, const GridSpec& grid) {
 Release make_release(const Scene& scene) {
     Release release;
     std::map<double, Entry> later;
+    std::vector<ParticleSet> filled(scene.release.size());
+    for (std::size_t i = 0; i < filled.size(); ++i)
+        release.areas.push_back(fill_area(scene, scene.release[i], filled[i]));
+    if (scene.release_volume) scale_to(*scene.release_volume, filled, release.areas);
     ParticleSet all;
-    for (std::size_t i = 0; i < scene.release.size(); ++i) {
+    for (std::size_t i = 0; i < filled.size(); ++i) {
         const ReleaseArea& area = scene.release[i];
-        ParticleSet particles;
-        release.areas.push_back(fill_area(scene, area, particles));
-        release.volume += release.areas.back().volume;
+        const ParticleSet& particles = filled[i];
+        release.volume += release.areas[i].volume;
         Entry& entry = later[area.start > 0 ? area.start : 0];
         entry.time = area.start;
         entry.areas.push_back(i);
@@ -197,7 +211,7 @@ Release make_release(const Scene& scene) {
     }
     refuse_gaps(scene, all);
     refuse_walls(scene, all);
-    release.centroid = mean_of(all, 0, [](Point local) { return local; });
+    release.centroid = mean_of(all, [](Point local) { return local; });
     release.depth = cell_depth(all, scene.grid);
     for (auto& [time, entry] : later) {
         if (time > 0) {

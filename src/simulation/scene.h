@@ -103,6 +103,7 @@ struct Scene {
     std::optional<Raster> walls;            ///< on the working grid: 1 where a wall stands that no flow overtops
     bool terrain_contains_release = false;  ///< the bed is the terrain less the released (vertical) thickness
     std::vector<ReleaseArea> release;
+    std::optional<double> release_volume;  ///< of all areas [m3]: their thicknesses are scaled alike to hold it
     std::vector<Inflow> inflows;
     Material material;
     MaterialZones zones;
