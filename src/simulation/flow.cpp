@@ -6,6 +6,7 @@
 
 #include "mpm/stable_step.h"
 #include "simulation/dispatch.h"
+#include "simulation/dispatch_bed.h"
 
 namespace frana {
 namespace {
@@ -35,27 +36,40 @@ TileGrid tile_grid(const NodeGrid& nodes) {
 voellmy_bingham::State initial_state(const Raster& bed, ParticleSet particles) {
     NodeGrid nodes(bed);
     TileOrder order(tile_grid(nodes));
-    return {std::move(particles), std::move(nodes), std::move(order)};
+    return voellmy_bingham::State(std::move(particles), std::move(nodes), std::move(order));
+}
+
+ZeroArray<BedLayer> bed_layers(const Entrainment& entrainment, const MaterialZones& zones, const NodeGrid& nodes) {
+    ZeroArray<BedLayer> layers(nodes.bed.size());
+    if (entrainment.erosion == ErosionLaw::none) return layers;
+    std::vector<double> depths;
+    if (zones.erodible_depth) depths = node_values(*zones.erodible_depth, entrainment.erodible_depth, nodes);
+    for (std::size_t i = 0; i < layers.size(); ++i)
+        layers[i].erodible = depths.empty() ? entrainment.erodible_depth : depths[i];
+    return layers;
 }
 
 }  // namespace
 
 Flow::Flow(const Raster& bed, const ParticleSet& particles, const Material& material,
-           const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt)
+           const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt, const MaterialZones& zones,
+           const Entrainment& entrainment)
     : grid_(bed.grid),
       numerics_(numerics),
       pool_(threads),
-      stages_(choose_stages(material, numerics)),
-      laws_(make_laws(material, numerics, bed.grid.cell_size)),
+      stages_(choose_stages(material, zones, entrainment, numerics)),
       state_(initial_state(bed, with_fields(particles, stages_.fields))),
+      laws_(make_laws(material, zones, entrainment, numerics, state_.nodes,
+                      tilt ? tilt->normal : numerics.gravity)),
       maxima_(state_.nodes.sums.size()) {
     // Without references the levels stay zero: the pressure is then measured against nothing.
     if (numerics.scheme == Scheme::standard) state_.nodes.allocate_levels();
     laws_.resample.width = state_.nodes.width();
     laws_.resample.height = state_.nodes.height();
     laws_.resample.minimum_depth = 1e-3 * bed.grid.cell_size;
+    if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.sums.size());
+    if (entrainment.active()) state_.bed_layers = bed_layers(entrainment, zones, state_.nodes);
     if (tilt) {
-        laws_.gravity = tilt->normal;
         laws_.gravity_x = tilt->along_x;
         laws_.gravity_y = tilt->along_y;
     }
@@ -161,6 +175,26 @@ void Flow::see_present() {
                         state_.time);
         }
     }
+}
+
+Raster Flow::layer_depth(double BedLayer::* depth) const {
+    Raster raster(grid_, k_no_data);
+    if (state_.bed_layers.size() == 0) return raster;
+    for (std::int64_t row = 0; row < grid_.rows; ++row) {
+        for (std::int64_t column = 0; column < grid_.columns; ++column) {
+            const double value = state_.bed_layers[state_.nodes.index(column, grid_.rows - 1 - row)].*depth;
+            if (value > 0) raster.at(row, column) = value;
+        }
+    }
+    return raster;
+}
+
+Raster Flow::eroded_depth() const {
+    return layer_depth(&BedLayer::eroded);
+}
+
+Raster Flow::deposited_depth() const {
+    return layer_depth(&BedLayer::deposited);
 }
 
 Raster Flow::to_raster(const ZeroArray<double>& padded, double shift) const {

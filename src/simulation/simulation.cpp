@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "simulation/arrivals.h"
-#include "simulation/dispatch.h"
 #include "simulation/flow.h"
 #include "simulation/release.h"
+#include "simulation/terms.h"
 
 namespace frana {
 namespace {
@@ -46,6 +46,24 @@ class StillWatch {
     static constexpr int k_frozen_steps = 10;
     int frozen_ = 0;
     double crawling_ = 0;
+};
+
+// Decides when so little is left of a flow's motion that a scene wants no more of it: kinetic energy or moving volume under
+// a share of its peak. Both grow from zero, so neither ends a flow that has not begun.
+class FadeWatch {
+  public:
+    explicit FadeWatch(const TimeControl& time) : time_(time) {}
+
+    bool energy(double now) { return under(now, energy_peak_, time_.stop_energy_share); }
+    bool moving(double now) { return under(now, moving_peak_, time_.stop_moving_share); }
+
+  private:
+    static bool under(double now, double& peak, double share) {
+        peak = std::max(peak, now);
+        return now < share * peak;
+    }
+    const TimeControl& time_;
+    double energy_peak_ = 0, moving_peak_ = 0;
 };
 
 SeriesRow series_row(const Flow& flow, const voellmy_bingham::StepReport& report, double density,
@@ -100,6 +118,10 @@ const char* describe(StopReason reason) {
             return "end time reached";
         case StopReason::still:
             return "everything at rest";
+        case StopReason::energy:
+            return "kinetic energy under the given share of its peak";
+        case StopReason::moving_volume:
+            return "moving volume under the given share of its peak";
         case StopReason::all_left:
             return "everything has left the domain";
         case StopReason::requested:
@@ -117,11 +139,13 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     engine.start();
     Release release = make_release(scene);
     Arrivals arrivals(scene, std::exchange(release.later, {}));
-    Flow flow(release.bed_at_start, release.particles, scene.material, scene.numerics, options.threads);
+    Flow flow(release.bed_at_start, release.particles, scene.material, scene.numerics, options.threads, std::nullopt,
+              scene.zones, scene.entrainment);
     if (scene.walls) flow.add_walls(*scene.walls);
     flow.set_origin(origin_of(release, arrivals));
+    flow.set_moving_speed(scene.time.moving_speed);
     RunResult result;
-    result.terms = list_terms(scene.material, scene.numerics);
+    result.terms = list_terms(scene);
     result.particles_initial = result.particles_peak = static_cast<std::int64_t>(release.particles.size());
     result.volume_initial = result.volume_entered = flow.volume();
     release.particles = ParticleSet();  // the flow has its own copy
@@ -152,6 +176,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     give_frame();
     double next_frame = interval > 0 ? interval : std::numeric_limits<double>::infinity();
     StillWatch watch;
+    FadeWatch fade(scene.time);
     result.stop_reason = StopReason::end_time;
     while (flow.time() < scene.time.end) {
         const double target = std::min({next_frame, scene.time.end, arrivals.next_time()});
@@ -166,6 +191,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
             std::max(result.particles_peak, static_cast<std::int64_t>(flow.particles().size()));
         result.hard_events.non_finite += report.particles.non_finite;
         result.hard_events.depth_clamped += report.particles.clamped;
+        result.unsupported += report.nodes.unsupported;
         if (scene.numerics.nodata == NodataPolicy::stop)
             result.hard_events.entered_no_data += report.particles.no_data;
         if (target - flow.time() <= 1e-9 * target) {
@@ -188,6 +214,10 @@ RunResult run(const Scene& scene, const RunOptions& options) {
             result.stop_reason = StopReason::all_left;
         } else if (scene.time.stop_when_still && arrivals.done() && watch.still(report.nodes.max_speed, report.dt)) {
             result.stop_reason = StopReason::still;
+        } else if (arrivals.done() && fade.energy(report.particles.kinetic)) {
+            result.stop_reason = StopReason::energy;
+        } else if (arrivals.done() && fade.moving(report.nodes.moving)) {
+            result.stop_reason = StopReason::moving_volume;
         } else if (options.stop_requested && options.stop_requested()) {
             result.stop_reason = StopReason::requested;
         } else {
@@ -218,6 +248,15 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     result.volume_final = flow.volume();
     result.volume_left = flow.volume_left();
     if (!arrivals.done()) result.notes.emplace_back("the run ended before everything had failed or flowed in");
+    result.exchanges = scene.entrainment.active();
+    if (result.exchanges) {
+        result.eroded_depth = flow.eroded_depth();
+        result.deposited_depth = flow.deposited_depth();
+        result.volume_eroded = flow.exchanged().eroded;
+        result.volume_deposited = flow.exchanged().deposited;
+        result.momentum_deposited = scene.material.density *
+                                    std::hypot(flow.exchanged().momentum_x, flow.exchanged().momentum_y);
+    }
     engine.stop();
     result.engine_seconds = engine.seconds();
     return result;
@@ -226,7 +265,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
 RunEstimate estimate(const Scene& scene, int threads) {
     Release release = make_release(scene);
     Arrivals arrivals(scene, std::exchange(release.later, {}));
-    Flow flow(release.bed, release.particles, scene.material, scene.numerics, threads);
+    Flow flow(release.bed, release.particles, scene.material, scene.numerics, threads, std::nullopt, scene.zones,
+              scene.entrainment);
     if (scene.walls) flow.add_walls(*scene.walls);
     RunEstimate e;
     e.particles = static_cast<std::int64_t>(flow.particles().size() + arrivals.particles_left());
@@ -236,7 +276,7 @@ RunEstimate estimate(const Scene& scene, int threads) {
     flow.add_particles(rest.particles);
     e.inflow = rest.inflow;
     e.first_step_seconds = flow.stable_step();
-    e.terms = list_terms(scene.material, scene.numerics);
+    e.terms = list_terms(scene);
     // Rasters: terrain, bed, release and five results as doubles; nodes only where material may come, taken
     // as all.
     const std::int64_t cells = scene.grid.cell_count();
