@@ -44,7 +44,8 @@ Inside cells_inside(const GridSpec& grid, const MultiPolygon& outline) {
 }
 
 // Makes every cell inside the mean of its four neighbours plus `rise`, by successive over-relaxation in a fixed
-// order; cells outside stay. Stops where no cell changes by more than 1e-12 of what was changed at first.
+// order; cells outside stay. Stops where no cell changes by more than 1e-12 of its side or of what was changed at
+// first.
 void relax(const Inside& inside, double rise, Raster& values) {
     const double omega = 2 / (1 + std::sin(std::numbers::pi / (inside.longest + 1)));
     const auto stride = static_cast<std::size_t>(values.grid.columns);
@@ -60,7 +61,7 @@ void relax(const Inside& inside, double rise, Raster& values) {
             change = std::max(change, std::abs(step));
         }
         first = std::max(first, change);
-        if (change <= 1e-12 * first) return;
+        if (change <= 1e-12 * std::max(first, values.grid.cell_size)) return;
     }
 }
 

@@ -118,6 +118,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.zones = std::move(zones);
     prepared.scene.material = material_of(reading.scene.material);
     prepared.scene.numerics = numerics_of(reading.scene);
+    refuse_unused_zones(reading, prepared.scene, problems);
+    problems.throw_if_any();
     prepared.scene.time.end = reading.scene.time.end;
     prepared.scene.time.stop_when_still = reading.scene.time.stop_when_still;
     prepared.scene.time.frame_interval = frame_interval(reading.scene);

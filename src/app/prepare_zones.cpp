@@ -217,4 +217,21 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
     return zones;
 }
 
+void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Problems& problems) {
+    const Material& material = scene.material;
+    const auto refuse = [&](const std::optional<Raster>& zones, bool read, const std::string& what,
+                            const std::string& remedy) {
+        if (!zones || read) return;
+        problems.add({"the zones give " + what + ", which the scene's laws do not use",
+                      reading.where("terrain.friction-zones"), "", "", remedy});
+    };
+    const std::string law = "Choose such a law in [material], or remove the zones";
+    refuse(scene.zones.friction_coefficient,
+           material.has(BedTerm::coulomb) || material.has(BedTerm::pouliquen_forterre), "friction", law);
+    refuse(scene.zones.turbulence, material.has(BedTerm::turbulence), "turbulence", law);
+    refuse(scene.zones.cohesion, material.has(BedTerm::cohesion), "cohesion", law);
+    refuse(scene.zones.erodible_depth, scene.entrainment.erosion != ErosionLaw::none, "an erodible depth",
+           "Choose a law of erosion, or remove the zones");
+}
+
 }  // namespace frana::app

@@ -13,4 +13,7 @@ namespace frana::app {
 MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, RunLog& log,
                             Problems& problems);
 
+/// Zones of something that the scene's laws never read are a mistake: told as problems.
+void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Problems& problems);
+
 }  // namespace frana::app

@@ -72,6 +72,9 @@ class NodeGrid {
     [[nodiscard]] bool is_gap(std::int64_t i, std::int64_t j) const noexcept {
         return !solid_.empty() && solid_[index(i, j)] == k_gap;
     }
+    [[nodiscard]] bool is_wall(std::int64_t i, std::int64_t j) const noexcept {
+        return !solid_.empty() && solid_[index(i, j)] == k_wall;
+    }
     [[nodiscard]] bool any_solid() const noexcept { return !solid_.empty(); }
     [[nodiscard]] const std::uint8_t* solid() const noexcept {
         return solid_.empty() ? nullptr : solid_.data();
@@ -81,6 +84,8 @@ class NodeGrid {
     void mark_walls(const Raster& walls);
     /// Lowers the bed by the depth in each cell of a north-up raster [m]; NaN: not.
     void lower_bed(const Raster& depth);
+
+    static constexpr std::uint8_t k_gap = 1, k_wall = 2;  ///< why a node is solid
 
     /// Elevation of the lowest cell; `bed` is relative to it so that sums keep their digits.
     [[nodiscard]] double datum() const noexcept { return datum_; }
@@ -94,7 +99,6 @@ class NodeGrid {
   private:
     void extend_beyond_edges();
 
-    static constexpr std::uint8_t k_gap = 1, k_wall = 2;  // why a node is solid
     std::int64_t columns_, rows_;
     double cell_size_, datum_ = 0;
     std::vector<std::uint8_t> solid_;

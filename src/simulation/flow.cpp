@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/flow.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "mpm/shape.h"
 #include "mpm/stable_step.h"
 #include "simulation/dispatch.h"
 #include "simulation/dispatch_bed.h"
@@ -27,6 +30,42 @@ ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
     ParticleSet particles(fields);
     append(seeds, particles);
     return particles;
+}
+
+// What comes in where something lies already makes it deeper: particles near the newcomers give up area until they claim
+// no more than there is. Reads the nodes' sums of area.
+void make_room(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet& particles) {
+    const double dx = nodes.cell_size(), inverse_dx = 1 / dx;
+    const auto cell = [&](double x, double y) {
+        return nodes.index(static_cast<std::int64_t>(x * inverse_dx), static_cast<std::int64_t>(y * inverse_dx));
+    };
+    const auto inside = [&](double x, double y) {
+        return x >= 0 && y >= 0 && x < nodes.width() && y < nodes.height();
+    };
+    std::vector<std::size_t> near;
+    for (std::size_t p = 0; p < newcomers.size(); ++p) {
+        for (int b = -1; b <= 1; ++b) {
+            for (int a = -1; a <= 1; ++a) {
+                const double x = newcomers[Field::x][p] + a * dx, y = newcomers[Field::y][p] + b * dx;
+                if (inside(x, y)) near.push_back(cell(x, y));
+            }
+        }
+    }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double x = particles[Field::x][p], y = particles[Field::y][p];
+        if (!std::binary_search(near.begin(), near.end(), cell(x, y))) continue;
+        const Stencil<QuadraticSplineShape> s(x, y, dx, inverse_dx, nodes.stride());
+        double claimed = 0;
+        for (int b = 0; b < 3; ++b) {
+            for (int a = 0; a < 3; ++a)
+                claimed += s.wx[a] * s.wy[b] *
+                           nodes.sums[s.first + static_cast<std::size_t>(b * nodes.stride() + a)].area;
+        }
+        claimed *= inverse_dx * inverse_dx;
+        if (claimed > 1) particles[Field::area][p] /= claimed;
+    }
 }
 
 TileGrid tile_grid(const NodeGrid& nodes) {
@@ -77,9 +116,19 @@ Flow::Flow(const Raster& bed, const ParticleSet& particles, const Material& mate
     voellmy_bingham::prepare(state_, laws_, pool_);
 }
 
+void Flow::add_walls(const Raster& walls) {
+    state_.nodes.mark_walls(walls);
+    laws_.resample.marks = state_.nodes.solid();
+    laws_.resample.wall_mark = NodeGrid::k_wall;
+}
+
 void Flow::add_particles(const ParticleSet& particles) {
+    if (particles.size() == 0) return;
     append(particles, state_.particles);
     voellmy_bingham::prepare(state_, laws_, pool_);
+    gather_on_nodes(state_, laws_, stages_, pool_);
+    make_room(particles, state_.nodes, state_.particles);
+    voellmy_bingham::prepare(state_, laws_, pool_);  // what is deeper is faster
 }
 
 voellmy_bingham::StepReport Flow::advance(double dt_limit) {

@@ -29,7 +29,7 @@ class Flow {
          const Entrainment& entrainment = {});
 
     /// Marks where walls stand: 1 in a raster on the same grid.
-    void add_walls(const Raster& walls) { state_.nodes.mark_walls(walls); }
+    void add_walls(const Raster& walls);
     /// More particles between two steps, in local metres; those outside count as left.
     void add_particles(const ParticleSet& particles);
     /// Takes ground away between two steps: depth in each cell [m], NaN for none.

@@ -78,6 +78,11 @@ std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydr
         const HydrographPoint b = hydrograph[i + 1];
         const double span = b.time - a.time;
         if (!(span > 0)) continue;
+        if (a.discharge == 0 && b.discharge == 0) {  // a pause: what has crossed goes on without waiting for more
+            close(a.time);
+            since = b.time;
+            continue;
+        }
         const auto at = [&](double time) {
             const double s = (time - hydrograph[i].time) / span;
             return HydrographPoint{time, (1 - s) * hydrograph[i].discharge + s * b.discharge,
@@ -104,7 +109,7 @@ std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydr
     return batches;
 }
 
-InflowSource::InflowSource(const Scene& scene, const Inflow& inflow) {
+InflowSource::InflowSource(const Scene& scene, const Inflow& inflow) : gravity_(scene.numerics.gravity) {
     Polyline line;
     for (const Point& map : inflow.line) line.push_back(scene.grid.local_from_map(map));
     const double length = length_of(line), spacing = lattice_spacing(scene);
@@ -147,13 +152,19 @@ double InflowSource::take(ParticleSet& particles) {
     double given = 0;
     for (std::size_t k = 0; k < mouths_.size(); ++k) {
         const Mouth& mouth = mouths_[k];
-        const double length = batch.length * mouth.map_share, speed = batch.speed * mouth.map_share;
+        const double length = batch.length * mouth.map_share, area = length * mouth.width;
+        // What lies upstream of the line is not computed, but presses on it: the row brings that impulse with it,
+        // g h^2 / 2 a second and metre, so that the flux of momentum is h v^2 + g h^2 / 2. Slower than the critical speed
+        // a flow finds its depth from downstream, and more than half as fast again would be a jet.
+        const double depth = batch.volume * mouth.share / area;
+        const double pressed = 0.5 * batch.speed * std::min(1.0, gravity_ * depth / (batch.speed * batch.speed));
+        const double speed = (batch.speed + pressed) * mouth.map_share;
         ParticleRow row = ParticleSet::initial_row();
         get(row, Field::x) = mouth.place.x + 0.5 * length * mouth.direction.x;
         get(row, Field::y) = mouth.place.y + 0.5 * length * mouth.direction.y;
         get(row, Field::u) = speed * mouth.direction.x;
         get(row, Field::v) = speed * mouth.direction.y;
-        get(row, Field::area) = length * mouth.width;
+        get(row, Field::area) = area;
         get(row, Field::volume) = batch.volume * mouth.share;
         given += get(row, Field::volume);
         particles.push_back(row);

@@ -48,6 +48,7 @@ class InflowSource {
         double width;            ///< across the direction [m]
         double share;            ///< of the discharge
     };
+    double gravity_;  ///< [m/s2]
     std::vector<Mouth> mouths_;
     std::vector<InflowBatch> batches_;
     std::size_t next_ = 0;

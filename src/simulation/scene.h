@@ -137,12 +137,12 @@ struct TimeControl {
 struct ReleaseArea {
     MultiPolygon outline;
     double thickness = 0;                    ///< [m]; ignored where a raster is given
-    std::optional<Raster> thickness_raster;  ///< on the working grid; NaN or <= 0: nothing released there
-    std::optional<double> volume;            ///< [m3]: the thickness is scaled so that this is released
+    std::optional<Raster> thickness_raster{};  ///< on the working grid; NaN or <= 0: nothing released there
+    std::optional<double> volume{};          ///< [m3]: the thickness is scaled so that this is released
     bool normal_to_bed = false;              ///< thickness measured normal to the bed; false: vertically
     double start = 0;                        ///< when it fails [s]; until then its ground lies still
     double speed = 0;                        ///< at the start, along the bed [m/s]
-    std::optional<double> azimuth;  ///< of that speed, clockwise from the grid's north [rad]; none: down the mean slope
+    std::optional<double> azimuth{};  ///< of that speed, clockwise from the grid's north [rad]; none: down the mean slope
 };
 
 /// Discharge and velocity at one time; linear between times, nothing before the first and after the last.

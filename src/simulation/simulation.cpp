@@ -104,6 +104,14 @@ Frame take_frame(Flow& flow, int index) {
     return {index, flow.time(), std::move(shot.depth), std::move(shot.speed)};
 }
 
+// A wall's cell holds nothing, though the nodes there gather a share of what leans against it.
+void hide_walls(const Scene& scene, Raster& raster) {
+    if (!scene.walls) return;
+    for (std::size_t i = 0; i < raster.values.size(); ++i) {
+        if (scene.walls->values[i] == 1) raster.values[i] = k_no_data;
+    }
+}
+
 Raster pressure_kpa(const Raster& speed, double density) {
     Raster pressure = speed;
     for (double& value : pressure.values) value = density * value * value / 1000;
@@ -170,7 +178,10 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     const auto give_frame = [&] {
         if (!options.on_frame || interval <= 0) return;
         engine.stop();
-        options.on_frame(take_frame(flow, frame++));
+        Frame taken = take_frame(flow, frame++);
+        hide_walls(scene, taken.depth);
+        hide_walls(scene, taken.velocity);
+        options.on_frame(taken);
         engine.start();
     };
     give_frame();
@@ -238,6 +249,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
             result.max_velocity.values[i] = 0;
         }
     }
+    for (Raster* raster : {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth})
+        hide_walls(scene, *raster);
     result.max_pressure = pressure_kpa(result.max_velocity, scene.material.density);
     result.bed = std::move(release.bed);
     result.release = std::move(release.depth);
