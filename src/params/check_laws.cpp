@@ -28,7 +28,8 @@ void check_keys(const SceneSpec& scene, const std::set<std::string>& given, cons
                 Problems& problems) {
     const std::vector<std::string> laws = laws_of(scene);
     for (const LawKey& key : law_keys()) {
-        const bool is_given = given.count(key.name) > 0;
+        bool is_given = given.count(key.name) > 0;
+        if (key.name == "material.turbulence" && !scene.material.turbulence) is_given = false;  // "off"
         const bool read = std::any_of(key.laws.begin(), key.laws.end(),
                                       [&](const std::string& law) { return holds(laws, law); });
         if (is_given && !read) {
