@@ -93,6 +93,14 @@ int cmd_run(const Arguments& arguments) {
     log.tell("computed " + figure(result.simulated_seconds, 4) + " s in " + std::to_string(result.steps) +
              " steps and " + figure(result.engine_seconds, 3) +
              " s of wall time: " + describe(result.stop_reason));
+    if (result.exchanges) {
+        log.tell("the flow eroded " + figure(result.volume_eroded, 4) + " m3 and deposited " +
+                 figure(result.volume_deposited, 4) + " m3 in its bed");
+    }
+    if (result.unsupported > 0) {
+        log.note("over convex ground the motion lifted the flow off its bed at " + std::to_string(result.unsupported) +
+                 " nodes times steps; there it had no friction");
+    }
 
     const bool all_drawn =
         publish({prepared, result, threads, input_seconds, since_start}, directory, frames, log);

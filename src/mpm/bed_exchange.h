@@ -63,8 +63,8 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
         const double speed = std::sqrt(node.px * node.px + node.py * node.py + climb * climb);
         const BedState& bed = states[i];
         const double mass = density * bed.thickness, share = std::min(1.0, node.area);
-        const BedContact contact{node.mass / (node.area * cell_area), speed,        mass * bed.resistance,
-                                 mass * bed.normal_gravity,           layer.eroded, dt};
+        const BedContact contact{node.mass / (share * cell_area), speed,        mass * bed.resistance,
+                                 mass * bed.normal_gravity,       layer.eroded, dt};
         const double to_share = cell_area / node.mass;
         if constexpr (Erosion::active) {
             const double left = layer.erodible + layer.deposited - layer.eroded;

@@ -2,6 +2,7 @@
 #include "params/check_scene.h"
 
 #include "core/json.h"
+#include "params/check_laws.h"
 
 namespace frana {
 namespace {
@@ -22,11 +23,6 @@ void check_required(const SceneSpec& scene, const std::set<std::string>& given, 
     if (missing("release.perimeter") && !(thickness && thickness->by_raster()) && (releases || !flows_in))
         problems.add(
             {"is missing", file + ": release.perimeter", "", "", "Name the polygon layer of what fails"});
-    if (missing("material.friction-angle") && missing("material.friction-coefficient")) {
-        problems.add({"no bed friction is given", file + ": material.friction-angle", "", "",
-                      "Set material.preset (see `frana materials`), material.friction-angle or "
-                      "material.friction-coefficient; 0 is allowed, but must be said"});
-    }
 }
 
 /// A key that says nothing without another one.
@@ -144,6 +140,7 @@ void check_scene(const SceneSpec& scene, const std::set<std::string>& given, con
     check_required(scene, given, file, problems);
     check_pairs(scene, file, problems);
     check_thickness(scene.release, file, problems);
+    check_laws(scene, given, file, problems);
     check_numerics(scene.numerics, file, problems);
     check_frames(scene, file, problems);
 }

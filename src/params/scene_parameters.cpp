@@ -2,6 +2,7 @@
 #include "params/scene_parameters.h"
 
 #include "params/declare.h"
+#include "params/material_parameters.h"
 #include "params/site_parameters.h"
 
 namespace frana {
@@ -12,23 +13,7 @@ using declare::number;
 using declare::on_off;
 using declare::Range;
 using declare::text;
-
-Parameter turbulence_parameter() {
-    Parameter result =
-        number("material.turbulence", FRANA_MEMBER(material.turbulence), "m/s2", Range{0, 1e9, true},
-               "Voellmy turbulence coefficient xi; off: friction alone.", "off");
-    result.limits += ", or off";
-    const auto read_number = result.read;
-    result.read = [read_number](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
-        if (value != "off") return read_number(scene, value);
-        scene.material.turbulence.reset();
-        return std::nullopt;
-    };
-    result.write = [](const SceneSpec& scene) -> std::optional<std::string> {
-        return scene.material.turbulence ? shortest_text(*scene.material.turbulence) : "off";
-    };
-    return result;
-}
+using declare::word_list;
 
 Parameter particles_per_cell_parameter() {
     Parameter result = declare::parameter(
@@ -48,39 +33,6 @@ Parameter particles_per_cell_parameter() {
     return result;
 }
 
-/// A list whose words come from a fixed set; a word in `alone` must stand by itself.
-template <class Member>
-Parameter word_list(const std::string& name, Member member, const std::vector<std::string>& alone,
-                    const std::vector<std::string>& words, const std::string& meaning,
-                    const std::vector<std::string>& not_yet = {}) {
-    Parameter result = declare::parameter(
-        name, "list", member,
-        [=](std::vector<std::string>& target, const std::string& value) -> std::optional<Refusal> {
-            const auto is_in = [](const std::vector<std::string>& list, const std::string& word) {
-                return std::find(list.begin(), list.end(), word) != list.end();
-            };
-            const std::vector<std::string> given = words_of(value);
-            if (given.empty()) return Refusal{"names nothing", ""};
-            for (const std::string& word : given) {
-                if (is_in(not_yet, word))
-                    return Refusal{"'" + word + "' is not available in this version", ""};
-                if (is_in(alone, word) && given.size() > 1)
-                    return Refusal{"'" + word + "' must stand alone", ""};
-                if (!is_in(alone, word) && !is_in(words, word))
-                    return Refusal{"'" + word + "' is not known", ""};
-            }
-            target = given;
-            return std::nullopt;
-        },
-        [](const std::vector<std::string>& value) { return joined(value, ", "); });
-    std::vector<std::string> all = alone;
-    all.insert(all.end(), words.begin(), words.end());
-    result.limits = joined(all, ", ");
-    if (!not_yet.empty()) result.limits += " (not available yet: " + joined(not_yet, ", ") + ")";
-    result.meaning = meaning;
-    return result;
-}
-
 Parameter map_size_parameter() {
     Parameter result =
         text("output.map-size", FRANA_MEMBER(output.map_size), "text", "Width and height of the maps.");
@@ -92,36 +44,6 @@ Parameter map_size_parameter() {
         return std::nullopt;
     };
     return result;
-}
-
-void add_material(std::vector<Parameter>& list) {
-    list.push_back(text("material.preset", FRANA_MEMBER(material.preset), "text",
-                        "A material of `frana materials` to start from; keys given in the scene override it.",
-                        "none"));
-    list.push_back(choice("material.model", FRANA_MEMBER(material.model), {"voellmy-bingham"},
-                          "Constitutive model.", {"structured"}));
-    list.push_back(number("material.density", FRANA_MEMBER(material.density), "kg/m3", Range{10, 10000},
-                          "Bulk density of the flow."));
-    list.push_back(number("material.friction-angle", FRANA_MEMBER(material.friction_angle), "degrees",
-                          Range{0, 60}, "Bed friction angle phi; this or friction-coefficient.",
-                          "required, or friction-coefficient"));
-    list.push_back(number("material.friction-coefficient", FRANA_MEMBER(material.friction_coefficient), "",
-                          Range{0, 2},
-                          "Bed friction coefficient mu = tan(phi); typical values are 0.05 to 0.7.",
-                          "required, or friction-angle"));
-    list.push_back(turbulence_parameter());
-    list.push_back(number("material.viscosity", FRANA_MEMBER(material.viscosity), "Pa s", Range{0, 1e8},
-                          "Bingham viscosity of the in-plane stress."));
-    list.push_back(number("material.yield-stress", FRANA_MEMBER(material.yield_stress), "Pa", Range{0, 1e7},
-                          "Bingham yield stress of the in-plane stress."));
-    list.push_back(number("material.surface-pressure", FRANA_MEMBER(material.surface_pressure), "Pa",
-                          Range{0, 1e6},
-                          "Gauge pressure on the free surface that adds to bed friction; 0 in open air."));
-    list.push_back(number("material.yield-regularisation", FRANA_MEMBER(material.yield_regularisation), "1/s",
-                          Range{1e-6, 10}, "Shear rate under which the yield stress is softened."));
-    list.push_back(
-        choice("material.yield-ratio", FRANA_MEMBER(material.yield_ratio), {"exact", "quadratic"},
-               "Ratio of yield stress to bed stress: root of the cubic, or the paper's quadratic."));
 }
 
 void add_numerics(std::vector<Parameter>& list) {
@@ -142,6 +64,9 @@ void add_numerics(std::vector<Parameter>& list) {
         choice("numerics.slope-correction", FRANA_MEMBER(numerics.slope_correction),
                {"auto", "none", "normal", "surface"},
                "Form of the equations on steep ground; auto: normal for scheme default, none for paper."));
+    list.push_back(on_off("numerics.curvature", FRANA_MEMBER(numerics.curvature),
+                          "Load of the motion over the bed's curvature: more friction in hollows, less over edges. "
+                          "Needs a slope correction."));
     list.push_back(choice("numerics.boundary", FRANA_MEMBER(numerics.boundary), {"open", "wall"},
                           "Edge of the working grid: material leaves and is counted, or is held."));
     list.push_back(number("numerics.gravity", FRANA_MEMBER(numerics.gravity), "m/s2", Range{0.1, 100},
@@ -158,6 +83,12 @@ void add_rest(std::vector<Parameter>& list) {
         number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Simulated time at most."));
     list.push_back(on_off("time.stop-when-still", FRANA_MEMBER(time.stop_when_still),
                           "End as soon as nothing moves any more."));
+    list.push_back(number("time.stop-energy-share", FRANA_MEMBER(time.stop_energy_share), "", Range{0, 0.5},
+                          "End once kinetic energy is under this share of its peak; 0: never for this reason."));
+    list.push_back(number("time.stop-moving-share", FRANA_MEMBER(time.stop_moving_share), "", Range{0, 0.5},
+                          "End once the moving volume is under this share of its peak; 0: never for this reason."));
+    list.push_back(number("time.moving-speed", FRANA_MEMBER(time.moving_speed), "m/s", Range{0, 10, true},
+                          "Speed from which volume counts as moving."));
     list.push_back(number("time.frame-interval", FRANA_MEMBER(time.frame_interval), "s", Range{0, 1e6, true},
                           "Simulated time between frames.", "a round number, at most sixty-one frames"));
 
@@ -198,6 +129,7 @@ std::vector<Parameter> scene_parameters() {
     add_inflow(list);
     add_material(list);
     add_zones(list);
+    add_entrainment(list);
     add_numerics(list);
     add_rest(list);
     return list;
@@ -215,6 +147,7 @@ std::vector<Section> scene_sections() {
             {"inflow", "What flows in through a line, over time."},
             {"material", "What it is made of."},
             {"zones", "Where the ground differs from what [material] says."},
+            {"entrainment", "What it takes from its bed and leaves on it."},
             {"numerics", "How it is computed."},
             {"time", "How long."},
             {"output", "What is written."},

@@ -26,7 +26,7 @@ struct EarthPressureStress {
     double gravity = 9.81;     ///< [m/s2]
     double spreading = 1;      ///< K_act [-]
     double compressed = 1;     ///< K_pass [-]
-    double transition = 0.01;  ///< r [1/s]
+    double transition = 1e-3;  ///< r [1/s]
 
     /// @param internal_friction tan(phi_i), at least @param bed_friction tan(delta)
     static EarthPressureStress of(double internal_friction, double bed_friction, double gravity) noexcept {

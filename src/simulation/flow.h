@@ -54,6 +54,12 @@ class Flow {
     /// Volume inside and its centroid (local metres).
     [[nodiscard]] double volume() const;
     [[nodiscard]] Point centroid() const;
+    /// What laws of the bed beyond uniform Voellmy friction keep at each node [bytes].
+    [[nodiscard]] std::size_t bed_bytes_per_node() const noexcept {
+        return (state_.bed_states.size() != 0 ? sizeof(BedState) : 0) +
+               (state_.bed_layers.size() != 0 ? sizeof(BedLayer) : 0) +
+               laws_.friction.node_values.size() * sizeof(double);
+    }
     /// Measures the front distance from here on [local metres].
     void set_origin(Point origin) { laws_.origin = origin; }
     /// Rids the time of the last bit that summing steps has cost it.

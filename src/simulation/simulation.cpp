@@ -295,7 +295,8 @@ RunEstimate estimate(const Scene& scene, int threads) {
     const std::int64_t cells = scene.grid.cell_count();
     constexpr std::int64_t k_rasters = 10;
     constexpr std::int64_t k_node_bytes = sizeof(NodeSums) + sizeof(NodeLevel) + 4 * sizeof(double);
-    e.memory_bytes = cells * (k_rasters * static_cast<std::int64_t>(sizeof(double)) + k_node_bytes) +
+    const auto bed_bytes = static_cast<std::int64_t>(flow.bed_bytes_per_node());
+    e.memory_bytes = cells * (bed_bytes + k_rasters * static_cast<std::int64_t>(sizeof(double)) + k_node_bytes) +
                      3 * e.particles * static_cast<std::int64_t>(flow.particles().bytes_per_particle());
     // Time of the first steps, for as many steps as the end time would take at the first step's length.
     constexpr int k_trial_steps = 3;
