@@ -202,20 +202,29 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const Source& source,
     return features;
 }
 
-/// Ground that lies in two features would be released twice.
-void warn_of_overlaps(const std::vector<PolygonFeature>& features, const Source& source,
+/// Ground that lies in two features: what that means, the caller knows.
+bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const Source& source,
                       std::vector<std::string>& warnings) {
+    bool any = false;
+    std::vector<Bounds> boxes;
+    for (const PolygonFeature& feature : features) boxes.push_back(bounds(feature.parts));
+    const auto apart = [](const Bounds& a, const Bounds& b) {
+        return a.east <= b.west || b.east <= a.west || a.north <= b.south || b.north <= a.south;
+    };
     for (std::size_t i = 0; i < features.size(); ++i) {
         for (std::size_t j = i + 1; j < features.size(); ++j) {
+            if (apart(boxes[i], boxes[j])) continue;
             const double shared = shared_area(features[i].parts, features[j].parts);
             const double smaller = std::min(area(features[i].parts), area(features[j].parts));
             if (shared <= k_overlap_share * smaller) continue;
             warnings.push_back(source.where + ": areas " + std::to_string(i + 1) + " and " +
                                std::to_string(j + 1) + " overlap by " +
                                shortest_text(std::round(shared * 10) / 10) +
-                               " square units; what lies in both counts twice");
+                               " square units");
+            any = true;
         }
     }
+    return any;
 }
 
 }  // namespace
@@ -257,7 +266,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
                     error.problems().front().remedy);
     }
     read.bounds = bounds_of(read.features);
-    warn_of_overlaps(read.features, source, read.warnings);
+    read.overlap = warn_of_overlaps(read.features, source, read.warnings);
     return read;
 }
 

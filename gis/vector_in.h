@@ -16,6 +16,7 @@ struct PolygonLayer {
     TransformInfo transform;
     Bounds bounds;  ///< in the target CRS
     std::vector<std::string> warnings;
+    bool overlap = false;  ///< features share ground
 };
 
 /// Every polygon of a vector layer in the target CRS (empty: coordinates as they are). `path` may name a

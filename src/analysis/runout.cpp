@@ -16,17 +16,21 @@ Runout runout(const Raster& bed, const Raster& release, const Raster& trace) {
     }
     Runout result;
     double highest = k_no_data;
-    for (std::int64_t row = 0; row < grid.rows; ++row) {
-        for (std::int64_t column = 0; column < grid.columns; ++column) {
-            if (!(release.at(row, column) > 0)) continue;
-            const double surface = bed.at(row, column) + release.at(row, column);
-            if (std::isnan(surface) || surface <= highest) continue;
-            highest = surface;
-            result.top = grid.cell_centre(row, column);
+    const auto find_top = [&](const Raster& where, bool raised) {
+        for (std::int64_t row = 0; row < grid.rows; ++row) {
+            for (std::int64_t column = 0; column < grid.columns; ++column) {
+                if (!(where.at(row, column) > 0)) continue;
+                const double surface = bed.at(row, column) + (raised ? where.at(row, column) : 0);
+                if (std::isnan(surface) || surface <= highest) continue;
+                highest = surface;
+                result.top = grid.cell_centre(row, column);
+            }
         }
-    }
+    };
+    find_top(release, true);
+    if (std::isnan(highest)) find_top(trace, false);
     if (std::isnan(highest))
-        throw Error(ErrorKind::input, Problem{"nothing is released", "run-out", "", "", ""});
+        throw Error(ErrorKind::input, Problem{"nothing is released and nothing flows", "run-out", "", "", ""});
 
     result.tip = result.top;
     for (std::int64_t row = 0; row < grid.rows; ++row) {

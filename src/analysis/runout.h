@@ -5,8 +5,8 @@
 
 namespace frana {
 
-/// How far a mass ran: from the highest point of the release's surface to the cell of the trace farthest from
-/// it in map view.
+/// How far a mass ran: from the highest point of the release's surface (of the touched bed, where nothing was released
+/// but flowed in) to the cell of the trace farthest from it in map view.
 struct Runout {
     double horizontal_m = 0;     ///< straight line in map view
     double drop_m = 0;           ///< surface at the top less bed at the tip

@@ -10,6 +10,7 @@
 #include "app/share_directory.h"
 #include "app/text_file.h"
 #include "bench/accuracy_report.h"
+#include "bench/law_costs.h"
 #include "bench/speed.h"
 #include "bench/stability.h"
 #include "core/error.h"
@@ -26,8 +27,8 @@ CommandForm bench_form() {
     CommandForm form{"frana bench accuracy|stability|speed [options]",
                      "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
                      "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
-                     "with --out also writes\naccuracy.csv and accuracy.png, stability.csv or "
-                     "speed.csv.\naccuracy takes some ten minutes, with --quick half a minute.",
+                     "with --out also writes\naccuracy.csv and accuracy.png, stability.csv, or "
+                     "speed.csv and law_costs.csv.\naccuracy takes some ten minutes, with --quick half a minute.",
                      "accuracy|stability|speed",
                      {}};
     form.options.add_options()("out", options::value<std::string>(), "folder for the files")(
@@ -105,8 +106,13 @@ int bench_speed(const boost::program_options::variables_map& values) {
     options.threads = thread_count(values);
     options.report = report_line;
     const auto result = bench::run_speed(options);
-    std::cout << bench::speed_table(result);
-    if (folder) write_text_file((*folder / "speed.csv").string(), bench::speed_csv(result));
+    report_line("cost of each law ...");
+    const auto costs = bench::run_law_costs(options.quick ? 2e4 : 1e5, options.quick ? 20 : 50);
+    std::cout << bench::speed_table(result) << bench::law_costs_table(costs);
+    if (folder) {
+        write_text_file((*folder / "speed.csv").string(), bench::speed_csv(result));
+        write_text_file((*folder / "law_costs.csv").string(), bench::law_costs_csv(costs));
+    }
     return static_cast<int>(ExitCode::done);
 }
 

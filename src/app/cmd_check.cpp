@@ -91,6 +91,7 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, int thread
     std::printf("\nRun\n");
     line("released",
          words(grouped(expected.volume), "m3 from") + " " + grouped(prepared.release.area_m2) + " m2");
+    if (expected.inflow > 0) line("flows in", grouped(expected.inflow) + " m3 until the end");
     line("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                         : "is the bed: the release lies on top of it");
     line("particles", grouped(expected.particles));

@@ -34,17 +34,6 @@ CommandForm run_form() {
     return form;
 }
 
-/// Files of the user's that the run reads.
-std::vector<std::string> input_files(const SceneSpec& spec) {
-    std::vector<std::string> files{spec.file, spec.terrain.dtm};
-    for (const auto& file : {spec.release.perimeter, spec.scar.perimeter})
-        if (file) files.push_back(*file);
-    if (spec.release.thickness)
-        for (const std::string& file : {spec.release.thickness->raster, spec.release.thickness->post})
-            if (!file.empty()) files.push_back(file);
-    return files;
-}
-
 ExitCode exit_code(const RunResult& result, bool all_drawn) {
     switch (result.stop_reason) {
         // The map ends where the terrain does: a script must not take it for a whole one.
@@ -104,6 +93,14 @@ int cmd_run(const Arguments& arguments) {
     log.tell("computed " + figure(result.simulated_seconds, 4) + " s in " + std::to_string(result.steps) +
              " steps and " + figure(result.engine_seconds, 3) +
              " s of wall time: " + describe(result.stop_reason));
+    if (result.exchanges) {
+        log.tell("the flow eroded " + figure(result.volume_eroded, 4) + " m3 and deposited " +
+                 figure(result.volume_deposited, 4) + " m3 in its bed");
+    }
+    if (result.unsupported > 0) {
+        log.note("over convex ground the motion lifted the flow off its bed at " + std::to_string(result.unsupported) +
+                 " nodes times steps; there it had no friction");
+    }
 
     const bool all_drawn =
         publish({prepared, result, threads, input_seconds, since_start}, directory, frames, log);

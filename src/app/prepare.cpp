@@ -4,24 +4,16 @@
 #include <utility>
 
 #include "app/number_text.h"
+#include "app/prepare_inflow.h"
+#include "app/prepare_material.h"
+#include "app/prepare_obstacles.h"
+#include "app/prepare_zones.h"
 #include "core/json.h"
 #include "gis/crs.h"
+#include "params/law_names.h"
 
 namespace frana::app {
 namespace {
-
-Material material_of(const MaterialSpec& spec) {
-    Material material;
-    material.density = spec.density;
-    material.friction_coefficient = friction_coefficient(spec);
-    if (spec.turbulence) material.turbulence = *spec.turbulence;
-    material.surface_pressure = spec.surface_pressure;
-    material.viscosity = spec.viscosity;
-    material.yield_stress = spec.yield_stress;
-    material.yield_regularisation = spec.yield_regularisation;
-    material.exact_yield_ratio = spec.yield_ratio == "exact";
-    return material;
-}
 
 Numerics numerics_of(const SceneSpec& spec) {
     Numerics numerics;
@@ -37,6 +29,7 @@ Numerics numerics_of(const SceneSpec& spec) {
     numerics.slope_correction = correction == "none"      ? SlopeCorrection::none
                                 : correction == "surface" ? SlopeCorrection::surface
                                                           : SlopeCorrection::normal;
+    numerics.curvature = words.curvature;
     numerics.boundary = words.boundary == "wall" ? Boundary::wall : Boundary::open;
     const std::string& policy = spec.terrain.nodata_policy;
     numerics.nodata = policy == "wall"   ? NodataPolicy::wall
@@ -81,7 +74,9 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     chosen["terrain.cell-size"] = shortest_text(grid.cell_size);
     chosen["terrain.bounds"] = extent_text(grid.bounds());
     chosen["terrain.resampling"] = ground.resampling_used;
-    chosen["material.friction-coefficient"] = shortest_text(friction_coefficient(spec.material));
+    if (spec.material.friction_angle || spec.material.friction_coefficient)
+        chosen["material.friction-coefficient"] = shortest_text(friction_coefficient(spec.material));
+    chosen["material.in-plane-stress"] = in_plane_stress(spec.material);
     chosen["numerics.slope-correction"] = slope_correction(spec.numerics);
     chosen["numerics.well-balanced"] = well_balanced(spec.numerics) ? "on" : "off";
     chosen["time.frame-interval"] = shortest_text(frame_interval(spec));
@@ -95,7 +90,10 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     Problems problems = reading.problems;
     std::optional<TerrainInput> ground = prepare_terrain(reading, log, problems);
     const TerrainInput* known_ground = ground ? &*ground : nullptr;
+    std::optional<Raster> walls = prepare_obstacles(reading, ground ? &*ground : nullptr, log, problems);
     ReleaseInput release = prepare_release(reading, known_ground, log, problems);
+    std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, log, problems);
+    MaterialZones zones = prepare_zones(reading, known_ground, log, problems);
     std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, log, problems);
     problems.throw_if_any();
 
@@ -105,10 +103,21 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.terrain = std::exchange(ground->terrain, Raster{});
     prepared.scene.terrain_contains_release = reading.scene.release.dtm_contains_release;
     prepared.scene.release = std::exchange(release.areas, {});
+    const auto& volume = reading.scene.release.volume;
+    if (volume && volume->kind == SourceSpec::Kind::number) prepared.scene.release_volume = volume->number;
+    prepared.scene.walls = std::move(walls);
+    prepared.scene.inflows = std::move(inflows);
+    prepared.scene.zones = std::move(zones);
     prepared.scene.material = material_of(reading.scene.material);
+    prepared.scene.entrainment = entrainment_of(reading.scene.entrainment);
     prepared.scene.numerics = numerics_of(reading.scene);
+    refuse_unused_zones(reading, prepared.scene, problems);
+    problems.throw_if_any();
     prepared.scene.time.end = reading.scene.time.end;
     prepared.scene.time.stop_when_still = reading.scene.time.stop_when_still;
+    prepared.scene.time.stop_energy_share = reading.scene.time.stop_energy_share;
+    prepared.scene.time.stop_moving_share = reading.scene.time.stop_moving_share;
+    prepared.scene.time.moving_speed = reading.scene.time.moving_speed;
     prepared.scene.time.frame_interval = frame_interval(reading.scene);
     const GridSpec& grid = prepared.scene.grid;
     if (!grid.crs_wkt.empty()) {

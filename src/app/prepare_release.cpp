@@ -4,10 +4,9 @@
 #include <cmath>
 
 #include "app/check_release.h"
-#include "app/number_text.h"
+#include "app/layer_values.h"
+#include "app/release_areas.h"
 #include "app/thickness_volume.h"
-#include "core/json.h"
-#include "gis/crs.h"
 #include "gis/rasterize.h"
 
 namespace frana::app {
@@ -15,20 +14,14 @@ namespace {
 
 using Kind = ThicknessSpec::Kind;
 
-/// The working CRS; geographic coordinates stand in where the ground is not known, so that the file is still
-/// checked.
-std::string target_crs(const SceneReading& reading, const TerrainInput* ground) {
-    if (ground != nullptr) return ground->terrain.grid.crs_wkt;
-    return reading.scene.terrain.crs == "local" ? "" : gis::crs_from_user("EPSG:4326", "");
-}
-
-/// The thickness raster on the working grid: the file itself, or the positive part of before less after.
+/// The thickness raster on the working grid: the file itself, or the positive part of before less after or of the
+/// ground less the slip surface.
 std::optional<Raster> thickness_raster(const SceneReading& reading, const ThicknessSpec& spec,
                                        const TerrainInput* ground, ReleaseInput& release, RunLog& log,
                                        Problems& problems) {
     const std::string where = reading.where("release.thickness");
-    // The two of a difference are terrain models; a thickness has its own unit.
-    const std::string unit = spec.kind == Kind::difference ? reading.scene.terrain.vertical_unit : "auto";
+    // A thickness has its own unit; the others hold elevations.
+    const std::string unit = spec.kind == Kind::raster ? "auto" : reading.scene.terrain.vertical_unit;
     std::vector<std::string> files{spec.raster};
     if (spec.kind == Kind::difference) files.push_back(spec.post);
     std::vector<Raster> rasters;
@@ -52,49 +45,15 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
         }
     }
     if (rasters.size() != files.size()) return std::nullopt;
-    Raster thickness = std::move(rasters.front());
-    if (spec.kind == Kind::difference) {
-        for (std::size_t i = 0; i < thickness.values.size(); ++i) {
-            const double lowered = thickness.values[i] - rasters[1].values[i];
-            thickness.values[i] = std::isnan(lowered) ? k_no_data : std::max(lowered, 0.0);
-        }
+    if (spec.kind == Kind::raster) return std::move(rasters.front());
+    const Raster& above = spec.kind == Kind::difference ? rasters[0] : ground->terrain;
+    const Raster& below = spec.kind == Kind::difference ? rasters[1] : rasters[0];
+    Raster thickness(above.grid);
+    for (std::size_t i = 0; i < thickness.values.size(); ++i) {
+        const double lowered = above.values[i] - below.values[i];
+        thickness.values[i] = std::isnan(lowered) ? k_no_data : std::max(lowered, 0.0);
     }
     return thickness;
-}
-
-/// One area per feature, its thickness the scene's number or the feature's own attribute.
-std::vector<ReleaseArea> areas_by_feature(const SceneReading& reading, const ThicknessSpec& spec,
-                                          const gis::PolygonLayer& layer, Problems& problems) {
-    const std::string where = reading.where("release.thickness");
-    std::vector<ReleaseArea> areas;
-    for (std::size_t i = 0; i < layer.features.size(); ++i) {
-        const PolygonFeature& feature = layer.features[i];
-        const std::string name = "feature " + std::to_string(i + 1) + " of " + layer.layer_name;
-        ReleaseArea area;
-        area.outline = feature.parts;
-        area.thickness = spec.metres;
-        if (spec.kind == Kind::attribute) {
-            const auto found = feature.numbers.find(spec.attribute);
-            if (found == feature.numbers.end()) {
-                std::string known;
-                for (const auto& number : feature.numbers)
-                    known += (known.empty() ? "" : ", ") + number.first;
-                problems.add({name + " has no number in the attribute " + spec.attribute, where, "",
-                              known.empty() ? "the layer has no numeric attribute" : known,
-                              "Name one of its attributes"});
-                continue;
-            }
-            area.thickness = found->second;
-            if (!(area.thickness > 0) || !std::isfinite(area.thickness)) {
-                problems.add({name + " has a thickness that is not positive", where,
-                              shortest_text(area.thickness) + " m", "greater than 0",
-                              "Correct the attribute " + spec.attribute});
-                continue;
-            }
-        }
-        areas.push_back(std::move(area));
-    }
-    return areas;
 }
 
 void read_perimeter(const SceneReading& reading, const TerrainInput* ground, RunLog& log, Problems& problems,
@@ -126,35 +85,35 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
     read_perimeter(reading, ground, log, problems, release);
     if (!reading.scene.release.thickness) return release;  // reported when the scene was read
     const ThicknessSpec& spec = *reading.scene.release.thickness;
-    const bool by_raster = spec.kind == Kind::raster || spec.kind == Kind::difference;
-
-    if (by_raster) {
+    if (spec.by_raster()) {
         std::optional<Raster> thickness = thickness_raster(reading, spec, ground, release, log, problems);
         if (!thickness || (reading.scene.release.perimeter && !release.perimeter)) return release;
-        ReleaseArea area;
         if (release.perimeter) {
-            for (const PolygonFeature& feature : release.perimeter->features)
-                area.outline.insert(area.outline.end(), feature.parts.begin(), feature.parts.end());
+            release.areas = areas_of_raster(reading, *release.perimeter, *thickness, problems);
         } else {
             Raster positive(thickness->grid);
             for (std::size_t i = 0; i < positive.values.size(); ++i)
                 positive.values[i] = thickness->values[i] > 0;
+            ReleaseArea area;
             area.outline = gis::polygonise(positive);
+            area.thickness_raster = std::move(thickness);
+            set_details(reading, nullptr, 0, area, problems);
+            release.areas.push_back(std::move(area));
         }
-        area.thickness_raster = std::move(thickness);
-        release.areas.push_back(std::move(area));
+    } else if (release.perimeter && spec.fitted()) {
+        if (ground == nullptr ||
+            !lies_on_ground(reading, "release.perimeter", release.perimeter->bounds, *ground, false, problems))
+            return release;
+        release.areas = areas_above_slip_surfaces(reading, *release.perimeter, ground->terrain, log, problems);
     } else if (release.perimeter) {
-        release.areas = areas_by_feature(reading, spec, *release.perimeter, problems);
+        release.areas = areas_by_feature(reading, *release.perimeter, problems);
     }
-    for (ReleaseArea& area : release.areas) {
-        area.normal_to_bed = reading.scene.release.thickness_direction == "normal";
-        release.area_m2 += frana::area(area.outline);
-    }
+    for (const ReleaseArea& area : release.areas) release.area_m2 += frana::area(area.outline);
     if (ground != nullptr) {
         check_release(reading, *ground, release, log, problems);
-        if (problems.empty()) release.file_volume_m3 = thickness_volume(release, ground->terrain.grid);
         // Interpolated at the rim, a raster would lose volume; what the file holds is what is released.
-        if (release.file_volume_m3) release.areas.front().volume = release.file_volume_m3;
+        if (problems.empty() && spec.kind == Kind::raster && !reading.scene.release.volume)
+            match_file_volume(release, ground->terrain.grid);
     }
     return release;
 }

@@ -16,7 +16,7 @@ struct ReleaseInput {
     std::vector<ReleaseArea> areas;
     std::optional<gis::PolygonLayer> perimeter;    ///< none: outlined by the thickness raster
     std::vector<gis::RasterInfo> thickness_files;  ///< rasters that gave the thickness
-    std::optional<double> file_volume_m3;          ///< of the thickness raster, see thickness_volume
+    std::optional<double> file_volume_m3;          ///< of the thickness raster, see match_file_volume
     double area_m2 = 0;                            ///< of the outlines, in map view
 };
 

@@ -14,6 +14,7 @@
 #include "app/thickness_volume.h"
 #include "app/timeseries.h"
 #include "app/version.h"
+#include "core/json.h"
 #include "params/scene_parameters.h"
 #include "params/write_scene.h"
 #include "simulation/simulation.h"
@@ -37,7 +38,7 @@ MapSource map_source(const Finished& run, const Runout& run_out, double covered_
     MapFacts facts;
     facts.scheme = prepared.spec.numerics.scheme;
     facts.simulated_seconds = run.result.simulated_seconds;
-    facts.volume = run.result.volume_initial;
+    facts.volume = run.result.volume_entered;
     facts.volume_left = run.result.volume_left;
     facts.last_speed = run.result.series.empty() ? 0 : run.result.series.back().max_speed;
     facts.covered_area = covered_area;
@@ -139,10 +140,32 @@ void warn_of_impossible_speed(const Finished& run, RunLog& log) {
     }
 }
 
+double released_volume(const RunResult& result) {
+    double sum = 0;
+    for (const ReleasedArea& area : result.released) sum += area.volume;
+    return sum;
+}
+
+void note_volumes(const RunResult& result, RunLog& log) {
+    for (std::size_t i = 0; i < result.released.size(); ++i) {
+        const ReleasedArea& area = result.released[i];
+        std::string text = "release area " + std::to_string(i + 1) + ": " + grouped(area.volume) + " m3 from " +
+                           grouped(area.area) + " m2";
+        if (area.start > 0) text += ", at " + shortest_text(area.start) + " s";
+        if (!area.failed) {
+            log.warn(text + ": not before the run ended");
+        } else {
+            log.note(text);
+        }
+    }
+    if (result.volume_inflow > 0) log.note("flowed in through lines: " + grouped(result.volume_inflow) + " m3");
+}
+
 void warn_of_trouble(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
     warn_of_impossible_speed(run, log);
-    compare_volumes(run.prepared.release.file_volume_m3, result.volume_initial, log);
+    compare_volumes(run.prepared.release.file_volume_m3, released_volume(result), log);
+    note_volumes(result, log);
     for (const std::string& note : result.notes) log.note("engine: " + note);
     if (result.stop_reason == StopReason::reached_no_data) {
         log.warn(
@@ -160,8 +183,8 @@ void warn_of_trouble(const Finished& run, RunLog& log) {
     if (result.volume_left > 0) {
         log.warn(
             grouped(result.volume_left) + " m3 left the computed ground (" +
-            figure(100 * result.volume_left / result.volume_initial, 2) +
-            " % of the release): the map does not show how far it runs; take a larger DTM or terrain.bounds");
+            figure(100 * result.volume_left / result.volume_entered, 2) +
+            " % of all that came in): the map does not show how far it runs; take a larger DTM or terrain.bounds");
     }
 }
 

@@ -37,6 +37,18 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
     return {name, {feature(std::move(parts), threshold)}};
 }
 
+void publish_exchange(const SceneSpec& spec, const RunResult& result, const ResultDirectory& directory) {
+    const auto publish = [&](const std::string& name, const Raster& depth, const std::string& description) {
+        write(directory, name, depth, description, "m", spec);
+        gis::write_styles(
+            directory.path(name + ".tif"),
+            gis::class_stops(palette("depth"), layer_classes(layer_named("final_depth"), maximum(depth)), "m"), "m",
+            gis::StyleKind::classed);
+    };
+    publish("eroded_depth", result.eroded_depth, "Depth eroded from the bed, vertical");
+    publish("deposited_depth", result.deposited_depth, "Depth deposited on the bed, vertical");
+}
+
 }  // namespace
 
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
@@ -48,6 +60,7 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
             gis::class_stops(palette(layer.palette), layer_classes(layer, maximum(raster)), layer.unit),
             layer.unit, gis::StyleKind::classed);
     }
+    if (result.exchanges) publish_exchange(prepared.spec, result, directory);
     write(directory, "dtm", prepared.scene.terrain, "Terrain on the working grid", "m", prepared.spec);
     write(directory, "bed", result.bed, "Bed that was slid over", "m", prepared.spec);
     write(directory, "release", result.release, "Thickness released, vertical", "m", prepared.spec);
@@ -59,9 +72,13 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
 
 void publish_outlines(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     std::vector<gis::OutlineLayer> layers{{"release", {}}};
-    for (const ReleaseArea& area : prepared.scene.release) {
+    for (std::size_t i = 0; i < prepared.scene.release.size(); ++i) {
+        const ReleaseArea& area = prepared.scene.release[i];
+        const ReleasedArea& released = result.released[i];
         PolygonFeature release = feature(area.outline, 0);
-        if (!area.thickness_raster) release.numbers["thickness_m"] = area.thickness;
+        if (!area.thickness_raster) release.numbers["thickness_m"] = area.thickness * released.scaled;
+        release.numbers["volume_m3"] = released.volume;
+        release.numbers["start_s"] = released.start;
         layers[0].features.push_back(std::move(release));
     }
     const double threshold = prepared.spec.output.trace_threshold;

@@ -20,8 +20,9 @@ double maximum_or_zero(const Raster& raster) {
 }
 
 double relative_volume_error(const RunResult& result) {
-    if (result.volume_initial == 0) return 0;
-    return std::abs(result.volume_final + result.volume_left - result.volume_initial) / result.volume_initial;
+    const double taken = result.volume_entered + result.volume_eroded;
+    if (taken == 0) return 0;
+    return std::abs(result.volume_final + result.volume_left + result.volume_deposited - taken) / taken;
 }
 
 void write_grid_and_particles(JsonWriter& json, const RunResult& result) {
@@ -50,9 +51,23 @@ void write_cost(JsonWriter& json, const RunResult& result, const SummaryFacts& f
 void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts& facts) {
     json.begin_object("volume")
         .number("initial_m3", result.volume_initial)
+        .number("entered_m3", result.volume_entered)
+        .number("inflow_m3", result.volume_inflow)
         .number("final_m3", result.volume_final);
-    json.number("left_domain_m3", result.volume_left).number("relative_error", relative_volume_error(result));
+    json.number("left_domain_m3", result.volume_left);
+    if (result.exchanges)
+        json.number("eroded_m3", result.volume_eroded).number("deposited_m3", result.volume_deposited);
+    json.number("relative_error", relative_volume_error(result));
     json.end_object();
+    if (result.exchanges) json.number("deposited_momentum_kg_m_s", result.momentum_deposited);
+    if (facts.spec.numerics.curvature) json.integer("unsupported_node_steps", result.unsupported);
+    json.begin_array("release_areas");
+    for (const ReleasedArea& area : result.released) {
+        json.begin_object().number("start_s", area.start).number("area_m2", area.area);
+        json.number("volume_m3", area.volume).number("thickness_scaled_by", area.scaled);
+        json.boolean("failed", area.failed).end_object();
+    }
+    json.end_array();
     json.number("max_depth_m", maximum_or_zero(result.max_depth));
     json.number("max_velocity_ms", maximum_or_zero(result.max_velocity));
     json.number("max_pressure_kpa", maximum_or_zero(result.max_pressure));
@@ -73,6 +88,10 @@ std::string stop_word(StopReason reason) {
     switch (reason) {
         case StopReason::still:
             return "still";
+        case StopReason::energy:
+            return "energy";
+        case StopReason::moving_volume:
+            return "moving-volume";
         case StopReason::all_left:
             return "all-left";
         case StopReason::requested:

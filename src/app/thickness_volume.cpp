@@ -54,15 +54,21 @@ std::optional<GridSpec> own_grid(const gis::RasterInfo& file, const GridSpec& wo
 
 }  // namespace
 
-std::optional<double> thickness_volume(const ReleaseInput& release, const GridSpec& working_grid) {
-    if (release.thickness_files.size() != 1 || release.areas.size() != 1) return std::nullopt;
-    const ReleaseArea& area = release.areas.front();
-    if (!area.thickness_raster || area.normal_to_bed) return std::nullopt;
+void match_file_volume(ReleaseInput& release, const GridSpec& working_grid) {
+    if (release.thickness_files.size() != 1 || release.areas.empty()) return;
+    const ReleaseArea& first = release.areas.front();
+    if (!first.thickness_raster || first.normal_to_bed) return;
     const gis::RasterInfo& file = release.thickness_files.front();
     const std::optional<GridSpec> grid = own_grid(file, working_grid);
-    if (!grid) return std::nullopt;
+    if (!grid) return;
     const Raster own = gis::read_raster_on(file.path, *grid, "", gis::Resampling::nearest).raster;
-    return volume_inside(own, area.outline);
+    double sum = 0;
+    for (ReleaseArea& area : release.areas) {
+        const double volume = volume_inside(own, area.outline);
+        if (volume > 0) area.volume = volume;
+        sum += volume;
+    }
+    release.file_volume_m3 = sum;
 }
 
 void compare_volumes(std::optional<double> in_file, double released, RunLog& log) {

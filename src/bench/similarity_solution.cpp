@@ -16,12 +16,12 @@ Variables plus(const Variables& a, double dt, const Variables& b) {
 }  // namespace
 
 SimilaritySolution::SimilaritySolution(double slope_deg, double friction_deg, double height, double radius,
-                                       double time)
+                                       double time, double earth_pressure)
     : height_(height), radius_(radius) {
     const double normal = k_gravity * std::cos(slope_deg * k_degree);
     const double friction = normal * std::tan(friction_deg * k_degree);
     const double drive = k_gravity * std::sin(slope_deg * k_degree) - friction;
-    const double spread = 2 * normal * height / (radius * radius);
+    const double spread = 2 * earth_pressure * normal * height / (radius * radius);
     const auto rate = [&](double t, const Variables& y) {
         return Variables{y[1], spread / (y[0] * y[0] * y[2]), y[3],
                          spread / (y[0] * y[2] * y[2]) - friction * y[3] / (drive * t)};

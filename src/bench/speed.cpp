@@ -14,32 +14,6 @@
 namespace frana::bench {
 namespace {
 
-constexpr double k_cell_size = 5, k_slope_deg = 20;
-
-Setup sheet(double particles, bool mud) {
-    const auto side = static_cast<std::int64_t>(std::lround(std::sqrt(particles / 4)));
-    constexpr std::int64_t k_margin = 10;  // cells of free ground round the sheet
-    Setup setup;
-    const GridSpec grid = plain_grid(side + 2 * k_margin, side + 2 * k_margin, k_cell_size);
-    const double gradient = std::tan(k_slope_deg * k_degree);
-    setup.bed = sample_raster(grid, [&](Point p) {
-        return (grid.east() - p.x) * gradient + 2 * std::sin(0.02 * p.x) * std::sin(0.03 * p.y);
-    });
-    const double low = k_margin * k_cell_size, high = low + static_cast<double>(side) * k_cell_size;
-    setup.seeds = fill_lattice(grid, 2, 0, [&](Point p) {
-        return Seed{p.x > low && p.x < high && p.y > low && p.y < high ? 3.0 : 0};
-    });
-    setup.material = dry_friction(12);
-    setup.material.density = 2000;
-    setup.material.turbulence = 500;
-    if (mud) {
-        setup.material.viscosity = 1000;
-        setup.material.yield_stress = 500;
-    }
-    setup.numerics = numerics_of(Scheme::standard, SlopeCorrection::normal, Boundary::open);
-    return setup;
-}
-
 // As many steps for each number of threads, so that the ends can be compared.
 std::int64_t steps_for(double particles, bool quick) {
     const double particle_steps = quick ? 3e6 : 1e7;  // some seconds on one core
@@ -103,6 +77,31 @@ std::vector<double> usual_sizes(bool quick, std::vector<std::string>& notes) {
 
 }  // namespace
 
+Setup speed_sheet(double particles, bool mud) {
+    constexpr double k_cell_size = 5, k_slope_deg = 20;
+    const auto side = static_cast<std::int64_t>(std::lround(std::sqrt(particles / 4)));
+    constexpr std::int64_t k_margin = 10;  // cells of free ground round the sheet
+    Setup setup;
+    const GridSpec grid = plain_grid(side + 2 * k_margin, side + 2 * k_margin, k_cell_size);
+    const double gradient = std::tan(k_slope_deg * k_degree);
+    setup.bed = sample_raster(grid, [&](Point p) {
+        return (grid.east() - p.x) * gradient + 2 * std::sin(0.02 * p.x) * std::sin(0.03 * p.y);
+    });
+    const double low = k_margin * k_cell_size, high = low + static_cast<double>(side) * k_cell_size;
+    setup.seeds = fill_lattice(grid, 2, 0, [&](Point p) {
+        return Seed{p.x > low && p.x < high && p.y > low && p.y < high ? 3.0 : 0};
+    });
+    setup.material = dry_friction(12);
+    setup.material.density = 2000;
+    setup.material.turbulence = 500;
+    if (mud) {
+        setup.material.viscosity = 1000;
+        setup.material.yield_stress = 500;
+    }
+    setup.numerics = numerics_of(Scheme::standard, SlopeCorrection::normal, Boundary::open);
+    return setup;
+}
+
 SpeedResult run_speed(const SpeedOptions& options) {
     SpeedResult result;
     for (const int threads : std::set<int>{1, options.threads})
@@ -111,7 +110,7 @@ SpeedResult run_speed(const SpeedOptions& options) {
     if (sizes.empty()) sizes = usual_sizes(options.quick, result.notes);
     for (const bool mud : {false, true}) {
         for (const double size : sizes) {
-            const Setup setup = sheet(size, mud);
+            const Setup setup = speed_sheet(size, mud);
             std::optional<Raster> first;
             for (const auto& [threads, bandwidth] : result.bandwidth) {
                 const std::int64_t steps = options.steps > 0 ? options.steps : steps_for(size, options.quick);

@@ -6,7 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "bench/setup.h"
+
 namespace frana::bench {
+
+/// The flow that is measured: a sheet 3 m deep on a plane of 20 degrees, 4 particles a cell, Voellmy friction, slope
+/// correction; `mud`: with in-plane viscosity and yield stress.
+Setup speed_sheet(double particles, bool mud);
 
 /// One row of speed.csv.
 struct SpeedRow {
@@ -39,8 +45,8 @@ struct SpeedOptions {
 };
 
 /// Throughput of the default scheme on two flows, 4 particles a cell:
-///   slide  a sheet 3 m deep on a plane of 20 degrees, Voellmy friction, slope correction
-///   mud    the same with in-plane viscosity and yield stress
+///   slide  speed_sheet without in-plane stress
+///   mud    with it
 /// Sizes 1e4, 1e5, 1e6, and 1e7 unless `quick` or memory forbids. Each run's depth is compared, bit for bit,
 /// with the one that a single thread gave.
 SpeedResult run_speed(const SpeedOptions& options);

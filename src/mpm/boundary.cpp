@@ -75,6 +75,13 @@ void mirror_velocities(NodeGrid& nodes) {
     });
 }
 
+void mirror_exchange(const NodeGrid& nodes, BedLayer* layers) {
+    for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool) {
+        layers[ghost].gain = layers[inner].gain;
+        layers[ghost].loss = layers[inner].loss;
+    });
+}
+
 void mirror_bed(NodeGrid& nodes) {
     for_each_mirror_pair(
         nodes, [&](std::size_t ghost, std::size_t inner, bool) { nodes.bed[ghost] = nodes.bed[inner]; });

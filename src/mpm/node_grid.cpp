@@ -58,10 +58,16 @@ NodeGrid::NodeGrid(const Raster& terrain)
         for (std::int64_t i = 0; i < columns_; ++i) {
             const double z = terrain.at(rows_ - 1 - j, i);
             bed[index(i, j)] = z - datum_;
-            if (std::isnan(z)) solid_[index(i, j)] = 1;
+            if (std::isnan(z)) solid_[index(i, j)] = k_gap;
         }
     }
-    // Beyond the edge the terrain goes on with the slope it has there.
+    extend_beyond_edges();
+    if (gaps) extend_into_gaps(bed, stride(), padded_rows());
+    sums = ZeroArray<NodeSums>(bed.size());
+}
+
+// Beyond the edge the terrain goes on with the slope it has there.
+void NodeGrid::extend_beyond_edges() {
     const auto extrapolate = [&](std::size_t ghost, std::size_t edge, std::size_t inner, double steps) {
         const double slope = std::isnan(bed[inner]) ? 0 : bed[edge] - bed[inner];
         bed[ghost] = bed[edge] + steps * slope;
@@ -83,8 +89,25 @@ NodeGrid::NodeGrid(const Raster& terrain)
             extrapolate(index(i, rows_ - 1 + k), index(i, rows_ - 1), index(i, rows_ - 1 - in_y), steps);
         }
     }
-    if (gaps) extend_into_gaps(bed, stride(), padded_rows());
-    sums = ZeroArray<NodeSums>(bed.size());
+}
+
+void NodeGrid::mark_walls(const Raster& walls) {
+    if (solid_.empty()) solid_.assign(bed.size(), 0);
+    for (std::int64_t j = 0; j < rows_; ++j) {
+        for (std::int64_t i = 0; i < columns_; ++i) {
+            if (walls.at(rows_ - 1 - j, i) == 1) solid_[index(i, j)] = k_wall;
+        }
+    }
+}
+
+void NodeGrid::lower_bed(const Raster& depth) {
+    for (std::int64_t j = 0; j < rows_; ++j) {
+        for (std::int64_t i = 0; i < columns_; ++i) {
+            const double d = depth.at(rows_ - 1 - j, i);
+            if (!std::isnan(d)) bed[index(i, j)] -= d;
+        }
+    }
+    extend_beyond_edges();
 }
 
 }  // namespace frana

@@ -68,10 +68,24 @@ class NodeGrid {
     [[nodiscard]] bool is_solid(std::int64_t i, std::int64_t j) const noexcept {
         return !solid_.empty() && solid_[index(i, j)] != 0;
     }
+    /// Whether a node of the terrain has none and is no wall either.
+    [[nodiscard]] bool is_gap(std::int64_t i, std::int64_t j) const noexcept {
+        return !solid_.empty() && solid_[index(i, j)] == k_gap;
+    }
+    [[nodiscard]] bool is_wall(std::int64_t i, std::int64_t j) const noexcept {
+        return !solid_.empty() && solid_[index(i, j)] == k_wall;
+    }
     [[nodiscard]] bool any_solid() const noexcept { return !solid_.empty(); }
     [[nodiscard]] const std::uint8_t* solid() const noexcept {
         return solid_.empty() ? nullptr : solid_.data();
     }
+
+    /// Makes the cells that are 1 in a north-up raster solid; their bed stays as it is.
+    void mark_walls(const Raster& walls);
+    /// Lowers the bed by the depth in each cell of a north-up raster [m]; NaN: not.
+    void lower_bed(const Raster& depth);
+
+    static constexpr std::uint8_t k_gap = 1, k_wall = 2;  ///< why a node is solid
 
     /// Elevation of the lowest cell; `bed` is relative to it so that sums keep their digits.
     [[nodiscard]] double datum() const noexcept { return datum_; }
@@ -83,6 +97,8 @@ class NodeGrid {
     void allocate_levels() { levels = ZeroArray<NodeLevel>(sums.size()); }
 
   private:
+    void extend_beyond_edges();
+
     std::int64_t columns_, rows_;
     double cell_size_, datum_ = 0;
     std::vector<std::uint8_t> solid_;

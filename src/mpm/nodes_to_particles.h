@@ -96,6 +96,25 @@ double shock_compression(const Stencil<Shape>& s, const NodeSums* sums, std::int
     return change > 0 ? -divergence * bend / change : 0;
 }
 
+/// A particle does not enter a wall's cell: it goes as far along the wall as either axis allows. Its cell then keeps it a
+/// whole cell away from the nodes behind a wall one cell thick.
+inline void slide_along_walls(const NodeGrid& nodes, double x, double y, double& px, double& py) noexcept {
+    const double inverse_dx = 1 / nodes.cell_size();
+    const auto wall = [&](double a, double b) {
+        return a >= 0 && a < nodes.width() && b >= 0 && b < nodes.height() &&
+               nodes.is_wall(static_cast<std::int64_t>(a * inverse_dx), static_cast<std::int64_t>(b * inverse_dx));
+    };
+    if (!wall(px, py)) return;
+    if (!wall(px, y)) {
+        py = y;
+    } else if (!wall(x, py)) {
+        px = x;
+    } else {
+        px = x;
+        py = y;
+    }
+}
+
 /// New velocity, position, depth and stress of a tile's particles (paper, equations 33-38).
 /// Reads NodeSums after update_nodes; reads and writes x, y, u, v, area; writes c_* (affine), compression
 /// (Relaxed), s_* (Stress). Relaxed adds the area relaxation, which ties h_p to the mass on the grid: A grows
@@ -248,6 +267,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             px = std::clamp(px, margin, width - margin);
             py = std::clamp(py, margin, height - margin);
         }
+        if (nodes.any_solid()) slide_along_walls(nodes, x[p], y[p], px, py);
         const double wave = speed + std::sqrt(k.gravity * depth);
         if (!(wave < 1e9) || !(std::abs(px) < 1e12) || !(std::abs(py) < 1e12)) {
             ++report.non_finite;
@@ -259,8 +279,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             ++report.outside;
             continue;
         }
-        if (nodes.any_solid() && nodes.is_solid(static_cast<std::int64_t>(px * inverse_dx),
-                                                static_cast<std::int64_t>(py * inverse_dx))) {
+        if (nodes.any_solid() && nodes.is_gap(static_cast<std::int64_t>(px * inverse_dx),
+                                              static_cast<std::int64_t>(py * inverse_dx))) {
             ++report.no_data;
         }
         report.wave_speed = std::max(report.wave_speed, wave);

@@ -4,28 +4,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/curvature.h"
+#include "mpm/node_friction.h"
 #include "mpm/node_grid.h"
 #include "mpm/node_tiles.h"
-#include "physics/friction_voellmy.h"
 
 namespace frana {
 
 /// How steep terrain enters the map-plane equations (specification, section 5), as compile-time choices.
 struct GentleSlope {
-    static constexpr bool metric = false, thin_layer = false;
+    static constexpr bool metric = false, thin_layer = false, curved = false;
 };
 struct SurfaceSlope {
-    static constexpr bool metric = true, thin_layer = false;
+    static constexpr bool metric = true, thin_layer = false, curved = false;
 };
 struct NormalSlope {
-    static constexpr bool metric = true, thin_layer = true;
+    static constexpr bool metric = true, thin_layer = true, curved = false;
 };
-
-struct NodeUpdate {
-    double dt = 0;
-    double gravity = 0;                   ///< g_z [m/s2]
-    double gravity_x = 0, gravity_y = 0;  ///< tilted gravity for verification [m/s2]
-    double minimum_depth = 0;             ///< depth from which a node counts in the maxima [m]
+/// With the load that the motion over a curved bed adds (mpm/curvature.h).
+template <class Slope>
+struct Curved : Slope {
+    static constexpr bool curved = true;
 };
 
 /// What a tile's nodes showed in a step.
@@ -33,11 +32,15 @@ struct NodeReport {
     double max_depth = 0;      ///< [m]
     double max_speed = 0;      ///< along the bed [m/s]
     std::int64_t covered = 0;  ///< nodes deeper than the minimum
+    std::int64_t unsupported = 0;  ///< of those, nodes whose motion over a convex bed lifts them off it
+    double moving = 0;             ///< volume that is faster than NodeUpdate::moving_speed [m3]
 
     void merge(const NodeReport& r) noexcept {
         max_depth = std::max(max_depth, r.max_depth);
         max_speed = std::max(max_speed, r.max_speed);
         covered += r.covered;
+        unsupported += r.unsupported;
+        moving += r.moving;
     }
 };
 
@@ -46,26 +49,38 @@ struct NodeDrive {
     double ax, ay;            ///< acceleration by pressure and slope [m/s2]
     double slope_x, slope_y;  ///< of the bed [-]
     double n;                 ///< 1 + |grad Z|^2; 1 without slope correction
+    double load;              ///< what the bed's curvature adds to gravity, at least -g (no support) [m/s2]
 };
 
-/// Acceleration of a node that holds mass. With n = 1 + |grad Z|^2 and G^-1 = I - grad Z grad Z^T / n:
-///     gentle   a = -g grad(h + Z)
-///     surface  a = -(g/n) grad(h + Z)
-///     normal   a = -(g/n) [ grad Z + G^-1 grad h ], the G^-1 part only where material does not pond
-/// Reads NodeSums mass, fx, fy; NodeLevel (if allocated); bed.
+/// The ground under a node and what its curvature adds to gravity; no acceleration yet.
 template <class Slope>
-NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column,
-                   std::int64_t row) {
+NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
     const double half_inverse_dx = 0.5 / nodes.cell_size();
     const double* bed = nodes.bed.data();
-    NodeDrive d{0, 0, 0, 0, 1};
+    NodeDrive d{0, 0, 0, 0, 1, 0};
     if (column > 0 && column < nodes.stride() - 1) d.slope_x = (bed[i + 1] - bed[i - 1]) * half_inverse_dx;
     if (row > 0 && row < nodes.padded_rows() - 1) {
         const auto step = static_cast<std::size_t>(nodes.stride());
         d.slope_y = (bed[i + step] - bed[i - step]) * half_inverse_dx;
     }
     if constexpr (Slope::metric) d.n += d.slope_x * d.slope_x + d.slope_y * d.slope_y;
+    if constexpr (Slope::curved) {
+        const NodeSums& node = nodes.sums[i];
+        d.load = std::max(-k.gravity, curvature_load(nodes, i, column, row, node.px / node.mass, node.py / node.mass));
+    }
+    return d;
+}
 
+/// Acceleration of a node that holds mass. With n = 1 + |grad Z|^2 and G^-1 = I - grad Z grad Z^T / n:
+///     gentle   a = -g grad(h + Z)
+///     surface  a = -(g/n) grad(h + Z)
+///     normal   a = -(g/n) [ grad Z + G^-1 grad h ], the G^-1 part only where material does not pond
+///     curved   a <- a - (load / n) grad Z, the load of the motion over the bed's curvature
+/// Reads NodeSums mass, fx, fy; NodeLevel (if allocated); bed.
+template <class Slope>
+NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column,
+                   std::int64_t row) {
+    NodeDrive d = ground_of<Slope>(nodes, k, i, column, row);
     const bool referenced = nodes.levels.size() != 0;
     const double ponding = referenced ? nodes.levels[i].ponding : 0;
     // The part of gravity that the reference state held back from the particles' sum.
@@ -80,6 +95,10 @@ NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, st
         d.ax -= d.slope_x * along;
         d.ay -= d.slope_y * along;
     }
+    if constexpr (Slope::curved) {
+        d.ax -= d.load * d.slope_x;
+        d.ay -= d.load * d.slope_y;
+    }
     d.ax = (d.ax - weight * d.slope_x) / d.n + k.gravity_x;
     d.ay = (d.ay - weight * d.slope_y) / d.n + k.gravity_y;
     return d;
@@ -90,16 +109,15 @@ NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, st
 /// At the rim of a resting mass the outermost nodes gather much pressure and little weight: alone each would
 /// creep. A node slower than friction can stop in a few steps is therefore judged with its eight neighbours:
 /// it stays where friction on all nine can stop all nine within this step.
-template <class Slope>
-void hold_nodes(const NodeRange& range, const NodeUpdate& k, const VoellmyFriction& friction,
-                NodeGrid& nodes) {
+template <class Slope, class Friction>
+void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, NodeGrid& nodes) {
     constexpr double k_slow = 4;
-    const double slow = k_slow * k.dt * friction.friction_coefficient * k.gravity;
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
     range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
         NodeSums& node = nodes.sums[i];
         if (!(node.mass > 0)) return;
         node.area_bed = 0;
+        const double slow = k_slow * friction.stopped_in_step(i, k);
         if (node.px * node.px + node.py * node.py > slow * slow * node.mass * node.mass) return;
         double px = 0, py = 0, bound = 0;
         for (std::int64_t b = std::max<std::int64_t>(row - 1, 0); b <= std::min(row + 1, rows - 1); ++b) {
@@ -111,10 +129,10 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const VoellmyFricti
                 const NodeDrive d = drive_of<Slope>(nodes, k, n, a, b);
                 px += near.px + k.dt * near.mass * d.ax;
                 py += near.py + k.dt * near.mass * d.ay;
-                bound += near.mass / d.n;  // in map view the bound g tan(phi) / sqrt(n) acts over sqrt(n)
+                bound += friction.held(near.mass, n, d.n);
             }
         }
-        bound *= k.dt * friction.friction_coefficient * k.gravity;
+        bound *= friction.held_in_step(k);
         if (px * px + py * py <= bound * bound) node.area_bed = 1;
     });
 }
@@ -123,14 +141,14 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const VoellmyFricti
 /// speed along the bed that stops but never reverses. Reads NodeSums, NodeLevel (if allocated), bed; writes
 /// velocity, share, old velocity and support into NodeSums. Calls observe(node, depth, speed) for every node
 /// deeper than the minimum.
-template <class Slope, class Observe>
-NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const VoellmyFriction& friction,
-                        NodeGrid& nodes, const Observe& observe) {
+template <class Slope, class Friction, class Observe>
+NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, NodeGrid& nodes,
+                        const Observe& observe) {
     NodeReport report;
     const double inverse_area = 1 / (nodes.cell_size() * nodes.cell_size());
     const std::uint8_t* solid = nodes.solid();
     const NodeLevel* levels = nodes.levels.size() != 0 ? nodes.levels.data() : nullptr;
-    const bool holds = friction.friction_coefficient > 0;
+    const bool holds = friction.holds();
 
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
         NodeSums& node = nodes.sums[i];
@@ -138,16 +156,18 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Voell
         const NodeDrive drive = drive_of<Slope>(nodes, k, i, column, row);
         const double old_u = node.px / node.mass, old_v = node.py / node.mass;
         double u = old_u + k.dt * drive.ax, v = old_v + k.dt * drive.ay;
-        if ((solid && solid[i]) || (holds && node.area_bed != 0)) u = v = 0;
         const auto along_bed = [&](double a, double b) {
             const double climb = Slope::metric ? a * drive.slope_x + b * drive.slope_y : 0;
             return std::sqrt(a * a + b * b + climb * climb);
         };
+        if ((solid && solid[i]) || (holds && node.area_bed != 0)) {
+            if constexpr (Friction::remembers) friction.remember(i, along_bed(u, v), k);
+            u = v = 0;
+        }
         const double speed = along_bed(u, v);
         if (speed > 0 && friction.active()) {
             const double root = Slope::metric ? std::sqrt(drive.n) : 1;
-            const double depth = node.mass / node.area;
-            const double after = friction.speed_after(speed, k.dt, k.gravity / root, k.gravity, depth / root);
+            const double after = friction.speed_after(i, speed, k, root, node.mass / node.area);
             const double left = after / speed;
             u *= left;
             v *= left;
@@ -161,6 +181,8 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Voell
             // nothing.
             const double seen = along_bed(old_u, old_v);
             report.max_speed = std::max(report.max_speed, seen);
+            if (seen > k.moving_speed) report.moving += node.mass;
+            if constexpr (Slope::curved) report.unsupported += drive.load <= -k.gravity;
             observe(i, cell_depth, seen);
         }
         node.px = u;

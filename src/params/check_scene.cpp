@@ -2,6 +2,7 @@
 #include "params/check_scene.h"
 
 #include "core/json.h"
+#include "params/check_laws.h"
 
 namespace frana {
 namespace {
@@ -12,20 +13,97 @@ void check_required(const SceneSpec& scene, const std::set<std::string>& given, 
     if (missing("terrain.dtm"))
         problems.add(
             {"is missing", file + ": terrain.dtm", "", "", "Name the digital terrain model, a raster file"});
-    if (missing("release.thickness")) {
+    const bool flows_in = !missing("inflow.line");
+    const bool releases = !missing("release.thickness") || !missing("release.perimeter");
+    if (missing("release.thickness") && (releases || !flows_in)) {
         problems.add({"is missing", file + ": release.thickness", "", "",
-                      "Give metres, attribute:NAME, raster:FILE or difference:PRE,POST"});
+                      "Give metres, attribute:NAME, raster:FILE, difference:PRE,POST or slip-surface, or an inflow"});
     }
     const auto& thickness = scene.release.thickness;
-    const bool outlined_by_raster = thickness && (thickness->kind == ThicknessSpec::Kind::raster ||
-                                                  thickness->kind == ThicknessSpec::Kind::difference);
-    if (missing("release.perimeter") && !outlined_by_raster)
+    if (missing("release.perimeter") && !(thickness && thickness->by_raster()) && (releases || !flows_in))
         problems.add(
             {"is missing", file + ": release.perimeter", "", "", "Name the polygon layer of what fails"});
-    if (missing("material.friction-angle") && missing("material.friction-coefficient")) {
-        problems.add({"no bed friction is given", file + ": material.friction-angle", "", "",
-                      "Set material.preset (see `frana materials`), material.friction-angle or "
-                      "material.friction-coefficient; 0 is allowed, but must be said"});
+}
+
+/// A key that says nothing without another one.
+struct Pair {
+    std::string key;
+    bool given;
+    std::string needs;
+    bool has;
+    std::string remedy;
+};
+
+void check_pairs(const SceneSpec& scene, const std::string& file, Problems& problems) {
+    const TerrainSpec& terrain = scene.terrain;
+    const ReleaseSpec& release = scene.release;
+    const ZonesSpec& zones = scene.zones;
+    const auto by_attribute = [](const std::optional<SourceSpec>& source) {
+        return source && source->kind == SourceSpec::Kind::attribute;
+    };
+    const bool zoned = terrain.friction_zones.has_value(), outlined = release.perimeter.has_value();
+    const std::string zone_remedy = "Name the polygons, or give raster:FILE";
+    const std::string outline_remedy = "Name the polygon layer, or give a number";
+    const Pair pairs[] = {
+        {"terrain.obstacles", terrain.obstacles.has_value(), "terrain.obstacle-height",
+         terrain.obstacle_height.has_value(), "Give metres above the DTM or attribute:NAME"},
+        {"terrain.obstacle-height", terrain.obstacle_height.has_value(), "terrain.obstacles",
+         terrain.obstacles.has_value(), "Name the polygons, or remove the key"},
+        {"inflow.line", scene.inflow.line.has_value(), "inflow.hydrograph", scene.inflow.hydrograph.has_value(),
+         "Name the CSV with time, discharge or volume, and velocity"},
+        {"inflow.hydrograph", scene.inflow.hydrograph.has_value(), "inflow.line", scene.inflow.line.has_value(),
+         "Name the line that it flows through"},
+        {"inflow.direction", scene.inflow.direction.has_value(), "inflow.line", scene.inflow.line.has_value(),
+         "Name the line, or remove the key"},
+        {"release.direction", release.direction.has_value(), "release.velocity", release.velocity.has_value(),
+         "Give the speed as well, or remove the key"},
+        {"release.volume", by_attribute(release.volume), "release.perimeter", outlined, outline_remedy},
+        {"release.start", by_attribute(release.start), "release.perimeter", outlined, outline_remedy},
+        {"release.velocity", by_attribute(release.velocity), "release.perimeter", outlined, outline_remedy},
+        {"release.direction", by_attribute(release.direction), "release.perimeter", outlined, outline_remedy},
+        {"zones.friction-angle", by_attribute(zones.friction_angle), "terrain.friction-zones", zoned, zone_remedy},
+        {"zones.friction-coefficient", by_attribute(zones.friction_coefficient), "terrain.friction-zones", zoned,
+         zone_remedy},
+        {"zones.turbulence", by_attribute(zones.turbulence), "terrain.friction-zones", zoned, zone_remedy},
+        {"zones.cohesion", by_attribute(zones.cohesion), "terrain.friction-zones", zoned, zone_remedy},
+        {"zones.erodible-depth", by_attribute(zones.erodible_depth), "terrain.friction-zones", zoned,
+         zone_remedy},
+    };
+    for (const Pair& pair : pairs)
+        if (pair.given && !pair.has)
+            problems.add({"needs " + pair.needs, file + ": " + pair.key, "", "", pair.remedy});
+    if (zones.friction_angle && zones.friction_coefficient) {
+        problems.add({"contradicts zones.friction-coefficient: both say how rough the bed is",
+                      file + ": zones.friction-angle", "", "", "Keep one of the two"});
+    }
+}
+
+/// How the thickness is meant, where several keys speak of it.
+void check_thickness(const ReleaseSpec& release, const std::string& file, Problems& problems) {
+    using Kind = ThicknessSpec::Kind;
+    if (!release.thickness) return;
+    const ThicknessSpec& thickness = *release.thickness;
+    const bool slip = thickness.kind == Kind::slip_surface;
+    if (slip && !release.dtm_contains_release) {
+        problems.add({"contradicts release.thickness = slip-surface, which lies under the DTM",
+                      file + ": release.dtm-contains-release", "off", "on", "Set it to on"});
+    }
+    if ((slip || thickness.kind == Kind::difference) && release.thickness_direction == "normal") {
+        problems.add({"contradicts release.thickness: a difference of elevations is vertical",
+                      file + ": release.thickness-direction", "normal", "vertical", "Remove the key"});
+    }
+    if (thickness.fitted() && !release.slip_depth && !release.volume) {
+        problems.add({"a slip surface fitted to the perimeter needs its depth",
+                      file + ": release.thickness", "slip-surface", "",
+                      "Give release.volume or release.slip-depth"});
+    }
+    if (thickness.fitted() && release.slip_depth && release.volume) {
+        problems.add({"contradicts release.volume: each of them says how deep the slip surface lies",
+                      file + ": release.slip-depth", "", "", "Keep one of the two"});
+    }
+    if (!thickness.fitted() && release.slip_depth) {
+        problems.add({"belongs to a slip surface that is fitted", file + ": release.slip-depth",
+                      text_of(*release.slip_depth), "", "Remove the key, or set release.thickness = slip-surface"});
     }
 }
 
@@ -60,6 +138,9 @@ void check_frames(const SceneSpec& scene, const std::string& file, Problems& pro
 void check_scene(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                  Problems& problems) {
     check_required(scene, given, file, problems);
+    check_pairs(scene, file, problems);
+    check_thickness(scene.release, file, problems);
+    check_laws(scene, given, file, problems);
     check_numerics(scene.numerics, file, problems);
     check_frames(scene, file, problems);
 }

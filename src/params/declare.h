@@ -7,6 +7,7 @@
 
 #include "core/json.h"
 #include "params/parameter.h"
+#include "params/source.h"
 #include "params/value_text.h"
 
 // The kinds of parameter there are. Each function turns "which member, what limits, what it means" into a
@@ -86,6 +87,7 @@ Parameter number(const std::string& name, Member member, const std::string& unit
         [](double value) { return shortest_text(value); });
     result.unit = unit;
     result.limits = range.text();
+    result.fits = [range](double value) { return range.has(value); };
     result.meaning = meaning;
     result.absent = absent;
     return result;
@@ -142,7 +144,87 @@ Parameter text(const std::string& name, Member member, const std::string& type, 
         [](const std::string& value) { return value; });
     result.meaning = meaning;
     result.absent = absent;
+    if (type == "file") {
+        result.map_files = [read = result.read, write = result.write](SceneSpec& scene, const FileMap& map) {
+            if (const auto path = write(scene); path && !path->empty()) read(scene, map(*path));
+        };
+    }
+    return result;
+}
+
+/// A number, attribute:NAME or raster:FILE, as far as `kinds` allows them.
+template <class Member>
+Parameter source(const std::string& name, Member member, const std::string& unit, Range range,
+                 const std::vector<SourceSpec::Kind>& kinds, const std::string& meaning,
+                 const std::string& absent) {
+    using Kind = SourceSpec::Kind;
+    const auto allowed = [kinds](Kind kind) {
+        return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+    };
+    std::vector<std::string> forms;
+    if (allowed(Kind::number)) forms.push_back("a number");
+    if (allowed(Kind::attribute)) forms.push_back("attribute:NAME");
+    if (allowed(Kind::raster)) forms.push_back("raster:FILE");
+    Parameter result = parameter(
+        name, "text", member,
+        [range, allowed](auto& target, const std::string& text) -> std::optional<Refusal> {
+            const auto value = source_from_text(text);
+            if (!value || !allowed(value->kind)) return Refusal{"is not understood", ""};
+            if (value->kind == Kind::number && !range.has(value->number))
+                return Refusal{"is out of range", ""};
+            target = *value;
+            return std::nullopt;
+        },
+        [](const SourceSpec& value) { return text_of(value); });
+    result.unit = unit;
+    result.limits = joined(forms, ", ") + "; values " + range.text();
+    result.fits = [range](double value) { return range.has(value); };
+    result.meaning = meaning;
+    result.absent = absent;
+    result.map_files = [member](SceneSpec& scene, const FileMap& map) {
+        auto& target = member(scene);
+        if (target && target->kind == Kind::raster) target->name = map(target->name);
+    };
+    return result;
+}
+
+/// A list whose words come from a fixed set; a word in `alone` must stand by itself.
+template <class Member>
+Parameter word_list(const std::string& name, Member member, const std::vector<std::string>& alone,
+                    const std::vector<std::string>& words, const std::string& meaning,
+                    const std::vector<std::string>& not_yet = {}) {
+    Parameter result = parameter(
+        name, "list", member,
+        [=](std::vector<std::string>& target, const std::string& value) -> std::optional<Refusal> {
+            const auto is_in = [](const std::vector<std::string>& list, const std::string& word) {
+                return std::find(list.begin(), list.end(), word) != list.end();
+            };
+            const std::vector<std::string> given = words_of(value);
+            if (given.empty()) return Refusal{"names nothing", ""};
+            for (const std::string& word : given) {
+                if (is_in(not_yet, word))
+                    return Refusal{"'" + word + "' is not available in this version", ""};
+                if (is_in(alone, word) && given.size() > 1)
+                    return Refusal{"'" + word + "' must stand alone", ""};
+                if (!is_in(alone, word) && !is_in(words, word))
+                    return Refusal{"'" + word + "' is not known", ""};
+            }
+            target = given;
+            return std::nullopt;
+        },
+        [](const std::vector<std::string>& value) { return joined(value, ", "); });
+    std::vector<std::string> all = alone;
+    all.insert(all.end(), words.begin(), words.end());
+    result.limits = joined(all, ", ");
+    if (!not_yet.empty()) result.limits += " (not available yet: " + joined(not_yet, ", ") + ")";
+    result.meaning = meaning;
     return result;
 }
 
 }  // namespace frana::declare
+
+// The member a parameter stands for, of a scene that may or may not be const.
+#define FRANA_MEMBER(path)     \
+    [](auto& scene) -> auto& { \
+        return scene.path;     \
+    }

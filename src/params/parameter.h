@@ -16,6 +16,9 @@ struct Refusal {
     std::string remedy;  ///< what to write instead; may be empty
 };
 
+/// What a path becomes.
+using FileMap = std::function<std::string(const std::string&)>;
+
 /// One key of a scene file. Declared once, in scene_parameters.cpp; the parser, --set, `frana params`, the
 /// echo and every message about the key are made from it.
 struct Parameter {
@@ -29,6 +32,8 @@ struct Parameter {
     std::function<std::optional<Refusal>(SceneSpec&, const std::string&)> read;
     std::function<std::optional<std::string>(const SceneSpec&)> write;  ///< none: not given
     std::function<void(SceneSpec&)> reset;                              ///< back to the default
+    std::function<bool(double)> fits;  ///< whether a number is within the limits; empty: not a number
+    std::function<void(SceneSpec&, const FileMap&)> map_files;  ///< each file the value names; empty: none
 
     [[nodiscard]] std::string name() const { return section + "." + key; }
     /// The default as text; empty where there is no fixed one (see `absent`).

@@ -8,6 +8,7 @@
 
 #include "params/check_scene.h"
 #include "params/ini_file.h"
+#include "params/law_names.h"
 #include "params/materials.h"
 #include "params/nearest_name.h"
 #include "params/scene_parameters.h"
@@ -39,6 +40,8 @@ class Reader {
         : reading_(reading), directory_(std::move(directory)), parameters_(scene_parameters()) {}
 
     void apply(const Layer& layer);
+    /// Forgets what a preset gave for laws that the scene does not ask for.
+    void drop_unread_of_preset();
     [[nodiscard]] const std::set<std::string>& given() const { return given_; }
 
   private:
@@ -105,13 +108,26 @@ void Reader::apply(const Layer& layer, const IniEntry& entry) {
     make_paths_absolute(*parameter, where);
 }
 
+void Reader::drop_unread_of_preset() {
+    const std::vector<std::string> laws = laws_of(reading_.scene);
+    for (const LawKey& key : law_keys()) {
+        if (reading_.scene.origin_of(key.name) != Origin::preset) continue;
+        if (std::any_of(key.laws.begin(), key.laws.end(), [&](const std::string& law) {
+                return std::find(laws.begin(), laws.end(), law) != laws.end();
+            }))
+            continue;
+        for (const Parameter& parameter : parameters_) {
+            if (parameter.name() == key.name) parameter.reset(reading_.scene);
+        }
+        reading_.scene.origins.erase(key.name);
+        given_.erase(key.name);
+    }
+}
+
 void Reader::make_paths_absolute(const Parameter& parameter, const std::string& where) {
-    if (parameter.type == "file") {
-        parameter.read(reading_.scene, absolute_path(*parameter.write(reading_.scene), directory_));
-    } else if (parameter.name() == "release.thickness") {
-        ThicknessSpec& thickness = *reading_.scene.release.thickness;
-        if (!thickness.raster.empty()) thickness.raster = absolute_path(thickness.raster, directory_);
-        if (!thickness.post.empty()) thickness.post = absolute_path(thickness.post, directory_);
+    if (parameter.map_files) {
+        parameter.map_files(reading_.scene,
+                            [&](const std::string& path) { return absolute_path(path, directory_); });
     }
     const std::string value = parameter.write(reading_.scene).value_or("");
     if (value.find('#') != std::string::npos) {
@@ -168,6 +184,19 @@ std::string absolute_path(const std::string& path, const std::string& directory)
     return (fs::path(directory) / trimmed(path.substr(0, bar))).lexically_normal().string() + suffix;
 }
 
+std::vector<std::string> input_files(const SceneSpec& scene) {
+    std::vector<std::string> files{scene.file};
+    SceneSpec copy = scene;
+    for (const Parameter& parameter : scene_parameters()) {
+        if (!parameter.map_files || parameter.section == "output") continue;
+        parameter.map_files(copy, [&](const std::string& path) {
+            files.push_back(path);
+            return path;
+        });
+    }
+    return files;
+}
+
 SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides,
                         const std::string& materials_directory) {
     SceneReading reading;
@@ -184,6 +213,7 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
     }
     reader.apply(file);
     reader.apply(command_line);
+    reader.drop_unread_of_preset();
     check_scene(reading.scene, reader.given(), path, reading.problems);
     return reading;
 }

@@ -2,6 +2,8 @@
 #include "params/scene_parameters.h"
 
 #include "params/declare.h"
+#include "params/material_parameters.h"
+#include "params/site_parameters.h"
 
 namespace frana {
 namespace {
@@ -11,96 +13,7 @@ using declare::number;
 using declare::on_off;
 using declare::Range;
 using declare::text;
-
-// The member a parameter stands for, of a scene that may or may not be const.
-#define FRANA_MEMBER(path)     \
-    [](auto& scene) -> auto& { \
-        return scene.path;     \
-    }
-
-/// A key that is known but whose feature does not exist yet: refused, never ignored.
-template <class Member>
-Parameter unavailable(const std::string& name, Member member, const std::string& meaning) {
-    Parameter result = text(name, member, "file", meaning, "none");
-    result.limits = "not available in this version";
-    result.read = [](SceneSpec&, const std::string&) {
-        return Refusal{"is not available in this version", "Remove the key"};
-    };
-    return result;
-}
-
-Parameter bounds_parameter() {
-    Parameter result =
-        text("terrain.bounds", FRANA_MEMBER(terrain.dtm), "list",
-             "Part of the DTM to compute on: west south east north in the working CRS.", "the whole DTM");
-    result.unit = "m";
-    result.limits = "four numbers, west < east and south < north";
-    result.read = [](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
-        std::vector<double> numbers;
-        for (const std::string& word : words_of(value)) {
-            const auto number = number_from_text(word);
-            if (!number) return Refusal{"'" + word + "' is not a number", ""};
-            numbers.push_back(*number);
-        }
-        if (numbers.size() != 4) return Refusal{"does not have four numbers", ""};
-        const Bounds box{numbers[0], numbers[1], numbers[2], numbers[3]};
-        if (!(box.west < box.east) || !(box.south < box.north))
-            return Refusal{"is an empty rectangle", "Write west south east north, in this order"};
-        scene.terrain.bounds = box;
-        return std::nullopt;
-    };
-    result.write = [](const SceneSpec& scene) -> std::optional<std::string> {
-        if (!scene.terrain.bounds) return std::nullopt;
-        const Bounds& box = *scene.terrain.bounds;
-        return shortest_text(box.west) + " " + shortest_text(box.south) + " " + shortest_text(box.east) +
-               " " + shortest_text(box.north);
-    };
-    result.reset = [](SceneSpec& scene) { scene.terrain.bounds.reset(); };
-    return result;
-}
-
-Parameter thickness_parameter() {
-    Parameter result = declare::parameter(
-        "release.thickness", "text", FRANA_MEMBER(release.thickness),
-        [](std::optional<ThicknessSpec>& target, const std::string& value) -> std::optional<Refusal> {
-            const auto spec = thickness_from_text(value);
-            if (!spec) return Refusal{"is not understood", ""};
-            if (spec->kind == ThicknessSpec::Kind::slip_surface)
-                return Refusal{"is not available in this version",
-                               "Give a number, attribute:NAME, raster:FILE or difference:PRE,POST"};
-            if (spec->kind == ThicknessSpec::Kind::number && !(spec->metres > 0))
-                return Refusal{"is not a thickness", "It must be greater than 0 m"};
-            target = spec;
-            return std::nullopt;
-        },
-        [](const ThicknessSpec& thickness) { return text_of(thickness); });
-    result.unit = "m";
-    result.limits =
-        "a number greater than 0, attribute:NAME, raster:FILE, difference:PRE,POST (not available yet: "
-        "slip-surface)";
-    result.meaning =
-        "Thickness of what fails: one number, a column of the perimeter, a raster, or a DTM before less one "
-        "after.";
-    result.absent = "required";
-    return result;
-}
-
-Parameter turbulence_parameter() {
-    Parameter result =
-        number("material.turbulence", FRANA_MEMBER(material.turbulence), "m/s2", Range{0, 1e9, true},
-               "Voellmy turbulence coefficient xi; off: friction alone.", "off");
-    result.limits += ", or off";
-    const auto read_number = result.read;
-    result.read = [read_number](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
-        if (value != "off") return read_number(scene, value);
-        scene.material.turbulence.reset();
-        return std::nullopt;
-    };
-    result.write = [](const SceneSpec& scene) -> std::optional<std::string> {
-        return scene.material.turbulence ? shortest_text(*scene.material.turbulence) : "off";
-    };
-    return result;
-}
+using declare::word_list;
 
 Parameter particles_per_cell_parameter() {
     Parameter result = declare::parameter(
@@ -120,39 +33,6 @@ Parameter particles_per_cell_parameter() {
     return result;
 }
 
-/// A list whose words come from a fixed set; a word in `alone` must stand by itself.
-template <class Member>
-Parameter word_list(const std::string& name, Member member, const std::vector<std::string>& alone,
-                    const std::vector<std::string>& words, const std::string& meaning,
-                    const std::vector<std::string>& not_yet = {}) {
-    Parameter result = declare::parameter(
-        name, "list", member,
-        [=](std::vector<std::string>& target, const std::string& value) -> std::optional<Refusal> {
-            const auto is_in = [](const std::vector<std::string>& list, const std::string& word) {
-                return std::find(list.begin(), list.end(), word) != list.end();
-            };
-            const std::vector<std::string> given = words_of(value);
-            if (given.empty()) return Refusal{"names nothing", ""};
-            for (const std::string& word : given) {
-                if (is_in(not_yet, word))
-                    return Refusal{"'" + word + "' is not available in this version", ""};
-                if (is_in(alone, word) && given.size() > 1)
-                    return Refusal{"'" + word + "' must stand alone", ""};
-                if (!is_in(alone, word) && !is_in(words, word))
-                    return Refusal{"'" + word + "' is not known", ""};
-            }
-            target = given;
-            return std::nullopt;
-        },
-        [](const std::vector<std::string>& value) { return joined(value, ", "); });
-    std::vector<std::string> all = alone;
-    all.insert(all.end(), words.begin(), words.end());
-    result.limits = joined(all, ", ");
-    if (!not_yet.empty()) result.limits += " (not available yet: " + joined(not_yet, ", ") + ")";
-    result.meaning = meaning;
-    return result;
-}
-
 Parameter map_size_parameter() {
     Parameter result =
         text("output.map-size", FRANA_MEMBER(output.map_size), "text", "Width and height of the maps.");
@@ -164,82 +44,6 @@ Parameter map_size_parameter() {
         return std::nullopt;
     };
     return result;
-}
-
-void add_terrain(std::vector<Parameter>& list) {
-    list.push_back(text("terrain.dtm", FRANA_MEMBER(terrain.dtm), "file",
-                        "Digital terrain model: any raster GDAL reads, elevations in its first band.",
-                        "required"));
-    list.push_back(
-        text("terrain.crs", FRANA_MEMBER(terrain.crs), "text",
-             "Working CRS, projected, in metres (EPSG:32632, WKT, PROJ); auto: the DTM's own if it is one, "
-             "else the UTM zone it lies in; local: plain metres without a CRS."));
-    list.push_back(text("terrain.dtm-crs", FRANA_MEMBER(terrain.dtm_crs), "text",
-                        "CRS of the DTM where its file names none or a wrong one.", "the file's own"));
-    list.push_back(number("terrain.cell-size", FRANA_MEMBER(terrain.cell_size), "m", Range{0.01, 1000},
-                          "Side of the working grid's cells.", "the DTM's own"));
-    list.push_back(bounds_parameter());
-    list.push_back(
-        choice("terrain.nodata-policy", FRANA_MEMBER(terrain.nodata_policy), {"stop", "wall", "fill"},
-               "Flow that reaches ground without elevation: end the run, meet a wall, or cross a bed "
-               "interpolated there beforehand."));
-    list.push_back(
-        choice("terrain.vertical-unit", FRANA_MEMBER(terrain.vertical_unit),
-               {"auto", "metre", "foot", "us-survey-foot"},
-               "Unit of the DTM's elevations; auto: as the file says, metres where it says nothing."));
-    list.push_back(
-        choice("terrain.resampling", FRANA_MEMBER(terrain.resampling),
-               {"automatic", "nearest", "bilinear", "cubic", "average"},
-               "How the DTM comes onto the working grid; automatic: copied where the cells coincide, "
-               "averaged to coarser cells, bilinear to finer ones."));
-    list.push_back(unavailable("terrain.friction-zones", FRANA_MEMBER(terrain.friction_zones),
-                               "Polygons with their own friction."));
-}
-
-void add_release(std::vector<Parameter>& list) {
-    list.push_back(
-        text("release.perimeter", FRANA_MEMBER(release.perimeter), "file",
-             "Outline of what fails: any polygon layer OGR reads, in its own CRS; FILE|layer=NAME picks one.",
-             "required, unless thickness is a raster or a difference: then where that is positive"));
-    list.push_back(thickness_parameter());
-    list.push_back(choice("release.thickness-direction", FRANA_MEMBER(release.thickness_direction),
-                          {"vertical", "normal"},
-                          "Direction in which the thickness was measured: plumb, or normal to "
-                          "the slope."));
-    list.push_back(
-        on_off("release.dtm-contains-release", FRANA_MEMBER(release.dtm_contains_release),
-               "on: the DTM is the ground before the failure and the bed lies under the release; off: the "
-               "release lies on top of the DTM."));
-}
-
-void add_material(std::vector<Parameter>& list) {
-    list.push_back(text("material.preset", FRANA_MEMBER(material.preset), "text",
-                        "A material of `frana materials` to start from; keys given in the scene override it.",
-                        "none"));
-    list.push_back(choice("material.model", FRANA_MEMBER(material.model), {"voellmy-bingham"},
-                          "Constitutive model.", {"structured"}));
-    list.push_back(number("material.density", FRANA_MEMBER(material.density), "kg/m3", Range{10, 10000},
-                          "Bulk density of the flow."));
-    list.push_back(number("material.friction-angle", FRANA_MEMBER(material.friction_angle), "degrees",
-                          Range{0, 60}, "Bed friction angle phi; this or friction-coefficient.",
-                          "required, or friction-coefficient"));
-    list.push_back(number("material.friction-coefficient", FRANA_MEMBER(material.friction_coefficient), "",
-                          Range{0, 2},
-                          "Bed friction coefficient mu = tan(phi); typical values are 0.05 to 0.7.",
-                          "required, or friction-angle"));
-    list.push_back(turbulence_parameter());
-    list.push_back(number("material.viscosity", FRANA_MEMBER(material.viscosity), "Pa s", Range{0, 1e8},
-                          "Bingham viscosity of the in-plane stress."));
-    list.push_back(number("material.yield-stress", FRANA_MEMBER(material.yield_stress), "Pa", Range{0, 1e7},
-                          "Bingham yield stress of the in-plane stress."));
-    list.push_back(number("material.surface-pressure", FRANA_MEMBER(material.surface_pressure), "Pa",
-                          Range{0, 1e6},
-                          "Gauge pressure on the free surface that adds to bed friction; 0 in open air."));
-    list.push_back(number("material.yield-regularisation", FRANA_MEMBER(material.yield_regularisation), "1/s",
-                          Range{1e-6, 10}, "Shear rate under which the yield stress is softened."));
-    list.push_back(
-        choice("material.yield-ratio", FRANA_MEMBER(material.yield_ratio), {"exact", "quadratic"},
-               "Ratio of yield stress to bed stress: root of the cubic, or the paper's quadratic."));
 }
 
 void add_numerics(std::vector<Parameter>& list) {
@@ -260,6 +64,9 @@ void add_numerics(std::vector<Parameter>& list) {
         choice("numerics.slope-correction", FRANA_MEMBER(numerics.slope_correction),
                {"auto", "none", "normal", "surface"},
                "Form of the equations on steep ground; auto: normal for scheme default, none for paper."));
+    list.push_back(on_off("numerics.curvature", FRANA_MEMBER(numerics.curvature),
+                          "Load of the motion over the bed's curvature: more friction in hollows, less over edges. "
+                          "Needs a slope correction."));
     list.push_back(choice("numerics.boundary", FRANA_MEMBER(numerics.boundary), {"open", "wall"},
                           "Edge of the working grid: material leaves and is counted, or is held."));
     list.push_back(number("numerics.gravity", FRANA_MEMBER(numerics.gravity), "m/s2", Range{0.1, 100},
@@ -276,6 +83,12 @@ void add_rest(std::vector<Parameter>& list) {
         number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Simulated time at most."));
     list.push_back(on_off("time.stop-when-still", FRANA_MEMBER(time.stop_when_still),
                           "End as soon as nothing moves any more."));
+    list.push_back(number("time.stop-energy-share", FRANA_MEMBER(time.stop_energy_share), "", Range{0, 0.5},
+                          "End once kinetic energy is under this share of its peak; 0: never for this reason."));
+    list.push_back(number("time.stop-moving-share", FRANA_MEMBER(time.stop_moving_share), "", Range{0, 0.5},
+                          "End once the moving volume is under this share of its peak; 0: never for this reason."));
+    list.push_back(number("time.moving-speed", FRANA_MEMBER(time.moving_speed), "m/s", Range{0, 10, true},
+                          "Speed from which volume counts as moving."));
     list.push_back(number("time.frame-interval", FRANA_MEMBER(time.frame_interval), "s", Range{0, 1e6, true},
                           "Simulated time between frames.", "a round number, at most sixty-one frames"));
 
@@ -313,7 +126,10 @@ std::vector<Parameter> scene_parameters() {
     std::vector<Parameter> list;
     add_terrain(list);
     add_release(list);
+    add_inflow(list);
     add_material(list);
+    add_zones(list);
+    add_entrainment(list);
     add_numerics(list);
     add_rest(list);
     return list;
@@ -328,7 +144,10 @@ std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
 std::vector<Section> scene_sections() {
     return {{"terrain", "The ground and the working grid."},
             {"release", "What fails, and how thick it is."},
+            {"inflow", "What flows in through a line, over time."},
             {"material", "What it is made of."},
+            {"zones", "Where the ground differs from what [material] says."},
+            {"entrainment", "What it takes from its bed and leaves on it."},
             {"numerics", "How it is computed."},
             {"time", "How long."},
             {"output", "What is written."},

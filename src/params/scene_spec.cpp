@@ -20,7 +20,7 @@ double round_up(double value) {
 
 double friction_coefficient(const MaterialSpec& material) {
     if (material.friction_coefficient) return *material.friction_coefficient;
-    return std::tan(material.friction_angle.value() * std::numbers::pi / 180);
+    return std::tan(material.friction_angle.value_or(0) * std::numbers::pi / 180);
 }
 
 std::string slope_correction(const NumericsSpec& numerics) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/grid_spec.h"
+#include "params/source.h"
 #include "params/thickness.h"
 
 namespace frana {
@@ -26,6 +27,9 @@ struct TerrainSpec {
     std::string vertical_unit = "auto";
     std::string resampling = "automatic";
     std::optional<std::string> friction_zones;
+    std::optional<std::string> obstacles;
+    std::optional<SourceSpec> obstacle_height;
+    std::optional<std::string> walls;
 };
 
 /// [release]
@@ -34,6 +38,20 @@ struct ReleaseSpec {
     std::optional<ThicknessSpec> thickness;
     std::string thickness_direction = "vertical";
     bool dtm_contains_release = false;
+    std::optional<SourceSpec> volume, start, velocity, direction, slip_depth;
+    std::string slip_shape = "auto";
+};
+
+/// [inflow]
+struct InflowSpec {
+    std::optional<std::string> line, hydrograph;
+    std::optional<double> direction;  ///< degrees clockwise from grid north; none: downhill
+};
+
+/// [zones]
+struct ZonesSpec {
+    std::optional<SourceSpec> friction_angle, friction_coefficient, turbulence, cohesion, erodible_depth;
+    std::string beyond_dtm = "stop";
 };
 
 /// [material], in the units a user writes (degrees).
@@ -44,11 +62,27 @@ struct MaterialSpec {
     std::optional<double> friction_angle;
     std::optional<double> friction_coefficient;
     std::optional<double> turbulence;  ///< none: the turbulent part is off
+    std::vector<std::string> bed_friction{"voellmy"};
+    std::optional<double> pore_pressure_ratio, pore_dissipation_time;
+    std::optional<double> cohesion, ramms_yield_stress, manning, chezy, laminar_resistance;
+    std::optional<double> consistency, flow_index;
+    std::optional<double> fast_friction_angle, friction_length, friction_beta;
+    std::string in_plane_stress = "auto";
+    std::optional<double> internal_friction_angle;
     double viscosity = 0;
     double yield_stress = 0;
     double surface_pressure = 0;
     double yield_regularisation = 0.01;
     std::string yield_ratio = "exact";
+};
+
+/// [entrainment], in the units a user writes (degrees, metres per kPa).
+struct EntrainmentSpec {
+    std::string erosion = "off";
+    std::optional<double> erodible_depth, erosion_rate, critical_shear, potential_depth, growth_rate;
+    std::optional<double> bed_friction_angle, bed_cohesion, bed_pore_pressure_ratio, velocity_ratio;
+    bool deposition = false;
+    std::optional<double> deposition_rate, deposition_shear;
 };
 
 /// [numerics]
@@ -60,6 +94,7 @@ struct NumericsSpec {
     double cfl = 0.5;
     std::optional<bool> well_balanced;
     std::string slope_correction = "auto";
+    bool curvature = false;
     std::string boundary = "open";
     double gravity = 9.81;
     double minimum_depth = 0.01;
@@ -70,6 +105,9 @@ struct NumericsSpec {
 struct TimeSpec {
     double end = 300;
     bool stop_when_still = true;
+    double stop_energy_share = 0;
+    double stop_moving_share = 0;
+    double moving_speed = 0.1;
     std::optional<double> frame_interval;
 };
 
@@ -98,7 +136,10 @@ struct SceneSpec {
     std::string file;  ///< the scene file, absolute
     TerrainSpec terrain;
     ReleaseSpec release;
+    InflowSpec inflow;
     MaterialSpec material;
+    ZonesSpec zones;
+    EntrainmentSpec entrainment;
     NumericsSpec numerics;
     TimeSpec time;
     OutputSpec output;
@@ -112,7 +153,7 @@ struct SceneSpec {
 };
 
 /// mu = tan(phi): the one place where the friction angle leaves degrees.
-/// Only for a spec that read_scene accepted, which has one of the two.
+/// 0 where neither is given, which read_scene accepts only where no law reads it.
 double friction_coefficient(const MaterialSpec& material);
 /// `auto` resolved: `normal` for the default scheme, `none` for the paper's.
 std::string slope_correction(const NumericsSpec& numerics);

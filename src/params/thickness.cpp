@@ -27,6 +27,9 @@ std::optional<ThicknessSpec> thickness_from_text(const std::string& text) {
     } else if (word == "raster") {
         spec.kind = Kind::raster;
         spec.raster = rest;
+    } else if (word == "slip-surface") {
+        spec.kind = Kind::slip_surface;
+        spec.raster = rest;
     } else if (word == "difference") {
         const auto comma = rest.find(',');
         if (comma == std::string::npos) return std::nullopt;
@@ -50,7 +53,7 @@ std::string text_of(const ThicknessSpec& thickness) {
         case Kind::difference:
             return "difference:" + thickness.raster + "," + thickness.post;
         case Kind::slip_surface:
-            return "slip-surface";
+            return thickness.fitted() ? "slip-surface" : "slip-surface:" + thickness.raster;
         case Kind::number:
             break;
     }

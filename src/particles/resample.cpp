@@ -96,6 +96,12 @@ class TileResampler {
         const auto j = static_cast<std::int64_t>(y / grid_.cell_size) + grid_.ghost;
         return static_cast<std::size_t>((j % k_tile) * k_tile + i % k_tile);
     }
+    [[nodiscard]] bool in_wall(double x, double y) const {
+        if (limits_.marks == nullptr) return false;
+        const auto i = static_cast<std::int64_t>(x / grid_.cell_size) + grid_.ghost;
+        const auto j = static_cast<std::int64_t>(y / grid_.cell_size) + grid_.ghost;
+        return limits_.marks[j * (grid_.columns + 2 * grid_.ghost) + i] == limits_.wall_mark;
+    }
     void count_cells(const double* x, const double* y, std::size_t begin, std::size_t end) {
         counts_.assign(static_cast<std::size_t>(k_tile * k_tile), 0);
         for (std::size_t p = begin; p < end; ++p) ++counts_[cell_of(x[p], y[p])];
@@ -119,7 +125,7 @@ class TileResampler {
                          ox = quarter * axis.x, oy = quarter * axis.y;
             const double x = get(r, Field::x), y = get(r, Field::y);
             const auto inside = [&](double a, double b) {
-                return a > 0 && a < limits_.width && b > 0 && b < limits_.height;
+                return a > 0 && a < limits_.width && b > 0 && b < limits_.height && !in_wall(a, b);
             };
             if (!inside(x + ox, y + oy) || !inside(x - ox, y - oy)) continue;
             const double du = get(r, Field::c_xx) * ox + get(r, Field::c_xy) * oy;

@@ -22,6 +22,8 @@ struct ResampleLimits {
     int max_per_cell = 12;         ///< more than this in a cell: pairs merge
     double minimum_depth = 0.001;  ///< thinner particles are not split [m]
     double width = 0, height = 0;  ///< of the terrain [m]: no half is put outside
+    const std::uint8_t* marks = nullptr;  ///< of the padded nodes; none: no walls
+    std::uint8_t wall_mark = 0;           ///< the mark of a wall: no half is put there
 };
 
 struct ResampleCounts {

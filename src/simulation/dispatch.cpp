@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/dispatch.h"
 
-#include <cmath>
+#include <algorithm>
+#include <type_traits>
 
 #include "mpm/particles_to_nodes.h"
 #include "mpm/pressure.h"
+#include "simulation/dispatch_bed.h"
 
 namespace frana {
 
@@ -12,137 +14,115 @@ using namespace voellmy_bingham;
 
 namespace {
 
-template <class Slope>
-NodeReport update_nodes_stage(const NodeRange& range, const NodeUpdate& update,
-                              const VoellmyFriction& friction, double time, NodeGrid& nodes, Maxima& maxima) {
-    return update_nodes<Slope>(
-        range, update, friction, nodes,
-        [&](std::size_t node, double depth, double speed) { maxima.see(node, depth, speed, time); });
+template <class Stress>
+const Stress& stress_of(const StressLaws& laws) {
+    if constexpr (std::is_same_v<Stress, BinghamStress>) return laws.bingham;
+    if constexpr (std::is_same_v<Stress, EarthPressureStress>) return laws.earth_pressure;
 }
 
-template <class Slope>
-void choose_slope(Stages& stages) {
-    stages.hold_nodes = hold_nodes<Slope>;
-    stages.update_nodes = update_nodes_stage<Slope>;
-}
-
-template <class Shape, class Transfer, bool Stress, bool Relaxed>
+template <class Shape, class Transfer, class Stress, bool Relaxed>
 ParticleReport nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
-                                        const BinghamStress& stress, const NodeGrid& nodes,
-                                        ParticleSet& particles) {
-    if constexpr (Stress) {
-        return nodes_to_particles<Shape, Transfer, BinghamStress, Relaxed>(tile, update, stress, nodes,
-                                                                           particles);
+                                        const StressLaws& stress, const NodeGrid& nodes, ParticleSet& particles) {
+    if constexpr (Stress::active) {
+        return nodes_to_particles<Shape, Transfer, Stress, Relaxed>(tile, update, stress_of<Stress>(stress), nodes,
+                                                                    particles);
     } else {
-        return nodes_to_particles<Shape, Transfer, NoStress, Relaxed>(tile, update, NoStress{}, nodes,
-                                                                      particles);
+        return nodes_to_particles<Shape, Transfer, Stress, Relaxed>(tile, update, Stress{}, nodes, particles);
     }
 }
 
-// 2 schemes x 3 transfers x 2 stresses = 12 of nodes_to_particles, 4 of each of the other particle stages.
+// Neither viscosity nor yield stress: no stress.
+PlaneStressLaw stress_law(const Material& material) {
+    const bool bingham = material.plane_stress == PlaneStressLaw::bingham;
+    if (bingham && !(material.viscosity > 0 || material.yield_stress > 0)) return PlaneStressLaw::none;
+    return material.plane_stress;
+}
+
+// 2 schemes x 3 transfers x 3 stresses = 18 of nodes_to_particles, 4 of each of the other particle stages.
 template <class Shape, bool Relaxed, class Transfer>
-void choose_transfer(bool stress, Stages& stages) {
+void choose_transfer(PlaneStressLaw stress, Stages& stages) {
     stages.particles_to_nodes = stages.references ? particles_to_nodes<Shape, Transfer::affine, true>
                                                   : particles_to_nodes<Shape, Transfer::affine, false>;
-    stages.nodes_to_particles = stress ? nodes_to_particles_stage<Shape, Transfer, true, Relaxed>
-                                       : nodes_to_particles_stage<Shape, Transfer, false, Relaxed>;
+    switch (stress) {
+        case PlaneStressLaw::bingham:
+            stages.nodes_to_particles = nodes_to_particles_stage<Shape, Transfer, BinghamStress, Relaxed>;
+            break;
+        case PlaneStressLaw::earth_pressure:
+            stages.nodes_to_particles = nodes_to_particles_stage<Shape, Transfer, EarthPressureStress, Relaxed>;
+            break;
+        case PlaneStressLaw::none:
+            stages.nodes_to_particles = nodes_to_particles_stage<Shape, Transfer, NoStress, Relaxed>;
+            break;
+    }
     if (Transfer::affine) stages.fields = stages.fields | k_affine_fields;
 }
 
 template <class Shape, bool Relaxed>
-void choose_scheme(Transfer transfer, bool stress, Stages& stages) {
+void choose_scheme(Transfer transfer, PlaneStressLaw law, Stages& stages) {
+    const bool stress = law != PlaneStressLaw::none;
     stages.pressure_to_nodes =
         stress ? pressure_to_nodes<Shape, Relaxed, true> : pressure_to_nodes<Shape, Relaxed, false>;
+    stages.exchange_with_particles = exchange_with_particles<Shape>;
     if (Relaxed) stages.fields = stages.fields | FieldMask{Field::compression};
     if (stress) stages.fields = stages.fields | k_stress_fields;
     switch (transfer) {
         case Transfer::pic:
-            return choose_transfer<Shape, Relaxed, PicTransfer>(stress, stages);
+            return choose_transfer<Shape, Relaxed, PicTransfer>(law, stages);
         case Transfer::flip:
-            return choose_transfer<Shape, Relaxed, FlipTransfer>(stress, stages);
+            return choose_transfer<Shape, Relaxed, FlipTransfer>(law, stages);
         case Transfer::apic:
-            return choose_transfer<Shape, Relaxed, ApicTransfer>(stress, stages);
+            return choose_transfer<Shape, Relaxed, ApicTransfer>(law, stages);
     }
 }
 
-bool has_stress(const Material& material) {
-    return material.viscosity > 0 || material.yield_stress > 0;
-}
+}  // namespace
 
 Transfer transfer_of(const Numerics& numerics) {
     return numerics.transfer.value_or(numerics.scheme == Scheme::paper ? Transfer::pic : Transfer::apic);
 }
 
-}  // namespace
-
-Stages choose_stages(const Material& material, const Numerics& numerics) {
+Stages choose_stages(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
+                     const Numerics& numerics) {
     Stages stages;
     stages.fields = k_basic_fields;
     const Transfer transfer = transfer_of(numerics);
     if (numerics.scheme == Scheme::paper) {
-        choose_scheme<HatShape, false>(transfer, has_stress(material), stages);
+        choose_scheme<HatShape, false>(transfer, stress_law(material), stages);
     } else {
         stages.references = numerics.well_balanced;
         stages.leapfrog = true;
-        choose_scheme<QuadraticSplineShape, true>(transfer, has_stress(material), stages);
+        choose_scheme<QuadraticSplineShape, true>(transfer, stress_law(material), stages);
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
     }
-    switch (numerics.slope_correction) {
-        case SlopeCorrection::none:
-            choose_slope<GentleSlope>(stages);
-            break;
-        case SlopeCorrection::surface:
-            choose_slope<SurfaceSlope>(stages);
-            break;
-        case SlopeCorrection::normal:
-            choose_slope<NormalSlope>(stages);
-            break;
-    }
+    choose_node_stages(material, numerics, sums_friction(material, zones, entrainment, numerics), stages);
+    choose_exchange(entrainment, numerics, stages);
     return stages;
 }
 
-Laws make_laws(const Material& material, const Numerics& numerics, double cell_size) {
+Laws make_laws(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
+               const Numerics& numerics, const NodeGrid& nodes, double gravity) {
     Laws laws;
-    laws.gravity = numerics.gravity;
+    laws.gravity = gravity;
     laws.cfl = numerics.cfl;
     laws.minimum_depth = numerics.minimum_depth;
     laws.wall = numerics.boundary == Boundary::wall;
-    laws.friction.friction_coefficient = material.friction_coefficient;
-    laws.friction.inverse_turbulence = std::isfinite(material.turbulence) ? 1 / material.turbulence : 0;
-    laws.friction.pressure_over_density = material.surface_pressure / material.density;
-    laws.stress.viscosity_over_density = material.viscosity / material.density;
-    laws.stress.yield_over_density = material.yield_stress / material.density;
-    laws.stress.regularisation = material.yield_regularisation;
-    laws.stress.exact_ratio = material.exact_yield_ratio;
-    laws.resample.cell_size = cell_size;
+    laws.friction = make_friction(material, zones, entrainment, numerics, nodes, gravity);
+    laws.exchange = make_exchange(entrainment, material.density);
+    laws.stress.bingham.viscosity_over_density = material.viscosity / material.density;
+    laws.stress.bingham.yield_over_density = material.yield_stress / material.density;
+    laws.stress.bingham.regularisation = material.yield_regularisation;
+    laws.stress.bingham.exact_ratio = material.exact_yield_ratio;
+    if (stress_law(material) == PlaneStressLaw::earth_pressure) {
+        const auto law = EarthPressureStress::of(material.internal_friction_coefficient,
+                                                 material.friction_coefficient, gravity);
+        laws.stress.earth_pressure = law;
+        laws.stress.wave_factor = std::max(1.0, law.compressed);
+    }
+    laws.resample.cell_size = nodes.cell_size();
     laws.resample.split_below = (3 * numerics.particles_per_cell + 1) / 2;
     laws.resample.max_per_cell = 3 * numerics.particles_per_cell;
     return laws;
-}
-
-std::vector<std::string> list_terms(const Material& material, const Numerics& numerics) {
-    std::vector<std::string> terms{"hydrostatic pressure", "bed slope"};
-    if (numerics.slope_correction == SlopeCorrection::normal) terms.push_back("slope correction: normal");
-    if (numerics.slope_correction == SlopeCorrection::surface) terms.push_back("slope correction: surface");
-    if (material.friction_coefficient > 0) terms.push_back("Coulomb bed friction");
-    if (std::isfinite(material.turbulence)) terms.push_back("turbulent bed friction");
-    if (material.surface_pressure > 0 && material.friction_coefficient > 0)
-        terms.push_back("surface pressure");
-    if (material.viscosity > 0) terms.push_back("in-plane viscosity");
-    if (material.yield_stress > 0) terms.push_back("in-plane yield stress");
-    static constexpr const char* k_transfers[] = {"PIC", "FLIP", "APIC"};
-    const char* transfer = k_transfers[static_cast<int>(transfer_of(numerics))];
-    if (numerics.scheme == Scheme::paper) {
-        terms.push_back(std::string("bilinear shape functions, ") + transfer);
-    } else {
-        terms.push_back(std::string("quadratic B-splines, ") + transfer);
-        if (numerics.well_balanced) terms.push_back("reference level per node");
-        terms.push_back("area relaxation");
-        terms.push_back("compressive artificial viscosity");
-        if (transfer_of(numerics) == Transfer::apic) terms.push_back("splitting and merging");
-    }
-    return terms;
 }
 
 }  // namespace frana

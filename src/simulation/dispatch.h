@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "models/voellmy_bingham/stages.h"
 #include "models/voellmy_bingham/state.h"
 #include "simulation/scene.h"
 
 namespace frana {
 
-/// The one place where names become types: the stages that a scene's material and numerics ask for.
-voellmy_bingham::Stages choose_stages(const Material& material, const Numerics& numerics);
+/// Where names become types: the stages that a scene asks for. The bed's are chosen in dispatch_bed.cpp.
+voellmy_bingham::Stages choose_stages(const Material& material, const MaterialZones& zones,
+                                      const Entrainment& entrainment, const Numerics& numerics);
 
 /// The laws with their parameters, in the engine's units.
-voellmy_bingham::Laws make_laws(const Material& material, const Numerics& numerics, double cell_size);
+/// @param gravity normal to the ground plane: numerics.gravity, or that of a tilted frame [m/s2]
+voellmy_bingham::Laws make_laws(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
+                                const Numerics& numerics, const NodeGrid& nodes, double gravity);
 
-/// The physics and numerics really computed, in words, for summary.json and `frana check`.
-std::vector<std::string> list_terms(const Material& material, const Numerics& numerics);
+/// The transfer that is really used.
+Transfer transfer_of(const Numerics& numerics);
 
 }  // namespace frana

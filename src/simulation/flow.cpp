@@ -1,25 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/flow.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "mpm/shape.h"
 #include "mpm/stable_step.h"
 #include "simulation/dispatch.h"
+#include "simulation/dispatch_bed.h"
 
 namespace frana {
 namespace {
 
-ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
-    ParticleSet particles(fields);
-    particles.resize(seeds.size());
+// Appends seeds, giving fields that they do not carry their initial values.
+void append(const ParticleSet& seeds, ParticleSet& particles) {
+    const std::size_t before = particles.size();
+    particles.resize(before + seeds.size());
     for (std::size_t p = 0; p < seeds.size(); ++p) {
         ParticleRow row = seeds.row(p);
         if (!seeds.mask().has(Field::q_xx))
             get(row, Field::q_xx) = get(row, Field::q_yy) = get(row, Field::area);
-        particles.set_row(p, row);
+        particles.set_row(before + p, row);
     }
+}
+
+ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
+    ParticleSet particles(fields);
+    append(seeds, particles);
     return particles;
+}
+
+// What comes in where something lies already makes it deeper: particles near the newcomers give up area until they claim
+// no more than there is. Reads the nodes' sums of area.
+void make_room(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet& particles) {
+    const double dx = nodes.cell_size(), inverse_dx = 1 / dx;
+    const auto cell = [&](double x, double y) {
+        return nodes.index(static_cast<std::int64_t>(x * inverse_dx), static_cast<std::int64_t>(y * inverse_dx));
+    };
+    const auto inside = [&](double x, double y) {
+        return x >= 0 && y >= 0 && x < nodes.width() && y < nodes.height();
+    };
+    std::vector<std::size_t> near;
+    for (std::size_t p = 0; p < newcomers.size(); ++p) {
+        for (int b = -1; b <= 1; ++b) {
+            for (int a = -1; a <= 1; ++a) {
+                const double x = newcomers[Field::x][p] + a * dx, y = newcomers[Field::y][p] + b * dx;
+                if (inside(x, y)) near.push_back(cell(x, y));
+            }
+        }
+    }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double x = particles[Field::x][p], y = particles[Field::y][p];
+        if (!std::binary_search(near.begin(), near.end(), cell(x, y))) continue;
+        const Stencil<QuadraticSplineShape> s(x, y, dx, inverse_dx, nodes.stride());
+        double claimed = 0;
+        for (int b = 0; b < 3; ++b) {
+            for (int a = 0; a < 3; ++a)
+                claimed += s.wx[a] * s.wy[b] *
+                           nodes.sums[s.first + static_cast<std::size_t>(b * nodes.stride() + a)].area;
+        }
+        claimed *= inverse_dx * inverse_dx;
+        if (claimed > 1) particles[Field::area][p] /= claimed;
+    }
 }
 
 TileGrid tile_grid(const NodeGrid& nodes) {
@@ -29,32 +75,60 @@ TileGrid tile_grid(const NodeGrid& nodes) {
 voellmy_bingham::State initial_state(const Raster& bed, ParticleSet particles) {
     NodeGrid nodes(bed);
     TileOrder order(tile_grid(nodes));
-    return {std::move(particles), std::move(nodes), std::move(order)};
+    return voellmy_bingham::State(std::move(particles), std::move(nodes), std::move(order));
+}
+
+ZeroArray<BedLayer> bed_layers(const Entrainment& entrainment, const MaterialZones& zones, const NodeGrid& nodes) {
+    ZeroArray<BedLayer> layers(nodes.bed.size());
+    if (entrainment.erosion == ErosionLaw::none) return layers;
+    std::vector<double> depths;
+    if (zones.erodible_depth) depths = node_values(*zones.erodible_depth, entrainment.erodible_depth, nodes);
+    for (std::size_t i = 0; i < layers.size(); ++i)
+        layers[i].erodible = depths.empty() ? entrainment.erodible_depth : depths[i];
+    return layers;
 }
 
 }  // namespace
 
 Flow::Flow(const Raster& bed, const ParticleSet& particles, const Material& material,
-           const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt)
+           const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt, const MaterialZones& zones,
+           const Entrainment& entrainment)
     : grid_(bed.grid),
       numerics_(numerics),
       pool_(threads),
-      stages_(choose_stages(material, numerics)),
-      laws_(make_laws(material, numerics, bed.grid.cell_size)),
+      stages_(choose_stages(material, zones, entrainment, numerics)),
       state_(initial_state(bed, with_fields(particles, stages_.fields))),
+      laws_(make_laws(material, zones, entrainment, numerics, state_.nodes,
+                      tilt ? tilt->normal : numerics.gravity)),
       maxima_(state_.nodes.sums.size()) {
     // Without references the levels stay zero: the pressure is then measured against nothing.
     if (numerics.scheme == Scheme::standard) state_.nodes.allocate_levels();
     laws_.resample.width = state_.nodes.width();
     laws_.resample.height = state_.nodes.height();
     laws_.resample.minimum_depth = 1e-3 * bed.grid.cell_size;
+    if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.sums.size());
+    if (entrainment.active()) state_.bed_layers = bed_layers(entrainment, zones, state_.nodes);
     if (tilt) {
-        laws_.gravity = tilt->normal;
         laws_.gravity_x = tilt->along_x;
         laws_.gravity_y = tilt->along_y;
     }
     laws_.origin = centroid();
     voellmy_bingham::prepare(state_, laws_, pool_);
+}
+
+void Flow::add_walls(const Raster& walls) {
+    state_.nodes.mark_walls(walls);
+    laws_.resample.marks = state_.nodes.solid();
+    laws_.resample.wall_mark = NodeGrid::k_wall;
+}
+
+void Flow::add_particles(const ParticleSet& particles) {
+    if (particles.size() == 0) return;
+    append(particles, state_.particles);
+    voellmy_bingham::prepare(state_, laws_, pool_);
+    gather_on_nodes(state_, laws_, stages_, pool_);
+    make_room(particles, state_.nodes, state_.particles);
+    voellmy_bingham::prepare(state_, laws_, pool_);  // what is deeper is faster
 }
 
 voellmy_bingham::StepReport Flow::advance(double dt_limit) {
@@ -155,6 +229,26 @@ void Flow::see_present() {
                         state_.time);
         }
     }
+}
+
+Raster Flow::layer_depth(double BedLayer::* depth) const {
+    Raster raster(grid_, k_no_data);
+    if (state_.bed_layers.size() == 0) return raster;
+    for (std::int64_t row = 0; row < grid_.rows; ++row) {
+        for (std::int64_t column = 0; column < grid_.columns; ++column) {
+            const double value = state_.bed_layers[state_.nodes.index(column, grid_.rows - 1 - row)].*depth;
+            if (value > 0) raster.at(row, column) = value;
+        }
+    }
+    return raster;
+}
+
+Raster Flow::eroded_depth() const {
+    return layer_depth(&BedLayer::eroded);
+}
+
+Raster Flow::deposited_depth() const {
+    return layer_depth(&BedLayer::deposited);
 }
 
 Raster Flow::to_raster(const ZeroArray<double>& padded, double shift) const {

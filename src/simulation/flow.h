@@ -23,8 +23,17 @@ class Flow {
   public:
     /// @param bed elevation [m], NaN where there is none; its grid gives cell size and extent
     /// @param particles in local metres; fields the scheme needs are added with their initial values
+    /// @param zones rasters on the bed's grid
     Flow(const Raster& bed, const ParticleSet& particles, const Material& material, const Numerics& numerics,
-         int threads, std::optional<TiltedGravity> tilt = std::nullopt);
+         int threads, std::optional<TiltedGravity> tilt = std::nullopt, const MaterialZones& zones = {},
+         const Entrainment& entrainment = {});
+
+    /// Marks where walls stand: 1 in a raster on the same grid.
+    void add_walls(const Raster& walls);
+    /// More particles between two steps, in local metres; those outside count as left.
+    void add_particles(const ParticleSet& particles);
+    /// Takes ground away between two steps: depth in each cell [m], NaN for none.
+    void lower_bed(const Raster& depth) { state_.nodes.lower_bed(depth); }
 
     voellmy_bingham::StepReport advance(double dt_limit);
     /// Brings the velocities, which lag half a step, to the present time. Before looking at them.
@@ -37,13 +46,28 @@ class Flow {
     [[nodiscard]] const NodeGrid& nodes() const noexcept { return state_.nodes; }
     [[nodiscard]] const voellmy_bingham::Laws& laws() const noexcept { return laws_; }
     [[nodiscard]] double volume_left() const noexcept { return state_.volume_left; }
+    /// What has gone from the bed to the flow and back so far.
+    [[nodiscard]] const ExchangeReport& exchanged() const noexcept { return state_.exchanged; }
+    /// Depth eroded from and deposited on each cell so far [m]; NaN where none. Only for scenes that exchange.
+    [[nodiscard]] Raster eroded_depth() const;
+    [[nodiscard]] Raster deposited_depth() const;
     [[nodiscard]] std::int64_t steps() const noexcept { return steps_; }
     [[nodiscard]] std::int64_t particle_steps() const noexcept { return particle_steps_; }
     /// Volume inside and its centroid (local metres).
     [[nodiscard]] double volume() const;
     [[nodiscard]] Point centroid() const;
+    /// What laws of the bed beyond uniform Voellmy friction keep at each node [bytes].
+    [[nodiscard]] std::size_t bed_bytes_per_node() const noexcept {
+        return (state_.bed_states.size() != 0 ? sizeof(BedState) : 0) +
+               (state_.bed_layers.size() != 0 ? sizeof(BedLayer) : 0) +
+               laws_.friction.node_values.size() * sizeof(double);
+    }
     /// Measures the front distance from here on [local metres].
     void set_origin(Point origin) { laws_.origin = origin; }
+    /// Rids the time of the last bit that summing steps has cost it.
+    void set_time(double time) { state_.time = time; }
+    /// Speed from which StepReport counts volume as moving [m/s].
+    void set_moving_speed(double speed) { laws_.moving_speed = speed; }
     /// First stable step from the present state [s].
     [[nodiscard]] double stable_step() const;
 
@@ -66,12 +90,14 @@ class Flow {
     [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
 
   private:
+    [[nodiscard]] Raster layer_depth(double BedLayer::* depth) const;
+
     GridSpec grid_;
     Numerics numerics_;
     ThreadPool pool_;
     voellmy_bingham::Stages stages_;
-    voellmy_bingham::Laws laws_;
     voellmy_bingham::State state_;
+    voellmy_bingham::Laws laws_;
     Maxima maxima_;
     std::int64_t steps_ = 0, particle_steps_ = 0;
 };

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 #include "core/error.h"
 #include "particles/seeding.h"
+#include "simulation/terrain_sample.h"
 
 namespace frana {
 namespace {
@@ -20,17 +22,6 @@ MultiPolygon to_local(const MultiPolygon& map, const GridSpec& grid) {
         }
     }
     return local;
-}
-
-// Row and column of a local point, clamped into the grid.
-struct Cell {
-    std::int64_t row, column;
-};
-Cell cell_of(const GridSpec& grid, Point local) {
-    const auto column = static_cast<std::int64_t>(std::floor(local.x / grid.cell_size));
-    const auto from_south = static_cast<std::int64_t>(std::floor(local.y / grid.cell_size));
-    return {std::clamp<std::int64_t>(grid.rows - 1 - from_south, 0, grid.rows - 1),
-            std::clamp<std::int64_t>(column, 0, grid.columns - 1)};
 }
 
 // Bilinear between the cell centres that have data; NaN where none of the four has.
@@ -50,22 +41,6 @@ double sample(const Raster& raster, Point local) {
         }
     }
     return total > 0 ? sum / total : k_no_data;
-}
-
-// sqrt(1 + |grad Z|^2) of the terrain at a cell, from the neighbours that have data.
-double secant_of_slope(const Raster& terrain, Cell c) {
-    const auto difference = [&](std::int64_t dr, std::int64_t dc) {
-        const auto value = [&](std::int64_t sign) {
-            const std::int64_t r = std::clamp<std::int64_t>(c.row + sign * dr, 0, terrain.grid.rows - 1);
-            const std::int64_t k =
-                std::clamp<std::int64_t>(c.column + sign * dc, 0, terrain.grid.columns - 1);
-            const double z = terrain.at(r, k);
-            return std::isnan(z) ? terrain.at(c.row, c.column) : z;
-        };
-        return (value(1) - value(-1)) / (2 * terrain.grid.cell_size);
-    };
-    const double gx = difference(0, 1), gy = difference(1, 0);
-    return std::sqrt(1 + gx * gx + gy * gy);
 }
 
 void refuse_gaps(const Scene& scene, const ParticleSet& particles) {
@@ -92,50 +67,163 @@ void refuse_gaps(const Scene& scene, const ParticleSet& particles) {
                                           "terrain.nodata-policy = fill"});
 }
 
+void refuse_walls(const Scene& scene, const ParticleSet& particles) {
+    if (!scene.walls) return;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Point local{particles[Field::x][p], particles[Field::y][p]};
+        const Cell c = cell_of(scene.grid, local);
+        if (scene.walls->at(c.row, c.column) == 0) continue;
+        const Point map = scene.grid.map_from_local(local);
+        char text[64];
+        std::snprintf(text, sizeof text, "(%.1f, %.1f)", map.x, map.y);
+        throw Error(ErrorKind::input, Problem{"a wall stands on the release", "terrain.walls", text, "",
+                                              "Move the wall or the perimeter"});
+    }
+}
+
+// A number per particle, weighted by volume.
+template <class Value>
+Point mean_of(const ParticleSet& particles, const Value& value) {
+    Point sum;
+    double total = 0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double volume = particles[Field::volume][p];
+        const Point v = value({particles[Field::x][p], particles[Field::y][p]});
+        sum.x += volume * v.x;
+        sum.y += volume * v.y;
+        total += volume;
+    }
+    return total > 0 ? Point{sum.x / total, sum.y / total} : sum;
+}
+
+// Gives the particles their speed along the bed, all in the same direction of the map.
+void set_in_motion(const Scene& scene, const ReleaseArea& area, ParticleSet& particles) {
+    if (!(area.speed > 0)) return;
+    const auto slope = [&](Point local) { return gradient(scene.terrain, cell_of(scene.grid, local)); };
+    Point direction;
+    if (area.azimuth) {
+        direction = {std::sin(*area.azimuth), std::cos(*area.azimuth)};
+    } else {
+        const Point mean = mean_of(particles, slope);
+        const double steepness = std::hypot(mean.x, mean.y);
+        if (!(steepness > 1e-6)) {
+            throw Error(ErrorKind::input,
+                        Problem{"a release area on level ground has a velocity but no direction",
+                                "release.velocity", "", "", "Give release.direction"});
+        }
+        direction = {-mean.x / steepness, -mean.y / steepness};
+    }
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Point g = slope({particles[Field::x][p], particles[Field::y][p]});
+        const double speed = area.speed * map_share(scene.numerics, g, direction);
+        particles[Field::u][p] = speed * direction.x;
+        particles[Field::v][p] = speed * direction.y;
+    }
+}
+
+void scale_by(double factor, ParticleSet& particles, ReleasedArea& area) {
+    for (std::size_t p = 0; p < particles.size(); ++p) particles[Field::volume][p] *= factor;
+    area.scaled *= factor;
+    area.volume *= factor;
+}
+
+// Makes all areas together hold a volume.
+void scale_to(double volume, std::vector<ParticleSet>& filled, std::vector<ReleasedArea>& areas) {
+    double sum = 0;
+    for (const ReleasedArea& area : areas) sum += area.volume;
+    if (!(sum > 0)) return;
+    for (std::size_t i = 0; i < filled.size(); ++i) scale_by(volume / sum, filled[i], areas[i]);
+}
+
+// Seeds one area's particles and tells what it holds.
+ReleasedArea fill_area(const Scene& scene, const ReleaseArea& area, ParticleSet& particles) {
+    const GridSpec& grid = scene.grid;
+    const auto thickness = [&](Point local) {
+        double t = area.thickness_raster ? sample(*area.thickness_raster, local) : area.thickness;
+        if (area.normal_to_bed && t > 0) {
+            const Point g = gradient(scene.terrain, cell_of(grid, local));
+            t *= std::sqrt(1 + g.x * g.x + g.y * g.y);
+        }
+        return t;
+    };
+    ReleasedArea released;
+    released.start = area.start;
+    released.volume =
+        fill_outline(to_local(area.outline, grid), lattice_spacing(scene), thickness, particles);
+    for (std::size_t p = 0; p < particles.size(); ++p) released.area += particles[Field::area][p];
+    if (area.volume && released.volume > 0) {
+        scale_by(*area.volume / released.volume, particles, released);
+        released.volume = *area.volume;
+    }
+    set_in_motion(scene, area, particles);
+    return released;
+}
+
+void take_out(const Raster& depth, Raster& bed) {
+    for (std::size_t i = 0; i < bed.values.size(); ++i) {
+        if (!std::isnan(depth.values[i])) bed.values[i] -= depth.values[i];
+    }
+}
+
 }  // namespace
 
-Release make_release(const Scene& scene) {
-    const GridSpec& grid = scene.grid;
-    const double per_side = std::round(std::sqrt(static_cast<double>(scene.numerics.particles_per_cell)));
-    const double spacing = grid.cell_size / per_side;
-    Release release;
-    for (const ReleaseArea& area : scene.release) {
-        const auto thickness = [&](Point local) {
-            double t = area.thickness_raster ? sample(*area.thickness_raster, local) : area.thickness;
-            if (area.normal_to_bed && t > 0) t *= secant_of_slope(scene.terrain, cell_of(grid, local));
-            return t;
-        };
-        const std::size_t first = release.particles.size();
-        double volume = fill_outline(to_local(area.outline, grid), spacing, thickness, release.particles);
-        if (area.volume && volume > 0) {
-            const double factor = *area.volume / volume;
-            for (std::size_t p = first; p < release.particles.size(); ++p)
-                release.particles[Field::volume][p] *= factor;
-            volume = *area.volume;
-            if (std::abs(factor - 1) > std::abs(release.scaled - 1)) release.scaled = factor;
-        }
-        release.volume += volume;
+double lattice_spacing(const Scene& scene) {
+    return scene.grid.cell_size /
+           std::round(std::sqrt(static_cast<double>(scene.numerics.particles_per_cell)));
+}
+
+Raster cell_depth(const ParticleSet& particles, const GridSpec& grid) {
+    Raster cells(grid, k_no_data);
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Cell c = cell_of(grid, {particles[Field::x][p], particles[Field::y][p]});
+        double& depth = cells.at(c.row, c.column);
+        depth = (std::isnan(depth) ? 0 : depth) + particles[Field::volume][p] / grid.cell_area();
     }
-    if (release.particles.size() == 0) {
+    return cells;
+}
+
+Release make_release(const Scene& scene) {
+    Release release;
+    std::map<double, Entry> later;
+    std::vector<ParticleSet> filled(scene.release.size());
+    for (std::size_t i = 0; i < filled.size(); ++i)
+        release.areas.push_back(fill_area(scene, scene.release[i], filled[i]));
+    if (scene.release_volume) scale_to(*scene.release_volume, filled, release.areas);
+    ParticleSet all;
+    for (std::size_t i = 0; i < filled.size(); ++i) {
+        const ReleaseArea& area = scene.release[i];
+        const ParticleSet& particles = filled[i];
+        release.volume += release.areas[i].volume;
+        Entry& entry = later[area.start > 0 ? area.start : 0];
+        entry.time = area.start;
+        entry.areas.push_back(i);
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            entry.particles.push_back(particles.row(p));
+            all.push_back(particles.row(p));
+        }
+    }
+    if (all.size() == 0 && scene.inflows.empty()) {
         throw Error(
             ErrorKind::input,
             Problem{"nothing would be released: the perimeter holds no thickness above zero",
                     "release.thickness", "", "",
                     "Check that the thickness raster covers the perimeter and is positive inside it"});
     }
-    refuse_gaps(scene, release.particles);
-
-    release.depth = Raster(grid, k_no_data);
-    for (std::size_t p = 0; p < release.particles.size(); ++p) {
-        const Cell c = cell_of(grid, {release.particles[Field::x][p], release.particles[Field::y][p]});
-        double& depth = release.depth.at(c.row, c.column);
-        depth = (std::isnan(depth) ? 0 : depth) + release.particles[Field::volume][p] / grid.cell_area();
-    }
-    release.bed = scene.terrain;
-    if (scene.terrain_contains_release) {
-        for (std::size_t i = 0; i < release.bed.values.size(); ++i) {
-            if (!std::isnan(release.depth.values[i])) release.bed.values[i] -= release.depth.values[i];
+    refuse_gaps(scene, all);
+    refuse_walls(scene, all);
+    release.centroid = mean_of(all, [](Point local) { return local; });
+    release.depth = cell_depth(all, scene.grid);
+    for (auto& [time, entry] : later) {
+        if (time > 0) {
+            release.later.push_back(std::move(entry));
+        } else {
+            release.particles = std::move(entry.particles);
         }
+    }
+    release.bed = release.bed_at_start = scene.terrain;
+    if (scene.terrain_contains_release) {
+        take_out(release.depth, release.bed);
+        take_out(cell_depth(release.particles, scene.grid), release.bed_at_start);
     }
     return release;
 }

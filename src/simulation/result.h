@@ -17,6 +17,7 @@ struct SeriesRow {
     double dt = 0;              ///< [s]
     double volume = 0;          ///< inside the domain [m3]
     double volume_left = 0;     ///< that has left through open boundaries [m3]
+    double volume_entered = 0;  ///< released and flowed in so far [m3]
     double max_depth = 0;       ///< [m]
     double max_speed = 0;       ///< along the bed [m/s]
     double front_distance = 0;  ///< farthest particle from the release's centroid, in map view [m]
@@ -58,7 +59,25 @@ struct HardEvents {
     }
 };
 
-enum class StopReason { end_time, still, all_left, requested, reached_no_data, non_finite };
+enum class StopReason {
+    end_time,
+    still,
+    energy,
+    moving_volume,
+    all_left,
+    requested,
+    reached_no_data,
+    non_finite,
+};
+
+/// What one release area really released.
+struct ReleasedArea {
+    double start = 0;    ///< [s]
+    double volume = 0;   ///< [m3]
+    double area = 0;     ///< in map view, where there is thickness [m2]
+    double scaled = 1;   ///< factor by which its thickness was scaled to match a volume
+    bool failed = true;  ///< false: its start lies after the run's end
+};
 
 /// What a run gives back: rasters on the working grid (NaN where nothing ever flowed), series, counts.
 struct RunResult {
@@ -78,6 +97,14 @@ struct RunResult {
     std::int64_t particle_steps = 0;
     double engine_seconds = 0;  ///< wall time inside the engine, without on_frame
     double volume_initial = 0, volume_final = 0, volume_left = 0;  ///< [m3]
+    double volume_entered = 0;  ///< all that was ever inside: initial, released later, flowed in [m3]
+    double volume_inflow = 0;   ///< of which flowed in through lines [m3]
+    std::vector<ReleasedArea> released;  ///< in the order of Scene::release
+    bool exchanges = false;  ///< whether the scene erodes or deposits; the next lines are empty otherwise
+    Raster eroded_depth, deposited_depth;             ///< vertical [m], NaN where none
+    double volume_eroded = 0, volume_deposited = 0;   ///< [m3]
+    double momentum_deposited = 0;                    ///< that deposits took with them, size of the sum [kg m/s]
+    std::int64_t unsupported = 0;  ///< nodes times steps at which the motion over a convex bed lifted off
     HardEvents hard_events;
     std::vector<std::string> terms;  ///< physics and numerics really computed
     std::vector<std::string> notes;  ///< for log.txt: choices made, warnings
@@ -87,6 +114,7 @@ struct RunResult {
 struct RunEstimate {
     std::int64_t particles = 0;
     double volume = 0;              ///< released [m3]
+    double inflow = 0;              ///< through lines until the end [m3]
     std::int64_t memory_bytes = 0;  ///< engine and rasters
     double first_step_seconds = 0;  ///< stable step at the start [s]
     double wall_seconds = 0;        ///< rough

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -30,16 +31,83 @@ enum class NodataPolicy {
     fill,  ///< the bed was interpolated across them when the terrain was read, and the count reported
 };
 
-/// One phase with Voellmy bed friction and depth-integrated Bingham stress. Angles are already tangents here.
+/// The laws of bed friction; src/physics/friction_*.h describe them.
+enum class BedTerm {
+    coulomb,
+    turbulence,
+    cohesion,
+    ramms_yield,
+    bingham,
+    herschel_bulkley,
+    obrien_julien,
+    manning,
+    chezy,
+    pouliquen_forterre,
+};
+
+/// What resists in the plane of the flow. Bingham with neither viscosity nor yield stress is none.
+enum class PlaneStressLaw { bingham, earth_pressure, none };
+
+/// One phase: a sum of laws at the bed, a stress in the plane. Angles are already tangents here. Only what the chosen
+/// laws need is read.
 struct Material {
+    std::vector<BedTerm> bed_friction{BedTerm::coulomb, BedTerm::turbulence};
+    PlaneStressLaw plane_stress = PlaneStressLaw::bingham;
     double density = 2000;                                        ///< [kg/m3]
     double friction_coefficient = 0.3;                            ///< tan(phi) [-]
     double turbulence = std::numeric_limits<double>::infinity();  ///< Voellmy xi [m/s2]; infinity: off
     double surface_pressure = 0;                                  ///< p_A, gauge [Pa]
     double viscosity = 0;                                         ///< mu [Pa s]
     double yield_stress = 0;                                      ///< tau_Y [Pa]
-    double yield_regularisation = 0.01;  ///< shear rate under which yield is softened [1/s]
+    double yield_regularisation = 0.01;  ///< shear rate under which yield is softened in the plane [1/s]
     bool exact_yield_ratio = true;       ///< zeta from the cubic; false: the paper's (9)
+    double cohesion = 0;                 ///< c [Pa]
+    double ramms_yield_stress = 0;       ///< N_0 [Pa]
+    double consistency = 0;              ///< Herschel-Bulkley K [Pa s^m]
+    double flow_index = 1;               ///< Herschel-Bulkley m [-]
+    double laminar_resistance = 24;      ///< O'Brien-Julien K [-]
+    double manning = 0;                  ///< n [s/m^(1/3)]
+    double chezy = 0;                    ///< C [m^(1/2)/s]
+    double fast_friction_coefficient = 0;  ///< Pouliquen-Forterre mu_2 [-]
+    double friction_length = 0;            ///< Pouliquen-Forterre L [m]
+    double friction_beta = 0.136;          ///< Pouliquen-Forterre beta [-]
+    double pore_pressure_ratio = 0;        ///< r_u at the start [-]
+    double pore_dissipation_time = std::numeric_limits<double>::infinity();  ///< T [s]; infinity: r_u stays
+    double internal_friction_coefficient = 0;                                ///< tan(phi_i), earth pressure [-]
+
+    [[nodiscard]] bool has(BedTerm term) const noexcept {
+        return std::find(bed_friction.begin(), bed_friction.end(), term) != bed_friction.end();
+    }
+};
+
+enum class ErosionLaw { none, shear_stress, growth, mechanical };
+
+/// What the flow takes from its bed and leaves on it; src/physics/erosion_*.h and deposition_*.h describe the laws.
+struct Entrainment {
+    ErosionLaw erosion = ErosionLaw::none;
+    bool deposition = false;
+    double erodible_depth = 0;         ///< vertical, where MaterialZones gives none [m]
+    double erosion_rate = 0.025;       ///< shear stress: E [m/s]
+    double critical_shear = 1000;      ///< shear stress: tau_c [Pa]
+    double potential_depth = 1e-4;     ///< shear stress: depth per stress [m/Pa]
+    double growth_rate = 0;            ///< growth: E_s [1/m]
+    double bed_friction_coefficient = 0;  ///< mechanical: tan(phi_b) [-]
+    double bed_cohesion = 0;              ///< mechanical: c [Pa]
+    double bed_pore_pressure_ratio = 0;   ///< mechanical: r_b [-]
+    double velocity_ratio = 1;            ///< mechanical: lambda [-]
+    double deposition_rate = 0.01;        ///< w [m/s]
+    double deposition_shear = 1000;       ///< tau_d [Pa]
+
+    [[nodiscard]] bool active() const noexcept { return erosion != ErosionLaw::none || deposition; }
+};
+
+/// Parameters that differ from place to place: rasters on the working grid. NaN: the uniform value of Material (and of
+/// Entrainment) holds there. A raster that is absent costs nothing.
+struct MaterialZones {
+    std::optional<Raster> friction_coefficient;  ///< tan(phi) [-], >= 0
+    std::optional<Raster> turbulence;            ///< Voellmy xi [m/s2], > 0; infinity: off
+    std::optional<Raster> cohesion;              ///< [Pa], >= 0
+    std::optional<Raster> erodible_depth;        ///< vertical [m], >= 0
 };
 
 struct Numerics {
@@ -49,6 +117,7 @@ struct Numerics {
     double cfl = 0.5;
     bool well_balanced = true;  ///< still level per node (default scheme only)
     SlopeCorrection slope_correction = SlopeCorrection::normal;
+    bool curvature = false;  ///< the load of the motion over the bed's curvature; not without slope correction
     Boundary boundary = Boundary::open;
     NodataPolicy nodata = NodataPolicy::stop;
     double gravity = 9.81;        ///< [m/s2]
@@ -58,6 +127,9 @@ struct Numerics {
 struct TimeControl {
     double end = 60;              ///< [s]
     bool stop_when_still = true;  ///< end early once nothing moves
+    double stop_energy_share = 0;  ///< end once kinetic energy is under this share of its peak; 0: never
+    double stop_moving_share = 0;  ///< end once the moving volume is under this share of its peak; 0: never
+    double moving_speed = 0.1;     ///< what counts as moving [m/s]
     double frame_interval = 0;    ///< [s]; 0: no frames
 };
 
@@ -65,18 +137,40 @@ struct TimeControl {
 struct ReleaseArea {
     MultiPolygon outline;
     double thickness = 0;                    ///< [m]; ignored where a raster is given
-    std::optional<Raster> thickness_raster;  ///< on the working grid; NaN or <= 0: nothing released there
-    std::optional<double> volume;            ///< [m3]: the thickness is scaled so that this is released
+    std::optional<Raster> thickness_raster{};  ///< on the working grid; NaN or <= 0: nothing released there
+    std::optional<double> volume{};          ///< [m3]: the thickness is scaled so that this is released
     bool normal_to_bed = false;              ///< thickness measured normal to the bed; false: vertically
+    double start = 0;                        ///< when it fails [s]; until then its ground lies still
+    double speed = 0;                        ///< at the start, along the bed [m/s]
+    std::optional<double> azimuth{};  ///< of that speed, clockwise from the grid's north [rad]; none: down the mean slope
+};
+
+/// Discharge and velocity at one time; linear between times, nothing before the first and after the last.
+struct HydrographPoint {
+    double time = 0;       ///< [s]
+    double discharge = 0;  ///< [m3/s]
+    double speed = 0;      ///< of what crosses the line, in map view [m/s]
+};
+
+/// Material that flows in through a line, in map coordinates of the working CRS.
+struct Inflow {
+    Polyline line;
+    std::vector<HydrographPoint> hydrograph;  ///< times rise; an equal time is a jump
+    std::optional<double> azimuth;  ///< clockwise from the grid's north [rad]; none: normal to the line, downhill
 };
 
 /// Everything the engine needs, validated, in SI units; const from here on.
 struct Scene {
     GridSpec grid;                          ///< working grid
     Raster terrain;                         ///< DTM on the working grid [m]; NaN: no data
+    std::optional<Raster> walls;            ///< on the working grid: 1 where a wall stands that no flow overtops
     bool terrain_contains_release = false;  ///< the bed is the terrain less the released (vertical) thickness
     std::vector<ReleaseArea> release;
+    std::optional<double> release_volume;  ///< of all areas [m3]: their thicknesses are scaled alike to hold it
+    std::vector<Inflow> inflows;
     Material material;
+    MaterialZones zones;
+    Entrainment entrainment;
     Numerics numerics;
     TimeControl time;
 };

@@ -5,10 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <utility>
 
-#include "simulation/dispatch.h"
+#include "simulation/arrivals.h"
 #include "simulation/flow.h"
 #include "simulation/release.h"
+#include "simulation/terms.h"
 
 namespace frana {
 namespace {
@@ -45,13 +48,33 @@ class StillWatch {
     double crawling_ = 0;
 };
 
-SeriesRow series_row(const Flow& flow, const voellmy_bingham::StepReport& report, double density) {
+// Decides when so little is left of a flow's motion that a scene wants no more of it: kinetic energy or moving volume under
+// a share of its peak. Both grow from zero, so neither ends a flow that has not begun.
+class FadeWatch {
+  public:
+    explicit FadeWatch(const TimeControl& time) : time_(time) {}
+
+    bool energy(double now) { return under(now, energy_peak_, time_.stop_energy_share); }
+    bool moving(double now) { return under(now, moving_peak_, time_.stop_moving_share); }
+
+  private:
+    static bool under(double now, double& peak, double share) {
+        peak = std::max(peak, now);
+        return now < share * peak;
+    }
+    const TimeControl& time_;
+    double energy_peak_ = 0, moving_peak_ = 0;
+};
+
+SeriesRow series_row(const Flow& flow, const voellmy_bingham::StepReport& report, double density,
+                     double entered) {
     SeriesRow row;
     row.time = flow.time();
     row.step = flow.steps();
     row.dt = report.dt;
     row.volume = report.particles.volume;
     row.volume_left = flow.volume_left();
+    row.volume_entered = entered;
     row.max_depth = report.nodes.max_depth;
     row.max_speed = report.nodes.max_speed;
     row.front_distance = std::sqrt(report.particles.front_squared);
@@ -61,10 +84,33 @@ SeriesRow series_row(const Flow& flow, const voellmy_bingham::StepReport& report
     return row;
 }
 
+// From where the front is measured: the centroid of everything released, else the middle of the first inflow.
+Point origin_of(const Release& release, const Arrivals& arrivals) {
+    return release.volume > 0 ? release.centroid : arrivals.sources().front().midpoint();
+}
+
+void note_scaling(const std::vector<ReleasedArea>& areas, std::vector<std::string>& notes) {
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        if (std::abs(areas[i].scaled - 1) <= 1e-9) continue;
+        char text[128];
+        std::snprintf(text, sizeof text, "thickness of release area %zu scaled by %.4f to hold the given volume",
+                      i + 1, areas[i].scaled);
+        notes.emplace_back(text);
+    }
+}
+
 Frame take_frame(Flow& flow, int index) {
     flow.synchronise();
     Flow::Snapshot shot = flow.snapshot();
     return {index, flow.time(), std::move(shot.depth), std::move(shot.speed)};
+}
+
+// A wall's cell holds nothing, though the nodes there gather a share of what leans against it.
+void hide_walls(const Scene& scene, Raster& raster) {
+    if (!scene.walls) return;
+    for (std::size_t i = 0; i < raster.values.size(); ++i) {
+        if (scene.walls->values[i] == 1) raster.values[i] = k_no_data;
+    }
 }
 
 Raster pressure_kpa(const Raster& speed, double density) {
@@ -81,6 +127,10 @@ const char* describe(StopReason reason) {
             return "end time reached";
         case StopReason::still:
             return "everything at rest";
+        case StopReason::energy:
+            return "kinetic energy under the given share of its peak";
+        case StopReason::moving_volume:
+            return "moving volume under the given share of its peak";
         case StopReason::all_left:
             return "everything has left the domain";
         case StopReason::requested:
@@ -97,48 +147,72 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     Stopwatch engine;
     engine.start();
     Release release = make_release(scene);
-    Flow flow(release.bed, release.particles, scene.material, scene.numerics, options.threads);
+    Arrivals arrivals(scene, std::exchange(release.later, {}));
+    Flow flow(release.bed_at_start, release.particles, scene.material, scene.numerics, options.threads, std::nullopt,
+              scene.zones, scene.entrainment);
+    if (scene.walls) flow.add_walls(*scene.walls);
+    flow.set_origin(origin_of(release, arrivals));
+    flow.set_moving_speed(scene.time.moving_speed);
     RunResult result;
-    result.terms = list_terms(scene.material, scene.numerics);
+    result.terms = list_terms(scene);
     result.particles_initial = result.particles_peak = static_cast<std::int64_t>(release.particles.size());
-    result.volume_initial = flow.volume();
+    result.volume_initial = result.volume_entered = flow.volume();
     release.particles = ParticleSet();  // the flow has its own copy
-    if (std::abs(release.scaled - 1) > 1e-9) {
-        char text[96];
-        std::snprintf(text, sizeof text, "release thickness scaled by %.4f to hold the given volume",
-                      release.scaled);
-        result.notes.emplace_back(text);
-    }
+    result.released = release.areas;
+    for (ReleasedArea& area : result.released) area.failed = !(area.start > 0);
+    note_scaling(release.areas, result.notes);
+    const auto receive = [&] {
+        const Arrivals::Taken taken = arrivals.take(flow.time());
+        if (scene.terrain_contains_release && taken.failed.size() > 0)
+            flow.lower_bed(cell_depth(taken.failed, scene.grid));
+        flow.add_particles(taken.particles);
+        result.volume_inflow += taken.inflow;
+        result.volume_entered += taken.inflow;
+        for (const std::size_t i : taken.areas) {
+            result.released[i].failed = true;
+            result.volume_entered += result.released[i].volume;
+        }
+    };
 
     const double interval = scene.time.frame_interval;
     int frame = 0;
     const auto give_frame = [&] {
         if (!options.on_frame || interval <= 0) return;
         engine.stop();
-        options.on_frame(take_frame(flow, frame++));
+        Frame taken = take_frame(flow, frame++);
+        hide_walls(scene, taken.depth);
+        hide_walls(scene, taken.velocity);
+        options.on_frame(taken);
         engine.start();
     };
     give_frame();
-    double next_frame = interval > 0 ? interval : scene.time.end;
+    double next_frame = interval > 0 ? interval : std::numeric_limits<double>::infinity();
     StillWatch watch;
+    FadeWatch fade(scene.time);
     result.stop_reason = StopReason::end_time;
     while (flow.time() < scene.time.end) {
-        const double target = std::min(next_frame, scene.time.end);
+        const double target = std::min({next_frame, scene.time.end, arrivals.next_time()});
         const double left = target - flow.time();
         // Two equal steps rather than a full one and a sliver.
         const double stable = flow.stable_step();
         const double limit = left <= stable ? left : left < 2 * stable ? 0.5 * left : left;
         const voellmy_bingham::StepReport report = flow.advance(limit);
-        result.series.push_back(series_row(flow, report, scene.material.density));
+        result.series.push_back(series_row(flow, report, scene.material.density,
+                                          result.volume_entered));
         result.particles_peak =
             std::max(result.particles_peak, static_cast<std::int64_t>(flow.particles().size()));
         result.hard_events.non_finite += report.particles.non_finite;
         result.hard_events.depth_clamped += report.particles.clamped;
+        result.unsupported += report.nodes.unsupported;
         if (scene.numerics.nodata == NodataPolicy::stop)
             result.hard_events.entered_no_data += report.particles.no_data;
         if (target - flow.time() <= 1e-9 * target) {
-            if (target < scene.time.end) give_frame();
-            next_frame = interval * (std::floor(flow.time() / interval + 1e-6) + 1);
+            flow.set_time(target);
+            if (arrivals.next_time() <= target) receive();
+            if (next_frame <= target) {
+                if (target < scene.time.end) give_frame();
+                next_frame = interval * (std::floor(flow.time() / interval + 1e-6) + 1);
+            }
         }
         if (options.on_progress) {
             options.on_progress({flow.steps(), flow.time(), scene.time.end,
@@ -148,10 +222,14 @@ RunResult run(const Scene& scene, const RunOptions& options) {
             result.stop_reason = StopReason::non_finite;
         } else if (result.hard_events.entered_no_data > 0) {
             result.stop_reason = StopReason::reached_no_data;
-        } else if (flow.particles().size() == 0) {
+        } else if (flow.particles().size() == 0 && arrivals.done()) {
             result.stop_reason = StopReason::all_left;
-        } else if (scene.time.stop_when_still && watch.still(report.nodes.max_speed, report.dt)) {
+        } else if (scene.time.stop_when_still && arrivals.done() && watch.still(report.nodes.max_speed, report.dt)) {
             result.stop_reason = StopReason::still;
+        } else if (arrivals.done() && fade.energy(report.particles.kinetic)) {
+            result.stop_reason = StopReason::energy;
+        } else if (arrivals.done() && fade.moving(report.nodes.moving)) {
+            result.stop_reason = StopReason::moving_volume;
         } else if (options.stop_requested && options.stop_requested()) {
             result.stop_reason = StopReason::requested;
         } else {
@@ -173,6 +251,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
             result.max_velocity.values[i] = 0;
         }
     }
+    for (Raster* raster : {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth})
+        hide_walls(scene, *raster);
     result.max_pressure = pressure_kpa(result.max_velocity, scene.material.density);
     result.bed = std::move(release.bed);
     result.release = std::move(release.depth);
@@ -182,25 +262,43 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     result.particle_steps = flow.particle_steps();
     result.volume_final = flow.volume();
     result.volume_left = flow.volume_left();
+    if (!arrivals.done()) result.notes.emplace_back("the run ended before everything had failed or flowed in");
+    result.exchanges = scene.entrainment.active();
+    if (result.exchanges) {
+        result.eroded_depth = flow.eroded_depth();
+        result.deposited_depth = flow.deposited_depth();
+        result.volume_eroded = flow.exchanged().eroded;
+        result.volume_deposited = flow.exchanged().deposited;
+        result.momentum_deposited = scene.material.density *
+                                    std::hypot(flow.exchanged().momentum_x, flow.exchanged().momentum_y);
+    }
     engine.stop();
     result.engine_seconds = engine.seconds();
     return result;
 }
 
 RunEstimate estimate(const Scene& scene, int threads) {
-    const Release release = make_release(scene);
-    Flow flow(release.bed, release.particles, scene.material, scene.numerics, threads);
+    Release release = make_release(scene);
+    Arrivals arrivals(scene, std::exchange(release.later, {}));
+    Flow flow(release.bed, release.particles, scene.material, scene.numerics, threads, std::nullopt, scene.zones,
+              scene.entrainment);
+    if (scene.walls) flow.add_walls(*scene.walls);
     RunEstimate e;
-    e.particles = static_cast<std::int64_t>(flow.particles().size());
-    e.volume = flow.volume();
+    e.particles = static_cast<std::int64_t>(flow.particles().size() + arrivals.particles_left());
+    e.volume = release.volume;
+    // All that comes later lies on the ground at once: the trial steps then cost what the fullest would.
+    const Arrivals::Taken rest = arrivals.take(scene.time.end);
+    flow.add_particles(rest.particles);
+    e.inflow = rest.inflow;
     e.first_step_seconds = flow.stable_step();
-    e.terms = list_terms(scene.material, scene.numerics);
+    e.terms = list_terms(scene);
     // Rasters: terrain, bed, release and five results as doubles; nodes only where material may come, taken
     // as all.
     const std::int64_t cells = scene.grid.cell_count();
     constexpr std::int64_t k_rasters = 10;
     constexpr std::int64_t k_node_bytes = sizeof(NodeSums) + sizeof(NodeLevel) + 4 * sizeof(double);
-    e.memory_bytes = cells * (k_rasters * static_cast<std::int64_t>(sizeof(double)) + k_node_bytes) +
+    const auto bed_bytes = static_cast<std::int64_t>(flow.bed_bytes_per_node());
+    e.memory_bytes = cells * (bed_bytes + k_rasters * static_cast<std::int64_t>(sizeof(double)) + k_node_bytes) +
                      3 * e.particles * static_cast<std::int64_t>(flow.particles().bytes_per_particle());
     // Time of the first steps, for as many steps as the end time would take at the first step's length.
     constexpr int k_trial_steps = 3;

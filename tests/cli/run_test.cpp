@@ -276,5 +276,31 @@ TEST_F(RunCommand, ThicknessInItsFourFormsReleasesTheSameVolume) {
     }
 }
 
+// A scene with laws of every kind: rasters, budget, terms, and an echo that gives the same result.
+TEST_F(RunCommand, ErosionAndOtherLawsAreReportedAndRepeatable) {
+    write_scene(k_numbers_only +
+                "[material]\nbed-friction = voellmy, cohesion\ncohesion = 100\npore-pressure-ratio = 0.2\n"
+                "pore-dissipation-time = 30\n[numerics]\ncurvature = on\n"
+                "[entrainment]\nerosion = growth\ngrowth-rate = 0.005\nerodible-depth = 0.5\n"
+                "deposition = on\ndeposition-rate = 0.01\ndeposition-shear = 2000\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string summary = read_text(path("result/summary.json"));
+    for (const std::string words : {"eroded_m3", "deposited_m3", "unsupported_node_steps", "cohesion at the bed",
+                                    "pore pressure that dissipates", "curvature of the bed", "exponential growth"})
+        EXPECT_NE(summary.find(words), std::string::npos) << words;
+    EXPECT_NE(read_text(path("result/log.txt")).find("the flow eroded"), std::string::npos);
+    const Outcome again = frana({"run", "result/scene.ini", "--out", "again", "--quiet"});
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    for (const std::string name : {"eroded_depth.tif", "deposited_depth.tif"})
+        EXPECT_GT(fs::file_size(path("result/" + name)), 0U) << name;
+    const std::string repeated = read_text(path("again/summary.json"));
+    const auto volumes = [](const std::string& text) {
+        const auto from = text.find("\"volume\"");
+        return text.substr(from, text.find('}', from) - from);
+    };
+    EXPECT_EQ(volumes(summary), volumes(repeated));
+}
+
 }  // namespace
 }  // namespace frana::test

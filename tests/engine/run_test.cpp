@@ -99,5 +99,53 @@ TEST(Estimate, CountsWithoutRunning) {
     EXPECT_GT(e.first_step_seconds, 0);
 }
 
+// Ends at the first step under the share of the peak, and not before.
+TEST(Run, EndsAtAShareOfThePeakOfKineticEnergy) {
+    Scene scene = slide();
+    scene.time.stop_energy_share = 0.05;
+    const RunResult result = run(scene, {});
+    EXPECT_EQ(result.stop_reason, StopReason::energy);
+    double peak = 0;
+    for (std::size_t i = 0; i < result.series.size(); ++i) {
+        const double now = result.series[i].kinetic_energy;
+        peak = std::max(peak, now);
+        EXPECT_EQ(now < 0.05 * peak, i + 1 == result.series.size()) << i;
+    }
+}
+
+TEST(Run, EndsAtAShareOfThePeakOfMovingVolume) {
+    Scene scene = slide();
+    scene.time.stop_moving_share = 0.2;
+    scene.time.moving_speed = 1;
+    const RunResult result = run(scene, {});
+    EXPECT_EQ(result.stop_reason, StopReason::moving_volume);
+    scene.time.stop_moving_share = 0;
+    const RunResult whole = run(scene, {});
+    EXPECT_EQ(whole.stop_reason, StopReason::still);
+    EXPECT_LT(result.simulated_seconds, whole.simulated_seconds);
+}
+
+TEST(Run, ErosionIsInTheBudgetAndInTheRasters) {
+    Scene scene = slide();
+    scene.entrainment.erosion = ErosionLaw::growth;
+    scene.entrainment.growth_rate = 5e-3;
+    scene.entrainment.erodible_depth = 0.5;
+    const RunResult result = run(scene, {});
+    ASSERT_TRUE(result.exchanges);
+    EXPECT_GT(result.volume_eroded, 0.1 * result.volume_initial);
+    EXPECT_NEAR(result.volume_final + result.volume_left, result.volume_initial + result.volume_eroded,
+                1e-12 * result.volume_final);
+    double sum = 0, deepest = 0;
+    for (const double depth : result.eroded_depth.values) {
+        if (std::isnan(depth)) continue;
+        sum += depth * scene.grid.cell_area();
+        deepest = std::max(deepest, depth);
+    }
+    EXPECT_NEAR(sum, result.volume_eroded, 1e-12 * result.volume_final);
+    EXPECT_LE(deepest, 0.5 + 1e-15);
+    scene.entrainment = {};
+    EXPECT_FALSE(run(scene, {}).exchanges);
+}
+
 }  // namespace
 }  // namespace frana

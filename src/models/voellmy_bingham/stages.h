@@ -9,14 +9,19 @@ namespace frana::voellmy_bingham {
 
 /// The compile-time variants of a step's stages, chosen once at set-up. Each is called once a tile, so
 /// choosing by pointer costs nothing inside the streaming loops, and variants multiply only where they share
-/// a loop.
+/// a loop. A stage that a scene does not need is null.
 struct Stages {
     void (*particles_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&) = nullptr;
     void (*pressure_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&) = nullptr;
-    void (*hold_nodes)(const NodeRange&, const NodeUpdate&, const VoellmyFriction&, NodeGrid&) = nullptr;
-    NodeReport (*update_nodes)(const NodeRange&, const NodeUpdate&, const VoellmyFriction&, double time,
+    void (*fill_bed_states)(const NodeRange&, const NodeUpdate&, const NodeGrid&, BedState*) = nullptr;
+    void (*hold_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, NodeGrid&) = nullptr;
+    NodeReport (*update_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, double time,
                                NodeGrid&, Maxima&) = nullptr;
-    ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const BinghamStress&,
+    void (*exchange_at_nodes)(const NodeRange&, const BedExchange&, double dt, double film, const BedState*,
+                              const NodeGrid&, BedLayer*) = nullptr;
+    void (*exchange_with_particles)(std::size_t begin, std::size_t end, const NodeGrid&, const BedLayer*,
+                                    ParticleSet&, double* kept, double* lost, ExchangeReport&) = nullptr;
+    ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const StressLaws&,
                                          const NodeGrid&, ParticleSet&) = nullptr;
     bool references = false;  ///< pressure is measured against a still level or mean depth per node
     bool leapfrog = false;    ///< velocities live half a step before positions; otherwise at the same time

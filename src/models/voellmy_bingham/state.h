@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
 #include <vector>
 
+#include "models/voellmy_bingham/bed_friction.h"
+#include "mpm/bed_exchange.h"
 #include "mpm/node_grid.h"
 #include "mpm/nodes_to_particles.h"
 #include "mpm/update_nodes.h"
 #include "particles/particle_set.h"
 #include "particles/resample.h"
 #include "particles/tile_order.h"
-#include "physics/friction_voellmy.h"
-#include "physics/stress_bingham.h"
+#include "physics/deposition_shear_stress.h"
+#include "physics/erosion_growth.h"
+#include "physics/erosion_mechanical.h"
+#include "physics/erosion_shear_stress.h"
+#include "physics/stress_earth_pressure.h"
 
 namespace frana::voellmy_bingham {
 
 /// Everything that changes while the flow runs.
 struct State {
+    State(ParticleSet set, NodeGrid grid, TileOrder tiles)
+        : particles(std::move(set)), nodes(std::move(grid)), order(std::move(tiles)) {}
+
     ParticleSet particles;
     NodeGrid nodes;
     TileOrder order;
@@ -26,6 +35,26 @@ struct State {
     double wave_speed = 0;   ///< greatest |v| + sqrt(g h) [m/s]
     double diffusivity = 0;  ///< greatest of the in-plane stress [m2/s]
     double volume_left = 0;  ///< through open boundaries [m3]
+    ZeroArray<BedState> bed_states;  ///< padded; empty where friction is uniform Voellmy
+    ZeroArray<BedLayer> bed_layers;  ///< padded; empty where the bed stays as it is
+    ExchangeReport exchanged;        ///< with the bed, so far
+    std::vector<double> kept, lost;  ///< by each particle, within a step
+};
+
+/// In-plane stress; the stages use one of them, or none.
+struct StressLaws {
+    BinghamStress bingham;
+    EarthPressureStress earth_pressure;
+    double wave_factor = 1;  ///< what pressure waves run faster by, squared
+};
+
+/// Erosion and deposition; the stages use one law of each, or none.
+struct BedExchange {
+    ShearStressErosion shear_stress;
+    GrowthErosion growth;
+    MechanicalErosion mechanical;
+    ShearStressDeposition deposition;
+    double density = 2000;  ///< [kg/m3]
 };
 
 /// Parameters and laws; const while the flow runs.
@@ -36,8 +65,10 @@ struct Laws {
     double minimum_depth = 0.01;  ///< [m]
     bool wall = false;
     Point origin;  ///< release centroid, local metres
-    VoellmyFriction friction;
-    BinghamStress stress;
+    double moving_speed = 0;      ///< speed from which volume counts as moving [m/s]
+    BedFriction friction;
+    StressLaws stress;
+    BedExchange exchange;
     ResampleLimits resample;
 };
 

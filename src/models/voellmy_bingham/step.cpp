@@ -57,6 +57,39 @@ void sort_particles(State& state, bool drop, ThreadPool& pool) {
     state.since_sort = 0;
 }
 
+// Erosion and deposition: decided at the nodes, taken and given by the particles where they still are.
+void exchange_with_bed(State& state, const Laws& laws, const Stages& stages, double dt, ThreadPool& pool) {
+    for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
+        stages.exchange_at_nodes(range, laws.exchange, dt, laws.resample.minimum_depth, state.bed_states.data(),
+                                 state.nodes, state.bed_layers.data());
+    });
+    for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
+        move_bed(range, state.bed_layers.data(), state.nodes);
+    });
+    if (laws.wall) {
+        mirror_exchange(state.nodes, state.bed_layers.data());
+        mirror_bed(state.nodes);
+    }
+    state.kept.resize(state.particles.size());
+    state.lost.resize(state.particles.size());
+    const auto& tiles = state.order.tiles();
+    std::vector<ExchangeReport> reports(tiles.size());
+    pool.for_each(tiles.size(), [&](std::size_t t) {
+        stages.exchange_with_particles(tiles[t].begin, tiles[t].end, state.nodes, state.bed_layers.data(),
+                                       state.particles, state.kept.data(), state.lost.data(), reports[t]);
+    });
+    for (const ExchangeReport& r : reports) state.exchanged.merge(r);
+}
+
+void slow_down(State& state, ThreadPool& pool) {
+    const auto& tiles = state.order.tiles();
+    std::vector<ExchangeReport> reports(tiles.size());
+    pool.for_each(tiles.size(), [&](std::size_t t) {
+        slow_particles(tiles[t].begin, tiles[t].end, state.kept.data(), state.lost.data(), state.particles, reports[t]);
+    });
+    for (const ExchangeReport& r : reports) state.exchanged.merge(r);
+}
+
 }  // namespace
 
 void prepare(State& state, const Laws& laws, ThreadPool& pool) {
@@ -65,7 +98,7 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
     const double *u = state.particles[Field::u], *v = state.particles[Field::v];
     const double *volume = state.particles[Field::volume], *area = state.particles[Field::area];
     for (std::size_t p = 0; p < state.particles.size(); ++p) {
-        const double wave = std::hypot(u[p], v[p]) + std::sqrt(laws.gravity * volume[p] / area[p]);
+        const double wave = std::hypot(u[p], v[p]) + std::sqrt(laws.gravity * laws.stress.wave_factor * volume[p] / area[p]);
         state.wave_speed = std::max(state.wave_speed, wave);
     }
     if (laws.wall) mirror_bed(state.nodes);
@@ -105,22 +138,35 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
 
     // Nodes: gravity along the bed, friction as a cap, maxima. Holding looks at neighbours, so it comes
     // first.
-    const NodeUpdate node_update{kick, laws.gravity, laws.gravity_x, laws.gravity_y, laws.minimum_depth};
-    if (laws.friction.friction_coefficient > 0) {
+    NodeUpdate node_update{kick, laws.gravity, laws.gravity_x, laws.gravity_y, laws.minimum_depth};
+    node_update.moving_speed = laws.moving_speed;
+    if (laws.friction.pore_pressure.active())
+        node_update.effective_share = 1 - laws.friction.pore_pressure.ratio(state.time);
+    BedState* const bed_states = state.bed_states.data();
+    if (stages.fill_bed_states != nullptr) {
         for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
-            stages.hold_nodes(range, node_update, laws.friction, state.nodes);
+            stages.fill_bed_states(range, node_update, state.nodes, bed_states);
+            for (const FrictionSweep& sweep : laws.friction.sweeps) sweep(range, node_update, state.nodes, bed_states);
+        });
+    }
+    if (laws.friction.holds()) {
+        for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
+            stages.hold_nodes(range, node_update, laws.friction, bed_states, state.nodes);
         });
     }
     std::vector<NodeReport> node_reports(state.order.node_tiles().size());
     for_node_tiles(state, pool, [&](std::size_t t, const NodeRange& range) {
-        node_reports[t] =
-            stages.update_nodes(range, node_update, laws.friction, state.time, state.nodes, maxima);
+        node_reports[t] = stages.update_nodes(range, node_update, laws.friction, bed_states, state.time, state.nodes,
+                                              maxima);
     });
     for (const NodeReport& r : node_reports) report.nodes.merge(r);
     if (laws.wall) mirror_velocities(state.nodes);
+    const bool exchanges = stages.exchange_at_nodes != nullptr && drift > 0;
+    if (exchanges) exchange_with_bed(state, laws, stages, drift, pool);
 
     // Nodes to particles: velocity, position, depth, stress.
-    const ParticleUpdate particle_update{drift, laws.gravity, laws.resample.minimum_depth, laws.wall, laws.origin};
+    const ParticleUpdate particle_update{drift, laws.gravity * laws.stress.wave_factor, laws.resample.minimum_depth,
+                                         laws.wall, laws.origin};
     const auto& tiles = state.order.tiles();
     std::vector<ParticleReport> particle_reports(tiles.size());
     pool.for_each(tiles.size(), [&](std::size_t t) {
@@ -128,6 +174,7 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
             stages.nodes_to_particles(tiles[t], particle_update, laws.stress, state.nodes, state.particles);
     });
     for (const ParticleReport& r : particle_reports) report.particles.merge(r);
+    if (exchanges) slow_down(state, pool);
     return report;
 }
 

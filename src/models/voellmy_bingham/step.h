@@ -7,7 +7,8 @@
 
 namespace frana::voellmy_bingham {
 
-/// Brings particles into tile order and works out the first step's bounds. Call once before the first step.
+/// Brings particles into tile order and works out the first step's bounds. Call before the first step, and
+/// whenever particles were added or the bed changed between steps.
 void prepare(State& state, const Laws& laws, ThreadPool& pool);
 
 /// One time step of at most `dt_limit`, folding what the nodes saw into `maxima`. With Stages::leapfrog forces at time t carry the

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "core/geometry.h"
+#include "core/raster.h"
+
+namespace frana::gis {
+
+/// Which cells a polygon takes.
+enum class Cover {
+    centres,  ///< those whose centre lies inside
+    closed,   ///< the same; where the polygon is narrower than a cell's diagonal, all that it touches, so that
+              ///< a thin dam has no gaps
+};
+
+/// Calls visit(row, column) for the cells of an outline, row by row; parts beyond the grid are left out.
+/// Returns whether touched cells were taken for want of width.
+bool visit_cells(const MultiPolygon& outline, const GridSpec& grid, Cover cover,
+                 const std::function<void(std::int64_t row, std::int64_t column)>& visit);
+
+}  // namespace frana::gis

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/table_in.h"
+
+#include <cpl_vsi.h>
+#include <ogrsf_frmts.h>
+
+#include "core/error.h"
+#include "gis/gdal_session.h"
+
+namespace frana::gis {
+
+Table read_table(const std::string& path, const std::string& where) {
+    const GdalSession session;
+    const std::string place = where + ": " + path;
+    VSIStatBufL status;
+    if (VSIStatL(path.c_str(), &status) != 0) {
+        throw Error(ErrorKind::input, Problem{"the file does not exist", place, "", "",
+                                              "Check the path; it is relative to the scene file"});
+    }
+    // "CSV:" keeps the driver from asking for the ending .csv.
+    const char* const drivers[] = {"CSV", nullptr};
+    const char* const options[] = {"HEADERS=YES", "AUTODETECT_TYPE=NO", "KEEP_GEOM_COLUMNS=YES", nullptr};
+    const GDALDatasetUniquePtr dataset(
+        GDALDataset::Open(("CSV:" + path).c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, options));
+    OGRLayer* layer = dataset && dataset->GetLayerCount() == 1 ? dataset->GetLayer(0) : nullptr;
+    Table table;
+    if (layer) {
+        const OGRFeatureDefn& fields = *layer->GetLayerDefn();
+        for (int i = 0; i < fields.GetFieldCount(); ++i) table.columns.push_back(fields.GetFieldDefn(i)->GetNameRef());
+        for (const auto& feature : *layer) {
+            std::vector<std::string>& row = table.rows.emplace_back();
+            for (int i = 0; i < fields.GetFieldCount(); ++i) row.push_back(feature->GetFieldAsString(i));
+        }
+    }
+    if (table.rows.empty()) {
+        throw Error(ErrorKind::input, Problem{"the file is no table with a header and rows", place, "", "",
+                                              "Give a CSV: time,discharge,velocity and one row per time"});
+    }
+    return table;
+}
+
+}  // namespace frana::gis

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace frana::gis {
+
+/// A table of texts, row by row.
+struct Table {
+    std::vector<std::string> columns;
+    std::vector<std::vector<std::string>> rows;
+};
+
+/// A CSV file with a header; comma, semicolon or tab between the columns. `where` names the key.
+/// Throws Error(input): missing file, not a table, no row.
+Table read_table(const std::string& path, const std::string& where);
+
+}  // namespace frana::gis

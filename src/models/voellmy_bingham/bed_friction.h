@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <tuple>
+#include <vector>
+
+#include "mpm/node_friction.h"
+#include "mpm/node_tiles.h"
+#include "physics/friction_bingham_quadratic.h"
+#include "physics/friction_herschel_bulkley.h"
+#include "physics/friction_pouliquen_forterre.h"
+#include "physics/pore_pressure.h"
+
+namespace frana::voellmy_bingham {
+
+/// A law's sweep over the nodes of a tile; called once a tile and step.
+using FrictionSweep = std::function<void(const NodeRange&, const NodeUpdate&, const NodeGrid&, BedState*)>;
+
+/// Bed friction of a scene: Voellmy with uniform parameters, or a sum of laws, one of which may be no polynomial.
+struct BedFriction {
+    bool summed = false;
+    VoellmyFriction voellmy;            ///< where not summed
+    std::vector<FrictionSweep> sweeps;  ///< where summed, one a law
+    std::tuple<NoExcess, HerschelBulkleyExcess, BinghamQuadraticExcess, PouliquenForterreExcess> excess;
+    bool yields = false;  ///< whether any law of the sum holds material at rest
+    PorePressure pore_pressure;
+    std::vector<std::vector<double>> node_values;  ///< what the laws' NodeValue point to, padded like the nodes
+
+    [[nodiscard]] bool holds() const noexcept {
+        return summed ? yields : voellmy.friction_coefficient > 0;
+    }
+};
+
+}  // namespace frana::voellmy_bingham

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "mpm/node_grid.h"
+#include "mpm/node_tiles.h"
+#include "mpm/shape.h"
+#include "particles/particle_set.h"
+#include "physics/bed_contact.h"
+#include "physics/bed_state.h"
+
+namespace frana {
+
+/// The ground under a node that the flow can take up or has laid down, averaged over the cell, vertical.
+struct BedLayer {
+    double erodible;   ///< at the start [m]
+    double eroded;     ///< so far [m]
+    double deposited;  ///< so far [m]
+    double gain;       ///< in this step, as a share of the node's volume [-]
+    double loss;       ///< the same for deposition [-]
+    double change;     ///< of the bed in this step [m]
+};
+
+/// What went from the bed to the flow and back.
+struct ExchangeReport {
+    double eroded = 0, deposited = 0;        ///< [m3]
+    double momentum_x = 0, momentum_y = 0;   ///< of what was deposited, over density [m4/s]
+
+    void merge(const ExchangeReport& r) noexcept {
+        eroded += r.eroded;
+        deposited += r.deposited;
+        momentum_x += r.momentum_x;
+        momentum_y += r.momentum_y;
+    }
+};
+
+/// Erosion and deposition at a tile's nodes: what is eroded (or, where nothing is, deposited) in this step. Comes after update_nodes, whose friction says how the bed resists. What lies on the bed can be taken up again.
+/// Deposition leaves a film of the flow, so that particles keep a volume. Reads NodeSums mass, velocity, share; BedState;
+/// bed; reads and writes BedLayer. Nodes outside the terrain and solid ones do not exchange.
+/// @param density [kg/m3]  @param dt [s]  @param film least depth that deposition leaves [m]
+template <bool Metric, class Erosion, class Deposition>
+void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Deposition& deposition, double density,
+                       double dt, double film, const BedState* states, const NodeGrid& nodes, BedLayer* layers) {
+    const double half_inverse_dx = 0.5 / nodes.cell_size(), cell_area = nodes.cell_size() * nodes.cell_size();
+    const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
+    const std::uint8_t* solid = nodes.solid();
+    range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
+        const NodeSums& node = nodes.sums[i];
+        BedLayer& layer = layers[i];
+        layer.gain = layer.loss = layer.change = 0;
+        if (!(node.mass > 0) || column < k_ghost || row < k_ghost || column >= stride - k_ghost ||
+            row >= rows - k_ghost || (solid && solid[i]))
+            return;
+        double climb = 0;
+        if constexpr (Metric) {
+            const double* z = nodes.bed.data() + i;
+            climb = (node.px * (z[1] - z[-1]) + node.py * (z[stride] - z[-stride])) * half_inverse_dx;
+        }
+        const double speed = std::sqrt(node.px * node.px + node.py * node.py + climb * climb);
+        const BedState& bed = states[i];
+        const double mass = density * bed.thickness, share = std::min(1.0, node.area);
+        const BedContact contact{node.mass / (share * cell_area), speed,        mass * bed.resistance,
+                                 mass * bed.normal_gravity,       layer.eroded, dt};
+        const double to_share = cell_area / node.mass;
+        if constexpr (Erosion::active) {
+            const double left = layer.erodible + layer.deposited - layer.eroded;
+            const double depth = std::min(erosion(contact) * dt * share, left);
+            if (depth > 0) {
+                layer.eroded += depth;
+                layer.gain = depth * to_share;
+                layer.change = -depth;
+                return;
+            }
+        }
+        if constexpr (Deposition::active) {
+            const double most = node.mass / cell_area - film * share;
+            const double depth = std::min(deposition(contact) * dt * share, most);
+            if (depth > 0) {
+                layer.deposited += depth;
+                layer.loss = depth * to_share;
+                layer.change = depth;
+            }
+        }
+    });
+}
+
+/// The bed after it; apart, since slopes are read across tiles.
+inline void move_bed(const NodeRange& range, const BedLayer* layers, NodeGrid& nodes) {
+    range.for_each(nodes.stride(),
+                   [&](std::size_t i, std::int64_t, std::int64_t) { nodes.bed[i] += layers[i].change; });
+}
+
+/// Particles take up what their nodes gained and give what they lost, in proportion to their volume, area unchanged: the
+/// sum over particles is the sum over nodes, exactly. What is taken up is at rest, so the particle's velocity falls and
+/// its momentum stays; what is laid down leaves with its momentum. Must come before particles move. Reads x, y, BedLayer;
+/// reads and writes volume; writes the share of their velocity that particles keep.
+template <class Shape>
+void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid& nodes, const BedLayer* layers,
+                             ParticleSet& particles, double* kept, double* lost, ExchangeReport& report) {
+    const double dx = nodes.cell_size();
+    double* volume = particles[Field::volume];
+    for (std::size_t p = begin; p < end; ++p) {
+        const Stencil<Shape> s(particles[Field::x][p], particles[Field::y][p], dx, 1 / dx, nodes.stride());
+        double gain = 0, loss = 0;
+        for (int b = 0; b < Shape::width; ++b) {
+            const BedLayer* row = layers + s.first + b * nodes.stride();
+            for (int a = 0; a < Shape::width; ++a) {
+                const double w = s.wx[a] * s.wy[b];
+                gain += w * row[a].gain;
+                loss += w * row[a].loss;
+            }
+        }
+        kept[p] = 1 / (1 + gain);
+        lost[p] = loss * volume[p];
+        report.eroded += gain * volume[p];
+        report.deposited += lost[p];
+        volume[p] *= 1 + gain - loss;
+    }
+}
+
+/// Gives particles the velocity that is left to them, after nodes_to_particles.
+inline void slow_particles(std::size_t begin, std::size_t end, const double* kept, const double* lost,
+                           ParticleSet& particles, ExchangeReport& report) {
+    for (const Field f : {Field::u, Field::v, Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy}) {
+        double* values = particles[f];
+        if (values == nullptr) continue;
+        for (std::size_t p = begin; p < end; ++p) values[p] *= kept[p];
+    }
+    for (std::size_t p = begin; p < end; ++p) {
+        report.momentum_x += lost[p] * particles[Field::u][p];
+        report.momentum_y += lost[p] * particles[Field::v][p];
+    }
+}
+
+}  // namespace frana

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/friction_sum.h"
+#include "physics/friction_voellmy.h"
+
+namespace frana {
+
+/// What a step tells the nodes' stages.
+struct NodeUpdate {
+    double dt = 0;
+    double gravity = 0;                   ///< g_z [m/s2]
+    double gravity_x = 0, gravity_y = 0;  ///< tilted gravity for verification [m/s2]
+    double minimum_depth = 0;             ///< depth from which a node counts in the maxima [m]
+    double effective_share = 1;           ///< 1 - r_u: what pore pressure leaves of the normal stress [-]
+    double moving_speed = 0;              ///< speed from which a node's volume counts as moving [m/s]
+};
+
+/// How the nodes' stages meet friction: Voellmy with the same parameters everywhere, nothing stored.
+struct UniformFriction {
+    static constexpr bool remembers = false;
+    const VoellmyFriction& law;
+
+    [[nodiscard]] bool active() const noexcept { return law.active(); }
+    [[nodiscard]] bool holds() const noexcept { return law.friction_coefficient > 0; }
+    /// Speed that yield takes off in a step [m/s].
+    [[nodiscard]] double stopped_in_step(std::size_t, const NodeUpdate& k) const noexcept {
+        return k.dt * law.friction_coefficient * k.gravity;
+    }
+    /// A node's share in the bound that holds it: in map view the bound g tan(phi) / sqrt(n) acts over sqrt(n).
+    [[nodiscard]] double held(double mass, std::size_t, double n) const noexcept { return mass / n; }
+    /// What turns the sum of shares into a momentum.
+    [[nodiscard]] double held_in_step(const NodeUpdate& k) const noexcept {
+        return k.dt * law.friction_coefficient * k.gravity;
+    }
+    [[nodiscard]] double speed_after(std::size_t, double speed, const NodeUpdate& k, double root,
+                                     double depth) const noexcept {
+        return law.speed_after(speed, k.dt, k.gravity / root, k.gravity, depth / root);
+    }
+};
+
+/// The sum of any laws, with parameters that may differ from node to node: each node's BedState, filled beforehand, and
+/// at most one law that is no polynomial of the speed.
+template <class Excess>
+struct SummedFriction {
+    static constexpr bool remembers = true;
+    const Excess& excess;
+    BedState* states;  ///< padded
+    bool yields;       ///< whether any law has a yield part
+
+    [[nodiscard]] bool active() const noexcept { return true; }
+    [[nodiscard]] bool holds() const noexcept { return yields; }
+    [[nodiscard]] double stopped_in_step(std::size_t node, const NodeUpdate& k) const noexcept {
+        return k.dt * states[node].yield;
+    }
+    [[nodiscard]] double held(double mass, std::size_t node, double n) const noexcept {
+        return mass * states[node].yield / std::sqrt(n);
+    }
+    [[nodiscard]] double held_in_step(const NodeUpdate& k) const noexcept { return k.dt; }
+    [[nodiscard]] double speed_after(std::size_t node, double speed, const NodeUpdate& k, double,
+                                     double) const noexcept {
+        const double after = std::min(speed, speed_after_friction(states[node], node, excess, speed, k.dt));
+        states[node].resistance = (speed - after) / k.dt;
+        return after;
+    }
+    /// A node that is held: the bed resists all that drives it.
+    void remember(std::size_t node, double speed, const NodeUpdate& k) const noexcept {
+        states[node].resistance = speed / k.dt;
+    }
+};
+
+}  // namespace frana

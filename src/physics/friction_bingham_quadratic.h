@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "physics/friction_sum.h"
+#include "physics/increasing_root.h"
+#include "physics/yield_ratio.h"
+
+namespace frana {
+
+/// Bed resistance of a Bingham fluid with the ratio zeta = tau_Y / tau_B from the quadratic of Fois, de Falco, Formaggia
+/// 2024 (equation 9) instead of the cubic:
+///
+///     48 zeta^2 - (114 + 32 a) zeta + 65 = 0,   a = 6 mu s / (tau_Y d),   R = tau_Y / (zeta rho d)      [m/s2]
+///
+/// mu viscosity [Pa s], tau_Y yield stress [Pa], d thickness [m], s mean speed [m/s], rho density [kg/m3]. Range: tau_Y
+/// > 0, mu > 0. Limits: at speed zero zeta is 0.951, so that its bound is 1.051 tau_Y / (rho d); for d -> 0 the flow
+/// stops. For the exact root see friction_herschel_bulkley.h with m = 1.
+struct BinghamQuadraticExcess {
+    static constexpr bool active = true;
+    double density = 2000;      ///< [kg/m3]
+    double yield_stress = 100;  ///< tau_Y [Pa]
+    double viscosity = 10;      ///< mu [Pa s]
+
+    /// Bed stress at rest, this law's own bound [Pa].
+    [[nodiscard]] double bound() const noexcept { return yield_stress / QuadraticYieldRatio{}(0); }
+
+    void operator()(BedState& bed, std::size_t) const noexcept {
+        bed.yield += bound() / (density * bed.thickness);
+    }
+
+    /// Mean speed under a bed stress that exceeds the bound by x [Pa]: the quadratic, solved for a.
+    [[nodiscard]] double speed(double x, double thickness) const noexcept {
+        if (!(x > 0)) return 0;
+        const double zeta = yield_stress / (bound() + x);
+        const double a = (48 * zeta * zeta - 114 * zeta + 65) / (32 * zeta);
+        return std::max(0.0, a) * yield_stress * thickness / (6 * viscosity);
+    }
+
+    [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left,
+                                     double dt) const noexcept {
+        const double mass = density * bed.thickness;
+        const double x = increasing_root(
+            [&](double excess) {
+                const double s = speed(excess, bed.thickness);
+                return s + dt * (excess / mass + s * (bed.linear + s * bed.square)) - left;
+            },
+            0, left * mass / dt);
+        return std::min(left, speed(x, bed.thickness));
+    }
+};
+
+}  // namespace frana

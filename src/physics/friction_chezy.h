@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "physics/bed_state.h"
+
+namespace frana {
+
+/// Chezy's resistance of a wide, rough channel:
+///
+///     R(s) = g s^2 / (C^2 d)      [m/s2]
+///
+/// C Chezy coefficient [m^(1/2)/s], d thickness [m], s speed [m/s]. Range: fully rough, turbulent flow; C 10 to 100.
+/// Limits: nothing at speed zero; infinitely stiff for d -> 0, applied implicitly. Source: Chow, Open-Channel
+/// Hydraulics, 1959, section 5-4, with the friction slope s^2 / (C^2 d).
+struct ChezyFriction {
+    double gravity = 9.81;  ///< [m/s2]
+    double chezy = 30;      ///< C [m^(1/2)/s]
+
+    void operator()(BedState& bed, std::size_t) const noexcept {
+        bed.square += gravity / (chezy * chezy * bed.thickness);
+    }
+};
+
+}  // namespace frana

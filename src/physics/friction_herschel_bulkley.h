@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/friction_sum.h"
+#include "physics/increasing_root.h"
+
+namespace frana {
+
+/// Bed resistance of a Herschel-Bulkley fluid, tau = tau_Y + K (du/dz)^m, in steady simple shear: the bed stress tau_B
+/// that goes with the mean speed s over a plug and a sheared layer,
+///
+///     s = d/(1 + 1/m) (x / K)^(1/m) (x / tau_B) ( 1 - x / ((2 + 1/m) tau_B) ),   x = tau_B - tau_Y,   R = tau_B / (rho d)
+///
+/// d thickness [m], K consistency [Pa s^m], m flow index [-], rho density [kg/m3]. m = 1 is Bingham, and then the same as
+/// the cubic zeta^3 - (3 + a) zeta + 2 = 0 with zeta = tau_Y / tau_B and a = 6 K s / (tau_Y d); tau_Y = 0 is a power-law
+/// fluid, with m = 1 R = 3 K s / (rho d^2). Range: K > 0, 0.1 <= m <= 2, laminar flow. Limits: tau_Y is a bound at speed
+/// zero; for d -> 0 the flow stops. Applied implicitly, with the stress as the unknown. Sources: Coussot 1994, J.
+/// Hydraul. Res. 32, 535; Huang and Garcia 1998, J. Fluid Mech. 374, 305.
+struct HerschelBulkleyExcess {
+    static constexpr bool active = true;
+    double density = 2000;    ///< [kg/m3]
+    double yield_stress = 0;  ///< tau_Y [Pa]
+    double consistency = 1;   ///< K [Pa s^m]
+    double flow_index = 1;    ///< m [-]
+
+    /// The yield part, tau_Y / (rho d).
+    void operator()(BedState& bed, std::size_t) const noexcept {
+        bed.yield += yield_stress / (density * bed.thickness);
+    }
+
+    /// Mean speed under a bed stress that exceeds the yield stress by x [Pa].
+    [[nodiscard]] double speed(double x, double thickness) const noexcept {
+        if (!(x > 0)) return 0;
+        const double p = 1 / flow_index, share = x / (yield_stress + x);
+        const double rate = flow_index == 1 ? x / consistency : std::pow(x / consistency, p);
+        return thickness * rate * share / (1 + p) * (1 - share / (2 + p));
+    }
+
+    /// Backward Euler: the speed of excess x, plus what all parts take off, is `left`.
+    [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left,
+                                     double dt) const noexcept {
+        const double mass = density * bed.thickness;
+        const double x = increasing_root(
+            [&](double excess) {
+                const double s = speed(excess, bed.thickness);
+                return s + dt * (excess / mass + s * (bed.linear + s * bed.square)) - left;
+            },
+            0, left * mass / dt);
+        return std::min(left, speed(x, bed.thickness));
+    }
+};
+
+}  // namespace frana

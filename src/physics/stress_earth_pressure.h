@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/stress_bingham.h"
+
+namespace frana {
+
+/// Earth pressure of a granular mass that slides on its bed: pressure in the plane is K times what the weight gives,
+///
+///     K_act, K_pass = 2 ( 1 -+ sqrt( 1 - cos^2(phi_i) (1 + tan^2(delta)) ) ) / cos^2(phi_i) - 1
+///     sigma = -(K - 1) g h / 2 I, over density      [m2/s2]
+///
+/// phi_i internal friction angle, delta friction angle of the bed, h depth [m]. K is K_act where the mass spreads and
+/// K_pass where it is compressed, alike in both directions of the plane, by the sign of div v; between -r and r it passes
+/// through K(0), 1 or the nearer of the two. Range: delta <= phi_i. Limits: phi_i = delta gives K = 1 + 2 tan^2(delta) for
+/// both; at rest K(0); at depth 0 nothing. Sources: Savage and Hutter 1989, J. Fluid Mech. 199, 177 (the coefficients);
+/// isotropic by the sign of div v: Iverson and Denlinger 2001, J. Geophys. Res. 106, 537. The transition is ours: without it
+/// K jumps with the last digit of div v.
+struct EarthPressureStress {
+    static constexpr bool active = true;
+    static constexpr FieldMask fields = k_stress_fields;
+
+    double gravity = 9.81;     ///< [m/s2]
+    double spreading = 1;      ///< K_act [-]
+    double compressed = 1;     ///< K_pass [-]
+    double transition = 1e-3;  ///< r [1/s]
+
+    /// @param internal_friction tan(phi_i), at least @param bed_friction tan(delta)
+    static EarthPressureStress of(double internal_friction, double bed_friction, double gravity) noexcept {
+        const double secant2 = 1 + internal_friction * internal_friction;
+        const double root = std::sqrt(std::max(0.0, 1 - (1 + bed_friction * bed_friction) / secant2));
+        return {gravity, 2 * (1 - root) * secant2 - 1, 2 * (1 + root) * secant2 - 1};
+    }
+
+    [[nodiscard]] double coefficient(double divergence) const noexcept {
+        const double share = std::clamp(divergence / transition, -1.0, 1.0);
+        const double still = std::clamp(1.0, spreading, compressed);
+        return share > 0 ? still + share * (spreading - still) : still - share * (compressed - still);
+    }
+
+    [[nodiscard]] PlaneStress operator()(const StrainRate& rate) const noexcept {
+        const double stress = -0.5 * (coefficient(rate.xx + rate.yy) - 1) * gravity * rate.depth;
+        return {stress, 0, stress, 0};
+    }
+};
+
+}  // namespace frana

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "simulation/inflow.h"
+#include "simulation/release.h"
+
+namespace frana {
+
+/// Everything that comes into a flow after its start, in the order of time: areas that fail later, and inflow.
+class Arrivals {
+  public:
+    /// Takes over what fails later. Throws as InflowSource.
+    Arrivals(const Scene& scene, std::vector<Entry> later);
+
+    /// When something comes next [s]; infinity: never.
+    [[nodiscard]] double next_time() const;
+    [[nodiscard]] bool done() const { return next_time() == std::numeric_limits<double>::infinity(); }
+
+    struct Taken {
+        ParticleSet particles;
+        std::vector<std::size_t> areas;  ///< release areas that fail now
+        ParticleSet failed;              ///< their particles, for the bed under them
+        double inflow = 0;               ///< volume through lines [m3]
+    };
+    /// What is due by `time`, areas before lines, each in the scene's order.
+    Taken take(double time);
+
+    [[nodiscard]] const std::vector<InflowSource>& sources() const noexcept { return sources_; }
+    /// Particles still to come.
+    [[nodiscard]] std::size_t particles_left() const;
+
+  private:
+    std::vector<Entry> later_;
+    std::size_t next_entry_ = 0;
+    std::vector<InflowSource> sources_;
+};
+
+}  // namespace frana

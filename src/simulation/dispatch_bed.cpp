@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/dispatch_bed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/bed_states.h"
+#include "physics/friction_chezy.h"
+#include "physics/friction_cohesion.h"
+#include "physics/friction_coulomb.h"
+#include "physics/friction_manning.h"
+#include "physics/friction_obrien_julien.h"
+#include "physics/friction_ramms_yield.h"
+#include "physics/friction_turbulence.h"
+
+namespace frana {
+
+using namespace voellmy_bingham;
+
+namespace {
+
+// A law with Voellmy's parameters that are not there does nothing and is left out.
+bool acts(BedTerm term, const Material& material, const MaterialZones& zones) {
+    if (term == BedTerm::coulomb) return material.friction_coefficient > 0 || zones.friction_coefficient;
+    if (term == BedTerm::turbulence) return std::isfinite(material.turbulence) || zones.turbulence;
+    return true;
+}
+
+template <class Slope>
+void hold_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState*,
+                  NodeGrid& nodes) {
+    hold_nodes<Slope>(range, update, UniformFriction{friction.voellmy}, nodes);
+}
+
+template <class Slope>
+void hold_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState* states,
+                 NodeGrid& nodes) {
+    const NoExcess none;
+    hold_nodes<Slope>(range, update, SummedFriction<NoExcess>{none, states, friction.yields}, nodes);
+}
+
+template <class Slope>
+NodeReport update_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState*,
+                          double time, NodeGrid& nodes, Maxima& maxima) {
+    return update_nodes<Slope>(
+        range, update, UniformFriction{friction.voellmy}, nodes,
+        [&](std::size_t node, double depth, double speed) { maxima.see(node, depth, speed, time); });
+}
+
+template <class Slope, class Excess>
+NodeReport update_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
+                         BedState* states, double time, NodeGrid& nodes, Maxima& maxima) {
+    Excess excess = std::get<Excess>(friction.excess);
+    if constexpr (requires { excess.effective_share; }) excess.effective_share = update.effective_share;
+    return update_nodes<Slope>(
+        range, update, SummedFriction<Excess>{excess, states, friction.yields}, nodes,
+        [&](std::size_t node, double depth, double speed) { maxima.see(node, depth, speed, time); });
+}
+
+// 3 slopes uniform; 5 slopes x 4 excess laws = 20 summed.
+template <class Slope>
+void choose_summed(const Material& material, Stages& stages) {
+    stages.fill_bed_states = fill_bed_states<Slope>;
+    stages.hold_nodes = hold_summed<Slope>;
+    if (material.has(BedTerm::herschel_bulkley) ||
+        (material.has(BedTerm::bingham) && material.exact_yield_ratio)) {
+        stages.update_nodes = update_summed<Slope, HerschelBulkleyExcess>;
+    } else if (material.has(BedTerm::bingham)) {
+        stages.update_nodes = update_summed<Slope, BinghamQuadraticExcess>;
+    } else if (material.has(BedTerm::pouliquen_forterre)) {
+        stages.update_nodes = update_summed<Slope, PouliquenForterreExcess>;
+    } else {
+        stages.update_nodes = update_summed<Slope, NoExcess>;
+    }
+}
+
+template <class Slope>
+void choose_slope(const Material& material, bool summed, bool curved, Stages& stages) {
+    if constexpr (Slope::metric) {
+        if (curved) return choose_summed<Curved<Slope>>(material, stages);
+    }
+    if (summed) return choose_summed<Slope>(material, stages);
+    stages.hold_nodes = hold_uniform<Slope>;
+    stages.update_nodes = update_uniform<Slope>;
+}
+
+template <bool Metric, class Erosion, class Deposition>
+void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double film, const BedState* states,
+                    const NodeGrid& nodes, BedLayer* layers) {
+    const auto law_of = [&]<class Law>() -> Law {
+        if constexpr (std::is_same_v<Law, ShearStressErosion>) return laws.shear_stress;
+        if constexpr (std::is_same_v<Law, GrowthErosion>) return laws.growth;
+        if constexpr (std::is_same_v<Law, MechanicalErosion>) return laws.mechanical;
+        if constexpr (std::is_same_v<Law, ShearStressDeposition>) return laws.deposition;
+        if constexpr (std::is_same_v<Law, NoExchange>) return {};
+    };
+    exchange_at_nodes<Metric>(range, law_of.template operator()<Erosion>(), law_of.template operator()<Deposition>(),
+                              laws.density, dt, film, states, nodes, layers);
+}
+
+// 2 metrics x 4 laws of erosion x 2 of deposition = 16.
+template <bool Metric, class Erosion>
+void choose_deposition(bool deposition, Stages& stages) {
+    stages.exchange_at_nodes = deposition ? exchange_stage<Metric, Erosion, ShearStressDeposition>
+                                          : exchange_stage<Metric, Erosion, NoExchange>;
+}
+
+template <bool Metric>
+void choose_erosion(const Entrainment& entrainment, Stages& stages) {
+    switch (entrainment.erosion) {
+        case ErosionLaw::none:
+            return choose_deposition<Metric, NoExchange>(entrainment.deposition, stages);
+        case ErosionLaw::shear_stress:
+            return choose_deposition<Metric, ShearStressErosion>(entrainment.deposition, stages);
+        case ErosionLaw::growth:
+            return choose_deposition<Metric, GrowthErosion>(entrainment.deposition, stages);
+        case ErosionLaw::mechanical:
+            return choose_deposition<Metric, MechanicalErosion>(entrainment.deposition, stages);
+    }
+}
+
+// Turns the terms of a material into sweeps over the nodes.
+class FrictionBuilder {
+  public:
+    FrictionBuilder(const Material& material, const MaterialZones& zones, const NodeGrid& nodes, double gravity)
+        : material_(material), zones_(zones), nodes_(nodes), gravity_(gravity) {}
+
+    BedFriction build() {
+        for (const BedTerm term : material_.bed_friction) {
+            if (acts(term, material_, zones_)) add(term);
+        }
+        if (zones_.cohesion && !material_.has(BedTerm::cohesion)) add(BedTerm::cohesion);
+        friction_.summed = true;
+        return std::move(friction_);
+    }
+
+  private:
+    NodeValue value(const std::optional<Raster>& raster, double uniform) {
+        if (!raster) return {uniform};
+        friction_.node_values.push_back(node_values(*raster, uniform, nodes_));
+        return {uniform, friction_.node_values.back().data()};
+    }
+    template <class Law>
+    void sweep(const Law& law, bool yields) {
+        friction_.yields |= yields;
+        friction_.sweeps.emplace_back(
+            [law](const NodeRange& range, const NodeUpdate& update, const NodeGrid& nodes, BedState* states) {
+                add_friction(range, update, law, nodes, states);
+            });
+    }
+    template <class Law>
+    void excess(const Law& law) {
+        std::get<Law>(friction_.excess) = law;
+        sweep(law, true);
+    }
+    void add(BedTerm term);
+
+    const Material& material_;
+    const MaterialZones& zones_;
+    const NodeGrid& nodes_;
+    double gravity_;
+    BedFriction friction_;
+};
+
+void FrictionBuilder::add(BedTerm term) {
+    const Material& m = material_;
+    switch (term) {
+        case BedTerm::coulomb:
+            return sweep(CoulombFriction{value(zones_.friction_coefficient, m.friction_coefficient), 1,
+                                         m.surface_pressure / m.density},
+                         true);
+        case BedTerm::turbulence:
+            return sweep(TurbulentFriction{gravity_, value(zones_.turbulence, m.turbulence)}, false);
+        case BedTerm::cohesion:
+            return sweep(CohesiveFriction{m.density, value(zones_.cohesion, m.cohesion)}, true);
+        case BedTerm::ramms_yield:
+            return sweep(RammsYield{m.density, m.ramms_yield_stress,
+                                    value(zones_.friction_coefficient, m.friction_coefficient)},
+                         true);
+        case BedTerm::bingham:
+            if (!m.exact_yield_ratio) return excess(BinghamQuadraticExcess{m.density, m.yield_stress, m.viscosity});
+            return excess(HerschelBulkleyExcess{m.density, m.yield_stress, m.viscosity, 1});
+        case BedTerm::herschel_bulkley:
+            return excess(HerschelBulkleyExcess{m.density, m.yield_stress, m.consistency, m.flow_index});
+        case BedTerm::obrien_julien:
+            return sweep(OBrienJulienFriction{gravity_, m.density, m.yield_stress, m.viscosity, m.laminar_resistance,
+                                              m.manning},
+                         m.yield_stress > 0);
+        case BedTerm::manning:
+            return sweep(ManningFriction{gravity_, m.manning}, false);
+        case BedTerm::chezy:
+            return sweep(ChezyFriction{gravity_, m.chezy}, false);
+        case BedTerm::pouliquen_forterre:
+            return excess(PouliquenForterreExcess{value(zones_.friction_coefficient, m.friction_coefficient),
+                                                  m.fast_friction_coefficient, m.friction_beta, m.friction_length});
+    }
+}
+
+}  // namespace
+
+bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
+                   const Numerics& numerics) {
+    const bool only_voellmy = std::all_of(
+        material.bed_friction.begin(), material.bed_friction.end(),
+        [](BedTerm term) { return term == BedTerm::coulomb || term == BedTerm::turbulence; });
+    return !only_voellmy || zones.friction_coefficient || zones.turbulence || zones.cohesion ||
+           material.pore_pressure_ratio > 0 || material.surface_pressure > 0 || numerics.curvature ||
+           entrainment.active();
+}
+
+void choose_node_stages(const Material& material, const Numerics& numerics, bool summed, Stages& stages) {
+    switch (numerics.slope_correction) {
+        case SlopeCorrection::none:
+            return choose_slope<GentleSlope>(material, summed, numerics.curvature, stages);
+        case SlopeCorrection::surface:
+            return choose_slope<SurfaceSlope>(material, summed, numerics.curvature, stages);
+        case SlopeCorrection::normal:
+            return choose_slope<NormalSlope>(material, summed, numerics.curvature, stages);
+    }
+}
+
+void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, Stages& stages) {
+    if (!entrainment.active()) return;
+    if (numerics.slope_correction == SlopeCorrection::none) {
+        choose_erosion<false>(entrainment, stages);
+    } else {
+        choose_erosion<true>(entrainment, stages);
+    }
+}
+
+BedFriction make_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
+                          const Numerics& numerics, const NodeGrid& nodes, double gravity) {
+    BedFriction friction;
+    if (sums_friction(material, zones, entrainment, numerics))
+        friction = FrictionBuilder(material, zones, nodes, gravity).build();
+    if (material.has(BedTerm::coulomb)) friction.voellmy.friction_coefficient = material.friction_coefficient;
+    if (material.has(BedTerm::turbulence) && std::isfinite(material.turbulence))
+        friction.voellmy.inverse_turbulence = 1 / material.turbulence;
+    friction.pore_pressure = {material.pore_pressure_ratio, material.pore_dissipation_time};
+    return friction;
+}
+
+BedExchange make_exchange(const Entrainment& entrainment, double density) {
+    BedExchange laws;
+    laws.density = density;
+    laws.shear_stress = {entrainment.erosion_rate, entrainment.critical_shear, entrainment.potential_depth};
+    laws.growth = {entrainment.growth_rate};
+    laws.mechanical = {density, entrainment.bed_friction_coefficient, entrainment.bed_cohesion,
+                       entrainment.bed_pore_pressure_ratio, entrainment.velocity_ratio};
+    laws.deposition = {entrainment.deposition_rate, entrainment.deposition_shear};
+    return laws;
+}
+
+std::vector<double> node_values(const Raster& raster, double uniform, const NodeGrid& nodes) {
+    std::vector<double> values(nodes.bed.size());
+    for (std::int64_t j = -k_ghost; j < nodes.rows() + k_ghost; ++j) {
+        const std::int64_t row = nodes.rows() - 1 - std::clamp<std::int64_t>(j, 0, nodes.rows() - 1);
+        for (std::int64_t i = -k_ghost; i < nodes.columns() + k_ghost; ++i) {
+            const double here = raster.at(row, std::clamp<std::int64_t>(i, 0, nodes.columns() - 1));
+            values[nodes.index(i, j)] = std::isnan(here) ? uniform : here;
+        }
+    }
+    return values;
+}
+
+}  // namespace frana

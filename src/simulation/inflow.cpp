@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/inflow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/error.h"
+#include "simulation/release.h"
+#include "simulation/terrain_sample.h"
+
+namespace frana {
+namespace {
+
+// A direction this near to the line's own (sine of the angle) would need an endless row to carry the discharge.
+constexpr double k_least_crossing = 0.1;
+
+double length_of(const Polyline& line) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        sum += std::hypot(line[i + 1].x - line[i].x, line[i + 1].y - line[i].y);
+    return sum;
+}
+
+struct OnLine {
+    Point place, tangent;
+};
+
+OnLine at_distance(const Polyline& line, double distance) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const Point a = line[i], b = line[i + 1];
+        const double piece = std::hypot(b.x - a.x, b.y - a.y);
+        if (distance > piece && i + 2 < line.size()) {
+            distance -= piece;
+            continue;
+        }
+        if (!(piece > 0)) continue;
+        const Point t{(b.x - a.x) / piece, (b.y - a.y) / piece};
+        return {{a.x + distance * t.x, a.y + distance * t.y}, t};
+    }
+    return {line.front(), {1, 0}};
+}
+
+Error refused(const std::string& what, const std::string& key, const std::string& value,
+              const std::string& remedy) {
+    return {ErrorKind::input, Problem{what, key, value, "", remedy}};
+}
+
+void check_ground(const Scene& scene, Point local) {
+    const GridSpec& grid = scene.grid;
+    const Point map = grid.map_from_local(local);
+    char text[64];
+    std::snprintf(text, sizeof text, "(%.1f, %.1f)", map.x, map.y);
+    if (!(local.x >= 0 && local.y >= 0 && map.x < grid.east() && map.y < grid.north))
+        throw refused("the inflow's line reaches beyond the working grid", "inflow.line", text,
+                      "Shorten it or take a larger DTM");
+    const Cell cell = cell_of(grid, local);
+    if (!scene.terrain.has_data(cell.row, cell.column))
+        throw refused("the terrain has no data under the inflow's line", "inflow.line", text, "Move the line");
+    if (scene.walls && scene.walls->at(cell.row, cell.column) != 0)
+        throw refused("a wall stands on the inflow's line", "inflow.line", text, "Move the line or the wall");
+}
+
+}  // namespace
+
+std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydrograph, double spacing,
+                                        double end) {
+    std::vector<InflowBatch> batches;
+    InflowBatch open;  // since the last cut
+    double since = hydrograph.empty() ? 0 : hydrograph.front().time;
+    const auto close = [&](double time) {
+        if (open.volume > 0) batches.push_back({time, open.volume, open.length, open.length / (time - since)});
+        open = {};
+        since = time;
+    };
+    for (std::size_t i = 0; i + 1 < hydrograph.size() && hydrograph[i].time < end; ++i) {
+        HydrographPoint a = hydrograph[i];
+        const HydrographPoint b = hydrograph[i + 1];
+        const double span = b.time - a.time;
+        if (!(span > 0)) continue;
+        if (a.discharge == 0 && b.discharge == 0) {  // a pause: what has crossed goes on without waiting for more
+            close(a.time);
+            since = b.time;
+            continue;
+        }
+        const auto at = [&](double time) {
+            const double s = (time - hydrograph[i].time) / span;
+            return HydrographPoint{time, (1 - s) * hydrograph[i].discharge + s * b.discharge,
+                                   (1 - s) * hydrograph[i].speed + s * b.speed};
+        };
+        const HydrographPoint last = b.time <= end ? b : at(end);
+        const double acceleration = (b.speed - hydrograph[i].speed) / span;
+        while (a.time < last.time) {
+            // Time until the row is full: length + v t + acceleration t^2 / 2 = spacing.
+            const double missing = spacing - open.length;
+            const double root = a.speed * a.speed + 2 * acceleration * missing;
+            const double full = root > 0 ? 2 * missing / (a.speed + std::sqrt(root)) : last.time - a.time;
+            const bool fills = full < last.time - a.time;
+            const HydrographPoint to = fills ? at(a.time + full) : last;
+            const double dt = to.time - a.time;
+            open.volume += 0.5 * (a.discharge + to.discharge) * dt;
+            open.length += 0.5 * (a.speed + to.speed) * dt;
+            if (fills) close(to.time);
+            if (!(dt > 0)) break;  // fuller than a time can tell
+            a = to;
+        }
+        if (last.discharge == 0 || last.time >= end || i + 2 == hydrograph.size()) close(last.time);
+    }
+    return batches;
+}
+
+InflowSource::InflowSource(const Scene& scene, const Inflow& inflow) : gravity_(scene.numerics.gravity) {
+    Polyline line;
+    for (const Point& map : inflow.line) line.push_back(scene.grid.local_from_map(map));
+    const double length = length_of(line), spacing = lattice_spacing(scene);
+    if (line.size() < 2 || !(length > 0))
+        throw refused("the inflow's line has no length", "inflow.line", "", "Draw it anew");
+    const auto count = static_cast<std::size_t>(std::ceil(length / spacing));
+    std::vector<Point> slopes, tangents;
+    double towards_left = 0;  // how far the ground falls to the left of the line
+    for (std::size_t k = 0; k < count; ++k) {
+        const double share = 1 / static_cast<double>(count);
+        const OnLine on = at_distance(line, (static_cast<double>(k) + 0.5) * share * length);
+        check_ground(scene, on.place);
+        slopes.push_back(gradient(scene.terrain, cell_of(scene.grid, on.place)));
+        tangents.push_back(on.tangent);
+        towards_left += (slopes.back().x * on.tangent.y - slopes.back().y * on.tangent.x) * share;
+        mouths_.push_back({on.place, {}, 1, share * length, share});
+    }
+    if (!inflow.azimuth && !(std::abs(towards_left) > 1e-6))
+        throw refused("the ground is level across the inflow's line", "inflow.line", "", "Give inflow.direction");
+    for (std::size_t k = 0; k < count; ++k) {
+        Mouth& mouth = mouths_[k];
+        const Point t = tangents[k];
+        const double side = towards_left > 0 ? 1 : -1;
+        mouth.direction = inflow.azimuth ? Point{std::sin(*inflow.azimuth), std::cos(*inflow.azimuth)}
+                                         : Point{-t.y * side, t.x * side};
+        const double crossing = std::abs(t.x * mouth.direction.y - t.y * mouth.direction.x);
+        if (crossing < k_least_crossing)
+            throw refused("the inflow would run along its line", "inflow.direction", "",
+                          "Choose a direction across the line, or remove the key");
+        mouth.width *= crossing;
+        mouth.map_share = map_share(scene.numerics, slopes[k], mouth.direction);
+        check_ground(scene, {mouth.place.x + spacing * mouth.direction.x,
+                             mouth.place.y + spacing * mouth.direction.y});
+    }
+    batches_ = cut_hydrograph(inflow.hydrograph, spacing, scene.time.end);
+}
+
+double InflowSource::take(ParticleSet& particles) {
+    const InflowBatch& batch = batches_[next_++];
+    double given = 0;
+    for (std::size_t k = 0; k < mouths_.size(); ++k) {
+        const Mouth& mouth = mouths_[k];
+        const double length = batch.length * mouth.map_share, area = length * mouth.width;
+        // What lies upstream of the line is not computed, but presses on it: the row brings that impulse with it,
+        // g h^2 / 2 a second and metre, so that the flux of momentum is h v^2 + g h^2 / 2. Slower than the critical speed
+        // a flow finds its depth from downstream, and more than half as fast again would be a jet.
+        const double depth = batch.volume * mouth.share / area;
+        const double pressed = 0.5 * batch.speed * std::min(1.0, gravity_ * depth / (batch.speed * batch.speed));
+        const double speed = (batch.speed + pressed) * mouth.map_share;
+        ParticleRow row = ParticleSet::initial_row();
+        get(row, Field::x) = mouth.place.x + 0.5 * length * mouth.direction.x;
+        get(row, Field::y) = mouth.place.y + 0.5 * length * mouth.direction.y;
+        get(row, Field::u) = speed * mouth.direction.x;
+        get(row, Field::v) = speed * mouth.direction.y;
+        get(row, Field::area) = area;
+        get(row, Field::volume) = batch.volume * mouth.share;
+        given += get(row, Field::volume);
+        particles.push_back(row);
+    }
+    return given;
+}
+
+Point InflowSource::midpoint() const {
+    Point sum;
+    for (const Mouth& mouth : mouths_) {
+        sum.x += mouth.place.x * mouth.share;
+        sum.y += mouth.place.y * mouth.share;
+    }
+    return sum;
+}
+
+}  // namespace frana

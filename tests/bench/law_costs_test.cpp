@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/law_costs.h"
+
+#include <gtest/gtest.h>
+
+namespace frana::bench {
+namespace {
+
+// Times are not tested; what is carried is.
+TEST(LawCosts, EveryLawRunsAndOnlyStressCarriesMore) {
+    const auto costs = run_law_costs(400, 3);
+    ASSERT_EQ(costs.size(), 14u);
+    EXPECT_EQ(costs[0].relative, 1);
+    for (const LawCost& cost : costs) {
+        EXPECT_GT(cost.nanoseconds, 0) << cost.law;
+        const bool stress = cost.law == "in-plane Bingham" || cost.law == "earth pressure";
+        EXPECT_EQ(cost.bytes_per_particle - costs[0].bytes_per_particle, stress ? 3 * sizeof(double) : 0) << cost.law;
+    }
+    const std::string csv = law_costs_csv(costs);
+    EXPECT_EQ(csv.substr(0, csv.find('\n')), "law,nanoseconds_per_particle_step,relative_to_plain,bytes_per_particle");
+}
+
+}  // namespace
+}  // namespace frana::bench

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Zones, obstacles, release and inflow that do not make sense: one clear message each, nothing written.
+#include <algorithm>
+
+#include "tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+struct SiteFault {
+    std::string name;
+    std::string lines;  ///< after the tiny scene's own
+    std::vector<std::string> said;
+    std::string set{};  ///< a key that the tiny scene has already
+};
+
+void PrintTo(const SiteFault& fault, std::ostream* out) {
+    *out << fault.name;
+}
+
+class BadSite : public TinyScene, public ::testing::WithParamInterface<SiteFault> {};
+
+TEST_P(BadSite, IsRefusedInOneMessageWithNothingWritten) {
+    const std::string inflow =
+        R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+        R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)";
+    write("line.geojson", inflow + "[[527030,5094060],[527030,5094090]]}}]}");
+    write("far_line.geojson", inflow + "[[527030,5094060],[527030,5094990]]}}]}");
+    write_dtm([](int, int) { return 1.0; }, true, "one.asc");
+    write("good.csv", "time,discharge,velocity\n0,10,2\n5,10,2\n");
+    write("back.csv", "time,discharge,velocity\n0,10,2\n5,10,2\n4,10,2\n");
+    write("words.csv", "time,discharge,velocity\n0,10,2\n5,ten,2\n");
+    write("still.csv", "time,discharge,velocity\n0,10,0\n5,10,0\n");
+    write("shrink.csv", "time,volume\n0,10\n5,8\n");
+    write_polygon("zone", {{100, 10}, {200, 10}, {200, 140}, {100, 140}});
+    write_polygon("half", {{100, 10}, {400, 10}, {400, 140}, {100, 140}});
+    write_polygon("house", {{30, 60}, {50, 60}, {50, 80}, {30, 80}});
+    write_scene(GetParam().lines);
+    const std::vector<std::string> before = files();
+    for (const std::string command : {"run", "check"}) {
+        std::vector<std::string> arguments{command, "scene.ini"};
+        if (!GetParam().set.empty()) arguments.insert(arguments.end(), {"--set", GetParam().set});
+        const Outcome outcome = frana(arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+        for (const std::string& words : GetParam().said)
+            EXPECT_NE(outcome.err.find(words), std::string::npos) << "no \"" << words << "\" in: " << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+    EXPECT_EQ(files(), before);
+}
+
+const std::string k_inflow = "[inflow]\nline = line.geojson\nhydrograph = ";
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, BadSite,
+    ::testing::Values(
+        SiteFault{"zone_attribute_missing",
+                  "[terrain]\nfriction-zones = zone.geojson\n[zones]\nfriction-angle = attribute:PHI\n",
+                  {"zones.friction-angle", "no number in the attribute PHI", "depth"}},
+        SiteFault{"zone_columns_unknown",
+                  "[terrain]\nfriction-zones = zone.geojson\n",
+                  {"terrain.friction-zones", "no column", "depth", "friction_angle"}},
+        SiteFault{"zone_layer_partly_outside",
+                  "[terrain]\nfriction-zones = half.geojson\n[zones]\nfriction-angle = attribute:depth\n",
+                  {"terrain.friction-zones", "reaches beyond the DTM", "527400"}},
+        SiteFault{"zone_value_out_of_range",
+                  "[terrain]\nfriction-zones = zone.geojson\n[zones]\nfriction-angle = raster:dtm.asc\n",
+                  {"zones.friction-angle", "greatest value", "out of range", "0 to 60"}},
+        SiteFault{"zone_column_without_layer",
+                  "[zones]\nturbulence = attribute:xi\n",
+                  {"zones.turbulence", "needs terrain.friction-zones"}},
+        SiteFault{"zone_friction_twice",
+                  "[zones]\nfriction-angle = raster:one.asc\nfriction-coefficient = raster:one.asc\n",
+                  {"contradicts zones.friction-coefficient"}},
+        SiteFault{"zone_not_used",
+                  "[terrain]\nfriction-zones = zone.geojson\n[zones]\ncohesion = attribute:depth\n",
+                  {"cohesion", "do not use"}},
+        SiteFault{"obstacle_without_height",
+                  "[terrain]\nobstacles = zone.geojson\n",
+                  {"terrain.obstacles", "needs terrain.obstacle-height"}},
+        SiteFault{"obstacle_partly_outside",
+                  "[terrain]\nobstacles = half.geojson\nobstacle-height = 3\n",
+                  {"terrain.obstacles", "reaches beyond the DTM"}},
+        SiteFault{"wall_on_the_release",
+                  "[terrain]\nwalls = house.geojson\n",
+                  {"terrain.walls", "stands on the release"}},
+        SiteFault{"slip_surface_above_the_dtm",
+                  "[release]\nslip-depth = 5\n",
+                  {"release.dtm-contains-release", "slip-surface", "Set it to on"}, "release.thickness=slip-surface"},
+        SiteFault{"slip_surface_without_depth",
+                  "[release]\ndtm-contains-release = on\n",
+                  {"needs its depth", "release.slip-depth"}, "release.thickness=slip-surface"},
+        SiteFault{"slip_depth_and_volume",
+                  "[release]\ndtm-contains-release = on\nslip-depth = 3\nvolume = 900\n",
+                  {"release.slip-depth", "contradicts release.volume"}, "release.thickness=slip-surface"},
+        SiteFault{"difference_measured_normal",
+                  "[release]\nthickness-direction = normal\n",
+                  {"release.thickness-direction", "vertical"}, "release.thickness=difference:dtm.asc,dtm.asc"},
+        SiteFault{"start_attribute_missing",
+                  "[release]\nstart = attribute:when\n",
+                  {"release.start", "no number in the attribute when"}},
+        SiteFault{"direction_without_velocity",
+                  "[release]\ndirection = 90\n",
+                  {"release.direction", "needs release.velocity"}},
+        SiteFault{"line_without_hydrograph",
+                  "[inflow]\nline = line.geojson\n",
+                  {"inflow.line", "needs inflow.hydrograph"}},
+        SiteFault{"hydrograph_goes_back_in_time",
+                  k_inflow + "back.csv\n",
+                  {"back.csv", "line 4: the times do not rise", "4 s", "after 5 s"}},
+        SiteFault{"hydrograph_with_words", k_inflow + "words.csv\n", {"words.csv", "line 3", "discharge", "ten"}},
+        SiteFault{"hydrograph_that_stands_still",
+                  k_inflow + "still.csv\n",
+                  {"still.csv", "discharge without velocity"}},
+        SiteFault{"hydrograph_that_shrinks", k_inflow + "shrink.csv\n", {"shrink.csv", "line 3: the volume falls"}},
+        SiteFault{"hydrograph_missing", k_inflow + "none.csv\n", {"none.csv", "does not exist"}},
+        SiteFault{"line_partly_outside",
+                  "[inflow]\nline = far_line.geojson\nhydrograph = good.csv\n",
+                  {"inflow.line", "reaches beyond the DTM"}},
+        SiteFault{"line_is_an_area",
+                  "[inflow]\nline = zone.geojson\nhydrograph = good.csv\n",
+                  {"zone.geojson", "is no line"}}),
+    [](const auto& test) { return test.param.name; });
+
+/// Both columns are missing: both are told.
+TEST_F(TinyScene, AHydrographWithoutItsColumnsIsToldAllAtOnce) {
+    write("line.geojson",
+          R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},)"
+          R"("geometry":{"type":"LineString","coordinates":[[9.35,46.0],[9.3501,46.0]]}}]})");
+    write("heads.csv", "t,q\n0,10\n5,10\n");
+    write_scene(k_inflow + "heads.csv\n");
+    const Outcome outcome = frana({"check", "scene.ini"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("no column time"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("neither a column discharge nor volume"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// Erosion and deposition: rates against their closed forms, budgets of mass and momentum to rounding.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "cases.h"
+#include "physics/erosion_mechanical.h"
+#include "physics/erosion_shear_stress.h"
+
+namespace frana::test {
+namespace {
+
+constexpr double k_density = 2000;
+
+double momentum_x(const Flow& flow) {
+    double sum = 0;
+    const ParticleSet& p = flow.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) sum += p[Field::volume][i] * p[Field::u][i];
+    return sum;
+}
+
+double sum_of(const Raster& raster) {
+    double sum = 0;
+    for (const double value : raster.values) sum += std::isnan(value) ? 0 : value;
+    return sum;
+}
+
+// A sheet 1 m thick at 5 m/s on flat ground, with so little gravity that nothing pushes it.
+Flow drifting_sheet(const Entrainment& entrainment, Scheme scheme = Scheme::standard) {
+    const GridSpec grid = bench::plain_grid(120, 20, 1);
+    const ParticleSet seeds = bench::fill_lattice(grid, 2, 0.5, [](Point p) {
+        return bench::Seed{p.x > 20 && p.x < 60 && p.y > 5 && p.y < 15 ? 1.0 : 0, 5, 0};
+    });
+    Material material = water();
+    material.density = k_density;
+    Numerics how = numerics(scheme, SlopeCorrection::normal, Boundary::open);
+    how.gravity = 1e-12;
+    return Flow(Raster(grid), seeds, material, how, 2, std::nullopt, {}, entrainment);
+}
+
+class Growth : public testing::TestWithParam<Scheme> {};
+
+TEST_P(Growth, IsExponentialInTheWayAndKeepsMassAndMomentum) {
+    Entrainment e;
+    e.erosion = ErosionLaw::growth;
+    e.growth_rate = 5e-3;
+    e.erodible_depth = 10;
+    Flow flow = drifting_sheet(e, GetParam());
+    const double volume = flow.volume(), momentum = momentum_x(flow), start = flow.centroid().x;
+    flow.advance_to(6);
+    const double now = flow.volume();
+    EXPECT_NEAR(now, volume + flow.exchanged().eroded, 1e-12 * now);
+    EXPECT_NEAR(sum_of(flow.eroded_depth()), flow.exchanged().eroded, 1e-12 * now);
+    EXPECT_NEAR(momentum_x(flow), momentum, 1e-12 * momentum) << "what is taken up is at rest";
+    // V = V_0 exp(E S), for the uniform sheet's mean way; a step is of first order.
+    const double exact = volume * std::exp(e.growth_rate * (flow.centroid().x - start));
+    EXPECT_GT(exact, 1.05 * volume);
+    EXPECT_NEAR(now - volume, exact - volume, 0.02 * (exact - volume));
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, Growth, testing::Values(Scheme::standard, Scheme::paper));
+
+TEST(Growth, EndsWithTheErodibleLayer) {
+    Entrainment e;
+    e.erosion = ErosionLaw::growth;
+    e.growth_rate = 0.5;
+    e.erodible_depth = 0.03;
+    Flow flow = drifting_sheet(e);
+    flow.advance_to(4);
+    double deepest = 0;
+    for (const double depth : flow.eroded_depth().values) deepest = std::max(deepest, std::isnan(depth) ? 0 : depth);
+    EXPECT_NEAR(deepest, 0.03, 1e-15);
+    EXPECT_NEAR(flow.volume(), 400 + flow.exchanged().eroded, 1e-12 * 400);
+}
+
+// A wide slab that slides steadily in a tilted frame: friction equals the drive, so the stress at the bed is rho d g_x.
+struct SteadySlab {
+    double eroded, deposited, speed;
+};
+SteadySlab steady_slab(const Entrainment& entrainment, double along, double speed, double time,
+                       const MaterialZones& zones = {}) {
+    const GridSpec grid = bench::plain_grid(120, 8, 1);
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 2, 0, [&](Point p) { return bench::Seed{p.x > 10 && p.x < 110 ? 1.0 : 0, speed, 0}; });
+    Material material = water();
+    material.density = k_density;
+    material.friction_coefficient = along / 9;
+    Flow flow(Raster(grid), seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
+              TiltedGravity{along, 0, 9}, zones, entrainment);
+    flow.advance_to(time);
+    const Raster eroded = flow.eroded_depth(), deposited = flow.deposited_depth();
+    SteadySlab slab{0, 0, 0};
+    for (std::int64_t c = 55; c < 65; ++c) {
+        slab.eroded += std::isnan(eroded.at(4, c)) ? 0 : eroded.at(4, c) / 10;
+        slab.deposited += std::isnan(deposited.at(4, c)) ? 0 : deposited.at(4, c) / 10;
+    }
+    const double sum = 100 * 8 + flow.exchanged().eroded - flow.exchanged().deposited;
+    EXPECT_NEAR(flow.volume(), sum, 1e-12 * sum);
+    slab.speed = momentum_x(flow) / flow.volume();
+    return slab;
+}
+
+TEST(ShearStressErosion, DigsAtItsRateDownToItsPotentialDepth) {
+    Entrainment e;
+    e.erosion = ErosionLaw::shear_stress;
+    e.erodible_depth = 5;
+    e.critical_shear = 2000;
+    // tau = 2000 kg/m3 x 1 m x 2 m/s2 = 4 kPa: 2 kPa above the critical stress.
+    EXPECT_NEAR(steady_slab(e, 2, 4, 1).eroded, 0.025, 0.01 * 0.025);
+    e.potential_depth = 1e-5;  // 0.02 m for 2 kPa, and 0.01 m for each kPa that the growing slab adds
+    const double depth = steady_slab(e, 2, 4, 3).eroded;
+    EXPECT_NEAR(depth, 0.02 / (1 - 1e-5 * k_density * 2), 0.01 * 0.02);
+    e.critical_shear = 4500;
+    EXPECT_EQ(steady_slab(e, 2, 4, 1).eroded, 0);
+}
+
+TEST(MechanicalErosion, IsTheExcessOfStressOverMomentum) {
+    Entrainment e;
+    e.erosion = ErosionLaw::mechanical;
+    e.erodible_depth = 5;
+    e.bed_friction_coefficient = 0.1;
+    e.bed_cohesion = 500;
+    e.bed_pore_pressure_ratio = 0.2;
+    e.velocity_ratio = 0.8;
+    // Strength 500 + 0.8 x 18000 x 0.1 = 1940 Pa; the rate grows with the slab and its slowing: a short time.
+    const double rate = (4000 - 1940) / (k_density * 0.8 * 4), time = 0.05;
+    EXPECT_NEAR(steady_slab(e, 2, 4, time).eroded, rate * time, 0.03 * rate * time);
+}
+
+TEST(ErosionLaws, DoNothingAtZeroDepthOrSpeed) {
+    const BedContact nothing{0, 0, 0, 0, 0, 0.1}, still{2, 0, 5000, 30000, 0, 0.1};
+    EXPECT_EQ(ShearStressErosion{}(nothing), 0);
+    EXPECT_EQ(ShearStressErosion{}(still), 0);
+    EXPECT_EQ(MechanicalErosion{}(nothing), 0);
+    EXPECT_EQ(MechanicalErosion{}(still), 0);
+}
+
+TEST(Deposition, SettlesAtItsRateWhereStressIsBelowCapacity) {
+    Entrainment e;
+    e.deposition = true;
+    e.deposition_rate = 0.02;
+    e.deposition_shear = 5000;
+    // Still on level ground: tau = 0, the full rate.
+    EXPECT_NEAR(steady_slab(e, 0, 0, 5).deposited, 0.02 * 5, 1e-9);
+    // Sliding: tau = rho d g_x falls with the slab's thickness, d' = -w (1 - rho d g_x / tau_d).
+    const double k = 0.02 * k_density * 2 / 5000, limit = 5000 / (k_density * 2);
+    const double thickness = limit + (1 - limit) * std::exp(k * 4);
+    EXPECT_NEAR(steady_slab(e, 2, 4, 4).deposited, 1 - thickness, 0.01 * (1 - thickness));
+    e.deposition_shear = 3500;
+    EXPECT_EQ(steady_slab(e, 2, 4, 1).deposited, 0);
+}
+
+TEST(Deposition, TakesItsMomentumWithIt) {
+    Entrainment e;
+    e.deposition = true;
+    e.deposition_rate = 0.05;
+    Flow flow = drifting_sheet(e);
+    const double volume = flow.volume(), momentum = momentum_x(flow);
+    flow.advance_to(4);
+    EXPECT_GT(flow.exchanged().deposited, 0.1 * volume);
+    EXPECT_NEAR(flow.volume(), volume - flow.exchanged().deposited, 1e-12 * volume);
+    EXPECT_NEAR(momentum_x(flow), momentum - flow.exchanged().momentum_x, 1e-12 * momentum);
+    EXPECT_NEAR(sum_of(flow.deposited_depth()), flow.exchanged().deposited, 1e-12 * volume);
+}
+
+TEST(Deposition, NeverTakesAllSoThatParticlesKeepAVolume) {
+    Entrainment e;
+    e.deposition = true;
+    e.deposition_rate = 10;
+    Flow flow = drifting_sheet(e);
+    flow.advance_to(5);
+    const ParticleSet& p = flow.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) ASSERT_GT(p[Field::volume][i], 0);
+    EXPECT_LT(flow.volume(), 10);
+}
+
+TEST(BedExchange, ErodibleDepthByZones) {
+    Entrainment e;
+    e.erosion = ErosionLaw::shear_stress;
+    e.erodible_depth = 0;
+    MaterialZones zones;
+    zones.erodible_depth = Raster(bench::plain_grid(120, 8, 1), k_no_data);
+    EXPECT_EQ(steady_slab(e, 2, 4, 1, zones).eroded, 0);
+    for (std::int64_t c = 50; c < 70; ++c) zones.erodible_depth->at(4, c) = 0.01;
+    EXPECT_NEAR(steady_slab(e, 2, 4, 1, zones).eroded, 0.01, 1e-15);
+}
+
+// Bed, volumes and momenta are the same bits for any number of threads, on a slope with walls, both ways of exchange.
+TEST(BedExchange, SameBitsForAnyNumberOfThreads) {
+    Entrainment e;
+    e.erosion = ErosionLaw::shear_stress;
+    e.erodible_depth = 1;
+    e.deposition = true;
+    const GridSpec grid = bench::plain_grid(100, 60, 2);
+    const Raster bed = bench::sample_raster(
+        grid, [](Point p) { return std::max(0.0, 0.5 * (120 - p.x)) + std::sin(0.2 * p.y); });
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 2, 0.5, [](Point p) { return bench::Seed{5 - 0.2 * std::hypot(p.x - 40, p.y - 60)}; });
+    Material material = dry_friction(15);
+    material.turbulence = 300;
+    const auto end_state = [&](int threads) {
+        Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), threads,
+                  std::nullopt, {}, e);
+        flow.advance_to(12);
+        EXPECT_GT(flow.exchanged().eroded, 10);
+        EXPECT_GT(flow.exchanged().deposited, 10);
+        const double before = flow.volume() - flow.exchanged().eroded + flow.exchanged().deposited;
+        double seeded = 0;
+        for (std::size_t i = 0; i < seeds.size(); ++i) seeded += seeds[Field::volume][i];
+        EXPECT_NEAR(before, seeded, 1e-12 * seeded);
+        std::vector<double> all = flow.nodes().bed;
+        const Raster depth = flow.nodal_fields().depth;
+        all.insert(all.end(), depth.values.begin(), depth.values.end());
+        all.push_back(flow.exchanged().eroded);
+        all.push_back(flow.exchanged().momentum_x);
+        return all;
+    };
+    const std::vector<double> one = end_state(1);
+    for (const int threads : {2, 5}) {
+        const std::vector<double> many = end_state(threads);
+        ASSERT_EQ(one.size(), many.size());
+        EXPECT_EQ(std::memcmp(one.data(), many.data(), one.size() * sizeof(double)), 0) << threads;
+    }
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each law of bed friction alone: against its closed form, at rest, at zero depth, without support.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "physics/friction_bingham_quadratic.h"
+#include "physics/friction_chezy.h"
+#include "physics/friction_cohesion.h"
+#include "physics/friction_coulomb.h"
+#include "physics/friction_herschel_bulkley.h"
+#include "physics/friction_manning.h"
+#include "physics/friction_obrien_julien.h"
+#include "physics/friction_pouliquen_forterre.h"
+#include "physics/friction_ramms_yield.h"
+#include "physics/friction_turbulence.h"
+#include "physics/friction_voellmy.h"
+#include "physics/pore_pressure.h"
+
+namespace frana {
+namespace {
+
+constexpr double k_density = 1800, k_thickness = 1.7, k_normal = 8.5, k_gravity = 9.81;
+
+template <class Law>
+BedState bed_under(const Law& law, double thickness = k_thickness, double normal = k_normal) {
+    BedState bed{thickness, normal, 0, 0, 0, 0};
+    law(bed, 0);
+    return bed;
+}
+
+// R(s1) that backward Euler found, from s0 = s1 + dt R.
+template <class Excess>
+double resistance_met(const BedState& bed, const Excess& excess, double s0, double dt, double* s1) {
+    *s1 = speed_after_friction(bed, 0, excess, s0, dt);
+    return (s0 - *s1) / dt;
+}
+
+TEST(CoulombFriction, IsTheTangentTimesTheEffectiveNormalStress) {
+    const CoulombFriction law{{0.4}, 0.7, 300 / k_density};
+    EXPECT_DOUBLE_EQ(bed_under(law).yield, 0.4 * (0.7 * k_normal + 300 / (k_density * k_thickness)));
+    EXPECT_EQ(bed_under(CoulombFriction{{0.4}}, 1, 0).yield, 0) << "no support, no friction";
+}
+
+TEST(CoulombFriction, TakesItsValueFromTheNode) {
+    const std::vector<double> values{0.1, 0.5};
+    const CoulombFriction law{{0.3, values.data()}};
+    BedState bed{1, 10, 0, 0, 0, 0};
+    law(bed, 1);
+    EXPECT_DOUBLE_EQ(bed.yield, 5);
+}
+
+TEST(TurbulentFriction, IsVoellmysSecondPartAndChezysLaw) {
+    const double xi = 400;
+    EXPECT_DOUBLE_EQ(bed_under(TurbulentFriction{k_gravity, {xi}}).square, k_gravity / (xi * k_thickness));
+    EXPECT_DOUBLE_EQ(bed_under(TurbulentFriction{k_gravity, {xi}}).square, bed_under(ChezyFriction{k_gravity, 20}).square);
+    EXPECT_EQ(bed_under(TurbulentFriction{k_gravity, {std::numeric_limits<double>::infinity()}}).square, 0);
+}
+
+// The sum of Coulomb's and the turbulent part is the law that scenes with Voellmy alone run with.
+TEST(TurbulentFriction, WithCoulombIsTheUniformVoellmyLaw) {
+    const VoellmyFriction uniform{0.2, 1 / 400.0, 150 / k_density};
+    BedState bed = bed_under(CoulombFriction{{0.2}, 1, 150 / k_density});
+    TurbulentFriction{k_gravity, {400}}(bed, 0);
+    for (const double s0 : {0.01, 0.5, 3.0, 60.0}) {
+        EXPECT_NEAR(speed_after_friction(bed, 0, NoExcess{}, s0, 0.05),
+                    uniform.speed_after(s0, 0.05, k_normal, k_gravity, k_thickness), 1e-14 * s0);
+    }
+}
+
+TEST(ManningFriction, GivesManningsSpeed) {
+    // Uniform flow: g S = R at s = d^(2/3) S^(1/2) / n.
+    const double n = 0.06, slope = 0.1, speed = std::pow(k_thickness, 2.0 / 3) * std::sqrt(slope) / n;
+    EXPECT_NEAR(bed_under(ManningFriction{k_gravity, n}).square * speed * speed, k_gravity * slope, 1e-12);
+}
+
+TEST(CohesiveFriction, HoldsALayerOfTheCriticalHeight) {
+    EXPECT_DOUBLE_EQ(bed_under(CohesiveFriction{k_density, {1500}}).yield * k_density * k_thickness, 1500);
+}
+
+TEST(RammsYield, GrowsFromFrictionOf45DegreesToItsCeiling) {
+    const double mu = 0.3, n0 = 800;
+    const RammsYield law{k_density, n0, {mu}};
+    const double normal = k_density * k_normal * k_thickness;
+    EXPECT_NEAR(bed_under(law).yield * k_density * k_thickness, (1 - mu) * n0 * (1 - std::exp(-normal / n0)),
+                1e-9);
+    EXPECT_NEAR(bed_under(law, 1e-9).yield, (1 - mu) * k_normal, 1e-6);
+    EXPECT_NEAR(bed_under(law, 50).yield * k_density * 50, (1 - mu) * n0, 1e-9);
+    EXPECT_EQ(bed_under(law, 1, 0).yield, 0);
+}
+
+TEST(OBrienJulienFriction, IsTheFrictionSlopeTimesGravity) {
+    const OBrienJulienFriction law{k_gravity, k_density, 120, 30, 2000, 0.05};
+    const BedState bed = bed_under(law);
+    const double s = 3.1, d = k_thickness, gamma = k_density * k_gravity;
+    const double slope = 120 / (gamma * d) + 2000 * 30 * s / (8 * gamma * d * d) +
+                         0.05 * 0.05 * s * s / std::pow(d, 4.0 / 3);
+    EXPECT_NEAR(bed.yield + bed.linear * s + bed.square * s * s, k_gravity * slope, 1e-12);
+}
+
+TEST(PolynomialFriction, SolvesTheImplicitEquation) {
+    const BedState bed{1, 9, 0.7, 1.3, 0.02, 0};
+    for (const double s0 : {0.1, 1.0, 30.0}) {
+        const double dt = 0.1, s1 = speed_after_friction(bed, 0, NoExcess{}, s0, dt);
+        EXPECT_NEAR(s1 + dt * (0.7 + 1.3 * s1 + 0.02 * s1 * s1), s0, 1e-14 * s0);
+    }
+    EXPECT_EQ(speed_after_friction(bed, 0, NoExcess{}, 0.069, 0.1), 0);
+}
+
+// Fluids in steady simple shear: the profile of du/dz = ((tau_B (1 - z/d) - tau_Y) / K)^(1/m), integrated twice over
+// the depth by Simpson's rule, is the mean speed.
+double mean_speed_by_quadrature(double bed_stress, double yield, double consistency, double index, double depth) {
+    const int n = 20000;
+    const double sheared = depth * (1 - yield / bed_stress), dz = sheared / n;
+    // mean = 1/d int_0^d u dz = 1/d int_0^d (d - z) u'(z) dz
+    double sum = 0;
+    for (int i = 0; i <= n; ++i) {
+        const double z = i * dz, excess = std::max(0.0, bed_stress * (1 - z / depth) - yield);
+        sum += (i == 0 || i == n ? 1 : i % 2 ? 4 : 2) * (depth - z) * std::pow(excess / consistency, 1 / index);
+    }
+    return sum * dz / 3 / depth;
+}
+
+TEST(HerschelBulkley, MeanSpeedIsTheIntegralOfTheProfile) {
+    for (const double index : {0.4, 0.8, 1.0, 1.5}) {
+        const HerschelBulkleyExcess law{k_density, 200, 60, index};
+        const double exact = mean_speed_by_quadrature(650, 200, 60, index, k_thickness);
+        // Simpson's rule at the end of the sheared layer, where the profile's slope goes like a power.
+        EXPECT_NEAR(law.speed(450, k_thickness), exact, 1e-6 * exact) << index;
+    }
+}
+
+TEST(HerschelBulkley, WithIndexOneIsTheCubicOfBingham) {
+    const double yield = 300, viscosity = 40;
+    const HerschelBulkleyExcess law{k_density, yield, viscosity, 1};
+    const BedState bed = bed_under(law);
+    for (const double s0 : {0.2, 1.0, 5.0, 40.0}) {
+        double s = 0;
+        const double met = resistance_met(bed, law, s0, 0.02, &s) * k_density * k_thickness;
+        ASSERT_GT(s, 0);
+        const double zeta = ExactYieldRatio{}(6 * viscosity * s / (yield * k_thickness));
+        // (s0 - s) / dt loses digits where friction takes little.
+        EXPECT_NEAR(met, yield / zeta, 1e-10 * s0 / 0.02 * k_density * k_thickness + 1e-9 * met) << s0;
+    }
+}
+
+TEST(HerschelBulkley, WithoutYieldIsNewtonsFilm) {
+    const HerschelBulkleyExcess law{k_density, 0, 25, 1};
+    EXPECT_NEAR(law.speed(500, k_thickness), 500 * k_thickness / (3 * 25), 1e-12);
+}
+
+TEST(BinghamQuadratic, IsThePapersRoot) {
+    const double yield = 300, viscosity = 40;
+    const BinghamQuadraticExcess law{k_density, yield, viscosity};
+    EXPECT_NEAR(law.bound(), yield / 0.9510, 1e-3 * yield);
+    for (const double x : {1.0, 50.0, 900.0}) {
+        const double s = law.speed(x, k_thickness);
+        const double zeta = QuadraticYieldRatio{}(6 * viscosity * s / (yield * k_thickness));
+        EXPECT_NEAR(yield / zeta, law.bound() + x, 1e-10 * (law.bound() + x));
+    }
+}
+
+TEST(PouliquenForterre, GoesFromSlowToFastFriction) {
+    PouliquenForterreExcess law{{0.38}, 0.64};
+    law.length = 0.8;
+    const BedState bed = bed_under(law);
+    EXPECT_DOUBLE_EQ(bed.yield, 0.38 * k_normal);
+    for (const double s0 : {0.5, 4.0, 200.0}) {
+        double s = 0;
+        const double met = resistance_met(bed, law, s0, 0.02, &s);
+        const double froude = s / std::sqrt(k_normal * k_thickness);
+        const double mu = 0.38 + (0.64 - 0.38) / (1 + 0.136 * k_thickness / (0.8 * froude));
+        EXPECT_NEAR(met, mu * k_normal, 1e-11 * s0 / 0.02);
+    }
+    // Thin: all fast friction.
+    const BedState thin = bed_under(law, 1e-6);
+    double s = 0;
+    EXPECT_NEAR(resistance_met(thin, law, 4, 0.02, &s), 0.64 * k_normal, 1e-5);
+}
+
+template <class Law>
+class AnyExcess : public testing::Test {};
+using Excesses = testing::Types<HerschelBulkleyExcess, BinghamQuadraticExcess, PouliquenForterreExcess>;
+TYPED_TEST_SUITE(AnyExcess, Excesses);
+
+TYPED_TEST(AnyExcess, StopsAndNeverReversesAndIsFinite) {
+    const TypeParam law{};
+    for (const double d : {1e-9, 1e-3, 1.0, 50.0}) {
+        BedState bed = bed_under(law, d);
+        bed.linear = 0.1;
+        bed.square = 0.01 / d;
+        for (const double s0 : {0.0, 1e-12, 1e-3, 0.5, 10.0, 1e3}) {
+            for (const double dt : {1e-4, 0.1, 10.0}) {
+                const double s = speed_after_friction(bed, 0, law, s0, dt);
+                EXPECT_GE(s, 0) << d << ' ' << s0 << ' ' << dt;
+                EXPECT_LE(s, s0) << d << ' ' << s0 << ' ' << dt;
+                if (dt * bed.yield >= s0) {
+                    EXPECT_EQ(s, 0);
+                }
+            }
+        }
+    }
+    BedState dry{0, 9, 0, 0, 0, 0};
+    EXPECT_EQ(speed_after_friction(dry, 0, law, 5, 0.1), 0);
+}
+
+TEST(PorePressure, DissipatesExponentially) {
+    const PorePressure pore{0.6, 20};
+    EXPECT_DOUBLE_EQ(pore.ratio(0), 0.6);
+    EXPECT_NEAR(pore.ratio(20 * std::log(2)), 0.3, 1e-15);
+    EXPECT_EQ((PorePressure{0.6, std::numeric_limits<double>::infinity()}.ratio(1e6)), 0.6);
+}
+
+}  // namespace
+}  // namespace frana

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every law of bed friction as a scene chooses it: a wide slab in a frame tilted along the bed must move as a block under
+// that law. Only the slab's middle is looked at: its edges collapse.
+#include <gtest/gtest.h>
+
+#include "cases.h"
+#include "physics/yield_ratio.h"
+
+namespace frana::test {
+namespace {
+
+constexpr double k_along = 3, k_normal = 9, k_density = 2000;
+
+Material material_of(std::vector<BedTerm> terms) {
+    Material material = water();
+    material.density = k_density;
+    material.plane_stress = PlaneStressLaw::none;
+    material.bed_friction = std::move(terms);
+    return material;
+}
+
+// Mean speed of what lies within 5 m of the slab's middle after `time`; the slab, 1 m thick, starts at 10 m < x < 70 m, and
+// the pressure wave from its ends goes 3 m/s. Steps are short, since each law is applied to first order in time.
+double slab_speed(const Material& material, double time, double travelled, const MaterialZones& zones = {},
+                  double side = 0, std::int64_t rows = 4) {
+    const GridSpec grid = bench::plain_grid(120 + static_cast<std::int64_t>(travelled), rows, 1);
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 2, 0, [](Point p) { return bench::Seed{p.x > 10 && p.x < 70 ? 1.0 : 0.0}; });
+    Flow flow(Raster(grid), seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
+              TiltedGravity{k_along, 0, k_normal}, zones);
+    while (flow.time() < time) flow.advance(std::min(0.005, time - flow.time()));
+    double sum = 0;
+    int n = 0;
+    const ParticleSet& p = flow.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (std::abs(p[Field::x][i] - 40 - travelled) > 5) continue;
+        if (side < 0 && p[Field::y][i] > 2) continue;
+        if (side > 0 && p[Field::y][i] < static_cast<double>(rows) - 2) continue;
+        sum += p[Field::u][i];
+        ++n;
+    }
+    return sum / n;
+}
+
+// Speed and way after `time` from rest under ds/dt = k_along - R(s, t), by the classical Runge-Kutta method.
+struct BlockMotion {
+    double speed = 0, way = 0;
+};
+BlockMotion block(const std::function<double(double, double)>& resistance, double time) {
+    BlockMotion m;
+    const int n = 20000;
+    const double dt = time / n;
+    const auto rate = [&](double s, double t) { return k_along - resistance(s, t); };
+    for (int i = 0; i < n; ++i) {
+        const double t = i * dt, s = m.speed;
+        const double a = rate(s, t), b = rate(s + 0.5 * dt * a, t + 0.5 * dt);
+        const double c = rate(s + 0.5 * dt * b, t + 0.5 * dt), d = rate(s + dt * c, t + dt);
+        m.way += dt * (s + dt / 6 * (a + b + c));
+        m.speed += dt / 6 * (a + 2 * b + 2 * c + d);
+    }
+    return m;
+}
+
+// A thousand steps of first order: an error of the order of 1e-3.
+void expect_block(const Material& material, const std::function<double(double, double)>& resistance,
+                  double time = 5) {
+    const BlockMotion exact = block(resistance, time);
+    ASSERT_GT(exact.speed, 0.1);
+    EXPECT_NEAR(slab_speed(material, time, exact.way), exact.speed, 1e-3 * exact.speed);
+}
+
+TEST(BedLaws, Cohesion) {
+    Material m = material_of({BedTerm::coulomb, BedTerm::cohesion});
+    m.friction_coefficient = 0.1;
+    m.cohesion = 1000;
+    expect_block(m, [](double, double) { return 0.1 * k_normal + 1000 / k_density; });
+}
+
+TEST(BedLaws, RammsYield) {
+    Material m = material_of({BedTerm::coulomb, BedTerm::ramms_yield});
+    m.friction_coefficient = 0.1;
+    m.ramms_yield_stress = 1500;
+    const double normal = k_density * k_normal;
+    expect_block(m, [=](double, double) {
+        return 0.1 * k_normal + 0.9 * 1500 * (1 - std::exp(-normal / 1500)) / k_density;
+    });
+}
+
+TEST(BedLaws, Manning) {
+    Material m = material_of({BedTerm::manning});
+    m.manning = 0.1;
+    expect_block(m, [](double s, double) { return k_normal * 0.01 * s * s; });
+}
+
+TEST(BedLaws, Chezy) {
+    Material m = material_of({BedTerm::chezy});
+    m.chezy = 8;
+    expect_block(m, [](double s, double) { return k_normal * s * s / 64; });
+}
+
+TEST(BedLaws, OBrienJulien) {
+    Material m = material_of({BedTerm::obrien_julien});
+    m.yield_stress = 1000;
+    m.viscosity = 20;
+    m.laminar_resistance = 400;
+    m.manning = 0.06;
+    expect_block(m, [](double s, double) {
+        return 1000 / k_density + 400 * 20 * s / (8 * k_density) + k_normal * 0.0036 * s * s;
+    });
+}
+
+TEST(BedLaws, BinghamExactAndQuadratic) {
+    Material m = material_of({BedTerm::bingham});
+    m.yield_stress = 2000;
+    m.viscosity = 400;
+    const auto a = [](double s) { return 6 * 400 * s / 2000; };
+    expect_block(m, [&](double s, double) { return 2000 / (k_density * ExactYieldRatio{}(a(s))); });
+    m.exact_yield_ratio = false;
+    expect_block(m, [&](double s, double) { return 2000 / (k_density * QuadraticYieldRatio{}(a(s))); });
+}
+
+TEST(BedLaws, HerschelBulkley) {
+    Material m = material_of({BedTerm::herschel_bulkley});
+    m.yield_stress = 1000;
+    m.consistency = 1500;
+    m.flow_index = 0.5;
+    // The bed stress at a speed, by bisection of the mean speed's closed form (index 1/2, 1 m thick).
+    const auto speed = [](double x) {
+        const double share = x / (1000 + x);
+        return std::pow(x / 1500, 2) * share / 3 * (1 - share / 4);
+    };
+    expect_block(m, [&](double s, double) {
+        double low = 0, high = 1e5;
+        for (int i = 0; i < 60; ++i) (speed(0.5 * (low + high)) < s ? low : high) = 0.5 * (low + high);
+        return (1000 + low) / k_density;
+    });
+}
+
+TEST(BedLaws, PouliquenForterre) {
+    Material m = material_of({BedTerm::pouliquen_forterre});
+    m.friction_coefficient = 0.2;
+    m.fast_friction_coefficient = 0.6;
+    m.friction_length = 0.5;
+    expect_block(m, [](double s, double) {
+        return k_normal * (s > 0 ? 0.2 + 0.4 / (1 + 0.136 * std::sqrt(k_normal) / (0.5 * s)) : 0.2);
+    });
+}
+
+TEST(BedLaws, PorePressureThatDissipates) {
+    Material m = material_of({BedTerm::coulomb});
+    m.friction_coefficient = 0.3;
+    m.pore_pressure_ratio = 0.8;
+    m.pore_dissipation_time = 4;
+    expect_block(m, [](double, double t) { return 0.3 * k_normal * (1 - 0.8 * std::exp(-t / 4)); });
+}
+
+TEST(BedLaws, SumOfThree) {
+    Material m = material_of({BedTerm::coulomb, BedTerm::turbulence, BedTerm::bingham});
+    m.friction_coefficient = 0.05;
+    m.turbulence = 300;
+    m.yield_stress = 500;
+    m.viscosity = 100;
+    expect_block(m, [](double s, double) {
+        return 0.05 * k_normal + k_normal * s * s / 300 + 500 / (k_density * ExactYieldRatio{}(6 * 100 * s / 500));
+    });
+}
+
+// The strips that are looked at lie 6 m from the zones' border, and in 1 s a pressure wave goes 3 m.
+TEST(BedLaws, ZonesGiveEachPlaceItsOwnFriction) {
+    Material m = material_of({BedTerm::coulomb, BedTerm::turbulence});
+    m.friction_coefficient = 0.1;
+    MaterialZones zones;
+    zones.friction_coefficient = Raster(bench::plain_grid(121, 16, 1), k_no_data);
+    for (std::int64_t c = 0; c < 121; ++c) {
+        for (std::int64_t r = 0; r < 8; ++r) zones.friction_coefficient->at(r, c) = 0.3;  // north
+    }
+    const double slow = (k_along - 0.3 * k_normal), fast = k_along - 0.1 * k_normal;
+    EXPECT_NEAR(slab_speed(m, 1, 1, zones, -1, 16), fast, 1e-3 * fast);
+    EXPECT_NEAR(slab_speed(m, 1, 1, zones, 1, 16), slow, 1e-3 * fast);
+}
+
+TEST(BedLaws, SummedVoellmyIsUniformVoellmy) {
+    Material m = material_of({BedTerm::coulomb, BedTerm::turbulence});
+    m.friction_coefficient = 0.15;
+    m.turbulence = 200;
+    MaterialZones same;
+    same.turbulence = Raster(bench::plain_grid(130, 4, 1), 200);
+    EXPECT_NEAR(slab_speed(m, 3, 10, same), slab_speed(m, 3, 10), 1e-9);
+}
+
+// What yields holds at rest exactly, by its own bound: a cone on a slope, whose driving stress is at most rho g h (slope of
+// the surface, 0.1 + 0.2), 3 m x 0.3 x 2000 x 9.81 = 17.7 kPa at its middle, less everywhere else.
+class HoldsAtRest : public testing::TestWithParam<BedTerm> {};
+
+TEST_P(HoldsAtRest, NotOneBitMoves) {
+    Material m = material_of({GetParam()});
+    m.friction_coefficient = 0.4;
+    m.fast_friction_coefficient = 0.6;
+    m.friction_length = 1;
+    m.cohesion = m.yield_stress = 30000;
+    m.ramms_yield_stress = 60000;  // reaches 22 kPa there
+    m.viscosity = m.consistency = 100;
+    m.flow_index = 0.5;
+    const GridSpec grid = bench::plain_grid(80, 80, 1);
+    const Raster bed = bench::sample_raster(grid, [](Point p) { return (80 - p.x) * 0.2; });
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 2, 0, [](Point p) { return bench::Seed{3 - 0.1 * std::hypot(p.x - 40, p.y - 40)}; });
+    Flow flow(bed, seeds, m, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
+    const std::vector<double> x(flow.particles()[Field::x], flow.particles()[Field::x] + flow.particles().size());
+    flow.advance_to(20);
+    ASSERT_EQ(flow.particles().size(), x.size());
+    EXPECT_EQ(greatest_speed(flow), 0);
+    for (std::size_t i = 0; i < x.size(); ++i) ASSERT_EQ(flow.particles()[Field::x][i], x[i]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, HoldsAtRest,
+                         testing::Values(BedTerm::cohesion, BedTerm::ramms_yield, BedTerm::bingham,
+                                         BedTerm::herschel_bulkley, BedTerm::obrien_julien,
+                                         BedTerm::pouliquen_forterre));
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// The load of the motion over a curved bed: a film too thin for its own pressure to matter moves as a point mass on the
+// surface, whose speed is known exactly.
+#include <gtest/gtest.h>
+
+#include "cases.h"
+#include "mpm/curvature.h"
+
+namespace frana::test {
+namespace {
+
+constexpr double k_gravity = 9.81;
+
+struct Track {
+    double length, cell;
+    std::function<double(double)> bed, slope;
+};
+
+// Means over a film that starts round `start`, 8 m long, right across a walled strip.
+struct Rider {
+    double x = 0, speed = 0;  ///< place; speed along the bed there
+    double map_speed = 0;
+    std::int64_t unsupported = 0;
+};
+
+Rider ride(const Track& track, double start, double speed, double friction, bool curvature, double time) {
+    const GridSpec grid = bench::plain_grid(std::llround(track.length / track.cell), 6, track.cell);
+    const ParticleSet seeds = bench::fill_lattice(grid, 2, 0, [&](Point p) {
+        return bench::Seed{std::abs(p.x - start) < 4 ? 1e-4 : 0, speed, 0};
+    });
+    Numerics how = numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall);
+    how.curvature = curvature;
+    how.minimum_depth = 1e-7;
+    how.cfl = 0.05;  // a film's waves are slow, and its steps would be long
+    Material material = water();
+    material.friction_coefficient = friction;
+    Flow flow(bench::sample_raster(grid, [&](Point p) { return track.bed(p.x); }), seeds, material, how, 1);
+    Rider rider;
+    while (flow.time() < time) rider.unsupported += flow.advance(time - flow.time()).nodes.unsupported;
+    const ParticleSet& p = flow.particles();
+    double volume = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double v = p[Field::volume][i];
+        volume += v;
+        rider.x += v * p[Field::x][i];
+        rider.map_speed += v * p[Field::u][i];
+    }
+    rider.x /= volume;
+    rider.map_speed /= volume;
+    rider.speed = rider.map_speed * std::hypot(1, track.slope(rider.x));
+    return rider;
+}
+
+// A quarter of a hollow cylinder of radius 60 m, from 45 degrees down to the bottom at x = 60 m, then the flat.
+constexpr double k_radius = 60;
+Track arc(double cell) {
+    const auto from_bottom = [](double x) { return std::max(0.0, k_radius - x); };
+    return {80, cell, [=](double x) { return k_radius - std::sqrt(k_radius * k_radius - std::pow(from_bottom(x), 2)); },
+            [=](double x) {
+                const double a = from_bottom(x);
+                return -a / std::sqrt(k_radius * k_radius - a * a);
+            }};
+}
+
+// Speed on the arc at slope angle b of a block that started at rest at a: d(v^2)/db = -2 g R sin b + 2 mu (g R cos b + v^2),
+// v^2 = C exp(2 mu b) + A cos b + B sin b.
+double arc_speed(double mu, double a, double b) {
+    const double m = k_gravity * k_radius / (1 + 4 * mu * mu);
+    const double in_phase = 2 * m * (1 - 2 * mu * mu), off_phase = 6 * mu * m;
+    const auto particular = [&](double angle) { return in_phase * std::cos(angle) + off_phase * std::sin(angle); };
+    return std::sqrt(particular(b) - particular(a) * std::exp(2 * mu * (b - a)));
+}
+
+class CircularArc : public testing::TestWithParam<double> {};
+
+TEST_P(CircularArc, SpeedIsExact) {
+    const double mu = GetParam(), start = 20;
+    double error[2];
+    for (int level = 0; level < 2; ++level) {
+        const Track track = arc(level == 0 ? 1 : 0.5);
+        const Rider rider = ride(track, start, 0, mu, true, 3.5);
+        ASSERT_GT(rider.x, start + 15);
+        const double a = std::asin((k_radius - start) / k_radius), b = std::asin((k_radius - rider.x) / k_radius);
+        error[level] = std::abs(rider.speed / arc_speed(mu, a, b) - 1);
+    }
+    // First order in step and cell; cells of 0.25 m and this length: 1e-4 without friction.
+    EXPECT_LT(error[0], 4e-3);
+    EXPECT_LT(error[1], 2e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Friction, CircularArc, testing::Values(0.0, 0.2));
+
+TEST(CircularArc, WithoutCurvatureFrictionIsTooLittleAndEnergyIsLost) {
+    const Rider rider = ride(arc(0.5), 20, 0, 0, false, 3.5);
+    const double fall = arc(0.5).bed(20) - arc(0.5).bed(rider.x);
+    EXPECT_LT(rider.speed, 0.97 * std::sqrt(2 * k_gravity * fall));
+}
+
+// A ridge Z = -x^2 / (2 R) round x = 40 m: v.K.v = -u^2 / R in map view, whatever the slope.
+Track ridge(double radius) {
+    return {80, 0.5, [=](double x) { return -(x - 40) * (x - 40) / (2 * radius); },
+            [=](double x) { return -(x - 40) / radius; }};
+}
+
+TEST(Bump, FasterThanGravityBendsItsPathItFliesWithoutFriction) {
+    // 25 m/s over a radius of 40 m: u^2 / R = 15.6 m/s2 exceeds g.
+    const Rider rider = ride(ridge(40), 25, 25, 0.5, true, 1);
+    EXPECT_NEAR(rider.map_speed, 25, 1e-3);  // the film's own pressure: g h t over a metre
+    EXPECT_GT(rider.unsupported, 0);
+}
+
+TEST(Bump, SlowerItPressesLess) {
+    // The crest itself, where the slope vanishes: du/dt = -mu (g - u^2 / R) over a time in which it moves 1.2 m.
+    const double radius = 40, u = 12, mu = 0.5, time = 0.1;
+    const Rider with = ride(ridge(radius), 40 - 0.5 * u * time, u, mu, true, time);
+    const Rider without = ride(ridge(radius), 40 - 0.5 * u * time, u, mu, false, time);
+    EXPECT_EQ(with.unsupported, 0);
+    EXPECT_NEAR(u - with.map_speed, mu * (k_gravity - u * u / radius) * time, 0.02 * mu * k_gravity * time);
+    EXPECT_NEAR(u - without.map_speed, mu * k_gravity * time, 0.02 * mu * k_gravity * time);
+}
+
+// On a plane the curvature is nothing to rounding, and a quadric's is exact.
+TEST(CurvatureLoad, IsExactOnQuadrics) {
+    const GridSpec grid = bench::plain_grid(9, 9, 2);
+    const NodeGrid nodes(bench::sample_raster(grid, [](Point p) {
+        return 3 * p.x - 2 * p.y + 0.05 * p.x * p.x + 0.02 * p.x * p.y - 0.03 * p.y * p.y;
+    }));
+    EXPECT_NEAR(curvature_load(nodes, nodes.index(4, 4), 4 + k_ghost, 4 + k_ghost, 7, -3),
+                49 * 0.1 + 2 * 7 * -3 * 0.02 - 9 * 0.06, 1e-12);
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Laws of friction, stress, erosion and deposition: which keys they need, which contradict them, what is echoed.
+#include <algorithm>
+
+#include "params/law_names.h"
+#include "params/materials.h"
+#include "params/write_scene.h"
+#include "scene_fixture.h"
+
+namespace frana {
+namespace {
+
+const std::string k_ground = "[terrain]\ndtm = dtm.tif\n[release]\nperimeter = area.shp\nthickness = 2\n";
+
+struct LawCase {
+    std::string name, lines;
+    std::vector<std::string> said;  ///< none: the scene is accepted
+};
+
+void PrintTo(const LawCase& tested, std::ostream* out) {
+    *out << tested.name;
+}
+
+class LawKeys : public SceneFixture, public testing::WithParamInterface<LawCase> {};
+
+TEST_P(LawKeys, AreCheckedTogether) {
+    const std::string said = messages(k_ground + GetParam().lines);
+    if (GetParam().said.empty()) {
+        EXPECT_EQ(said, "");
+    }
+    for (const std::string& words : GetParam().said)
+        EXPECT_NE(said.find(words), std::string::npos) << "no \"" << words << "\" in: " << said;
+    EXPECT_LE(std::count(said.begin(), said.end(), '\n'), 1) << "one fault, one message: " << said;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, LawKeys,
+    testing::Values(
+        LawCase{"voellmy", "[material]\nfriction-angle = 20\nturbulence = 300\n", {}},
+        LawCase{"no_friction", "[material]\ndensity = 2000\n", {"no bed friction is given"}},
+        LawCase{"cohesion_without_value", "[material]\nfriction-angle = 20\nbed-friction = voellmy, cohesion\n",
+                {"material.cohesion: is missing", "bed-friction = cohesion"}},
+        LawCase{"cohesion", "[material]\nfriction-angle = 20\ncohesion = 500\nbed-friction = voellmy, cohesion\n", {}},
+        LawCase{"cohesion_unread", "[material]\nfriction-angle = 20\ncohesion = 500\n",
+                {"material.cohesion: is given, but no law", "set material.bed-friction = cohesion"}},
+        LawCase{"unknown_law", "[material]\nfriction-angle = 20\nbed-friction = voellmi\n", {"'voellmi' is not known"}},
+        LawCase{"bingham", "[material]\nbed-friction = bingham\nviscosity = 50\nyield-stress = 200\n", {}},
+        LawCase{"bingham_without_viscosity", "[material]\nbed-friction = bingham\nyield-stress = 200\n",
+                {"material.viscosity: must be greater than 0"}},
+        LawCase{"two_fluids",
+                "[material]\nbed-friction = bingham, obrien-julien\nviscosity = 50\nyield-stress = 200\n",
+                {"names two laws for one thing"}},
+        LawCase{"friction_unread", "[material]\nbed-friction = manning\nmanning = 0.05\nfriction-angle = 20\n",
+                {"material.friction-angle: is given, but no law"}},
+        LawCase{"negative_manning", "[material]\nbed-friction = manning\nmanning = -0.05\n",
+                {"material.manning: is out of range", "-0.05"}},
+        LawCase{"yield_unread",
+                "[material]\nfriction-angle = 20\nyield-stress = 100\nin-plane-stress = none\n",
+                {"material.yield-stress: is given, but no law"}},
+        LawCase{"earth_pressure",
+                "[material]\nfriction-angle = 20\nin-plane-stress = earth-pressure\ninternal-friction-angle = 30\n", {}},
+        LawCase{"earth_pressure_too_smooth",
+                "[material]\nfriction-angle = 35\nin-plane-stress = earth-pressure\ninternal-friction-angle = 30\n",
+                {"material.internal-friction-angle: is less than the friction angle of the bed", "at least 35"}},
+        LawCase{"dissipation_without_pressure", "[material]\nfriction-angle = 35\npore-dissipation-time = 30\n",
+                {"pore-dissipation-time: is given without a pore pressure"}},
+        LawCase{"erosion_without_layer", "[material]\nfriction-angle = 20\n[entrainment]\nerosion = shear-stress\n",
+                {"entrainment.erodible-depth: is missing"}},
+        LawCase{"erodible_below_zero",
+                "[material]\nfriction-angle = 20\n[entrainment]\nerosion = shear-stress\nerodible-depth = -1\n",
+                {"entrainment.erodible-depth: is out of range", "-1", "0 to 1000"}},
+        LawCase{"growth_rate_of_another_law",
+                "[material]\nfriction-angle = 20\n[entrainment]\nerosion = shear-stress\nerodible-depth = 1\n"
+                "growth-rate = 0.01\n",
+                {"entrainment.growth-rate: is given, but no law", "entrainment.erosion = growth"}},
+        LawCase{"deposition_without_rate",
+                "[material]\nfriction-angle = 20\n[entrainment]\ndeposition = on\ndeposition-shear = 500\n",
+                {"entrainment.deposition-rate: is missing"}},
+        LawCase{"curvature_in_the_gentle_form",
+                "[material]\nfriction-angle = 20\n[numerics]\ncurvature = on\nslope-correction = none\n",
+                {"numerics.curvature: needs a slope correction"}}),
+    [](const auto& tested) { return tested.param.name; });
+
+using Laws = SceneFixture;
+
+TEST_F(Laws, VoellmyIsTakenApartAndNothingIsCountedTwice) {
+    MaterialSpec material;
+    material.bed_friction = {"voellmy", "coulomb", "cohesion"};
+    EXPECT_EQ(bed_friction_terms(material), (std::vector<std::string>{"coulomb", "turbulence", "cohesion"}));
+}
+
+TEST_F(Laws, StressInThePlaneGivesWayToTheBed) {
+    MaterialSpec material;
+    EXPECT_EQ(in_plane_stress(material), "none");
+    material.viscosity = 50;
+    EXPECT_EQ(in_plane_stress(material), "bingham");
+    material.bed_friction = {"bingham"};
+    EXPECT_EQ(in_plane_stress(material), "none");
+}
+
+// A preset with Voellmy values, a scene with another law: the preset's friction is forgotten, the echo can be run.
+TEST_F(Laws, AnotherLawThanThePresetsForgetsItsFriction) {
+    const SceneReading reading = read(
+        k_ground + "[material]\npreset = rock-avalanche\nbed-friction = manning\nmanning = 0.06\n");
+    EXPECT_TRUE(reading.problems.empty()) << (reading.problems.empty() ? "" : describe(reading.problems.list()[0]));
+    EXPECT_FALSE(reading.scene.material.friction_coefficient);
+    EXPECT_FALSE(reading.scene.material.turbulence);
+    EXPECT_EQ(messages(scene_text(reading.scene, {})), "");
+}
+
+TEST_F(Laws, EchoOfEveryPresetIsAScene) {
+    for (const MaterialPreset& preset : material_presets(FRANA_SOURCE_SHARE "/materials")) {
+        const SceneReading reading = read(k_ground + "[material]\npreset = " + preset.name + "\n");
+        EXPECT_TRUE(reading.problems.empty())
+            << preset.name << ": " << (reading.problems.empty() ? "" : describe(reading.problems.list()[0]));
+        EXPECT_EQ(messages(scene_text(reading.scene, {})), "") << preset.name;
+    }
+}
+
+}  // namespace
+}  // namespace frana
