@@ -26,6 +26,8 @@ class RasterWarp {
 
   private:
     struct Strip;
+    /// The source's cell at a place in its CRS; longitudes counted the way the source counts them.
+    [[nodiscard]] Point source_cell(Point map) const noexcept;
     [[nodiscard]] Window source_window(const GridSpec& strip, Point scale) const;
     void fill_strip(const GridSpec& strip, Point scale, double* values) const;
 

@@ -92,6 +92,29 @@ OGRLayer& choose_layer(GDALDataset& dataset, const Source& source) {
     return *found;
 }
 
+std::string attribute_names(OGRLayer& layer) {
+    std::string names;
+    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
+    for (int i = 0; i < fields.GetFieldCount(); ++i)
+        names += (names.empty() ? "" : ", ") + std::string(fields.GetFieldDefn(i)->GetNameRef());
+    return names.empty() ? "it has none" : names;
+}
+
+void filter(OGRLayer& layer, const Source& source, const std::string& condition) {
+    const GdalSession session;
+    // Some drivers see a fault only when the first feature is asked for.
+    if (layer.SetAttributeFilter(condition.c_str()) == OGRERR_NONE) {
+        const OGRFeatureUniquePtr first(layer.GetNextFeature());
+        if (first) return;
+    }
+    if (session.failed()) {
+        throw fault(source, "the filter is not understood: " + session.last_message(), condition,
+                    "A condition as in SQL on its attributes: " + attribute_names(layer));
+    }
+    throw fault(source, "no feature satisfies the filter", condition,
+                "Its attributes: " + attribute_names(layer));
+}
+
 std::string crs_of(OGRLayer& layer) {
     const OGRSpatialReference* crs = layer.GetSpatialRef();
     if (!crs || !(crs->IsProjected() || crs->IsGeographic() || crs->IsCompound())) return {};
@@ -221,15 +244,17 @@ void warn_of_overlaps(const std::vector<PolygonFeature>& features, const Source&
 }  // namespace
 
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt,
-                           const std::string& where) {
+                           const std::string& where, const LayerChoice& choice) {
     const GdalSession session;
-    const Source source = split(path, where);
+    Source source = split(path, where);
+    if (!choice.name.empty()) source.layer = choice.name;
     const GDALDatasetUniquePtr dataset = open(source);
     OGRLayer& layer = choose_layer(*dataset, source);
-    const std::string crs = crs_of(layer);
+    if (!choice.filter.empty()) filter(layer, source, choice.filter);
+    const std::string crs = choice.crs.empty() ? crs_of(layer) : choice.crs;
     if (crs.empty() && !target_crs_wkt.empty()) {
         throw fault(source, "the file names no coordinate reference system", "",
-                    "Add a .prj file (or assign one: ogr2ogr -a_srs EPSG:...), or use terrain.crs = local "
+                    "Say which one it is in (perimeter-crs = EPSG:...), add a .prj file, or use terrain.crs = local "
                     "throughout");
     }
     PolygonLayer read;

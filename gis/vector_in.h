@@ -18,12 +18,19 @@ struct PolygonLayer {
     std::vector<std::string> warnings;
 };
 
+/// What to read of a vector file; an empty text leaves the choice to the file.
+struct LayerChoice {
+    std::string name;    ///< of the layer; empty: the only one with areas
+    std::string filter;  ///< SQL condition on the attributes ("kind = 'release'")
+    std::string crs;     ///< WKT, instead of the file's own
+};
+
 /// Every polygon of a vector layer in the target CRS (empty: coordinates as they are). `path` may name a
 /// layer: "file.gpkg|layer=release". Curves become straight pieces, heights are dropped, closed lines count
 /// as polygons, long edges are bent as the projection bends them (to 1 mm). An outline that touches itself is
 /// repaired with a warning; one that crosses itself is refused with the place. `where` names the key. Throws
 /// Error(input) with every feature's problem: missing file, no CRS, empty layer, no polygon, crossing.
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt,
-                           const std::string& where);
+                           const std::string& where, const LayerChoice& choice = {});
 
 }  // namespace frana::gis

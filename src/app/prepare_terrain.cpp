@@ -6,8 +6,10 @@
 
 #include "analysis/trace.h"
 #include "app/number_text.h"
+#include "app/transform_report.h"
 #include "core/json.h"
 #include "gis/crs.h"
+#include "gis/map_scale.h"
 #include "gis/working_grid.h"
 
 namespace frana::app {
@@ -108,8 +110,14 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     const GridSpec grid = gis::working_grid(input.file, crs, spec.bounds, spec.cell_size);
     check_size(reading, grid);
     gis::RasterRead read = gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "",
-                                               resampling_of(spec.resampling), spec.vertical_unit);
+                                               resampling_of(spec.resampling), spec.vertical_unit,
+                                               spec.nodata_value);
     for (const std::string& warning : read.warnings) log.warn("DTM: " + warning);
+    if (read.zero_rim_cells > 0) {
+        log.warn("DTM: " + grouped(read.zero_rim_cells) +
+                 " cells hold 0 and stand like walls against their neighbours; they were read as elevations. "
+                 "If they are no data, set terrain.nodata-value = 0");
+    }
     input.terrain = std::move(read.raster);
     input.resampling_used = read.resampling_used;
     input.transform = read.transform;
@@ -135,10 +143,7 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
         log.note("elevations taken in the unit asked for: " + reading.scene.terrain.vertical_unit);
     else if (input.file.vertical_scale_to_metres != 1)
         log.note("elevations converted from " + input.file.vertical_unit + " to metres");
-    if (input.transform.needs_missing_grid)
-        log.warn(
-            "DTM: the most accurate datum transformation needs a grid file that is not installed; used " +
-            input.transform.operation);
+    report_transform("DTM", input.transform, grid.cell_size, log);
     if (input.nodata_cells > 0) {
         const std::string cells =
             grouped(input.nodata_cells) + " cells of the working grid have no elevation";

@@ -61,7 +61,7 @@ std::optional<double> thickness_volume(const ReleaseInput& release, const GridSp
     const gis::RasterInfo& file = release.thickness_files.front();
     const std::optional<GridSpec> grid = own_grid(file, working_grid);
     if (!grid) return std::nullopt;
-    const Raster own = gis::read_raster_on(file.path, *grid, "", gis::Resampling::nearest).raster;
+    const Raster own = gis::read_raster_on(file.path, *grid, grid->crs_wkt, gis::Resampling::nearest).raster;
     return volume_inside(own, area.outline);
 }
 

@@ -28,8 +28,4 @@ struct SceneReading {
 SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides,
                         const std::string& materials_directory);
 
-/// A path as a scene file means it: absolute ones, GDAL's virtual files (/vsi...) and connection strings
-/// (PG:...) stay, others count from `directory`. A "|layer=NAME" at the end is kept.
-std::string absolute_path(const std::string& path, const std::string& directory);
-
 }  // namespace frana

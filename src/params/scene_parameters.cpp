@@ -2,6 +2,7 @@
 #include "params/scene_parameters.h"
 
 #include "params/declare.h"
+#include "params/input_parameters.h"
 
 namespace frana {
 namespace {
@@ -316,6 +317,7 @@ std::vector<Parameter> scene_parameters() {
     add_material(list);
     add_numerics(list);
     add_rest(list);
+    add_input_parameters(list);
     return list;
 }
 
