@@ -18,6 +18,7 @@ namespace {
 constexpr double k_same_place_cells = 1e-3;
 // A source up to this much finer than the grid is interpolated: an average over about one cell only blurs.
 constexpr double k_average_from = 1.25;
+constexpr int k_cells_at_once = 4'000'000;
 // Ground that rises by two cells from one cell to the next (63 degrees) is a wall.
 constexpr double k_wall_cells = 2;
 
@@ -50,11 +51,18 @@ void copy_cells(const RasterSource& source, Point corner, double unit, Raster& t
                         static_cast<int>(std::min(source.info().columns, c0 + grid.columns) - first_column),
                         static_cast<int>(std::min(source.info().rows, r0 + grid.rows) - first_row)};
     if (window.empty()) return;
-    const std::vector<double> values = source.read(window, unit);
-    for (std::int64_t row = 0; row < window.rows; ++row) {
-        const std::int64_t down = window.row - r0 + row, to = from_south ? grid.rows - 1 - down : down;
-        std::copy_n(values.begin() + row * window.columns, window.columns,
-                    target.values.begin() + static_cast<std::ptrdiff_t>(target.index(to, window.column - c0)));
+    const int rows_at_once = std::max(1, k_cells_at_once / window.columns);
+    for (int start = 0; start < window.rows; start += rows_at_once) {
+        const int rows = std::min(rows_at_once, window.rows - start);
+        const std::vector<double> values =
+            source.read({window.column, window.row + start, window.columns, rows}, unit);
+        for (int row = 0; row < rows; ++row) {
+            const std::int64_t down = window.row + start + row - r0;
+            const std::int64_t to = from_south ? grid.rows - 1 - down : down;
+            std::copy_n(
+                values.begin() + static_cast<std::int64_t>(row) * window.columns, window.columns,
+                target.values.begin() + static_cast<std::ptrdiff_t>(target.index(to, window.column - c0)));
+        }
     }
 }
 

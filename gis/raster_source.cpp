@@ -130,14 +130,14 @@ Point RasterSource::cell_from_map(Point map) const noexcept {
     return at(inverse_, map);
 }
 
-std::vector<double> RasterSource::read(const Window& w, double unit) const {
+std::vector<double> RasterSource::read_stored(const Window& w, int columns, int rows) const {
     const GdalSession session;
-    const std::size_t count = static_cast<std::size_t>(w.columns) * static_cast<std::size_t>(w.rows);
+    const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
     std::vector<double> values(count);
     std::vector<std::uint8_t> valid(count);
     const auto fetch = [&](GDALRasterBandH band, void* into, GDALDataType type) {
-        return GDALRasterIO(band, GF_Read, w.column, w.row, w.columns, w.rows, into, w.columns, w.rows, type,
-                            0, 0);
+        return GDALRasterIO(band, GF_Read, w.column, w.row, w.columns, w.rows, into, columns, rows, type, 0,
+                            0);
     };
     if (fetch(band_, values.data(), GDT_Float64) != CE_None ||
         fetch(GDALGetMaskBand(band_), valid.data(), GDT_Byte) != CE_None) {
@@ -149,7 +149,19 @@ std::vector<double> RasterSource::read(const Window& w, double unit) const {
     for (std::size_t i = 0; i < count; ++i) {
         if (valid[i] == 0 || !std::isfinite(values[i]) || declared(values[i])) values[i] = k_no_data;
     }
-    suspicion_.look_at(values, w.columns);
+    return values;
+}
+
+std::vector<double> RasterSource::read(const Window& window, double unit) const {
+    std::vector<double> values = read_stored(window, window.columns, window.rows);
+    suspicion_.look_at(values, window.columns);
+    for (double& value : values) value = (value * scale_ + offset_) * unit;
+    return values;
+}
+
+std::vector<double> RasterSource::read_coarse(const Window& window, int columns, int rows,
+                                              double unit) const {
+    std::vector<double> values = read_stored(window, columns, rows);
     for (double& value : values) value = (value * scale_ + offset_) * unit;
     return values;
 }

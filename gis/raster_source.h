@@ -41,6 +41,10 @@ class RasterSource {
     /// data. Throws Error(input) when the file cannot be read there.
     [[nodiscard]] std::vector<double> read(const Window& window, double unit) const;
 
+    /// The same at so many columns and rows, each value that of one cell somewhere in its part of the window.
+    [[nodiscard]] std::vector<double> read_coarse(const Window& window, int columns, int rows,
+                                                  double unit) const;
+
     /// One more stored value that means "no data", whatever the file says.
     void declare_nodata(double stored) noexcept { declared_ = stored; }
     /// A warning when what was read holds customary "no data" that the file does not declare, else nothing.
@@ -49,6 +53,9 @@ class RasterSource {
     [[nodiscard]] std::int64_t zero_rim(double steep, double unit) const;
 
   private:
+    /// As stored; NaN where there is no data.
+    [[nodiscard]] std::vector<double> read_stored(const Window& window, int columns, int rows) const;
+
     RasterInfo info_;
     GdalDataset dataset_;
     GDALRasterBandH band_ = nullptr;

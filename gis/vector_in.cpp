@@ -259,6 +259,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     }
     PolygonLayer read;
     read.layer_name = layer.GetName();
+    read.crs_wkt = crs;
     read.crs_label = crs.empty() ? "none" : crs_name(crs);
     read.features = read_features(layer, source, read.warnings);
     if (session.failed())
@@ -271,6 +272,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     }
     const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt, own);
     read.transform = transform.info();
+    read.own_bounds = own;
     const double tolerance =
         is_projected_in_metres(target_crs_wkt) ? k_bend_tolerance : k_bend_tolerance_degrees;
     try {

@@ -11,10 +11,12 @@ namespace frana::gis {
 
 struct PolygonLayer {
     std::vector<PolygonFeature> features;  ///< in the target CRS
+    std::string crs_wkt;                   ///< of the file; empty: none
     std::string crs_label;                 ///< of the file, for people
     std::string layer_name;
     TransformInfo transform;
-    Bounds bounds;  ///< in the target CRS
+    Bounds bounds;      ///< in the target CRS
+    Bounds own_bounds;  ///< in the file's
     std::vector<std::string> warnings;
 };
 

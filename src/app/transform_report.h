@@ -8,9 +8,9 @@
 
 namespace frana::app {
 
-/// "none needed", "Inverse of Italy zone 1 + ..., accuracy 4 m".
+/// "none", or PROJ's name: "Inverse of Italy zone 1 + ...".
 std::string transform_text(const gis::TransformInfo& transform);
-/// "exact", "4 m", "unknown".
+/// Stated by the register: "exact" (formulas alone), "4 m", "unknown".
 std::string accuracy_text(const gis::TransformInfo& transform);
 
 /// Notes how an input ("DTM", "perimeter") came into the working CRS, and warns where its place is less sure
