@@ -192,6 +192,23 @@ bool plausible(const std::string& crs, const Bounds& box) {
     return box.west >= -360 && box.east <= 360 && box.south >= -90.000001 && box.north <= 90.000001;
 }
 
+/// An edge longer than half a turn of longitude crosses the antimeridian; drawn as it is, it would enclose the
+/// rest of the Earth.
+std::optional<std::string> long_way_round(const std::vector<PolygonFeature>& features, double turn) {
+    if (turn == 0) return std::nullopt;
+    for (const PolygonFeature& feature : features) {
+        for (const Polygon& part : feature.parts) {
+            for (std::size_t i = 0; i < part.outer.size(); ++i) {
+                const Point a = part.outer[i], b = part.outer[(i + 1) % part.outer.size()];
+                if (std::abs(a.x - b.x) > turn / 2)
+                    return "from " + shortest_text(a.x) + ", " + shortest_text(a.y) + " to " + shortest_text(b.x) +
+                           ", " + shortest_text(b.y);
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 Bounds bounds_of(const std::vector<PolygonFeature>& features) {
     MultiPolygon all;
     for (const PolygonFeature& feature : features) {
@@ -247,6 +264,10 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
                            const std::string& where, const LayerChoice& choice) {
     const GdalSession session;
     Source source = split(path, where);
+    if (!choice.name.empty() && !source.layer.empty() && source.layer != choice.name) {
+        throw fault(source, "two layers are named", source.layer + ", " + choice.name,
+                    "Keep \"|layer=\" in the path or the key, not both");
+    }
     if (!choice.name.empty()) source.layer = choice.name;
     const GDALDatasetUniquePtr dataset = open(source);
     OGRLayer& layer = choose_layer(*dataset, source);
@@ -269,6 +290,10 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
         throw fault(source, "the coordinates are no degrees though the file's CRS is in degrees",
                     shortest_text(own.west) + ", " + shortest_text(own.south),
                     "Correct the .prj: " + read.crs_label);
+    }
+    if (const auto place = long_way_round(read.features, target_crs_wkt.empty() ? 0 : longitude_turn(crs))) {
+        throw fault(source, "an edge goes round the Earth the long way", *place,
+                    "Split the outline at the antimeridian, or count its longitudes on beyond 180");
     }
     const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt, own);
     read.transform = transform.info();

@@ -10,9 +10,12 @@
 namespace frana::app {
 namespace {
 
-constexpr double k_trial_seconds = 1;  // wall, each
+constexpr double k_trial_seconds = 1.5;  // wall, each
 // With fewer cells across, a release flows unlike itself.
-constexpr double k_least_cells = 16;
+constexpr double k_least_cells = 9;
+// Smaller cells let thin fronts spread farther: particle steps scaled to the same cells, per halving, in the
+// sample and the shared examples.
+constexpr double k_usual_growth = 1.3;
 
 /// What a run on larger cells took, scaled to the scene's own: particles go with the square of the cells, steps
 /// with their side.
@@ -55,19 +58,23 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     const int factor = large ? 4 : 2;
     const Trial coarse = try_coarse(reading, grid, 2 * factor, threads);
     const Trial fine = try_coarse(reading, grid, factor, threads);
-    // Smaller cells let thin fronts spread farther: what one halving added, the others will add about again.
-    const double growth = std::clamp(fine.particle_steps / coarse.particle_steps, 0.8, 2.0);
+    // Of the two the one that came to its end; how much a halving of the cells adds is known from both.
+    const bool both = !fine.cut_short && !coarse.cut_short;
+    const bool use_fine = both || coarse.cut_short;
+    const Trial& base = use_fine ? fine : coarse;
+    const double growth =
+        both ? std::clamp(fine.particle_steps / coarse.particle_steps, 0.8, 2.0) : k_usual_growth;
     const double more = std::clamp(fine.particles_peak / coarse.particles_peak, 1.0, 2.0);
+    TimeEstimate estimate;
+    estimate.coarsening = use_fine ? factor : 2 * factor;
+    estimate.trial_end = base.reached;
+    estimate.cut_short = base.cut_short;
     // Of few particles each is dear (the trial), and so are the first steps (the scene itself).
     const double start_cost = start.wall_seconds * start.first_step_seconds / reading.scene.time.end /
                               static_cast<double>(start.particles);
-    TimeEstimate estimate;
-    estimate.coarsening = factor;
-    estimate.trial_end = fine.reached;
-    estimate.cut_short = fine.cut_short;
-    estimate.engine_seconds = fine.particle_steps * (large ? growth * growth : growth) *
+    estimate.engine_seconds = base.particle_steps * std::pow(growth, std::log2(estimate.coarsening)) *
                               std::min(start_cost, fine.seconds_per_particle_step);
-    estimate.particles_peak = std::max(start.particles, static_cast<std::int64_t>(fine.particles_peak * more));
+    estimate.particles_peak = std::max(start.particles, static_cast<std::int64_t>(base.particles_peak * more));
     if (!std::isfinite(estimate.engine_seconds)) return std::nullopt;
     return estimate;
 } catch (const Error&) {

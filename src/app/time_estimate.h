@@ -18,7 +18,7 @@ struct TimeEstimate {
     bool cut_short = false;      ///< the trial was stopped before its end, the rest is extrapolated
 };
 
-/// Runs the scene on cells four and eight times as large (two and four for a small release), for a second of
+/// Runs the scene on cells four and eight times as large (two and four for a small release), for a second and a half of
 /// wall time each at most, and carries on from there to its own. Splitting, speeds and coming to rest are those
 /// of the trials: the particle steps of the sample and the shared examples come out within a factor of two.
 /// None where the scene cannot be had on larger cells. `start`: the engine's own look at the first steps.
