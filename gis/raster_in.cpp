@@ -147,9 +147,10 @@ void read_onto(const RasterSource& source, const std::string& source_crs, Resamp
 
 RasterRead read_raster_on(const std::string& path, const GridSpec& target,
                           const std::string& source_crs_override, Resampling resampling,
-                          const std::string& vertical_unit, std::optional<double> nodata_value) {
+                          const std::string& vertical_unit, std::optional<double> nodata_value,
+                          const std::string& where) {
     const GdalSession session;
-    RasterSource source(path, path);
+    RasterSource source(path, where.empty() ? path : where);
     if (nodata_value) source.declare_nodata(*nodata_value);
     const std::string crs = source_crs_override.empty() ? source.info().crs_wkt : source_crs_override;
     if (crs.empty() && !target.crs_wkt.empty()) {
@@ -163,7 +164,7 @@ RasterRead read_raster_on(const std::string& path, const GridSpec& target,
     try {
         read_onto(source, crs, resampling, vertical_unit, read);
     } catch (const Error& error) {
-        rethrow_naming(path, error);
+        rethrow_naming(where.empty() ? path : where + ": " + path, error);
     }
     read.nodata_cells = std::count_if(read.raster.values.begin(), read.raster.values.end(),
                                       [](double value) { return std::isnan(value); });

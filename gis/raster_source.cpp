@@ -81,7 +81,7 @@ Bounds bounds_of(const GeoTransform& g, double columns, double rows) {
 }  // namespace
 
 RasterSource::RasterSource(const std::string& path, const std::string& where, bool accept_colour_table)
-    : dataset_(open(path, where)) {
+    : where_(where), dataset_(open(path, where)) {
     const GdalSession session;
     GDALDatasetH dataset = dataset_.get();
     if (GDALGetRasterCount(dataset) < 1) {
@@ -97,7 +97,9 @@ RasterSource::RasterSource(const std::string& path, const std::string& where, bo
         refuse("the raster is a picture or holds complex numbers, not one number per cell", where, path,
                "Give the raster of values itself");
     }
+    const auto finite = [](double term) { return std::isfinite(term); };
     if (GDALGetGeoTransform(dataset, geo_.data()) != CE_None ||
+        !std::all_of(geo_.begin(), geo_.end(), finite) ||
         !GDALInvGeoTransform(geo_.data(), inverse_.data())) {
         refuse("the raster does not say where it lies", where, path,
                "Add a world file or a geotransform (gdal_translate -a_ullr)");
@@ -141,7 +143,7 @@ std::vector<double> RasterSource::read_stored(const Window& w, int columns, int 
     };
     if (fetch(band_, values.data(), GDT_Float64) != CE_None ||
         fetch(GDALGetMaskBand(band_), valid.data(), GDT_Byte) != CE_None) {
-        refuse("the raster is damaged: " + session.last_message(), info_.path, "", "Copy the file anew");
+        refuse("the raster is damaged: " + session.last_message(), where_, info_.path, "Copy the file anew");
     }
     const auto declared = [&](double stored) {
         return declared_ && (stored == *declared_ || stored == static_cast<float>(*declared_));

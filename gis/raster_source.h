@@ -57,6 +57,7 @@ class RasterSource {
     [[nodiscard]] std::vector<double> read_stored(const Window& window, int columns, int rows) const;
 
     RasterInfo info_;
+    std::string where_;  // for messages
     GdalDataset dataset_;
     GDALRasterBandH band_ = nullptr;
     GeoTransform geo_{}, inverse_{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gis/vector_in.h"
 
+#include <cpl_conv.h>
 #include <cpl_vsi.h>
 #include <ogrsf_frmts.h>
 
@@ -70,6 +71,16 @@ std::string layer_names(GDALDataset& dataset) {
 bool may_hold_areas(OGRLayer& layer) {
     const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
     return type != wkbNone && type != wkbPoint && type != wkbMultiPoint;
+}
+
+/// GDAL reads a shapefile with a damaged .dbf as one without attributes.
+void check_attribute_table(GDALDataset& dataset, OGRLayer& layer, const Source& source) {
+    if (std::string(dataset.GetDriverName()) != "ESRI Shapefile" || layer.GetLayerDefn()->GetFieldCount() > 0)
+        return;
+    const std::string table = CPLResetExtension(source.file.c_str(), "dbf");
+    VSIStatBufL status;
+    if (VSIStatL(table.c_str(), &status) == 0)
+        throw fault(source, "the attribute table is damaged", table, "Export the shapefile anew, or remove the .dbf");
 }
 
 OGRLayer& choose_layer(GDALDataset& dataset, const Source& source) {
@@ -158,6 +169,10 @@ PolygonFeature read_feature(const OGRFeature& from, const Source& source, Proble
     PolygonParts parts = polygon_parts(*geometry);
     if (parts.closed_lines > 0) {
         warnings.push_back(source.where + ": " + name + " is a closed line and was taken as an area");
+    }
+    if (parts.unbounded > 0) {
+        problem("has a coordinate that is no number", "", "Draw it anew");
+        return feature;
     }
     if (parts.open_lines > 0) {
         problem("is a line that does not close", "a gap of " + shortest_text(parts.widest_gap) + " CRS units",
@@ -271,6 +286,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     if (!choice.name.empty()) source.layer = choice.name;
     const GDALDatasetUniquePtr dataset = open(source);
     OGRLayer& layer = choose_layer(*dataset, source);
+    check_attribute_table(*dataset, layer, source);
     if (!choice.filter.empty()) filter(layer, source, choice.filter);
     const std::string crs = choice.crs.empty() ? crs_of(layer) : choice.crs;
     if (crs.empty() && !target_crs_wkt.empty()) {

@@ -82,7 +82,7 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     check_size(reading, grid);
     gis::RasterRead read = gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "",
                                                resampling_of(spec.resampling), spec.vertical_unit,
-                                               spec.nodata_value);
+                                               spec.nodata_value, reading.where("terrain.dtm"));
     for (const std::string& warning : read.warnings) log.warn("DTM: " + warning);
     if (read.zero_rim_cells > 0) {
         log.warn("DTM: " + grouped(read.zero_rim_cells) +
@@ -136,7 +136,11 @@ std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog&
         report(input, reading, log);
         return input;
     } catch (const Error& error) {
-        problems.add(error);
+        for (Problem problem : error.problems()) {
+            // Coordinates that cannot be transformed know nothing of the file they come from.
+            if (problem.where.empty()) problem.where = reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm;
+            problems.add(problem);
+        }
         return std::nullopt;
     }
 }
