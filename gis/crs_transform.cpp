@@ -121,6 +121,7 @@ CrsTransform::CrsTransform(const std::string& from_wkt, const std::string& to_wk
     PJ* operation = parts_->operation.pj.get();
     const bool in_degrees_already = proj_degree_input(operation, PJ_FWD) != 0;
     parts_->identity = !points.empty() && leaves_in_place(operation, points, in_degrees_already);
+    if (parts_->identity && parts_->operation.info.accuracy_m == 0) parts_->operation.info.operation = "none";
 }
 
 CrsTransform::~CrsTransform() = default;

@@ -15,8 +15,8 @@ struct TransformInfo {
     std::string operation;  ///< PROJ's name for it; "none" where coordinates stay as they are
     double accuracy_m = 0;  ///< stated accuracy [m]; below 0: unknown
     bool needs_missing_grid =
-        false;  ///< a more accurate operation exists, but its grid file is not installed
-    std::string missing_grid;         ///< that file's name, where PROJ knows it
+        false;                       ///< a more accurate operation exists, but its grid file is not installed
+    std::string missing_grid;        ///< that file's name, where PROJ knows it
     double missing_accuracy_m = -1;  ///< stated accuracy with that file [m]; below 0: unknown
 };
 

@@ -63,8 +63,7 @@ struct RasterRead {
 RasterRead read_raster_on(const std::string& path, const GridSpec& target,
                           const std::string& source_crs_override, Resampling resampling,
                           const std::string& vertical_unit = "auto",
-                          std::optional<double> nodata_value = std::nullopt,
-                          const std::string& where = {});
+                          std::optional<double> nodata_value = std::nullopt, const std::string& where = {});
 
 /// A whole raster on its own grid, as frana writes them: north up, square cells. Throws Error(input)
 /// otherwise.

@@ -80,7 +80,8 @@ void check_attribute_table(GDALDataset& dataset, OGRLayer& layer, const Source& 
     const std::string table = CPLResetExtension(source.file.c_str(), "dbf");
     VSIStatBufL status;
     if (VSIStatL(table.c_str(), &status) == 0)
-        throw fault(source, "the attribute table is damaged", table, "Export the shapefile anew, or remove the .dbf");
+        throw fault(source, "the attribute table is damaged", table,
+                    "Export the shapefile anew, or remove the .dbf");
 }
 
 OGRLayer& choose_layer(GDALDataset& dataset, const Source& source) {
@@ -207,8 +208,8 @@ bool plausible(const std::string& crs, const Bounds& box) {
     return box.west >= -360 && box.east <= 360 && box.south >= -90.000001 && box.north <= 90.000001;
 }
 
-/// An edge longer than half a turn of longitude crosses the antimeridian; drawn as it is, it would enclose the
-/// rest of the Earth.
+/// An edge longer than half a turn of longitude crosses the antimeridian; drawn as it is, it would enclose
+/// the rest of the Earth.
 std::optional<std::string> long_way_round(const std::vector<PolygonFeature>& features, double turn) {
     if (turn == 0) return std::nullopt;
     for (const PolygonFeature& feature : features) {
@@ -216,8 +217,8 @@ std::optional<std::string> long_way_round(const std::vector<PolygonFeature>& fea
             for (std::size_t i = 0; i < part.outer.size(); ++i) {
                 const Point a = part.outer[i], b = part.outer[(i + 1) % part.outer.size()];
                 if (std::abs(a.x - b.x) > turn / 2)
-                    return "from " + shortest_text(a.x) + ", " + shortest_text(a.y) + " to " + shortest_text(b.x) +
-                           ", " + shortest_text(b.y);
+                    return "from " + shortest_text(a.x) + ", " + shortest_text(a.y) + " to " +
+                           shortest_text(b.x) + ", " + shortest_text(b.y);
             }
         }
     }
@@ -290,9 +291,10 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     if (!choice.filter.empty()) filter(layer, source, choice.filter);
     const std::string crs = choice.crs.empty() ? crs_of(layer) : choice.crs;
     if (crs.empty() && !target_crs_wkt.empty()) {
-        throw fault(source, "the file names no coordinate reference system", "",
-                    "Say which one it is in (perimeter-crs = EPSG:...), add a .prj file, or use terrain.crs = local "
-                    "throughout");
+        throw fault(
+            source, "the file names no coordinate reference system", "",
+            "Say which one it is in (perimeter-crs = EPSG:...), add a .prj file, or use terrain.crs = local "
+            "throughout");
     }
     PolygonLayer read;
     read.layer_name = layer.GetName();

@@ -26,14 +26,15 @@ std::string asked_crs(const SceneReading& reading, const gis::RasterInfo& dtm) {
     const std::string where = reading.where("terrain.crs"), asked = reading.scene.terrain.crs;
     const std::string crs = gis::crs_from_user(asked, where);
     if (!gis::is_projected_in_metres(crs)) {
-        throw Error(ErrorKind::input,
-                    Problem{"is not a projected system in metres with axes east and north", where, asked,
-                            "a projected CRS in metres, such as a UTM zone", "Choose another, or remove the key"});
+        throw Error(ErrorKind::input, Problem{"is not a projected system in metres with axes east and north",
+                                              where, asked, "a projected CRS in metres, such as a UTM zone",
+                                              "Choose another, or remove the key"});
     }
     std::string horizontal = gis::horizontal_crs(crs);
     if (dtm.crs_wkt.empty()) return horizontal;
     const Point centre = centre_of(dtm.bounds);
-    const gis::CrsTransform to_working(dtm.crs_wkt, horizontal, Bounds{centre.x, centre.y, centre.x, centre.y});
+    const gis::CrsTransform to_working(dtm.crs_wkt, horizontal,
+                                       Bounds{centre.x, centre.y, centre.x, centre.y});
     const gis::MapScale scale = gis::map_scale(horizontal, to_working(centre));
     if (scale.error() > k_largest_scale_error) {
         throw Error(ErrorKind::input,

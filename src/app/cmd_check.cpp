@@ -43,28 +43,30 @@ double two_digits(std::int64_t count) {
 /// Trial runs foresee splitting and the speeds to come within a factor of about two.
 std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial) {
     if (!trial)
-        return "at least " + figure(expected.wall_seconds, 2) + " s, more where the flow spreads and particles split";
+        return "at least " + figure(expected.wall_seconds, 2) +
+               " s, more where the flow spreads and particles split";
     const double seconds = trial->engine_seconds;
     return "about " + figure(seconds, 2) + " s (" + figure(seconds / 2, 2) + " to " + figure(2 * seconds, 2) +
            " s), from a trial on cells " + std::to_string(trial->coarsening) + " times as large" +
            (trial->cut_short ? ", which reached " + figure(trial->trial_end, 2) + " s" : "");
 }
 
-void print_run(const Prepared& prepared, const RunEstimate& expected, const std::optional<TimeEstimate>& trial,
-               int threads) {
+void print_run(const Prepared& prepared, const RunEstimate& expected,
+               const std::optional<TimeEstimate>& trial, int threads) {
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
     std::printf("\nRun\n");
     line("released",
          words(grouped(expected.volume), "m3 from") + " " + grouped(prepared.release.area_m2) + " m2");
     line("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                         : "is the bed: the release lies on top of it");
-    line("particles", grouped(expected.particles) +
-                          (trial ? " at the start, about " + grouped(two_digits(trial->particles_peak)) +
-                                       " at most"
-                                 : ""));
+    line(
+        "particles",
+        grouped(expected.particles) +
+            (trial ? " at the start, about " + grouped(two_digits(trial->particles_peak)) + " at most" : ""));
     line("first step", figure(expected.first_step_seconds, 3) + " s, end at " +
                            shortest_text(prepared.scene.time.end) + " s at most");
-    line("estimated time", time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
+    line("estimated time",
+         time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
     for (std::size_t i = 0; i < expected.terms.size(); ++i) line(i == 0 ? "terms" : "", expected.terms[i]);
     line("result", output_directory(prepared.spec));
 }

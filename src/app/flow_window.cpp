@@ -10,9 +10,9 @@
 namespace frana::app {
 namespace {
 
-constexpr double k_caution = 0.8;        // of the friction: the front runs ahead of the mass it belongs to
+constexpr double k_caution = 0.8;          // of the friction: the front runs ahead of the mass it belongs to
 constexpr double k_least_friction = 0.01;  // with less, the energy line bounds nothing
-constexpr int k_samples = 400;           // along each side of what is looked at
+constexpr int k_samples = 400;             // along each side of what is looked at
 
 Bounds united(const Bounds& a, const Bounds& b) {
     return {std::min(a.west, b.west), std::min(a.south, b.south), std::max(a.east, b.east),

@@ -16,8 +16,8 @@ namespace {
 std::string corners(const Bounds& box, bool degrees) {
     char text[160];
     const int decimals = degrees ? 6 : 2;
-    std::snprintf(text, sizeof text, "%.*f %.*f\n%.*f %.*f", decimals, box.west, decimals, box.south, decimals,
-                  box.east, decimals, box.north);
+    std::snprintf(text, sizeof text, "%.*f %.*f\n%.*f %.*f", decimals, box.west, decimals, box.south,
+                  decimals, box.east, decimals, box.north);
     return text;
 }
 
@@ -51,7 +51,8 @@ void add_layer(TextTable& table, const std::string& role, const std::string& fil
 }
 
 void add_raster(TextTable& table, const std::string& role, const gis::RasterInfo& file,
-                const gis::TransformInfo& transform, const std::string& resampling, std::int64_t nodata_cells) {
+                const gis::TransformInfo& transform, const std::string& resampling,
+                std::int64_t nodata_cells) {
     table.add({titled(role, file.path), file.crs_wkt.empty() ? "none" : file.crs_label,
                corners(file.bounds, is_geographic(file.crs_wkt)), resolution(file),
                nodata(file, nodata_cells), transform_text(transform) + "\nresampling: " + resampling,
@@ -81,10 +82,11 @@ std::string input_table(const Prepared& prepared, std::int64_t memory_bytes) {
     const GridSpec& grid = prepared.scene.grid;
     const std::string filled = ground.filled_cells > 0 ? grouped(ground.filled_cells) + " filled"
                                                        : "policy " + prepared.spec.terrain.nodata_policy;
-    table.add({"Working grid", ground.crs_label, corners(grid.bounds(), false),
-               grouped(grid.columns) + " x " + grouped(grid.rows) + " of\n" + shortest_text(grid.cell_size) + " m",
-               grouped(ground.nodata_cells) + "\n" + filled,
-               "memory of a run: about " + bytes_text(static_cast<double>(memory_bytes)), ""});
+    table.add(
+        {"Working grid", ground.crs_label, corners(grid.bounds(), false),
+         grouped(grid.columns) + " x " + grouped(grid.rows) + " of\n" + shortest_text(grid.cell_size) + " m",
+         grouped(ground.nodata_cells) + "\n" + filled,
+         "memory of a run: about " + bytes_text(static_cast<double>(memory_bytes)), ""});
     return table.text();
 }
 

@@ -52,9 +52,8 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                               "Say which one it is in with release.thickness-crs = EPSG:..."});
                 continue;
             }
-            gis::RasterRead read =
-                gis::read_raster_on(file, ground->terrain.grid, info.crs_wkt, gis::Resampling::automatic, unit,
-                                    nodata, where);
+            gis::RasterRead read = gis::read_raster_on(file, ground->terrain.grid, info.crs_wkt,
+                                                       gis::Resampling::automatic, unit, nodata, where);
             for (const std::string& warning : read.warnings) log.warn("thickness: " + warning);
             report_transform("thickness " + file, read.transform, ground->terrain.grid.cell_size, log);
             log.note("thickness " + file + ": resampling " + read.resampling_used);

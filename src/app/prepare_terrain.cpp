@@ -75,8 +75,8 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     if (!bounds && static_cast<double>(input.file.columns) * static_cast<double>(input.file.rows) > k_large) {
         bounds = flow_window(reading, input.file, crs);
         if (bounds)
-            log.note("the DTM is large: of it frana takes what the release can reach, " + extent_text(*bounds) +
-                     "; terrain.bounds overrides this");
+            log.note("the DTM is large: of it frana takes what the release can reach, " +
+                     extent_text(*bounds) + "; terrain.bounds overrides this");
     }
     const GridSpec grid = gis::working_grid(input.file, crs, bounds, spec.cell_size);
     check_size(reading, grid);
@@ -138,7 +138,8 @@ std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog&
     } catch (const Error& error) {
         for (Problem problem : error.problems()) {
             // Coordinates that cannot be transformed know nothing of the file they come from.
-            if (problem.where.empty()) problem.where = reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm;
+            if (problem.where.empty())
+                problem.where = reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm;
             problems.add(problem);
         }
         return std::nullopt;

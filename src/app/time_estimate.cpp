@@ -17,8 +17,8 @@ constexpr double k_least_cells = 9;
 // sample and the shared examples.
 constexpr double k_usual_growth = 1.3;
 
-/// What a run on larger cells took, scaled to the scene's own: particles go with the square of the cells, steps
-/// with their side.
+/// What a run on larger cells took, scaled to the scene's own: particles go with the square of the cells,
+/// steps with their side.
 struct Trial {
     double particle_steps = 0;
     double particles_peak = 0;
@@ -43,7 +43,8 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
     trial.reached = result.simulated_seconds;
     trial.cut_short = result.stop_reason == StopReason::requested;
     const double steps = static_cast<double>(result.particle_steps), squared = factor * factor;
-    trial.particle_steps = steps * squared * factor * (trial.cut_short ? prepared.scene.time.end / trial.reached : 1);
+    trial.particle_steps =
+        steps * squared * factor * (trial.cut_short ? prepared.scene.time.end / trial.reached : 1);
     trial.particles_peak = static_cast<double>(result.particles_peak) * squared;
     trial.seconds_per_particle_step = result.engine_seconds / steps;
     return trial;
@@ -74,7 +75,8 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
                               static_cast<double>(start.particles);
     estimate.engine_seconds = base.particle_steps * std::pow(growth, std::log2(estimate.coarsening)) *
                               std::min(start_cost, fine.seconds_per_particle_step);
-    estimate.particles_peak = std::max(start.particles, static_cast<std::int64_t>(base.particles_peak * more));
+    estimate.particles_peak =
+        std::max(start.particles, static_cast<std::int64_t>(base.particles_peak * more));
     if (!std::isfinite(estimate.engine_seconds)) return std::nullopt;
     return estimate;
 } catch (const Error&) {

@@ -124,7 +124,8 @@ TEST(CrsTransform, AnAreaAcrossTheAntimeridianIsASmallOne) {
                             Bounds{179.7, -16.6, 179.9, -16.4});
     EXPECT_EQ(transform.info().operation, west.info().operation);
     EXPECT_EQ(transform.source_turn(), 360);
-    EXPECT_EQ(CrsTransform(crs_from_user("EPSG:32632", ""), crs_from_user("EPSG:32633", "")).source_turn(), 0);
+    EXPECT_EQ(CrsTransform(crs_from_user("EPSG:32632", ""), crs_from_user("EPSG:32633", "")).source_turn(),
+              0);
 }
 
 TEST(CrsTransform, PointsBeyondTheProjectionAreRefusedOrMarked) {

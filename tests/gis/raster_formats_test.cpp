@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every kind of raster file a user may have, written by GDAL, read by frana: the same ground in the same place.
+// Every kind of raster file a user may have, written by GDAL, read by frana: the same ground in the same
+// place.
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
@@ -53,7 +54,8 @@ GDALDatasetUniquePtr part_of_ground(int first, int columns, GDALDataType type) {
 void write_as(const std::string& driver_name, const std::string& path, GDALDataset& from) {
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_name.c_str());
     ASSERT_TRUE(driver) << driver_name;
-    const GDALDatasetUniquePtr copy(driver->CreateCopy(path.c_str(), &from, FALSE, nullptr, nullptr, nullptr));
+    const GDALDatasetUniquePtr copy(
+        driver->CreateCopy(path.c_str(), &from, FALSE, nullptr, nullptr, nullptr));
     ASSERT_TRUE(copy) << CPLGetLastErrorMsg();
 }
 
@@ -126,9 +128,10 @@ TEST(RasterFiles, AMosaicOfTilesIsOneRaster) {
     // A tile that is gone must not read as flat ground.
     std::filesystem::remove(east);
     const GridSpec grid{k_west, k_north, k_cell, k_columns, k_rows, crs_from_user("EPSG:32632", "")};
-    EXPECT_EQ(
-        error_of([&] { (void)read_raster_on(folder.file("all.vrt"), grid, "", Resampling::automatic); }).kind(),
-        ErrorKind::input);
+    EXPECT_EQ(error_of([&] {
+                  (void)read_raster_on(folder.file("all.vrt"), grid, "", Resampling::automatic);
+              }).kind(),
+              ErrorKind::input);
 }
 
 TEST(RasterFiles, ArchivesAreReadInPlace) {
@@ -153,7 +156,8 @@ TEST(RasterFiles, SeveralRastersInOneFileAreNamed) {
                                                            const_cast<char**>(options), nullptr, nullptr));
         ASSERT_TRUE(copy) << CPLGetLastErrorMsg();
     }
-    const Error error = error_of([&] { (void)inspect_raster(folder.file("two.gpkg"), "scene.ini: terrain.dtm"); });
+    const Error error =
+        error_of([&] { (void)inspect_raster(folder.file("two.gpkg"), "scene.ini: terrain.dtm"); });
     EXPECT_NE(std::string(error.what()).find("several rasters"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("GPKG:" + folder.file("two.gpkg") + ":after"), std::string::npos)
         << error.what();
@@ -198,7 +202,8 @@ void expect_tile(const std::string& driver, const std::string& name) {
             std::vector<double> line;
             for (int column = 0; column < n; ++column)
                 line.push_back(std::round(height(9 + column * step, 47 - row * step)));
-            ASSERT_EQ(from->GetRasterBand(1)->RasterIO(GF_Write, 0, row, n, 1, line.data(), n, 1, GDT_Float64, 0, 0),
+            ASSERT_EQ(from->GetRasterBand(1)->RasterIO(GF_Write, 0, row, n, 1, line.data(), n, 1, GDT_Float64,
+                                                       0, 0),
                       CE_None);
         }
         write_as(driver, folder.file(name), *from);

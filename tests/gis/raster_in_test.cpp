@@ -9,9 +9,9 @@
 #include <limits>
 
 #include "files.h"
-#include "gis/gdal_session.h"
 #include "gis/crs.h"
 #include "gis/crs_transform.h"
+#include "gis/gdal_session.h"
 
 namespace frana::gis {
 namespace {
@@ -350,7 +350,8 @@ TEST(ReadRaster, AcrossTheAntimeridianThereIsNoGap) {
     const Folder folder;
     // Taveuni, Fiji: counted 179.9 to 180.1, as a mosaic of tiles is, and -180.1 to -179.9.
     for (const double west : {179.9, -180.1}) {
-        TestRaster raster{200, 100, west, -16.4, 1e-3, 1e-3, "EPSG:4326", {}, std::nullopt, "", 1, 0, 0, false};
+        TestRaster raster{200, 100,          west, -16.4, 1e-3, 1e-3, "EPSG:4326",
+                          {},  std::nullopt, "",   1,     0,    0,    false};
         for (int row = 0; row < 100; ++row)
             for (int column = 0; column < 200; ++column) raster.values.push_back(column);
         make_raster(folder.file("dtm.tif"), raster);
@@ -373,8 +374,8 @@ TEST(ReadRaster, MasksHideCells) {
     {
         const GDALDatasetUniquePtr file(GDALDataset::Open(folder.file("dtm.tif").c_str(), GDAL_OF_UPDATE));
         ASSERT_EQ(file->CreateMaskBand(GMF_PER_DATASET), CE_None);
-        ASSERT_EQ(file->GetRasterBand(1)->GetMaskBand()->RasterIO(GF_Write, 0, 0, 4, 4, seen.data(), 4, 4, GDT_Byte,
-                                                                  0, 0),
+        ASSERT_EQ(file->GetRasterBand(1)->GetMaskBand()->RasterIO(GF_Write, 0, 0, 4, 4, seen.data(), 4, 4,
+                                                                  GDT_Byte, 0, 0),
                   CE_None);
     }
     const RasterRead masked =
@@ -414,8 +415,8 @@ TEST(ReadRaster, UndeclaredNoDataIsSeenBeforeItIsAveraged) {
     TestRaster raster = plane_raster(20, 20, 5);
     raster.values[45] = -32767;
     make_raster(folder.file("dtm.tif"), raster);
-    const RasterRead read =
-        read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 10, 10, 10), "", Resampling::automatic);
+    const RasterRead read = read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 10, 10, 10), "",
+                                           Resampling::automatic);
     ASSERT_EQ(read.warnings.size(), 1U);
     EXPECT_NE(read.warnings[0].find("hold -32767"), std::string::npos) << read.warnings[0];
 }

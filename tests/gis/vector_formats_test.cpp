@@ -78,8 +78,9 @@ TEST(VectorFiles, KmlHasItsOwnColumns) {
 
 TEST(VectorFiles, TextWithWktNeedsItsCrsToBeSaid) {
     const Folder folder;
-    test::write_text(folder.file("a.csv"), "id,WKT\n1,\"POLYGON((1529430 5094000,1529530 5094000,1529530 5094100,"
-                                           "1529430 5094100,1529430 5094000))\"\n");
+    test::write_text(folder.file("a.csv"),
+                     "id,WKT\n1,\"POLYGON((1529430 5094000,1529530 5094000,1529530 5094100,"
+                     "1529430 5094100,1529430 5094000))\"\n");
     const Error error = error_of([&] { (void)read_polygons(folder.file("a.csv"), utm(), k_where); });
     EXPECT_NE(error.problems().front().remedy.find("perimeter-crs"), std::string::npos);
     const LayerChoice choice{"", "", crs_from_user("EPSG:3003", "")};
@@ -110,14 +111,21 @@ TEST(VectorFiles, ALayerAndAFilterChoose) {
                 {"POLYGON((0 0,20 0,20 20,0 20,0 0))", "POLYGON((50 0,80 0,80 30,50 30,50 0))"}, "second");
     EXPECT_EQ(total_area(read_polygons(path, utm(), k_where, {"second", "", ""})), 1300);
     EXPECT_EQ(total_area(read_polygons(path, utm(), k_where, {"second", "thick > 15", ""})), 900);
-    EXPECT_EQ(total_area(read_polygons(path, utm(), k_where, {"second", "name = 'slope' AND thick = 10", ""})), 400);
-    const Error none = error_of([&] { (void)read_polygons(path, utm(), k_where, {"second", "thick > 99", ""}); });
+    EXPECT_EQ(
+        total_area(read_polygons(path, utm(), k_where, {"second", "name = 'slope' AND thick = 10", ""})),
+        400);
+    const Error none = error_of([&] {
+        (void)read_polygons(path, utm(), k_where, {"second", "thick > 99", ""});
+    });
     EXPECT_NE(std::string(none.what()).find("no feature satisfies the filter"), std::string::npos);
     EXPECT_NE(std::string(none.what()).find("thick, name"), std::string::npos);
-    const Error wrong = error_of([&] { (void)read_polygons(path, utm(), k_where, {"second", "depth > 1", ""}); });
+    const Error wrong = error_of([&] {
+        (void)read_polygons(path, utm(), k_where, {"second", "depth > 1", ""});
+    });
     EXPECT_NE(std::string(wrong.what()).find("not understood"), std::string::npos) << wrong.what();
-    const Error twice =
-        error_of([&] { (void)read_polygons(path + "|layer=first", utm(), k_where, {"second", "", ""}); });
+    const Error twice = error_of([&] {
+        (void)read_polygons(path + "|layer=first", utm(), k_where, {"second", "", ""});
+    });
     EXPECT_NE(std::string(twice.what()).find("two layers are named"), std::string::npos) << twice.what();
 }
 
@@ -130,17 +138,19 @@ TEST(VectorFiles, ArchivesAreReadInPlace) {
     VSILFILE* file = VSIFOpenL(("/vsizip/" + folder.file("a.zip") + "/a.geojson").c_str(), "wb");
     VSIFWriteL(bytes.data(), 1, bytes.size(), file);
     VSIFCloseL(file);
-    const PolygonLayer layer = read_polygons("/vsizip/" + folder.file("a.zip") + "/a.geojson", utm(), k_where);
+    const PolygonLayer layer =
+        read_polygons("/vsizip/" + folder.file("a.zip") + "/a.geojson", utm(), k_where);
     EXPECT_NEAR(layer.bounds.south, 5094117.682, 0.01);
 }
 
 TEST(VectorFiles, HolesThatTouchTheRimAndMeasuresDoNotMatter) {
     const Folder folder;
     // A hole that touches the outline in a point is sound; M values are dropped like heights.
-    make_vector(folder.file("a.gpkg"), "GPKG", "EPSG:32632",
-                {"POLYGON ZM((0 0 1 1,10 0 1 2,10 10 1 3,0 10 1 4,0 0 1 5),(0 5 1 1,4 3 1 1,4 7 1 1,0 5 1 1))",
-                 "MULTISURFACE(CURVEPOLYGON(COMPOUNDCURVE((100 0,110 0),CIRCULARSTRING(110 0,115 5,110 10),(110 10,"
-                 "100 10,100 0))))"});
+    make_vector(
+        folder.file("a.gpkg"), "GPKG", "EPSG:32632",
+        {"POLYGON ZM((0 0 1 1,10 0 1 2,10 10 1 3,0 10 1 4,0 0 1 5),(0 5 1 1,4 3 1 1,4 7 1 1,0 5 1 1))",
+         "MULTISURFACE(CURVEPOLYGON(COMPOUNDCURVE((100 0,110 0),CIRCULARSTRING(110 0,115 5,110 10),(110 10,"
+         "100 10,100 0))))"});
     const PolygonLayer layer = read_polygons(folder.file("a.gpkg"), utm(), k_where);
     ASSERT_EQ(layer.features.size(), 2U);
     EXPECT_EQ(area(layer.features[0].parts), 100 - 8);
