@@ -32,6 +32,9 @@ ProjPointer<PJ_OBJ_LIST> operations(PJ_CONTEXT* context, const PJ* from, const P
         degrees->south -= k_least_area_degrees;
         degrees->east += k_least_area_degrees;
         degrees->north += k_least_area_degrees;
+        // PROJ tells an area across the antimeridian by west > east.
+        if (degrees->east > 180) degrees->east -= 360;
+        if (degrees->west < -180) degrees->west += 360;
         proj_operation_factory_context_set_area_of_interest(context, factory.get(), degrees->west,
                                                             degrees->south, degrees->east, degrees->north);
     }
@@ -52,6 +55,20 @@ bool exact(PJ_CONTEXT* context, const PJ* operation) {
 ProjPointer<PJ> first(PJ_CONTEXT* context, const ProjPointer<PJ_OBJ_LIST>& list) {
     const bool some = list && proj_list_get_count(list.get()) > 0;
     return ProjPointer<PJ>(some ? proj_list_get(context, list.get(), 0) : nullptr);
+}
+
+/// The first grid file an operation needs that is not at hand.
+std::string missing_grid(PJ_CONTEXT* context, const PJ* operation) {
+    for (int i = 0; i < proj_coordoperation_get_grid_used_count(context, operation); ++i) {
+        const char* name = nullptr;
+        int available = 0;
+        if (proj_coordoperation_get_grid_used(context, operation, i, &name, nullptr, nullptr, nullptr,
+                                              nullptr, nullptr, &available) &&
+            !available && name) {
+            return name;
+        }
+    }
+    return {};
 }
 
 std::string name_of(const PJ* operation) {
@@ -93,6 +110,10 @@ CoordinateOperation choose_operation(PJ_CONTEXT* context, const std::string& fro
         const double accuracy = proj_coordoperation_get_accuracy(context, wished.get());
         chosen.info.needs_missing_grid =
             chosen.info.accuracy_m < 0 || (accuracy >= 0 && accuracy < chosen.info.accuracy_m);
+        if (chosen.info.needs_missing_grid) {
+            chosen.info.missing_grid = missing_grid(context, wished.get());
+            chosen.info.missing_accuracy_m = accuracy;
+        }
     }
     return chosen;
 }

@@ -42,14 +42,16 @@ void drop_heights(OGRSpatialReference& crs) {
 }
 
 bool axes_run_east_and_north(const OGRSpatialReference& crs) {
-    bool east = false, north = false;
+    int east = 0, north = 0, south = 0;
     for (int axis = 0; axis < 2; ++axis) {
         OGRAxisOrientation direction = OAO_Other;
         crs.GetAxis("PROJCS", axis, &direction);
-        east = east || direction == OAO_East;
-        north = north || direction == OAO_North;
+        east += direction == OAO_East;
+        north += direction == OAO_North;
+        south += direction == OAO_South;
     }
-    return east && north;
+    // Round a pole both axes run along meridians, away from the north pole or towards it from the south pole.
+    return (east == 1 && north == 1) || south == 2 || north == 2;
 }
 
 }  // namespace
@@ -93,6 +95,12 @@ bool is_projected_in_metres(const std::string& wkt) {
            axes_run_east_and_north(*crs);
 }
 
+double metres_per_unit(const std::string& wkt) {
+    const GdalSession session;
+    const auto crs = parse(wkt);
+    return crs && crs->IsProjected() ? crs->GetLinearUnits() : 1;
+}
+
 std::string horizontal_crs(const std::string& wkt) {
     const GdalSession session;
     auto crs = parse(wkt);
@@ -109,8 +117,15 @@ double vertical_metres_per_unit(const std::string& wkt) {
     return unit > 0 ? unit : 0;
 }
 
+double longitude_turn(const std::string& wkt) {
+    const GdalSession session;
+    const auto crs = parse(wkt);
+    return crs && crs->IsGeographic() ? 2 * std::numbers::pi / crs->GetAngularUnits() : 0;
+}
+
 std::string utm_crs_for(double longitude, double latitude) {
     const GdalSession session;
+    if (longitude > 180) longitude -= 360;  // of a map that crosses the antimeridian
     const int zone = std::clamp(static_cast<int>(std::floor((longitude + 180) / 6)) + 1, 1, 60);
     OGRSpatialReference crs;
     crs.importFromEPSG((latitude < 0 ? 32700 : 32600) + zone);

@@ -18,11 +18,17 @@ std::string crs_name(const std::string& wkt);
 /// Whether coordinates are eastings and northings in metres, so that a cell is a square on the ground.
 bool is_projected_in_metres(const std::string& wkt);
 
+/// Metres per unit of a projected CRS's coordinates; 1 for any other.
+double metres_per_unit(const std::string& wkt);
+
 /// The horizontal part alone: a working grid's CRS says nothing about heights.
 std::string horizontal_crs(const std::string& wkt);
 
 /// Metres per unit of the vertical part; 0 where there is none.
 double vertical_metres_per_unit(const std::string& wkt);
+
+/// A full turn of longitude in the units of a geographic CRS (360 degrees); 0 for any other CRS.
+double longitude_turn(const std::string& wkt);
 
 /// WKT of the WGS 84 / UTM zone (north or south) of a place given in degrees.
 std::string utm_crs_for(double longitude, double latitude);

@@ -76,7 +76,13 @@ std::optional<Bounds> in_degrees(PJ_CONTEXT* context, const std::string& wkt,
         const PJ_COORD place = transformed(to_degrees.pj.get(), PJ_FWD, point);
         if (good(place)) found.push_back({place.xy.x, place.xy.y});
     }
-    return box(found);
+    const std::optional<Bounds> plain = box(found);
+    if (!plain || plain->width() <= 180) return plain;
+    // Across the antimeridian the points lie on both ends of the scale: counted from 0 to 360 they are one
+    // group.
+    for (Point& point : found) point.x += point.x < 0 ? 360 : 0;
+    const std::optional<Bounds> shifted = box(found);
+    return shifted->width() < plain->width() ? shifted : plain;
 }
 
 }  // namespace
@@ -85,6 +91,7 @@ struct CrsTransform::Parts {
     ProjPointer<PJ_CONTEXT> context;
     CoordinateOperation operation;
     bool identity = true;
+    double turn = 0;
     std::string names;  // "A to B", for messages
 
     [[nodiscard]] Point move(Point point, PJ_DIRECTION direction) const {
@@ -105,6 +112,7 @@ CrsTransform::CrsTransform(const std::string& from_wkt, const std::string& to_wk
     const std::string from = horizontal_crs(from_wkt), to = horizontal_crs(to_wkt);
     parts_->names = crs_name(from) + " to " + crs_name(to);
     if (from == to && !from.empty()) return;
+    parts_->turn = longitude_turn(from);
     parts_->context = make_proj_context();
     const std::vector<Point> points = area_of_interest ? rim(*area_of_interest) : std::vector<Point>{};
     std::optional<Bounds> degrees;
@@ -113,6 +121,7 @@ CrsTransform::CrsTransform(const std::string& from_wkt, const std::string& to_wk
     PJ* operation = parts_->operation.pj.get();
     const bool in_degrees_already = proj_degree_input(operation, PJ_FWD) != 0;
     parts_->identity = !points.empty() && leaves_in_place(operation, points, in_degrees_already);
+    if (parts_->identity && parts_->operation.info.accuracy_m == 0) parts_->operation.info.operation = "none";
 }
 
 CrsTransform::~CrsTransform() = default;
@@ -150,6 +159,10 @@ Bounds CrsTransform::around(const Bounds& from) const {
 
 const TransformInfo& CrsTransform::info() const noexcept {
     return parts_->operation.info;
+}
+
+double CrsTransform::source_turn() const noexcept {
+    return parts_->turn;
 }
 
 bool CrsTransform::is_identity() const noexcept {

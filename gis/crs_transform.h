@@ -15,7 +15,9 @@ struct TransformInfo {
     std::string operation;  ///< PROJ's name for it; "none" where coordinates stay as they are
     double accuracy_m = 0;  ///< stated accuracy [m]; below 0: unknown
     bool needs_missing_grid =
-        false;  ///< a more accurate operation exists, but its grid file is not installed
+        false;                       ///< a more accurate operation exists, but its grid file is not installed
+    std::string missing_grid;        ///< that file's name, where PROJ knows it
+    double missing_accuracy_m = -1;  ///< stated accuracy with that file [m]; below 0: unknown
 };
 
 /// Coordinates from one CRS to another, x to the east (longitude) and y to the north (latitude) on both sides
@@ -45,6 +47,8 @@ class CrsTransform {
 
     [[nodiscard]] const TransformInfo& info() const noexcept;
     [[nodiscard]] bool is_identity() const noexcept;
+    /// A full turn of longitude in units of the source CRS (360); 0 where that is not geographic.
+    [[nodiscard]] double source_turn() const noexcept;
 
   private:
     struct Parts;

@@ -28,6 +28,14 @@ Ring from_ogr_ring(const OGRLinearRing& ring) {
     return made;
 }
 
+void note_open(const OGRLineString& line, PolygonParts& parts) {
+    ++parts.open_lines;
+    const int last = line.getNumPoints() - 1;
+    if (last < 0) return;
+    const double gap = std::hypot(line.getX(last) - line.getX(0), line.getY(last) - line.getY(0));
+    parts.widest_gap = std::max(parts.widest_gap, gap);
+}
+
 void take_line(const OGRLineString& line, PolygonParts& parts) {
     if (line.getNumPoints() >= 4 && line.get_IsClosed()) {
         auto ring = std::make_unique<OGRLinearRing>();
@@ -38,11 +46,22 @@ void take_line(const OGRLineString& line, PolygonParts& parts) {
         ++parts.closed_lines;
         return;
     }
-    ++parts.open_lines;
-    const int last = line.getNumPoints() - 1;
-    if (last < 0) return;
-    const double gap = std::hypot(line.getX(last) - line.getX(0), line.getY(last) - line.getY(0));
-    parts.widest_gap = std::max(parts.widest_gap, gap);
+    note_open(line, parts);
+}
+
+void take_polygon(const OGRPolygon& polygon, PolygonParts& parts) {
+    for (const OGRLinearRing* ring : polygon) {
+        for (int i = 0; i < ring->getNumPoints(); ++i) {
+            if (std::isfinite(ring->getX(i)) && std::isfinite(ring->getY(i))) continue;
+            ++parts.unbounded;
+            return;
+        }
+        if (ring->get_IsClosed()) continue;
+        // Not closed by us: where points were lost, the shortest way back is not the outline.
+        note_open(*ring, parts);
+        return;
+    }
+    parts.polygons.emplace_back(polygon.clone());
 }
 
 void take(const OGRGeometry& geometry, PolygonParts& parts) {
@@ -50,7 +69,7 @@ void take(const OGRGeometry& geometry, PolygonParts& parts) {
     switch (wkbFlatten(geometry.getGeometryType())) {
         case wkbPolygon:
         case wkbTriangle:
-            parts.polygons.emplace_back(geometry.toPolygon()->clone());
+            take_polygon(*geometry.toPolygon(), parts);
             break;
         case wkbLineString:
             take_line(*geometry.toLineString(), parts);

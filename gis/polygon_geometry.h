@@ -25,9 +25,10 @@ std::optional<Polygon> from_ogr(const OGRPolygon& polygon);
 struct PolygonParts {
     std::vector<std::unique_ptr<OGRPolygon>> polygons;
     int closed_lines = 0;   ///< taken as polygons
-    int open_lines = 0;     ///< left out
+    int open_lines = 0;     ///< left out, polygons with a ring that does not close among them
     double widest_gap = 0;  ///< of the open lines [CRS units]
     int others = 0;         ///< points and what else is no area
+    int unbounded = 0;      ///< left out: a coordinate of theirs is NaN or infinite
 };
 PolygonParts polygon_parts(const OGRGeometry& geometry);
 

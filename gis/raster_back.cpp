@@ -39,7 +39,7 @@ Raster read_result_raster(const std::string& path) {
     Raster raster;
     raster.grid = grid;
     raster.values = source.read({0, 0, static_cast<int>(info.columns), static_cast<int>(info.rows)},
-                                source.unit().metres);
+                                info.vertical_scale_to_metres);
     return raster;
 }
 

@@ -2,17 +2,19 @@
 #include "gis/raster_source.h"
 
 #include <cpl_conv.h>
+#include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <ogr_srs_api.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "core/error.h"
-#include "core/json.h"
 #include "gis/crs.h"
 #include "gis/gdal_session.h"
+#include "gis/vertical_unit.h"
 
 namespace frana::gis {
 namespace {
@@ -48,6 +50,18 @@ std::string crs_of(GDALDatasetH dataset) {
     return on_earth ? wkt : std::string();
 }
 
+/// The names by which the rasters inside a file (NetCDF, HDF, GeoPackage) are opened.
+std::string subdatasets(GDALDatasetH dataset) {
+    std::string names;
+    char** items = GDALGetMetadata(dataset, "SUBDATASETS");
+    for (int i = 1;; ++i) {
+        const std::string key = "SUBDATASET_" + std::to_string(i) + "_NAME";
+        const char* name = CSLFetchNameValue(items, key.c_str());
+        if (!name) return names;
+        names += (names.empty() ? "" : ", ") + std::string(name);
+    }
+}
+
 Point at(const GeoTransform& g, Point p) noexcept {
     return {g[0] + p.x * g[1] + p.y * g[2], g[3] + p.x * g[4] + p.y * g[5]};
 }
@@ -67,12 +81,13 @@ Bounds bounds_of(const GeoTransform& g, double columns, double rows) {
 }  // namespace
 
 RasterSource::RasterSource(const std::string& path, const std::string& where, bool accept_colour_table)
-    : dataset_(open(path, where)) {
+    : where_(where), dataset_(open(path, where)) {
     const GdalSession session;
     GDALDatasetH dataset = dataset_.get();
     if (GDALGetRasterCount(dataset) < 1) {
-        refuse("the raster has no band", where, path,
-               "Where a file holds several rasters, name one as GDAL does");
+        const std::string parts = subdatasets(dataset);
+        refuse(parts.empty() ? "the raster has no band" : "the file holds several rasters", where, path,
+               parts.empty() ? "Give a raster of elevations" : "Name one of them: " + parts);
     }
     band_ = GDALGetRasterBand(dataset, 1);
     const GDALDataType type = GDALGetRasterDataType(band_);
@@ -82,14 +97,16 @@ RasterSource::RasterSource(const std::string& path, const std::string& where, bo
         refuse("the raster is a picture or holds complex numbers, not one number per cell", where, path,
                "Give the raster of values itself");
     }
+    const auto finite = [](double term) { return std::isfinite(term); };
     if (GDALGetGeoTransform(dataset, geo_.data()) != CE_None ||
+        !std::all_of(geo_.begin(), geo_.end(), finite) ||
         !GDALInvGeoTransform(geo_.data(), inverse_.data())) {
         refuse("the raster does not say where it lies", where, path,
                "Add a world file or a geotransform (gdal_translate -a_ullr)");
     }
     info_.path = path;
-    info_.crs_wkt = crs_of(dataset);
-    info_.crs_label = info_.crs_wkt.empty() ? "none" : crs_name(info_.crs_wkt);
+    info_.band_unit = GDALGetRasterUnitType(band_);
+    info_ = with_crs(std::move(info_), crs_of(dataset));
     info_.driver = GDALGetDriverShortName(GDALGetDatasetDriver(dataset));
     info_.data_type = GDALGetDataTypeName(type);
     info_.columns = GDALGetRasterXSize(dataset);
@@ -105,9 +122,6 @@ RasterSource::RasterSource(const std::string& path, const std::string& where, bo
     if (!has || scale_ == 0) scale_ = 1;
     offset_ = GDALGetRasterOffset(band_, &has);
     if (!has) offset_ = 0;
-    unit_ = vertical_unit_of(GDALGetRasterUnitType(band_), info_.crs_wkt);
-    info_.vertical_unit = unit_.name;
-    info_.vertical_scale_to_metres = unit_.metres;
 }
 
 Point RasterSource::map_from_cell(Point cell) const noexcept {
@@ -118,40 +132,55 @@ Point RasterSource::cell_from_map(Point map) const noexcept {
     return at(inverse_, map);
 }
 
-std::vector<double> RasterSource::read(const Window& w, double unit) const {
+std::vector<double> RasterSource::read_stored(const Window& w, int columns, int rows) const {
     const GdalSession session;
-    const std::size_t count = static_cast<std::size_t>(w.columns) * static_cast<std::size_t>(w.rows);
+    const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
     std::vector<double> values(count);
     std::vector<std::uint8_t> valid(count);
     const auto fetch = [&](GDALRasterBandH band, void* into, GDALDataType type) {
-        return GDALRasterIO(band, GF_Read, w.column, w.row, w.columns, w.rows, into, w.columns, w.rows, type,
-                            0, 0);
+        return GDALRasterIO(band, GF_Read, w.column, w.row, w.columns, w.rows, into, columns, rows, type, 0,
+                            0);
     };
     if (fetch(band_, values.data(), GDT_Float64) != CE_None ||
         fetch(GDALGetMaskBand(band_), valid.data(), GDT_Byte) != CE_None) {
-        refuse("the raster is damaged: " + session.last_message(), info_.path, "", "Copy the file anew");
+        refuse("the raster is damaged: " + session.last_message(), where_, info_.path, "Copy the file anew");
     }
+    const auto declared = [&](double stored) {
+        return declared_ && (stored == *declared_ || stored == static_cast<float>(*declared_));
+    };
     for (std::size_t i = 0; i < count; ++i) {
-        const bool good = valid[i] != 0 && std::isfinite(values[i]);
-        values[i] = good ? (values[i] * scale_ + offset_) * unit : k_no_data;
+        if (valid[i] == 0 || !std::isfinite(values[i]) || declared(values[i])) values[i] = k_no_data;
     }
     return values;
 }
 
-std::string RasterSource::suspicion(const std::vector<double>& values, double unit) const {
-    for (const double customary :
-         {-9999.0, -99999.0, -32767.0, -32768.0, -3.4028234663852886e38, -1e32, 1e20}) {
-        const double as_read = (customary * scale_ + offset_) * unit;
-        const auto n = std::count(values.begin(), values.end(), as_read);
-        if (n > 0) {
-            return info_.path + ": " + std::to_string(n) + " cells hold " + shortest_text(customary) +
-                   ", which the file does not declare as no data; they were read as values. If they are no "
-                   "data, "
-                   "declare it: gdal_edit.py -a_nodata " +
-                   shortest_text(customary) + " FILE";
-        }
-    }
-    return {};
+std::vector<double> RasterSource::read(const Window& window, double unit) const {
+    std::vector<double> values = read_stored(window, window.columns, window.rows);
+    suspicion_.look_at(values, window.columns);
+    for (double& value : values) value = (value * scale_ + offset_) * unit;
+    return values;
+}
+
+std::vector<double> RasterSource::read_coarse(const Window& window, int columns, int rows,
+                                              double unit) const {
+    std::vector<double> values = read_stored(window, columns, rows);
+    for (double& value : values) value = (value * scale_ + offset_) * unit;
+    return values;
+}
+
+std::int64_t RasterSource::zero_rim(double steep, double unit) const {
+    // Only where 0 is stored for an elevation of 0.
+    return offset_ == 0 ? suspicion_.zero_rim(steep / (std::abs(scale_) * unit)) : 0;
+}
+
+RasterInfo with_crs(RasterInfo info, const std::string& crs_wkt) {
+    info.crs_wkt = crs_wkt;
+    info.crs_label = crs_wkt.empty() ? "none" : crs_name(crs_wkt);
+    const VerticalUnit unit = vertical_unit_of(info.band_unit, crs_wkt);
+    info.vertical_unit = unit.name;
+    info.vertical_unit_stated = unit.stated;
+    info.vertical_scale_to_metres = unit.metres;
+    return info;
 }
 
 RasterInfo inspect_raster(const std::string& path, const std::string& where) {

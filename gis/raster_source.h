@@ -4,12 +4,13 @@
 #include <gdal.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gis/memory_dataset.h"
+#include "gis/nodata_suspicion.h"
 #include "gis/raster_in.h"
-#include "gis/vertical_unit.h"
 
 namespace frana::gis {
 
@@ -31,7 +32,6 @@ class RasterSource {
     RasterSource(const std::string& path, const std::string& where, bool accept_colour_table = false);
 
     [[nodiscard]] const RasterInfo& info() const noexcept { return info_; }
-    [[nodiscard]] const VerticalUnit& unit() const noexcept { return unit_; }
     [[nodiscard]] const GeoTransform& geo_transform() const noexcept { return geo_; }
     /// Position in cells (column, row) from the upper left corner to map coordinates and back.
     [[nodiscard]] Point map_from_cell(Point cell) const noexcept;
@@ -41,16 +41,29 @@ class RasterSource {
     /// data. Throws Error(input) when the file cannot be read there.
     [[nodiscard]] std::vector<double> read(const Window& window, double unit) const;
 
-    /// A warning when the values look like customary "no data" that the file does not declare, else nothing.
-    [[nodiscard]] std::string suspicion(const std::vector<double>& values, double unit) const;
+    /// The same at so many columns and rows, each value that of one cell somewhere in its part of the window.
+    [[nodiscard]] std::vector<double> read_coarse(const Window& window, int columns, int rows,
+                                                  double unit) const;
+
+    /// One more stored value that means "no data", whatever the file says.
+    void declare_nodata(double stored) noexcept { declared_ = stored; }
+    /// A warning when what was read holds customary "no data" that the file does not declare, else nothing.
+    [[nodiscard]] std::string suspicion() const { return suspicion_.warning(info_.path); }
+    /// Cells read that look like a frame of zeros: see NodataSuspicion. `steep` in metres.
+    [[nodiscard]] std::int64_t zero_rim(double steep, double unit) const;
 
   private:
+    /// As stored; NaN where there is no data.
+    [[nodiscard]] std::vector<double> read_stored(const Window& window, int columns, int rows) const;
+
     RasterInfo info_;
+    std::string where_;  // for messages
     GdalDataset dataset_;
     GDALRasterBandH band_ = nullptr;
     GeoTransform geo_{}, inverse_{};
-    VerticalUnit unit_;
     double scale_ = 1, offset_ = 0;
+    std::optional<double> declared_;
+    mutable NodataSuspicion suspicion_;  // what read() saw in passing
 };
 
 }  // namespace frana::gis

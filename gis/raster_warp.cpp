@@ -55,7 +55,7 @@ int RasterWarp::transform(void* self, int to_source, int count, double* x, doubl
     for (std::size_t i = 0; i < n; ++i) {
         Point cell;
         if (to_source) {
-            cell = warp.source_.cell_from_map({x[i], y[i]});
+            cell = warp.source_cell({x[i], y[i]});
             cell.x -= strip.window.column;
             cell.y -= strip.window.row;
         } else {
@@ -68,11 +68,20 @@ int RasterWarp::transform(void* self, int to_source, int count, double* x, doubl
     return TRUE;
 }
 
+Point RasterWarp::source_cell(Point map) const noexcept {
+    // A raster across the antimeridian runs from 179 to 181; PROJ answers -179.
+    if (const double turn = to_grid_.source_turn(); turn > 0) {
+        const Bounds& box = source_.info().bounds;
+        map.x += turn * std::round(((box.west + box.east) / 2 - map.x) / turn);
+    }
+    return source_.cell_from_map(map);
+}
+
 Point RasterWarp::source_cells_per_cell(const GridSpec& grid) const {
     const Point centre = grid.cell_centre(grid.rows / 2, grid.columns / 2);
     const double half = grid.cell_size / 2;
     const auto cell_at = [&](double dx, double dy) {
-        return source_.cell_from_map(to_grid_.inverse({centre.x + dx, centre.y + dy}));
+        return source_cell(to_grid_.inverse({centre.x + dx, centre.y + dy}));
     };
     const Point east = cell_at(half, 0), west = cell_at(-half, 0), north = cell_at(0, half),
                 south = cell_at(0, -half);
@@ -90,7 +99,7 @@ Window RasterWarp::source_window(const GridSpec& strip, Point scale) const {
         for (const Point& map : rim) {
             double mx = map.x, my = map.y;
             if (!to_grid_.apply({&mx, 1}, {&my, 1}, true)) continue;
-            const Point cell = source_.cell_from_map({mx, my});
+            const Point cell = source_cell({mx, my});
             west = std::min(west, cell.x);
             east = std::max(east, cell.x);
             top = std::min(top, cell.y);

@@ -18,6 +18,10 @@ class RasterWarp {
     /// Source cells per cell of the grid along columns and rows at the grid's centre.
     [[nodiscard]] Point source_cells_per_cell(const GridSpec& grid) const;
 
+    /// The cells of the source that lie under a part of the grid, with what a resampling kernel needs round
+    /// them.
+    [[nodiscard]] Window source_window(const GridSpec& strip, Point source_cells_per_cell) const;
+
     /// Fills `target`; NaN where the source has no data or does not reach. Throws Error(input).
     void fill(Raster& target) const;
 
@@ -26,7 +30,8 @@ class RasterWarp {
 
   private:
     struct Strip;
-    [[nodiscard]] Window source_window(const GridSpec& strip, Point scale) const;
+    /// The source's cell at a place in its CRS; longitudes counted the way the source counts them.
+    [[nodiscard]] Point source_cell(Point map) const noexcept;
     void fill_strip(const GridSpec& strip, Point scale, double* values) const;
 
     const RasterSource& source_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gis/vector_in.h"
 
+#include <cpl_conv.h>
 #include <cpl_vsi.h>
 #include <ogrsf_frmts.h>
 
@@ -72,6 +73,17 @@ bool may_hold_areas(OGRLayer& layer) {
     return type != wkbNone && type != wkbPoint && type != wkbMultiPoint;
 }
 
+/// GDAL reads a shapefile with a damaged .dbf as one without attributes.
+void check_attribute_table(GDALDataset& dataset, OGRLayer& layer, const Source& source) {
+    if (std::string(dataset.GetDriverName()) != "ESRI Shapefile" || layer.GetLayerDefn()->GetFieldCount() > 0)
+        return;
+    const std::string table = CPLResetExtension(source.file.c_str(), "dbf");
+    VSIStatBufL status;
+    if (VSIStatL(table.c_str(), &status) == 0)
+        throw fault(source, "the attribute table is damaged", table,
+                    "Export the shapefile anew, or remove the .dbf");
+}
+
 OGRLayer& choose_layer(GDALDataset& dataset, const Source& source) {
     if (!source.layer.empty()) {
         if (OGRLayer* layer = dataset.GetLayerByName(source.layer.c_str())) return *layer;
@@ -90,6 +102,29 @@ OGRLayer& choose_layer(GDALDataset& dataset, const Source& source) {
     if (!found)
         throw fault(source, "the file holds no layer with areas", layer_names(dataset), "Give polygons");
     return *found;
+}
+
+std::string attribute_names(OGRLayer& layer) {
+    std::string names;
+    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
+    for (int i = 0; i < fields.GetFieldCount(); ++i)
+        names += (names.empty() ? "" : ", ") + std::string(fields.GetFieldDefn(i)->GetNameRef());
+    return names.empty() ? "it has none" : names;
+}
+
+void filter(OGRLayer& layer, const Source& source, const std::string& condition) {
+    const GdalSession session;
+    // Some drivers see a fault only when the first feature is asked for.
+    if (layer.SetAttributeFilter(condition.c_str()) == OGRERR_NONE) {
+        const OGRFeatureUniquePtr first(layer.GetNextFeature());
+        if (first) return;
+    }
+    if (session.failed()) {
+        throw fault(source, "the filter is not understood: " + session.last_message(), condition,
+                    "A condition as in SQL on its attributes: " + attribute_names(layer));
+    }
+    throw fault(source, "no feature satisfies the filter", condition,
+                "Its attributes: " + attribute_names(layer));
 }
 
 std::string crs_of(OGRLayer& layer) {
@@ -136,6 +171,10 @@ PolygonFeature read_feature(const OGRFeature& from, const Source& source, Proble
     if (parts.closed_lines > 0) {
         warnings.push_back(source.where + ": " + name + " is a closed line and was taken as an area");
     }
+    if (parts.unbounded > 0) {
+        problem("has a coordinate that is no number", "", "Draw it anew");
+        return feature;
+    }
     if (parts.open_lines > 0) {
         problem("is a line that does not close", "a gap of " + shortest_text(parts.widest_gap) + " CRS units",
                 "Close it, or draw it as a polygon");
@@ -167,6 +206,23 @@ bool plausible(const std::string& crs, const Bounds& box) {
     if (reference.SetFromUserInput(crs.c_str()) != OGRERR_NONE || !reference.IsGeographic()) return true;
     // Longitudes may run to 360; a radian-free check against metres labelled as degrees.
     return box.west >= -360 && box.east <= 360 && box.south >= -90.000001 && box.north <= 90.000001;
+}
+
+/// An edge longer than half a turn of longitude crosses the antimeridian; drawn as it is, it would enclose
+/// the rest of the Earth.
+std::optional<std::string> long_way_round(const std::vector<PolygonFeature>& features, double turn) {
+    if (turn == 0) return std::nullopt;
+    for (const PolygonFeature& feature : features) {
+        for (const Polygon& part : feature.parts) {
+            for (std::size_t i = 0; i < part.outer.size(); ++i) {
+                const Point a = part.outer[i], b = part.outer[(i + 1) % part.outer.size()];
+                if (std::abs(a.x - b.x) > turn / 2)
+                    return "from " + shortest_text(a.x) + ", " + shortest_text(a.y) + " to " +
+                           shortest_text(b.x) + ", " + shortest_text(b.y);
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 Bounds bounds_of(const std::vector<PolygonFeature>& features) {
@@ -230,19 +286,28 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const Source&
 }  // namespace
 
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt,
-                           const std::string& where) {
+                           const std::string& where, const LayerChoice& choice) {
     const GdalSession session;
-    const Source source = split(path, where);
+    Source source = split(path, where);
+    if (!choice.name.empty() && !source.layer.empty() && source.layer != choice.name) {
+        throw fault(source, "two layers are named", source.layer + ", " + choice.name,
+                    "Keep \"|layer=\" in the path or the key, not both");
+    }
+    if (!choice.name.empty()) source.layer = choice.name;
     const GDALDatasetUniquePtr dataset = open(source);
     OGRLayer& layer = choose_layer(*dataset, source);
-    const std::string crs = crs_of(layer);
+    check_attribute_table(*dataset, layer, source);
+    if (!choice.filter.empty()) filter(layer, source, choice.filter);
+    const std::string crs = choice.crs.empty() ? crs_of(layer) : choice.crs;
     if (crs.empty() && !target_crs_wkt.empty()) {
-        throw fault(source, "the file names no coordinate reference system", "",
-                    "Add a .prj file (or assign one: ogr2ogr -a_srs EPSG:...), or use terrain.crs = local "
-                    "throughout");
+        throw fault(
+            source, "the file names no coordinate reference system", "",
+            "Say which one it is in (perimeter-crs = EPSG:...), add a .prj file, or use terrain.crs = local "
+            "throughout");
     }
     PolygonLayer read;
     read.layer_name = layer.GetName();
+    read.crs_wkt = crs;
     read.crs_label = crs.empty() ? "none" : crs_name(crs);
     read.features = read_features(layer, source, read.warnings);
     if (session.failed())
@@ -253,8 +318,13 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
                     shortest_text(own.west) + ", " + shortest_text(own.south),
                     "Correct the .prj: " + read.crs_label);
     }
+    if (const auto place = long_way_round(read.features, target_crs_wkt.empty() ? 0 : longitude_turn(crs))) {
+        throw fault(source, "an edge goes round the Earth the long way", *place,
+                    "Split the outline at the antimeridian, or count its longitudes on beyond 180");
+    }
     const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt, own);
     read.transform = transform.info();
+    read.own_bounds = own;
     const double tolerance =
         is_projected_in_metres(target_crs_wkt) ? k_bend_tolerance : k_bend_tolerance_degrees;
     try {

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <boost/program_options/value_semantic.hpp>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/input_table.h"
 #include "app/number_text.h"
 #include "app/prepare.h"
 #include "app/share_directory.h"
 #include "app/thickness_volume.h"
+#include "app/time_estimate.h"
 #include "core/json.h"
-#include "gis/crs.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -32,74 +34,40 @@ void line(const std::string& name, const std::string& value) {
     std::printf("  %-16s %s\n", name.c_str(), value.c_str());
 }
 
-std::string accuracy_text(const gis::TransformInfo& transform) {
-    if (transform.operation.empty() || transform.operation == "none") return "none needed";
-    std::string text = transform.operation;
-    text += transform.accuracy_m < 0 ? ", accuracy unknown"
-                                     : ", accuracy " + figure(transform.accuracy_m, 3) + " m";
-    if (transform.needs_missing_grid) text += " (a better one needs a grid file that is not installed)";
-    return text;
+/// To two significant digits, for what is known no better.
+double two_digits(std::int64_t count) {
+    const double power = std::pow(10, std::max(0.0, std::floor(std::log10(static_cast<double>(count))) - 1));
+    return std::round(static_cast<double>(count) / power) * power;
 }
 
-void print_raster(const std::string& title, const gis::RasterInfo& info) {
-    const bool degrees = !info.crs_wkt.empty() && !gis::is_projected_in_metres(info.crs_wkt);
-    std::printf("\n%s\n", title.c_str());
-    line("file", info.path + " (" + info.driver + ", " + info.data_type + ")");
-    line("CRS", info.crs_wkt.empty() ? "none" : info.crs_label);
-    line("extent", extent_text(info.bounds, degrees));
-    line("cells", grouped(info.columns) + " x " + grouped(info.rows) + " of " + figure(info.cell_x, 6) +
-                      " x " + figure(info.cell_y, 6));
-    line("nodata", info.has_nodata ? figure(info.nodata, 9) : "none declared");
-    line("vertical unit", info.vertical_unit.empty() ? "not stated, taken as metres" : info.vertical_unit);
+/// Trial runs foresee splitting and the speeds to come within a factor of about two.
+std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial) {
+    if (!trial)
+        return "at least " + figure(expected.wall_seconds, 2) +
+               " s, more where the flow spreads and particles split";
+    const double seconds = trial->engine_seconds;
+    return "about " + figure(seconds, 2) + " s (" + figure(seconds / 2, 2) + " to " + figure(2 * seconds, 2) +
+           " s), from a trial on cells " + std::to_string(trial->coarsening) + " times as large" +
+           (trial->cut_short ? ", which reached " + figure(trial->trial_end, 2) + " s" : "");
 }
 
-void print_vector(const std::string& title, const std::string& file, const gis::PolygonLayer& layer) {
-    double area_m2 = 0;
-    for (const PolygonFeature& feature : layer.features) area_m2 += area(feature.parts);
-    std::printf("\n%s\n", title.c_str());
-    line("file", file + ", layer " + layer.layer_name);
-    line("CRS", layer.crs_label.empty() ? "none" : layer.crs_label);
-    line("transformation", accuracy_text(layer.transform));
-    line("extent", extent_text(layer.bounds));
-    line("polygons", std::to_string(layer.features.size()) + " features, " + grouped(area_m2) + " m2");
-}
-
-void print_inputs(const Prepared& prepared) {
-    print_raster("DTM", prepared.ground.file);
-    line("transformation", accuracy_text(prepared.ground.transform));
-    line("resampling", prepared.ground.resampling_used);
-    if (prepared.release.perimeter)
-        print_vector("Release perimeter", prepared.spec.release.perimeter.value(),
-                     *prepared.release.perimeter);
-    for (const gis::RasterInfo& file : prepared.release.thickness_files)
-        print_raster("Release thickness", file);
-    if (prepared.scar) print_vector("Scar", prepared.spec.scar.perimeter.value(), *prepared.scar);
-}
-
-void print_run(const Prepared& prepared, const RunEstimate& expected, int threads) {
-    const GridSpec& grid = prepared.scene.grid;
+void print_run(const Prepared& prepared, const RunEstimate& expected,
+               const std::optional<TimeEstimate>& trial, int threads) {
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
-    std::printf("\nWorking grid\n");
-    line("CRS", prepared.ground.crs_label);
-    line("extent", extent_text(grid.bounds()));
-    line("cells",
-         grouped(grid.columns) + " x " + grouped(grid.rows) + " of " + shortest_text(grid.cell_size) + " m");
-    line("without data",
-         grouped(prepared.ground.nodata_cells) + " cells, " +
-             (prepared.ground.filled_cells > 0 ? grouped(prepared.ground.filled_cells) + " filled"
-                                               : "policy " + prepared.spec.terrain.nodata_policy));
     std::printf("\nRun\n");
     line("released",
          words(grouped(expected.volume), "m3 from") + " " + grouped(prepared.release.area_m2) + " m2");
     if (expected.inflow > 0) line("flows in", grouped(expected.inflow) + " m3 until the end");
     line("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                         : "is the bed: the release lies on top of it");
-    line("particles", grouped(expected.particles));
-    line("memory", words("about", bytes_text(static_cast<double>(expected.memory_bytes))));
+    line(
+        "particles",
+        grouped(expected.particles) +
+            (trial ? " at the start, about " + grouped(two_digits(trial->particles_peak)) + " at most" : ""));
     line("first step", figure(expected.first_step_seconds, 3) + " s, end at " +
                            shortest_text(prepared.scene.time.end) + " s at most");
     line("estimated time",
-         words("about", figure(expected.wall_seconds, 2)) + " s on " + std::to_string(threads) + " threads");
+         time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
     for (std::size_t i = 0; i < expected.terms.size(); ++i) line(i == 0 ? "terms" : "", expected.terms[i]);
     line("result", output_directory(prepared.spec));
 }
@@ -115,9 +83,10 @@ int cmd_check(const Arguments& arguments) {
                                             text_options(*values, "set"), materials_directory());
     const Prepared prepared = prepare(reading, log);
     const RunEstimate expected = estimate(prepared.scene, threads);
+    const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
     std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
-    print_inputs(prepared);
-    print_run(prepared, expected, threads);
+    std::printf("\n%s", input_table(prepared, expected.memory_bytes).c_str());
+    print_run(prepared, expected, trial, threads);
     std::fflush(stdout);
     compare_volumes(prepared.release.file_volume_m3, expected.volume, log);
     return static_cast<int>(ExitCode::done);

@@ -3,11 +3,13 @@
 
 #include <utility>
 
+#include "app/layer_choice.h"
 #include "app/number_text.h"
 #include "app/prepare_inflow.h"
 #include "app/prepare_material.h"
 #include "app/prepare_obstacles.h"
 #include "app/prepare_zones.h"
+#include "app/transform_report.h"
 #include "core/json.h"
 #include "gis/crs.h"
 #include "params/law_names.h"
@@ -49,9 +51,12 @@ std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const Te
         const std::string crs = ground != nullptr ? ground->terrain.grid.crs_wkt
                                 : local           ? std::string()
                                                   : gis::crs_from_user("EPSG:4326", "");
-        gis::PolygonLayer layer = gis::read_polygons(*reading.scene.scar.perimeter, crs, where);
+        gis::PolygonLayer layer =
+            gis::read_polygons(*reading.scene.scar.perimeter, crs, where,
+                               layer_choice(reading, reading.scene.scar.perimeter_layer, "scar.perimeter"));
         for (const std::string& warning : layer.warnings) log.warn("scar: " + warning);
         if (ground != nullptr) {
+            report_transform("scar", layer.transform, ground->terrain.grid.cell_size, log);
             const Bounds map = ground->terrain.grid.bounds(), box = layer.bounds;
             if (box.east <= map.west || box.west >= map.east || box.north <= map.south ||
                 box.south >= map.north) {

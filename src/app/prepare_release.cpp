@@ -4,9 +4,14 @@
 #include <cmath>
 
 #include "app/check_release.h"
+#include "app/layer_choice.h"
 #include "app/layer_values.h"
+#include "app/number_text.h"
 #include "app/release_areas.h"
 #include "app/thickness_volume.h"
+#include "app/transform_report.h"
+#include "core/json.h"
+#include "gis/crs.h"
 #include "gis/rasterize.h"
 
 namespace frana::app {
@@ -21,24 +26,34 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                                        Problems& problems) {
     const std::string where = reading.where("release.thickness");
     // A thickness has its own unit; the others hold elevations.
-    const std::string unit = spec.kind == Kind::raster ? "auto" : reading.scene.terrain.vertical_unit;
+    const bool elevations = spec.kind != Kind::raster;
+    const std::string unit = elevations ? reading.scene.terrain.vertical_unit : "auto";
+    const std::optional<double> nodata = elevations ? reading.scene.terrain.nodata_value : std::nullopt;
     std::vector<std::string> files{spec.raster};
     if (spec.kind == Kind::difference) files.push_back(spec.post);
     std::vector<Raster> rasters;
     for (const std::string& file : files) {
         try {
-            const gis::RasterInfo info = gis::inspect_raster(file, where);
+            gis::RasterInfo info = gis::inspect_raster(file, where);
+            if (reading.scene.release.thickness_crs) {
+                info.crs_wkt = gis::crs_from_user(*reading.scene.release.thickness_crs,
+                                                  reading.where("release.thickness-crs"));
+                info.crs_label = gis::crs_name(info.crs_wkt);
+            }
             release.thickness_files.push_back(info);
             if (ground == nullptr) continue;
             const bool local = ground->terrain.grid.crs_wkt.empty();
             if (!local && info.crs_wkt.empty()) {
                 problems.add({"has no coordinate reference system", where, file, "",
-                              "Write one into the file, for example with gdal_edit.py -a_srs EPSG:..."});
+                              "Say which one it is in with release.thickness-crs = EPSG:..."});
                 continue;
             }
-            gis::RasterRead read =
-                gis::read_raster_on(file, ground->terrain.grid, "", gis::Resampling::automatic, unit);
+            gis::RasterRead read = gis::read_raster_on(file, ground->terrain.grid, info.crs_wkt,
+                                                       gis::Resampling::automatic, unit, nodata, where);
             for (const std::string& warning : read.warnings) log.warn("thickness: " + warning);
+            report_transform("thickness " + file, read.transform, ground->terrain.grid.cell_size, log);
+            log.note("thickness " + file + ": resampling " + read.resampling_used);
+            release.thickness_uses.push_back({read.transform, read.resampling_used, read.nodata_cells});
             rasters.push_back(std::move(read.raster));
         } catch (const Error& error) {
             problems.add(error);
@@ -60,8 +75,9 @@ void read_perimeter(const SceneReading& reading, const TerrainInput* ground, Run
                     ReleaseInput& release) {
     if (!reading.scene.release.perimeter) return;
     try {
-        release.perimeter = gis::read_polygons(*reading.scene.release.perimeter, target_crs(reading, ground),
-                                               reading.where("release.perimeter"));
+        release.perimeter = gis::read_polygons(
+            *reading.scene.release.perimeter, target_crs(reading, ground), reading.where("release.perimeter"),
+            layer_choice(reading, reading.scene.release.perimeter_layer, "release.perimeter"));
     } catch (const Error& error) {
         problems.add(error);
         return;
@@ -70,11 +86,8 @@ void read_perimeter(const SceneReading& reading, const TerrainInput* ground, Run
     log.note("perimeter " + *reading.scene.release.perimeter + ": " + std::to_string(layer.features.size()) +
              " features in " + (layer.crs_label.empty() ? "plain metres" : layer.crs_label));
     for (const std::string& warning : layer.warnings) log.warn("perimeter: " + warning);
-    if (layer.transform.needs_missing_grid)
-        log.warn(
-            "perimeter: the most accurate datum transformation needs a grid file that is not installed; "
-            "used " +
-            layer.transform.operation);
+    if (ground != nullptr)
+        report_transform("perimeter", layer.transform, ground->terrain.grid.cell_size, log);
 }
 
 }  // namespace

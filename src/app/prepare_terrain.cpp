@@ -5,7 +5,10 @@
 #include <cmath>
 
 #include "analysis/trace.h"
+#include "app/choose_crs.h"
+#include "app/flow_window.h"
 #include "app/number_text.h"
+#include "app/transform_report.h"
 #include "core/json.h"
 #include "gis/crs.h"
 #include "gis/working_grid.h"
@@ -13,6 +16,8 @@
 namespace frana::app {
 namespace {
 
+// Up to here a run takes the whole DTM; beyond, rasters nobody looks at would cost more than the flow.
+constexpr double k_large = 1e7;
 // A grid of this many cells already takes 3 GB for each of its rasters.
 constexpr double k_most_cells = 4e8;
 // terrain.nodata-policy = fill bridges holes, it does not invent ground: farther than this, cells stay empty.
@@ -24,58 +29,18 @@ std::string dtm_crs(const SceneReading& reading, const gis::RasterInfo& file) {
     return given ? gis::crs_from_user(*given, reading.where("terrain.dtm-crs")) : file.crs_wkt;
 }
 
-std::string utm_at_centre(const std::string& crs, const Bounds& bounds) {
-    const Point centre{(bounds.west + bounds.east) / 2, (bounds.south + bounds.north) / 2};
-    const Point degrees = gis::to_longitude_latitude(crs, centre);
-    return gis::utm_crs_for(degrees.x, degrees.y);
-}
-
-/// The working CRS that terrain.crs names.
-std::string asked_crs(const SceneReading& reading) {
-    const std::string where = reading.where("terrain.crs"), asked = reading.scene.terrain.crs;
-    const std::string crs = gis::crs_from_user(asked, where);
-    if (!gis::is_projected_in_metres(crs)) {
-        throw Error(ErrorKind::input, Problem{"is not a projected system in metres", where, asked,
-                                              "a projected CRS in metres, such as a UTM zone",
-                                              "Choose another, or remove the key"});
+/// Where eastings are in feet, a guess at elevations would be wrong by a factor of three.
+void check_vertical_unit(const SceneReading& reading, const gis::RasterInfo& file) {
+    const double metres = gis::metres_per_unit(file.crs_wkt);
+    if (reading.scene.terrain.vertical_unit != "auto" || file.vertical_unit_stated ||
+        std::abs(metres - 1) < 1e-9) {
+        return;
     }
-    return gis::horizontal_crs(crs);
-}
-
-/// Without a CRS coordinates must be metres already.
-void check_local(const SceneReading& reading, const gis::RasterInfo& file) {
-    if (file.crs_wkt.empty() || gis::is_projected_in_metres(file.crs_wkt)) return;
-    throw Error(
-        ErrorKind::input,
-        Problem{"the DTM's coordinates are not metres, so they cannot be taken as they are",
-                reading.where("terrain.crs"), "local", "", "Remove the key: frana then chooses a UTM zone"});
-}
-
-/// The working CRS: what was asked for, else the DTM's own if projected in metres, else the UTM zone of its
-/// centre.
-std::string working_crs(const SceneReading& reading, const gis::RasterInfo& file) {
-    const std::string& asked = reading.scene.terrain.crs;
-    if (asked == "local") {
-        check_local(reading, file);
-        return {};
-    }
-    Problems problems;
-    std::string crs;
-    try {
-        if (asked != "auto") crs = asked_crs(reading);
-    } catch (const Error& error) {
-        problems.add(error);
-    }
-    if (file.crs_wkt.empty()) {
-        problems.add(
-            {"has no coordinate reference system", reading.where("terrain.dtm"), file.path, "",
-             "Say which one it is in with terrain.dtm-crs = EPSG:..., or set terrain.crs = local to take its "
-             "coordinates, and the perimeter's, as plain metres"});
-    }
-    problems.throw_if_any();
-    if (!crs.empty()) return crs;
-    return gis::is_projected_in_metres(file.crs_wkt) ? gis::horizontal_crs(file.crs_wkt)
-                                                     : utm_at_centre(file.crs_wkt, file.bounds);
+    throw Error(ErrorKind::input,
+                Problem{"does not say in which unit its elevations are, while its eastings are in units of " +
+                            figure(metres, 9) + " m",
+                        reading.where("terrain.dtm"), file.path, "",
+                        "Set terrain.vertical-unit = metre, foot or us-survey-foot"});
 }
 
 gis::Resampling resampling_of(const std::string& name) {
@@ -100,16 +65,30 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     const TerrainSpec& spec = reading.scene.terrain;
     TerrainInput input;
     input.file = gis::inspect_raster(spec.dtm, reading.where("terrain.dtm"));
-    input.file.crs_wkt = dtm_crs(reading, input.file);
-    const std::string crs = working_crs(reading, input.file);
+    input.file = gis::with_crs(input.file, dtm_crs(reading, input.file));
+    const std::string crs = choose_working_crs(reading, input.file, log);
     input.crs_label = crs.empty() ? "local" : gis::crs_name(crs);
+    check_vertical_unit(reading, input.file);
     if (crs.empty()) input.file.crs_wkt.clear();
 
-    const GridSpec grid = gis::working_grid(input.file, crs, spec.bounds, spec.cell_size);
+    std::optional<Bounds> bounds = spec.bounds;
+    if (!bounds && static_cast<double>(input.file.columns) * static_cast<double>(input.file.rows) > k_large) {
+        bounds = flow_window(reading, input.file, crs);
+        if (bounds)
+            log.note("the DTM is large: of it frana takes what the release can reach, " +
+                     extent_text(*bounds) + "; terrain.bounds overrides this");
+    }
+    const GridSpec grid = gis::working_grid(input.file, crs, bounds, spec.cell_size);
     check_size(reading, grid);
     gis::RasterRead read = gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "",
-                                               resampling_of(spec.resampling), spec.vertical_unit);
+                                               resampling_of(spec.resampling), spec.vertical_unit,
+                                               spec.nodata_value, reading.where("terrain.dtm"));
     for (const std::string& warning : read.warnings) log.warn("DTM: " + warning);
+    if (read.zero_rim_cells > 0) {
+        log.warn("DTM: " + grouped(read.zero_rim_cells) +
+                 " cells hold 0 and stand like walls against their neighbours; they were read as elevations. "
+                 "If they are no data, set terrain.nodata-value = 0");
+    }
     input.terrain = std::move(read.raster);
     input.resampling_used = read.resampling_used;
     input.transform = read.transform;
@@ -135,10 +114,7 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
         log.note("elevations taken in the unit asked for: " + reading.scene.terrain.vertical_unit);
     else if (input.file.vertical_scale_to_metres != 1)
         log.note("elevations converted from " + input.file.vertical_unit + " to metres");
-    if (input.transform.needs_missing_grid)
-        log.warn(
-            "DTM: the most accurate datum transformation needs a grid file that is not installed; used " +
-            input.transform.operation);
+    report_transform("DTM", input.transform, grid.cell_size, log);
     if (input.nodata_cells > 0) {
         const std::string cells =
             grouped(input.nodata_cells) + " cells of the working grid have no elevation";
@@ -160,7 +136,12 @@ std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog&
         report(input, reading, log);
         return input;
     } catch (const Error& error) {
-        problems.add(error);
+        for (Problem problem : error.problems()) {
+            // Coordinates that cannot be transformed know nothing of the file they come from.
+            if (problem.where.empty())
+                problem.where = reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm;
+            problems.add(problem);
+        }
         return std::nullopt;
     }
 }

@@ -61,7 +61,7 @@ void match_file_volume(ReleaseInput& release, const GridSpec& working_grid) {
     const gis::RasterInfo& file = release.thickness_files.front();
     const std::optional<GridSpec> grid = own_grid(file, working_grid);
     if (!grid) return;
-    const Raster own = gis::read_raster_on(file.path, *grid, "", gis::Resampling::nearest).raster;
+    const Raster own = gis::read_raster_on(file.path, *grid, grid->crs_wkt, gis::Resampling::nearest).raster;
     double sum = 0;
     for (ReleaseArea& area : release.areas) {
         const double volume = volume_inside(own, area.outline);

@@ -2,10 +2,10 @@
 #include "params/read_scene.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <set>
 
+#include "params/absolute_path.h"
 #include "params/check_scene.h"
 #include "params/ini_file.h"
 #include "params/law_names.h"
@@ -172,17 +172,6 @@ Layer command_line_layer(const std::vector<std::string>& overrides, Problems& pr
 }
 
 }  // namespace
-
-std::string absolute_path(const std::string& path, const std::string& directory) {
-    const auto colon = path.find(':');
-    const bool connection = colon != std::string::npos && colon >= 2 &&
-                            std::all_of(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(colon),
-                                        [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-    if (connection || path.rfind('/', 0) == 0) return path;
-    const auto bar = path.find('|');
-    const std::string suffix = bar == std::string::npos ? "" : path.substr(bar);
-    return (fs::path(directory) / trimmed(path.substr(0, bar))).lexically_normal().string() + suffix;
-}
 
 std::vector<std::string> input_files(const SceneSpec& scene) {
     std::vector<std::string> files{scene.file};

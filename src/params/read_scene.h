@@ -31,8 +31,4 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
 /// Files of the user's that a run of the scene reads, the scene file first.
 std::vector<std::string> input_files(const SceneSpec& scene);
 
-/// A path as a scene file means it: absolute ones, GDAL's virtual files (/vsi...) and connection strings
-/// (PG:...) stay, others count from `directory`. A "|layer=NAME" at the end is kept.
-std::string absolute_path(const std::string& path, const std::string& directory);
-
 }  // namespace frana

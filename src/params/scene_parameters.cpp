@@ -2,6 +2,7 @@
 #include "params/scene_parameters.h"
 
 #include "params/declare.h"
+#include "params/input_parameters.h"
 #include "params/material_parameters.h"
 #include "params/site_parameters.h"
 
@@ -132,6 +133,7 @@ std::vector<Parameter> scene_parameters() {
     add_entrainment(list);
     add_numerics(list);
     add_rest(list);
+    add_input_parameters(list);
     return list;
 }
 

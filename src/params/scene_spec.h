@@ -24,6 +24,7 @@ struct TerrainSpec {
     std::optional<double> cell_size;
     std::optional<Bounds> bounds;
     std::string nodata_policy = "stop";
+    std::optional<double> nodata_value;
     std::string vertical_unit = "auto";
     std::string resampling = "automatic";
     std::optional<std::string> friction_zones;
@@ -32,10 +33,19 @@ struct TerrainSpec {
     std::optional<std::string> walls;
 };
 
+/// How to read a vector file, beyond its name.
+struct LayerSpec {
+    std::optional<std::string> name;
+    std::optional<std::string> filter;  ///< SQL condition on its attributes
+    std::optional<std::string> crs;     ///< instead of the file's own
+};
+
 /// [release]
 struct ReleaseSpec {
     std::optional<std::string> perimeter;
+    LayerSpec perimeter_layer;
     std::optional<ThicknessSpec> thickness;
+    std::optional<std::string> thickness_crs;
     std::string thickness_direction = "vertical";
     bool dtm_contains_release = false;
     std::optional<SourceSpec> volume, start, velocity, direction, slip_depth;
@@ -127,6 +137,7 @@ struct OutputSpec {
 /// [scar]
 struct ScarSpec {
     std::optional<std::string> perimeter;
+    LayerSpec perimeter_layer;
     std::optional<double> threshold;
 };
 

@@ -48,8 +48,8 @@ TEST_F(Command, CheckPrintsWhatWouldRunAndWritesNothing) {
     const Outcome outcome = frana({"check", "scene.ini", "--threads", "1"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     for (const std::string words :
-         {"ready to run", "EPSG:32632", "west 527000.00, south 5094000.00", "60 x 30", "4 000 m3", "2 000 m2",
-          "-9999", "particles", "memory", "terms", "estimated time"})
+         {"ready to run", "EPSG:32632", "527000.00 5094000.00", "60 x 30", "4 000 m3", "2 000 m2", "-9999",
+          "particles", "memory", "terms", "estimated time"})
         EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " in\n" << outcome.out;
     EXPECT_EQ(files(), before);
 }

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -35,9 +36,10 @@ Outcome run_program(const std::string& folder, const std::vector<std::string>& a
         ::kill(child, SIGINT);
     }
     int status = 0;
-    ::waitpid(child, &status, 0);
+    rusage used{};
+    ::wait4(child, &status, 0, &used);
     Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_text(out),
-                    read_text(err)};
+                    read_text(err), 1024.0 * static_cast<double>(used.ru_maxrss)};
     ::unlink(out.c_str());
     ::unlink(err.c_str());
     return outcome;

@@ -11,6 +11,7 @@ struct Outcome {
     int exit_code = -1;
     std::string out;
     std::string err;
+    double peak_memory_bytes = 0;  ///< largest resident set
 };
 
 /// Runs frana with these arguments in a folder and waits for it. With `signal_after_ms`, sends SIGINT then.

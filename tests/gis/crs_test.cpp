@@ -42,6 +42,9 @@ TEST(Crs, OnlyMetresEastAndNorthMakeSquareCells) {
     EXPECT_FALSE(is_projected_in_metres(crs_from_user("EPSG:2927", "")));  // US survey feet
     EXPECT_FALSE(is_projected_in_metres(crs_from_user("EPSG:2053", "")));  // axes west and south
     EXPECT_FALSE(is_projected_in_metres(""));
+    // Round the poles both axes follow meridians.
+    for (const char* polar : {"EPSG:3413", "EPSG:3031", "EPSG:5041", "EPSG:32661", "EPSG:32761"})
+        EXPECT_TRUE(is_projected_in_metres(crs_from_user(polar, ""))) << polar;
     EXPECT_TRUE(is_projected_in_metres(crs_from_user("EPSG:25832+5783", "")));  // with heights
 }
 
@@ -57,6 +60,7 @@ TEST(Crs, UtmZones) {
     EXPECT_EQ(crs_name(utm_crs_for(-70.5, -33.4)).substr(0, 10), "EPSG:32719");
     EXPECT_EQ(crs_name(utm_crs_for(-180, 10)).substr(0, 10), "EPSG:32601");
     EXPECT_EQ(crs_name(utm_crs_for(180, 10)).substr(0, 10), "EPSG:32660");
+    EXPECT_EQ(crs_name(utm_crs_for(180.5, -10)).substr(0, 10), "EPSG:32701");
 }
 
 TEST(Crs, TrueNorthLiesWestOfGridNorthEastOfTheCentralMeridian) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gis/raster_in.h"
 
+#include <gdal_priv.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include "files.h"
 #include "gis/crs.h"
 #include "gis/crs_transform.h"
+#include "gis/gdal_session.h"
 
 namespace frana::gis {
 namespace {
@@ -297,6 +299,126 @@ TEST(ReadRaster, ATiltedRasterIsReadUpright) {
         const Point centre = grid.cell_centre(i, 19 - i);
         ASSERT_NEAR(read.raster.at(i, 19 - i), plane(centre.x, centre.y), 1e-6);
     }
+}
+
+TEST(ReadRaster, StoredFromTheSouthItIsTheSameGround) {
+    const Folder folder;
+    TestRaster raster = plane_raster(6, 4, 5);
+    TestRaster upside_down = raster;
+    upside_down.north = raster.north - 4 * 5;
+    upside_down.cell_y = -5;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 6; ++column) {
+            upside_down.values[static_cast<std::size_t>((3 - row) * 6 + column)] =
+                raster.values[static_cast<std::size_t>(row * 6 + column)];
+        }
+    }
+    make_raster(folder.file("dtm.tif"), raster);
+    make_raster(folder.file("south.tif"), upside_down);
+    for (const GridSpec& grid : {utm_grid(527000, 5095000, 5, 6, 4), utm_grid(527005, 5094995, 5, 9, 9),
+                                 utm_grid(526990, 5095010, 5, 4, 4)}) {
+        const RasterRead right = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::automatic);
+        const RasterRead turned = read_raster_on(folder.file("south.tif"), grid, "", Resampling::automatic);
+        EXPECT_EQ(turned.resampling_used, "exact copy");
+        for (std::size_t i = 0; i < right.raster.values.size(); ++i) {
+            const double a = right.raster.values[i], b = turned.raster.values[i];
+            ASSERT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << i << ": " << a << ", " << b;
+        }
+    }
+}
+
+TEST(ReadRaster, OblongCellsGiveThePlane) {
+    const Folder folder;
+    TestRaster raster = plane_raster(40, 20, 5);
+    raster.cell_y = 10;
+    for (int row = 0; row < 20; ++row) {
+        for (int column = 0; column < 40; ++column) {
+            raster.values[static_cast<std::size_t>(row * 40 + column)] =
+                plane(527000 + (column + 0.5) * 5, 5095000 - (row + 0.5) * 10);
+        }
+    }
+    make_raster(folder.file("dtm.tif"), raster);
+    const GridSpec grid = utm_grid(527050, 5094950, 5, 20, 20);
+    const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::bilinear);
+    for (int i = 0; i < 20; ++i) {
+        const Point centre = grid.cell_centre(i, 19 - i);
+        ASSERT_NEAR(read.raster.at(i, 19 - i), plane(centre.x, centre.y), 1e-6);
+    }
+}
+
+TEST(ReadRaster, AcrossTheAntimeridianThereIsNoGap) {
+    const Folder folder;
+    // Taveuni, Fiji: counted 179.9 to 180.1, as a mosaic of tiles is, and -180.1 to -179.9.
+    for (const double west : {179.9, -180.1}) {
+        TestRaster raster{200, 100,          west, -16.4, 1e-3, 1e-3, "EPSG:4326",
+                          {},  std::nullopt, "",   1,     0,    0,    false};
+        for (int row = 0; row < 100; ++row)
+            for (int column = 0; column < 200; ++column) raster.values.push_back(column);
+        make_raster(folder.file("dtm.tif"), raster);
+        // UTM zone 1 south round 180 E 16.45 S, which gdaltransform puts at 179629.768, 8178910.424.
+        const GridSpec grid{175000, 8180000, 100, 90, 20, crs_from_user("EPSG:32701", "")};
+        const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::bilinear);
+        EXPECT_EQ(read.nodata_cells, 0);
+        // Column 99.5 there; half a cell of the grid is half a cell of the file.
+        const Point at_180 = grid.local_from_map({179629.768, 8178910.424});
+        EXPECT_NEAR(read.raster.at(10, static_cast<std::int64_t>(at_180.x / 100)), 99.5, 0.5) << west;
+    }
+}
+
+TEST(ReadRaster, MasksHideCells) {
+    const Folder folder;
+    const GdalSession session;
+    make_raster(folder.file("dtm.tif"), plane_raster(4, 4, 5));
+    std::vector<std::uint8_t> seen(16, 255);
+    seen[5] = 0;
+    {
+        const GDALDatasetUniquePtr file(GDALDataset::Open(folder.file("dtm.tif").c_str(), GDAL_OF_UPDATE));
+        ASSERT_EQ(file->CreateMaskBand(GMF_PER_DATASET), CE_None);
+        ASSERT_EQ(file->GetRasterBand(1)->GetMaskBand()->RasterIO(GF_Write, 0, 0, 4, 4, seen.data(), 4, 4,
+                                                                  GDT_Byte, 0, 0),
+                  CE_None);
+    }
+    const RasterRead masked =
+        read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 5, 4, 4), "", Resampling::automatic);
+    EXPECT_EQ(masked.nodata_cells, 1);
+    EXPECT_TRUE(std::isnan(masked.raster.at(1, 1)));
+}
+
+TEST(ReadRaster, AFrameOfZerosIsNoticedAndCanBeDeclared) {
+    const Folder folder;
+    TestRaster raster = plane_raster(20, 20, 5);
+    for (std::size_t i = 0; i < 20; ++i) raster.values[i] = 0;
+    make_raster(folder.file("framed.tif"), raster);
+    const GridSpec grid = utm_grid(527000, 5095000, 5, 20, 20);
+    const RasterRead framed = read_raster_on(folder.file("framed.tif"), grid, "", Resampling::automatic);
+    EXPECT_EQ(framed.zero_rim_cells, 20);
+    EXPECT_EQ(framed.nodata_cells, 0) << "nothing is taken for no data unasked";
+    const RasterRead declared =
+        read_raster_on(folder.file("framed.tif"), grid, "", Resampling::automatic, "auto", 0);
+    EXPECT_EQ(declared.nodata_cells, 20);
+    EXPECT_EQ(declared.zero_rim_cells, 0);
+    // The sea: its shore rises gently.
+    for (int row = 0; row < 20; ++row)
+        for (int column = 0; column < 20; ++column)
+            raster.values[static_cast<std::size_t>(row * 20 + column)] = std::max(0, 2 * (column - 5));
+    make_raster(folder.file("shore.tif"), raster);
+    EXPECT_EQ(read_raster_on(folder.file("shore.tif"), grid, "", Resampling::automatic).zero_rim_cells, 0);
+    // Resampled, the frame would no longer be 0: it is seen in the file.
+    EXPECT_EQ(read_raster_on(folder.file("framed.tif"), utm_grid(527000, 5095000, 10, 10, 10), "",
+                             Resampling::automatic)
+                  .zero_rim_cells,
+              20);
+}
+
+TEST(ReadRaster, UndeclaredNoDataIsSeenBeforeItIsAveraged) {
+    const Folder folder;
+    TestRaster raster = plane_raster(20, 20, 5);
+    raster.values[45] = -32767;
+    make_raster(folder.file("dtm.tif"), raster);
+    const RasterRead read = read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 10, 10, 10), "",
+                                           Resampling::automatic);
+    ASSERT_EQ(read.warnings.size(), 1U);
+    EXPECT_NE(read.warnings[0].find("hold -32767"), std::string::npos) << read.warnings[0];
 }
 
 TEST(ReadRaster, WithoutACrsOnlyLocalWorks) {

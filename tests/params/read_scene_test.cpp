@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/read_scene.h"
+#include "params/absolute_path.h"
 
 #include <cmath>
 
@@ -147,7 +148,13 @@ TEST_F(ReadScene, MissingFileAndFolder) {
 TEST_F(ReadScene, PathsOfEveryKind) {
     EXPECT_EQ(absolute_path("a.gpkg|layer=x", "/d/e"), "/d/e/a.gpkg|layer=x");
     EXPECT_EQ(absolute_path("../a.tif", "/d/e"), "/d/a.tif");
-    EXPECT_EQ(absolute_path("/vsizip/x.zip/a.tif", "/d"), "/vsizip/x.zip/a.tif");
+    EXPECT_EQ(absolute_path("/d/a b.tif", "/e"), "/d/a b.tif");
+    EXPECT_EQ(absolute_path("/vsizip/x.zip/a.tif", "/d"), "/vsizip//d/x.zip/a.tif");
+    EXPECT_EQ(absolute_path("/vsizip//e/x.zip/a.tif", "/d"), "/vsizip//e/x.zip/a.tif");
+    EXPECT_EQ(absolute_path("/vsigzip/../a.asc.gz", "/d/e"), "/vsigzip//d/a.asc.gz");
+    EXPECT_EQ(absolute_path("NETCDF:\"a.nc\":z", "/d"), "NETCDF:\"/d/a.nc\":z");
+    EXPECT_EQ(absolute_path("NETCDF:a.nc:z", "/d"), "NETCDF:/d/a.nc:z");
+    EXPECT_EQ(absolute_path("GTIFF_DIR:2:a.tif", "/d"), "GTIFF_DIR:2:/d/a.tif");
     EXPECT_EQ(absolute_path("PG:dbname=x", "/d"), "PG:dbname=x");
 }
 

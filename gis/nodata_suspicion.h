@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace frana::gis {
+
+/// Looks, while a raster is read, for values that were meant as "no data" though the file does not say so.
+class NodataSuspicion {
+  public:
+    /// `values` as stored, row by row, NaN where the file itself says "no data".
+    void look_at(const std::vector<double>& values, int columns);
+
+    /// Cells read that hold 0 and of whose neighbours most jump by more than `steep` (in the units stored): a
+    /// frame of zeros round a terrain model. None where zeros meet their neighbours gently, as the sea does.
+    [[nodiscard]] std::int64_t zero_rim(double steep) const;
+
+    /// A warning about a customary value (-9999 and its like), or nothing.
+    [[nodiscard]] std::string warning(const std::string& path) const;
+
+  private:
+    static constexpr std::array<double, 7> k_customary{
+        -9999.0, -99999.0, -32767.0, -32768.0, -3.4028234663852886e38, -1e32, 1e20};
+    std::array<std::int64_t, k_customary.size()> found_{};
+    std::int64_t zeros_ = 0;
+    std::vector<float> jumps_;  ///< between a zero and each of its neighbours that is none
+};
+
+}  // namespace frana::gis

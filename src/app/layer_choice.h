@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "gis/vector_in.h"
+#include "params/read_scene.h"
+
+namespace frana::app {
+
+/// What the keys KEY-layer, KEY-filter and KEY-crs ask for. Throws Error(input) for an unknown CRS.
+gis::LayerChoice layer_choice(const SceneReading& reading, const LayerSpec& spec, const std::string& key);
+
+}  // namespace frana::app
