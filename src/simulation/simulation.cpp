@@ -8,6 +8,7 @@
 
 #include "simulation/dispatch.h"
 #include "simulation/flow.h"
+#include "simulation/recorder.h"
 #include "simulation/release.h"
 
 namespace frana {
@@ -120,6 +121,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     give_frame();
     double next_frame = interval > 0 ? interval : scene.time.end;
     StillWatch watch;
+    Recorder recorder(scene.recording, scene.grid, scene.numerics);
     result.stop_reason = StopReason::end_time;
     while (flow.time() < scene.time.end) {
         const double target = std::min(next_frame, scene.time.end);
@@ -127,7 +129,9 @@ RunResult run(const Scene& scene, const RunOptions& options) {
         // Two equal steps rather than a full one and a sliver.
         const double stable = flow.stable_step();
         const double limit = left <= stable ? left : left < 2 * stable ? 0.5 * left : left;
+        const double began = flow.time();
         const voellmy_bingham::StepReport report = flow.advance(limit);
+        if (!recorder.idle()) recorder.see(flow, began, report.dt);
         result.series.push_back(series_row(flow, report, scene.material.density));
         result.particles_peak =
             std::max(result.particles_peak, static_cast<std::int64_t>(flow.particles().size()));
@@ -171,6 +175,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
             result.max_velocity.values[i] = 0;
         }
     }
+    recorder.give(flow, result);
     result.max_pressure = pressure_kpa(result.max_velocity, scene.material.density);
     result.bed = std::move(release.bed);
     result.release = std::move(release.depth);
