@@ -7,6 +7,7 @@
 #include "app/error_estimate.h"
 #include "app/number_text.h"
 #include "app/progress.h"
+#include "app/provenance.h"
 #include "app/publish.h"
 #include "app/share_directory.h"
 #include "app/signals.h"
@@ -37,7 +38,8 @@ CommandForm run_form() {
 /// Files of the user's that the run reads.
 std::vector<std::string> input_files(const SceneSpec& spec) {
     std::vector<std::string> files{spec.file, spec.terrain.dtm};
-    for (const auto& file : {spec.release.perimeter, spec.scar.perimeter})
+    for (const auto& file : {spec.release.perimeter, spec.scar.perimeter, spec.scar.front, spec.scar.deposit,
+                             spec.output.gauges, spec.output.sections, spec.output.profiles})
         if (file) files.push_back(*file);
     if (spec.release.thickness)
         for (const std::string& file : {spec.release.thickness->raster, spec.release.thickness->post})
@@ -94,7 +96,7 @@ int cmd_run(const Arguments& arguments) {
 
     catch_stop_signals();
     ResultDirectory directory(target, overwrite);
-    FrameWriter frames(directory.path("frames"));
+    FrameWriter frames(directory.path("frames"), provenance(prepared));
     const bool wants_frames = prepared.scene.time.frame_interval > 0;
     if (wants_frames) directory.make_folder("frames");
     ProgressReporter progress(quiet);
