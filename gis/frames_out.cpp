@@ -27,6 +27,7 @@ void set_text(GDALIHasAttribute& holder, const std::string& name, const std::str
 
 struct FrameStack::Parts {
     std::string path;
+    bool netcdf = false;
     GdalSession session;
     std::unique_ptr<GDALDataset> dataset;
     std::shared_ptr<GDALGroup> root;
@@ -56,7 +57,8 @@ struct FrameStack::Parts {
             refuse();
         array->SetUnit(unit);
         for (const auto& [key, text] : texts) set_text(*array, key, text);
-        dimension->SetIndexingVariable(array);
+        // In NetCDF a variable of a dimension's name is its coordinate.
+        if (!netcdf) dimension->SetIndexingVariable(array);
         return dimension;
     }
 };
@@ -66,7 +68,7 @@ FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& gri
     : parts_(std::make_unique<Parts>()) {
     Parts& p = *parts_;
     p.path = std::move(path);
-    const bool netcdf = format == StackFormat::netcdf;
+    const bool netcdf = p.netcdf = format == StackFormat::netcdf;
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(netcdf ? "netCDF" : "Zarr");
     CPLStringList creation;
     creation.SetNameValue("FORMAT", netcdf ? "NC4" : "ZARR_V2");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 
+#include "app/class_map.h"
 #include "app/comparison.h"
 #include "app/number_text.h"
 #include "app/text_file.h"
@@ -160,24 +161,10 @@ void draw_comparison(const Comparison& comparison, MapSource source, const std::
                     "Jaccard " + figure(f.jaccard, 3),
                     "Dice " + figure(f.dice, 3)};
     if (comparison.outline) source.notes.push_back("Outlines " + figure(comparison.outline->mean_m, 3) + " m apart");
-    render::MapSpec spec;
-    spec.title = source.title + ": comparison with the scar";
-    spec.subtitle = source.subtitle;
-    spec.legend_title = "Agreement";
-    spec.attribution = std::string("Simulated with ") + k_program + " " + k_version;
-    spec.terrain = source.terrain.values.empty() ? nullptr : &source.terrain;
-    spec.layer = &comparison.classes;
+    std::vector<render::ClassLabel> categories;
     for (const ClassText& entry : k_classes)
-        spec.categories.push_back({static_cast<double>(entry.kind), entry.label, entry.colour});
-    if (!source.release.empty())
-        spec.outlines.push_back({"Release", source.release, {20, 20, 20}, 2.5, true});
-    spec.outlines.push_back({"Surveyed scar", source.scar, {120, 0, 80}, 3, false});
-    spec.side_notes = source.notes;
-    spec.convergence_deg = source.convergence_deg;
-    spec.crs_label = source.crs_label;
-    spec.width = source.size.width;
-    spec.height = source.size.height;
-    render::write_png(path, render::draw_map(spec));
+        categories.push_back({static_cast<double>(entry.kind), entry.label, entry.colour});
+    draw_class_map(source, "comparison with the scar", "Agreement", comparison.classes, categories, path);
 }
 
 }  // namespace frana::app

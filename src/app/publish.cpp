@@ -211,7 +211,8 @@ bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter&
     publish_outlines(prepared, result, facts.run_out, directory);
     publish_series(prepared, result, directory);
     publish_profiles(prepared, result, facts.run_out, directory);
-    facts.hazard = publish_hazard(prepared, result, directory);
+    const HazardResult hazard = publish_hazard(prepared, result, directory);
+    facts.hazard = hazard.areas;
     publish_avaframe(prepared, result, directory);
     write_text_file(directory.path("timeseries.csv"), timeseries_csv(result.series));
     write_text_file(directory.path("scene.ini"), echoed_scene(prepared));
@@ -224,6 +225,8 @@ bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter&
     const Stopwatch render_watch;
     Drawings drawings(log);
     publish_maps(run, source, directory, drawings);
+    if (!hazard.areas.empty() && prepared.spec.output.maps.front() != "off")
+        drawings.attempt("maps/hazard.png", [&] { draw_hazard(hazard, source, directory.path("maps/hazard.png")); });
     if (comparison && comparison->figures)
         drawings.attempt("comparison.png",
                          [&] { draw_comparison(*comparison, source, directory.path("comparison.png")); });

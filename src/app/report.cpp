@@ -31,11 +31,14 @@ table { border-collapse: collapse; width: 100%; font-size: .85rem; }
 th, td { text-align: left; vertical-align: top; padding: .2rem .5rem; border-bottom: 1px solid #ddd;
   overflow-wrap: anywhere; }
 td.n { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
-tr.given td { font-weight: bold; } .small { font-size: .8rem; color: #444; }
+table.keys { table-layout: fixed; } table.keys th { width: 22%; } table.keys th:nth-child(2) { width: 27%; }
+table.keys th:nth-child(3) { width: 9%; } table.keys th:nth-child(4) { width: 11%; } table.keys th:last-child { width: auto; }
+tr.given td { font-weight: bold; } tr.given td:last-child { font-weight: normal; } figure { margin: 0; }
+ .small { font-size: .8rem; color: #444; }
 .warning { border-left: .4rem solid #d55e00; background: #fdf1e7; padding: .4rem .8rem; margin: .4rem 0; }
 .good { border-left: .4rem solid #009e73; background: #eaf7f2; padding: .4rem .8rem; }
 img, svg { width: 100%; height: auto; border: 1px solid #ccc; margin: .4rem 0; }
-svg { font-size: 12px; } .grid { stroke: #ddd; fill: none; } .line { stroke-width: 1.6; fill: none; }
+svg { font-size: 12px; max-width: 46rem; } .grid { stroke: #ddd; fill: none; } .line { stroke-width: 1.6; fill: none; }
 .swatch { display: inline-block; width: 1em; height: 1em; border: 1px solid #666; vertical-align: -.15em; }
 @media print { body { max-width: none; margin: 0; font-size: 10pt; } h2 { break-after: avoid; }
   tr, img, svg, figure, .warning { break-inside: avoid; } a { color: inherit; text-decoration: none; } }
@@ -83,7 +86,9 @@ void add_warnings(Page& page, const std::vector<std::string>& warnings) {
 void add_maps(Page& page, const SceneSpec& spec, const ResultDirectory& directory) {
     page.add("<h2 id=\"maps\">Maps</h2>\n");
     bool any = false;
-    for (const std::string& name : map_names()) {
+    std::vector<std::string> names = map_names();
+    names.insert(names.begin(), "hazard");
+    for (const std::string& name : names) {
         const std::string file = directory.path("maps/" + name + ".png");
         if (!fs::exists(file)) continue;
         page.add_picture(file, name);

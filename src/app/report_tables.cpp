@@ -38,7 +38,9 @@ class Table {
         rows_ += html;
         return *this;
     }
-    [[nodiscard]] std::string html() const { return "<table>\n" + rows_ + "</table>\n"; }
+    [[nodiscard]] std::string html(const std::string& kind = {}) const {
+        return (kind.empty() ? "<table>\n" : "<table class=\"" + kind + "\">\n") + rows_ + "</table>\n";
+    }
 
   private:
     std::string rows_;
@@ -257,7 +259,7 @@ std::string parameters_table(const Prepared& p) {
         table.row({name, value, parameter.unit, describe(origin), parameter.meaning},
                   origin == Origin::default_value ? "" : "given");
     }
-    return table.html();
+    return table.html("keys");
 }
 
 }  // namespace frana::app

@@ -11,7 +11,7 @@ namespace {
 
 bool inside(const GridSpec& grid, Point place) {
     const Bounds box = grid.bounds();
-    return place.x >= box.west && place.x < box.east && place.y > box.south && place.y <= box.north;
+    return place.x >= box.west && place.x <= box.east && place.y >= box.south && place.y <= box.north;
 }
 
 std::string place_text(const std::string& name, Point place) {
@@ -182,6 +182,8 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunL
     };
     if (const auto& front = reading.scene.scar.front) {
         attempt([&] {
+            const gis::Marks marks = gis::read_marks(*front, grid.crs_wkt, reading.where(front_key));
+            extra.files.push_back({"Surveyed front", *front, marks.crs_label, marks.transform});
             add_surveyed(*front, grid.crs_wkt, reading.where(front_key), log, extra.survey);
             if (!extra.survey.scar.empty()) {
                 problems.add({"is an area", reading.where(front_key), *front, "open lines or points",

@@ -85,10 +85,6 @@ void check_output(const SceneSpec& scene, const std::string& file, Problems& pro
         problems.add({"ascii is a format of the AvaFrame rasters", file + ": output.formats",
                       joined(scene.output.formats, ", "), "", "Set output.names = avaframe or remove ascii"});
     }
-    if (!has("geotiff")) {
-        problems.add({"GeoTIFFs are always written", file + ": output.formats", joined(scene.output.formats, ", "),
-                      "", "Add geotiff to the list"});
-    }
     if (scene.output.sample_interval && !scene.output.gauges && !scene.output.sections) {
         problems.add({"has nothing to sample", file + ": output.sample-interval",
                       shortest_text(*scene.output.sample_interval), "",

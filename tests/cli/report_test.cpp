@@ -36,8 +36,8 @@ TEST_F(Report, TellsEverythingInOneFile) {
     EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0U);
     EXPECT_NE(page.find("<h1>Slope &lt;5&gt; &amp; &quot;more&quot;</h1>"), std::string::npos);
     // Self-contained: pictures inside, nothing fetched.
-    EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBORw0KGgo"), 3U) << "two maps and the comparison";
-    EXPECT_EQ(count(page, "src="), 3U);
+    EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBORw0KGgo"), 4U) << "intensity, two maps and the comparison";
+    EXPECT_EQ(count(page, "src="), 4U);
     EXPECT_EQ(count(page, "href="), 0U);
     EXPECT_EQ(count(page, "<script"), 0U);
     EXPECT_EQ(count(page, "url("), 0U);

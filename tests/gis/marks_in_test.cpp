@@ -21,7 +21,7 @@ TEST(ReadMarks, PointsAndLinesWithTheirNames) {
     const Marks points = read_marks(folder.file("a.gpkg"), crs_from_user("EPSG:32632", ""), "output.gauges");
     ASSERT_EQ(points.points.size(), 2U);
     EXPECT_EQ(points.points[1].place.x, 527010);
-    EXPECT_NE(points.points[0].name, points.points[1].name);
+    EXPECT_EQ(points.points[0].name, "slope");
     EXPECT_EQ(points.crs_label, "EPSG:32632 (WGS 84 / UTM zone 32N)");
     make_vector(folder.file("b.gpkg"), "GPKG", "EPSG:32632", {"LINESTRING (0 0, 3 4)"});
     const Marks lines = read_marks(folder.file("b.gpkg"), crs_from_user("EPSG:32632", ""), "k");

@@ -29,6 +29,16 @@ def classes_of(qml):
     return items, shader.get("colorRampType") == "EXACT"
 
 
+def sld_classes(sld):
+    entries = xml.parse(sld).getroot().iter("{http://www.opengis.net/sld}ColorMapEntry")
+    return [(float(entry.get("quantity")), rgb(entry.get("color"))) for entry in entries]
+
+
+def sld_like(items):
+    """An open end is written as the largest number of a raster."""
+    return [(3.4e38 if bound == float("inf") else bound, colour) for bound, colour in items]
+
+
 def expected_colour(value, items, exact):
     for bound, colour in items:
         if (value == bound) if exact else (value <= bound):
@@ -102,6 +112,11 @@ def main(name, result):
             assert layer.isValid(), "the layer does not open"
             if style == "sld":
                 message, good = layer.loadSldStyle(os.path.join(result, name + ".sld"))
+                if not good and "not supported" in message and not zones:
+                    # QGIS 3.22 reads no SLD for rasters; its text must say what the .qml says.
+                    assert sld_classes(os.path.join(result, name + ".sld")) == sld_like(items), "the styles differ"
+                    print("%s, sld: not read by this QGIS, same classes as the qml" % name)
+                    continue
                 assert good, "QGIS does not read the .sld: " + message
             image = draw(layer, extent, columns, rows, os.path.join(result, "%s_%s.png" % (name, style)))
             wrong, coloured = check(image, values, columns, rows, colour_of, 2 if zones else 0)  # a blend rounds
