@@ -46,10 +46,11 @@ struct FrameStack::Parts {
     /// A coordinate along one dimension.
     std::shared_ptr<GDALDimension> axis(const std::string& name, const std::string& type,
                                         const std::string& direction, const std::vector<double>& values,
-                                        const std::map<std::string, std::string>& texts, const std::string& unit) {
+                                        const std::map<std::string, std::string>& texts,
+                                        const std::string& unit) {
         const auto dimension = must(root->CreateDimension(name, type, direction, values.size()));
-        const Array array = must(
-            root->CreateMDArray(name, {dimension}, GDALExtendedDataType::Create(GDT_Float64), nullptr));
+        const Array array =
+            must(root->CreateMDArray(name, {dimension}, GDALExtendedDataType::Create(GDT_Float64), nullptr));
         const GUInt64 start = 0;
         const size_t count = values.size();
         if (!array->Write(&start, &count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float64),

@@ -45,8 +45,10 @@ void take(const OGRGeometry& geometry, const std::string& name, Marks& marks) {
         }
         case wkbLineString: {
             Polyline line;
-            for (const OGRPoint& point : *geometry.toLineString()) line.push_back({point.getX(), point.getY()});
-            if (line.size() >= 2) marks.lines.push_back({numbered(name, marks.lines.size()), std::move(line)});
+            for (const OGRPoint& point : *geometry.toLineString())
+                line.push_back({point.getX(), point.getY()});
+            if (line.size() >= 2)
+                marks.lines.push_back({numbered(name, marks.lines.size()), std::move(line)});
             return;
         }
         case wkbPolygon:
@@ -71,7 +73,8 @@ void transform_places(Marks& marks, const std::string& from, const std::string& 
             for (Point& place : line.line) visit(place);
     };
     each([&](const Point& p) {
-        box = {std::min(box.west, p.x), std::min(box.south, p.y), std::max(box.east, p.x), std::max(box.north, p.y)};
+        box = {std::min(box.west, p.x), std::min(box.south, p.y), std::max(box.east, p.x),
+               std::max(box.north, p.y)};
     });
     if (box.west > box.east) return;
     const CrsTransform transform(from, to, box);

@@ -29,9 +29,10 @@ struct Marks {
 };
 
 /// Points and lines in the target CRS (empty: coordinates as they are). `path` may name a layer:
-/// "file.gpkg|layer=gauges"; without it all layers are taken. Parts of a collection become features of their own. A
-/// name is the attribute `name` (or NAME, Name, id), else a number from 1. Edges stay straight between their
-/// vertices. Throws Error(input): missing file, no CRS, nothing in it, a place that cannot be transformed.
+/// "file.gpkg|layer=gauges"; without it all layers are taken. Parts of a collection become features of their
+/// own. A name is the attribute `name` (or NAME, Name, id), else a number from 1. Edges stay straight between
+/// their vertices. Throws Error(input): missing file, no CRS, nothing in it, a place that cannot be
+/// transformed.
 Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const std::string& where);
 
 }  // namespace frana::gis

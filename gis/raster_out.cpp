@@ -162,8 +162,8 @@ void write_ascii_grid(const std::string& path, const Raster& raster) {
     const NoSideFiles quiet;
     CPLStringList options;
     options.SetNameValue("SIGNIFICANT_DIGITS", "6");
-    const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("AAIGrid"), path.c_str(), dataset.get(), TRUE,
-                                             options.List(), nullptr, nullptr));
+    const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("AAIGrid"), path.c_str(), dataset.get(),
+                                             TRUE, options.List(), nullptr, nullptr));
     if (!written || session.failed()) refuse(path, session);
 }
 

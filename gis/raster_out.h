@@ -27,8 +27,8 @@ struct BandText {
 /// disk too.
 void write_geotiff(const std::string& path, const Raster& raster, const BandText& text);
 
-/// An ESRI ASCII grid (.asc, and .prj where there is a CRS), six significant digits, nodata -9999: for programs
-/// that read no GeoTIFF. Throws Error(environment).
+/// An ESRI ASCII grid (.asc, and .prj where there is a CRS), six significant digits, nodata -9999: for
+/// programs that read no GeoTIFF. Throws Error(environment).
 void write_ascii_grid(const std::string& path, const Raster& raster);
 
 /// One class of a classified raster.

@@ -145,8 +145,8 @@ std::string polygon_qml(const std::string& attribute, const std::vector<ColourSt
         const Rgb c = stops[i].colour;
         symbols << "      <symbol type=\"fill\" name=\"" << i << "\" alpha=\"" << k_zone_opacity
                 << "\" clip_to_extent=\"1\" force_rhr=\"0\">\n        <layer class=\"SimpleFill\" pass=\"0\" "
-                << "locked=\"0\" enabled=\"1\">\n          <prop k=\"color\" v=\"" << int(c.r) << ',' << int(c.g)
-                << ',' << int(c.b) << ",255\"/>\n          <prop k=\"style\" v=\"solid\"/>\n"
+                << "locked=\"0\" enabled=\"1\">\n          <prop k=\"color\" v=\"" << int(c.r) << ','
+                << int(c.g) << ',' << int(c.b) << ",255\"/>\n          <prop k=\"style\" v=\"solid\"/>\n"
                 << "          <prop k=\"outline_style\" v=\"no\"/>\n        </layer>\n      </symbol>\n";
     }
     out << "    </categories>\n    <symbols>\n"
@@ -162,7 +162,8 @@ std::string polygon_sld(const std::string& name, const std::string& attribute,
         << "xmlns:ogc=\"http://www.opengis.net/ogc\">\n  <NamedLayer>\n    <Name>" << escaped(name)
         << "</Name>\n    <UserStyle>\n      <FeatureTypeStyle>\n";
     for (const ColourStop& stop : stops) {
-        out << "        <Rule>\n          <Name>" << escaped(stop.label) << "</Name>\n          <ogc:Filter>\n"
+        out << "        <Rule>\n          <Name>" << escaped(stop.label)
+            << "</Name>\n          <ogc:Filter>\n"
             << "            <ogc:PropertyIsEqualTo><ogc:PropertyName>" << escaped(attribute)
             << "</ogc:PropertyName><ogc:Literal>" << shortest_text(stop.value)
             << "</ogc:Literal></ogc:PropertyIsEqualTo>\n          </ogc:Filter>\n"
@@ -203,7 +204,8 @@ void write_polygon_styles(const std::string& gpkg_path, const std::string& attri
     const std::filesystem::path file(gpkg_path);
     std::filesystem::path beside = file;
     write_text(beside.replace_extension(".qml").string(), polygon_qml(attribute, stops));
-    write_text(beside.replace_extension(".sld").string(), polygon_sld(file.stem().string(), attribute, stops));
+    write_text(beside.replace_extension(".sld").string(),
+               polygon_sld(file.stem().string(), attribute, stops));
 }
 
 }  // namespace frana::gis

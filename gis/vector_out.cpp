@@ -19,8 +19,8 @@ namespace {
 [[noreturn]] void refuse(const std::string& path, const GdalSession& session) {
     const std::string message = session.last_message();
     throw Error(ErrorKind::environment,
-                Problem{"the vector file cannot be written" + (message.empty() ? "" : ": " + message), path, "",
-                        "", "Check that the folder exists, may be written and has room"});
+                Problem{"the vector file cannot be written" + (message.empty() ? "" : ": " + message), path,
+                        "", "", "Check that the folder exists, may be written and has room"});
 }
 
 struct Fields {
@@ -40,7 +40,8 @@ struct LineKind {
     static double measured(const LineFeature& feature) {
         double sum = 0;
         for (std::size_t i = 1; i < feature.line.size(); ++i)
-            sum += std::hypot(feature.line[i].x - feature.line[i - 1].x, feature.line[i].y - feature.line[i - 1].y);
+            sum += std::hypot(feature.line[i].x - feature.line[i - 1].x,
+                              feature.line[i].y - feature.line[i - 1].y);
         return sum;
     }
     static std::unique_ptr<OGRGeometry> shape(const LineFeature& feature) {
@@ -119,7 +120,8 @@ bool write_layer(GDALDataset& dataset, OGRSpatialReference* crs, const std::stri
 
 /// Makes a GeoPackage aside, fills it by `write_layers(dataset, crs)`, and renames it.
 template <class WriteLayers>
-void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt, const WriteLayers& write_layers) {
+void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt,
+                      const WriteLayers& write_layers) {
     const GdalSession session;
     FileAside file(gpkg_path);
     OGRSpatialReference crs;

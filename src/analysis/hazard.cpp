@@ -28,7 +28,8 @@ std::vector<HazardClass> custom_classes(const HazardLimits& limits) {
         const auto mix = [t](std::uint8_t a, std::uint8_t b) {
             return static_cast<std::uint8_t>(std::lround(a + t * (b - a)));
         };
-        classes.push_back({static_cast<int>(i) + 1, "Class " + std::to_string(i + 1),
+        classes.push_back({static_cast<int>(i) + 1,
+                           "Class " + std::to_string(i + 1),
                            {mix(k_light.r, k_dark.r), mix(k_light.g, k_dark.g), mix(k_light.b, k_dark.b)}});
     }
     return classes;
@@ -65,10 +66,11 @@ HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits) 
     if (name == "swiss-debris-flow")
         return {name, k_swiss, {{2, "Medium intensity", k_middle}, {3, "High intensity", k_dark}}, {}};
     if (name == "swiss-flood")
-        return {name,
-                k_swiss,
-                {{1, "Low intensity", k_light}, {2, "Medium intensity", k_middle}, {3, "High intensity", k_dark}},
-                {}};
+        return {
+            name,
+            k_swiss,
+            {{1, "Low intensity", k_light}, {2, "Medium intensity", k_middle}, {3, "High intensity", k_dark}},
+            {}};
     if (name == "austrian-torrent")
         return {name,
                 "BMLFUW (2011): Richtlinie fuer die Gefahrenzonenplanung, Vienna (torrents, design event)",

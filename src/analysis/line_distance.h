@@ -18,8 +18,8 @@ class LineSet {
     [[nodiscard]] bool empty() const noexcept { return segments_.empty(); }
     /// Distance from a point to the nearest place of the lines [m]; NaN where there is none.
     [[nodiscard]] double distance(Point point) const noexcept;
-    /// Points along the lines, at equal distances of at most `spacing` within each straight piece, each in the
-    /// middle of the stretch it stands for.
+    /// Points along the lines, at equal distances of at most `spacing` within each straight piece, each in
+    /// the middle of the stretch it stands for.
     [[nodiscard]] std::vector<Point> samples(double spacing) const;
 
   private:

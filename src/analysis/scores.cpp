@@ -94,8 +94,8 @@ ComparisonFigures figures_at(const Raster& simulated_depth, const Raster& observ
 
 ComparisonFigures compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
     ComparisonFigures figures = figures_at(simulated_depth, observed_mask, threshold);
-    figures.auroc =
-        area_under_roc(simulated_depth, observed_mask, figures.observed_area_m2 / observed_mask.grid.cell_area());
+    figures.auroc = area_under_roc(simulated_depth, observed_mask,
+                                   figures.observed_area_m2 / observed_mask.grid.cell_area());
     return figures;
 }
 

@@ -8,8 +8,8 @@
 
 namespace frana::app {
 
-/// Draws a raster of classes to a PNG, with the terrain and the release of `source`, its notes beside it, and the
-/// scar in a colour that stands out from the classes. Throws Error.
+/// Draws a raster of classes to a PNG, with the terrain and the release of `source`, its notes beside it, and
+/// the scar in a colour that stands out from the classes. Throws Error.
 void draw_class_map(const MapSource& source, const std::string& what, const std::string& legend,
                     const Raster& classes, const std::vector<render::ClassLabel>& categories,
                     const std::string& path);

@@ -24,7 +24,8 @@ CommandForm compare_form() {
     namespace options = boost::program_options;
     CommandForm form{
         "frana compare RESULT_DIR|RASTER... --scar VECTOR... [--deposit FILE] [options]",
-        "Compares simulated depths with what was surveyed, in any CRS: areas, lines of a front, points of a tip.\n"
+        "Compares simulated depths with what was surveyed, in any CRS: areas, lines of a front, points of a "
+        "tip.\n"
         "Prints the figures and writes comparison.json, comparison_curve.csv, comparison.tif and "
         "comparison.png.\nSeveral results or scars give a folder each, and a ranking in ranking.csv.",
         "RESULT_DIR|RASTER",
@@ -95,7 +96,8 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
 Survey read_survey(const std::optional<std::string>& scar, const std::optional<std::string>& deposit,
                    const GridSpec& grid, RunLog& log) {
     Survey survey;
-    if (grid.crs_wkt.empty()) log.warn("the raster has no CRS: the survey's coordinates are taken as they are");
+    if (grid.crs_wkt.empty())
+        log.warn("the raster has no CRS: the survey's coordinates are taken as they are");
     if (scar) add_surveyed(*scar, grid.crs_wkt, "--scar", log, survey);
     if (deposit) add_deposit(*deposit, grid, "--deposit", log, survey);
     return survey;

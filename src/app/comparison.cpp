@@ -101,11 +101,13 @@ void compare_deposits(const ComparisonInput& input, const Bounds& box, RunLog& l
     }
     if (!survey.deposit.empty()) {
         const Raster depth = padded_to(*input.final_depth, box, k_no_data);
-        comparison.deposit_overlap = compare(depth, gis::coverage(survey.deposit, depth.grid), input.threshold);
-    } else {
         comparison.deposit_overlap =
-            compare(*input.final_depth, trace_mask(*survey.elevation_change, input.threshold), input.threshold);
-        comparison.deposit_depth = compare_deposit(*input.final_depth, *survey.elevation_change, input.threshold);
+            compare(depth, gis::coverage(survey.deposit, depth.grid), input.threshold);
+    } else {
+        comparison.deposit_overlap = compare(
+            *input.final_depth, trace_mask(*survey.elevation_change, input.threshold), input.threshold);
+        comparison.deposit_depth =
+            compare_deposit(*input.final_depth, *survey.elevation_change, input.threshold);
     }
 }
 
@@ -135,7 +137,8 @@ std::string comparison_headline(const Comparison& comparison) {
         text += (text.empty() ? "" : "; ") + std::string("front ") + front.name + ": " +
                 figure(front.mean_m, 3) + " m on average";
     for (const TipComparison& tip : comparison.tips)
-        text += (text.empty() ? "" : "; ") + std::string("tip ") + tip.name + ": " + figure(tip.distance_m, 3) + " m";
+        text += (text.empty() ? "" : "; ") + std::string("tip ") + tip.name + ": " +
+                figure(tip.distance_m, 3) + " m";
     if (comparison.deposit_overlap)
         text += (text.empty() ? "" : "; ") + std::string("deposit: Jaccard ") +
                 figure(comparison.deposit_overlap->jaccard, 3);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/line_distance.h"
 #include "analysis/deposit_scores.h"
+#include "analysis/line_distance.h"
 #include "analysis/scores.h"
 #include "app/map_source.h"
 #include "app/run_log.h"
@@ -17,18 +17,18 @@ namespace frana::app {
 
 /// What is compared.
 struct ComparisonInput {
-    Raster depth;             ///< greatest depth; NaN: never reached
-    Survey survey;            ///< in the depth's CRS
-    double threshold = 0;     ///< [m]
-    std::string depth_label;  ///< for the file: what was simulated
+    Raster depth;               ///< greatest depth; NaN: never reached
+    Survey survey;              ///< in the depth's CRS
+    double threshold = 0;       ///< [m]
+    std::string depth_label;    ///< for the file: what was simulated
     std::optional<Raster> bed;  ///< for the run-outs; none: not compared
     std::optional<Raster> release;
     std::optional<Raster> final_depth;  ///< for the deposit; none: not compared
     std::map<std::string, std::string> metadata;
 };
 
-/// A surveyed front against the simulated outline. Distances are positive where the simulation goes beyond the
-/// front, negative where it falls short of it.
+/// A surveyed front against the simulated outline. Distances are positive where the simulation goes beyond
+/// the front, negative where it falls short of it.
 struct FrontComparison {
     std::string name;
     double mean_m = 0;           ///< signed
@@ -60,8 +60,8 @@ struct Comparison {
     Raster classes;  ///< values of Agreement; no cells without a surveyed area
 };
 
-/// Compares a depth with everything surveyed. Ground outside the depth's grid that the survey covers counts as
-/// missed. share/doc/scores.md has the formulas.
+/// Compares a depth with everything surveyed. Ground outside the depth's grid that the survey covers counts
+/// as missed. share/doc/scores.md has the formulas.
 Comparison compare_with_survey(const ComparisonInput& input, RunLog& log);
 
 std::string comparison_json(const Comparison& comparison, const ComparisonInput& input);
@@ -69,8 +69,8 @@ std::string comparison_json(const Comparison& comparison, const ComparisonInput&
 /// threshold_m, hit_m2, ... one row for each point of the curve.
 std::string comparison_curve_csv(const Comparison& comparison);
 
-/// comparison.json, and where an area was surveyed comparison_curve.csv and comparison.tif with its styles, into a
-/// folder. Throws Error.
+/// comparison.json, and where an area was surveyed comparison_curve.csv and comparison.tif with its styles,
+/// into a folder. Throws Error.
 void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder);
 
 /// comparison.png.

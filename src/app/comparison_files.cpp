@@ -145,10 +145,10 @@ void write_comparison(const Comparison& comparison, const ComparisonInput& input
         stops.push_back({static_cast<double>(entry.kind), entry.colour, entry.label});
     }
     const std::string raster = (place / "comparison.tif").string();
-    gis::write_class_geotiff(raster, comparison.classes, classes,
-                             {"comparison",
-                              "Simulated trace against the surveyed scar: 1 hit, 2 false alarm, 3 miss", "",
-                              input.metadata});
+    gis::write_class_geotiff(
+        raster, comparison.classes, classes,
+        {"comparison", "Simulated trace against the surveyed scar: 1 hit, 2 false alarm, 3 miss", "",
+         input.metadata});
     gis::write_styles(raster, stops, "", gis::StyleKind::exact);
 }
 
@@ -160,7 +160,8 @@ void draw_comparison(const Comparison& comparison, MapSource source, const std::
                     "Area difference " + figure(f.area_difference_percent, 3) + " %",
                     "Jaccard " + figure(f.jaccard, 3),
                     "Dice " + figure(f.dice, 3)};
-    if (comparison.outline) source.notes.push_back("Outlines " + figure(comparison.outline->mean_m, 3) + " m apart");
+    if (comparison.outline)
+        source.notes.push_back("Outlines " + figure(comparison.outline->mean_m, 3) + " m apart");
     std::vector<render::ClassLabel> categories;
     for (const ClassText& entry : k_classes)
         categories.push_back({static_cast<double>(entry.kind), entry.label, entry.colour});

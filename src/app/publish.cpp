@@ -176,7 +176,8 @@ void warn_of_trouble(const Finished& run, RunLog& log) {
 
 /// The comparison with what was surveyed, if anything was. A survey that cannot be compared does not cost the
 /// run: it is a warning.
-std::optional<Comparison> publish_comparison(const Finished& run, const ResultDirectory& directory, RunLog& log) {
+std::optional<Comparison> publish_comparison(const Finished& run, const ResultDirectory& directory,
+                                             RunLog& log) {
     const ComparisonInput input = comparison_input(run);
     if (input.survey.empty()) return std::nullopt;
     try {
@@ -226,7 +227,8 @@ bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter&
     Drawings drawings(log);
     publish_maps(run, source, directory, drawings);
     if (!hazard.areas.empty() && prepared.spec.output.maps.front() != "off")
-        drawings.attempt("maps/hazard.png", [&] { draw_hazard(hazard, source, directory.path("maps/hazard.png")); });
+        drawings.attempt("maps/hazard.png",
+                         [&] { draw_hazard(hazard, source, directory.path("maps/hazard.png")); });
     if (comparison && comparison->figures)
         drawings.attempt("comparison.png",
                          [&] { draw_comparison(*comparison, source, directory.path("comparison.png")); });
@@ -238,7 +240,8 @@ bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter&
     facts.wall.total = run.since_start.seconds();
     facts.peak_memory_bytes = peak_memory_bytes();
     facts.warnings = log.warnings();
-    if (prepared.spec.output.report) write_report({prepared, result, facts, comparison, facts.hazard}, directory);
+    if (prepared.spec.output.report)
+        write_report({prepared, result, facts, comparison, facts.hazard}, directory);
     write_text_file(directory.path("summary.json"), summary_json(result, facts));
     log.note("wrote summary.json");
     write_text_file(directory.path("log.txt"), log.text());

@@ -45,8 +45,10 @@ Raster normal_thickness(const Raster& depth, const Raster& bed) {
         for (std::int64_t column = 0; column < grid.columns; ++column) {
             if (!depth.has_data(row, column)) continue;
             const double here = bed_at(row, column);
-            const double east = gradient(bed_at(row, column - 1), here, bed_at(row, column + 1), grid.cell_size);
-            const double north = gradient(bed_at(row + 1, column), here, bed_at(row - 1, column), grid.cell_size);
+            const double east =
+                gradient(bed_at(row, column - 1), here, bed_at(row, column + 1), grid.cell_size);
+            const double north =
+                gradient(bed_at(row + 1, column), here, bed_at(row - 1, column), grid.cell_size);
             normal.at(row, column) = depth.at(row, column) / std::sqrt(1 + east * east + north * north);
         }
     }
@@ -65,25 +67,25 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
     if (prepared.spec.output.names != "avaframe") return;
     directory.make_folder("peakFiles");
     const auto origin = provenance(prepared);
-    const std::string name =
-        "peakFiles/" + avaframe_name(scene_name(prepared.spec), origin.at("SCENE_HASH"));
+    const std::string name = "peakFiles/" + avaframe_name(scene_name(prepared.spec), origin.at("SCENE_HASH"));
     const auto write = [&](const std::string& kind, const Raster& values, const std::string& text,
                            const std::string& unit) {
         const Raster raster = filled(values, prepared.scene.terrain);
         if (has_format(prepared.spec, "ascii"))
             gis::write_ascii_grid(directory.path(name + "_" + kind + ".asc"), raster);
         else
-            gis::write_geotiff(directory.path(name + "_" + kind + ".tif"), raster, {kind, text, unit, origin});
+            gis::write_geotiff(directory.path(name + "_" + kind + ".tif"), raster,
+                               {kind, text, unit, origin});
     };
     write("ppr", result.max_pressure, "Peak pressure", "kPa");
-    write("pft", normal_thickness(result.max_depth, result.bed), "Peak flow thickness, normal to the slope", "m");
+    write("pft", normal_thickness(result.max_depth, result.bed), "Peak flow thickness, normal to the slope",
+          "m");
     write("pfv", result.max_velocity, "Peak flow velocity", "m/s");
 }
 
 void publish_frame_stacks(const Prepared& prepared, const ResultDirectory& directory) {
-    for (const auto& [word, file, format] :
-         {std::tuple{"netcdf", "frames.nc", gis::StackFormat::netcdf},
-          std::tuple{"zarr", "frames.zarr", gis::StackFormat::zarr}}) {
+    for (const auto& [word, file, format] : {std::tuple{"netcdf", "frames.nc", gis::StackFormat::netcdf},
+                                             std::tuple{"zarr", "frames.zarr", gis::StackFormat::zarr}}) {
         if (!has_format(prepared.spec, word)) continue;
         const std::vector<StoredFrame> frames = stored_frames(directory.path("frames"));
         std::vector<double> times;

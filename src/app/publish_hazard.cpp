@@ -33,8 +33,8 @@ void write_raster(const Raster& classes, const HazardScheme& scheme, const std::
     gis::write_styles(path, stops, "", gis::StyleKind::exact);
 }
 
-std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& scheme, const std::string& path,
-                                    const std::string& crs_wkt) {
+std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& scheme,
+                                    const std::string& path, const std::string& crs_wkt) {
     gis::OutlineLayer zones{"hazard_zones", {}};
     std::vector<gis::ColourStop> stops;
     std::vector<HazardArea> areas;
@@ -55,13 +55,15 @@ std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& s
 
 }  // namespace
 
-HazardResult publish_hazard(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
+HazardResult publish_hazard(const Prepared& prepared, const RunResult& result,
+                            const ResultDirectory& directory) {
     const HazardSpec& spec = prepared.spec.hazard;
     if (!spec.scheme) return {};
     const std::map<std::string, std::string> origin = provenance(prepared);
     if (!result.max_flux.values.empty()) {
-        gis::write_geotiff(directory.path("max_flux.tif"), result.max_flux,
-                           {"max_flux", "Maximum over time of depth times speed at one moment", "m2/s", origin});
+        gis::write_geotiff(
+            directory.path("max_flux.tif"), result.max_flux,
+            {"max_flux", "Maximum over time of depth times speed at one moment", "m2/s", origin});
         gis::write_geotiff(directory.path("max_head.tif"), result.max_head,
                            {"max_head", "Maximum over time of depth plus v2/2g at one moment", "m", origin});
     }

@@ -24,9 +24,10 @@ struct HazardResult {
     Raster classes;
 };
 
-/// hazard.tif, hazard_zones.gpkg (one feature a class) and their styles, where the scene names a scheme; further
-/// max_flux.tif and max_head.tif where they were recorded. Throws Error(environment).
-HazardResult publish_hazard(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory);
+/// hazard.tif, hazard_zones.gpkg (one feature a class) and their styles, where the scene names a scheme;
+/// further max_flux.tif and max_head.tif where they were recorded. Throws Error(environment).
+HazardResult publish_hazard(const Prepared& prepared, const RunResult& result,
+                            const ResultDirectory& directory);
 
 /// The classes as a map.
 void draw_hazard(const HazardResult& hazard, MapSource source, const std::string& path);

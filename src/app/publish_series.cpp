@@ -57,8 +57,7 @@ std::string gauges_csv(const std::vector<GaugeRow>& rows, const std::vector<Gaug
 }
 
 std::string sections_csv(const std::vector<SectionRow>& rows, const std::vector<CrossSection>& sections) {
-    std::string text =
-        "time_s,section,discharge_m3s,volume_m3,wetted_width_m,max_depth_m,max_speed_ms\n";
+    std::string text = "time_s,section,discharge_m3s,volume_m3,wetted_width_m,max_depth_m,max_speed_ms\n";
     for (const SectionRow& row : rows) {
         text += shortest_text(row.time) + "," + csv_cell(sections[row.section].name);
         add_numbers(text, {row.discharge, row.volume, row.wetted_width, row.max_depth, row.max_speed});
@@ -80,7 +79,8 @@ void publish_series(const Prepared& prepared, const RunResult& result, const Res
         lines.features.push_back({section.line, {}, {{"name", section.name}}});
     for (const Gauge& gauge : recording.gauges)
         points.features.push_back({gauge.place, {}, {{"name", gauge.name}}});
-    gis::write_lines_and_points(directory.path("gauges.gpkg"), prepared.scene.grid.crs_wkt, {lines}, {points});
+    gis::write_lines_and_points(directory.path("gauges.gpkg"), prepared.scene.grid.crs_wkt, {lines},
+                                {points});
 }
 
 void publish_profiles(const Prepared& prepared, const RunResult& result, const Runout& run_out,
@@ -107,7 +107,8 @@ void publish_profiles(const Prepared& prepared, const RunResult& result, const R
         }
     }
     write_text_file(directory.path("profiles.csv"), text);
-    gis::write_lines_and_points(directory.path("profiles.gpkg"), prepared.scene.grid.crs_wkt, {lines}, {points});
+    gis::write_lines_and_points(directory.path("profiles.gpkg"), prepared.scene.grid.crs_wkt, {lines},
+                                {points});
 }
 
 }  // namespace frana::app

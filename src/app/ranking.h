@@ -8,8 +8,8 @@
 
 namespace frana::app {
 
-/// Several comparisons in the order of their agreement: greatest Jaccard index first; those without a surveyed
-/// area after them, by the mean distance of their fronts, nearest first.
+/// Several comparisons in the order of their agreement: greatest Jaccard index first; those without a
+/// surveyed area after them, by the mean distance of their fronts, nearest first.
 class Ranking {
   public:
     /// A folder's name for a pair, different from all before: RESULT_SCAR, with a number where that is taken.

@@ -65,8 +65,8 @@ class Page {
         file_.close();
         if (!file_) {
             throw Error(ErrorKind::environment,
-                        Problem{std::string("cannot be written: ") + std::strerror(errno), aside_.path(), "", "",
-                                "Check the disk's space and the rights"});
+                        Problem{std::string("cannot be written: ") + std::strerror(errno), aside_.path(), "",
+                                "", "Check the disk's space and the rights"});
         }
         aside_.rename_into_place();
     }
@@ -94,8 +94,9 @@ void add_maps(Page& page, const SceneSpec& spec, const ResultDirectory& director
         page.add_picture(file, name);
         any = true;
     }
-    if (!any) page.add(spec.output.maps.front() == "off" ? "<p>The scene asks for no maps.</p>\n"
-                                                         : "<p>No map could be drawn; see the warnings.</p>\n");
+    if (!any)
+        page.add(spec.output.maps.front() == "off" ? "<p>The scene asks for no maps.</p>\n"
+                                                   : "<p>No map could be drawn; see the warnings.</p>\n");
 }
 
 }  // namespace
@@ -109,8 +110,7 @@ std::string base64(const std::string& bytes) {
         unsigned group = 0;
         for (std::size_t k = 0; k < 3; ++k)
             group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += k <= count ? k_signs[group >> (18 - 6 * k) & 63] : '=';
+        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? k_signs[group >> (18 - 6 * k) & 63] : '=';
     }
     return text;
 }
@@ -133,14 +133,16 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     add_maps(page, spec, directory);
     page.add("<h2 id=\"series\">Course of the flow</h2>\n" + series_charts(input));
     if (input.comparison) {
-        page.add("<h2 id=\"comparison\">Comparison with the survey</h2>\n" + comparison_tables(*input.comparison));
+        page.add("<h2 id=\"comparison\">Comparison with the survey</h2>\n" +
+                 comparison_tables(*input.comparison));
         if (fs::exists(directory.path("comparison.png")))
             page.add_picture(directory.path("comparison.png"), "comparison");
     }
     page.add("<h2 id=\"inputs\">Inputs</h2>\n" + inputs_table(input.prepared));
-    page.add("<h2 id=\"parameters\">Parameters</h2>\n<p class=\"small\">Bold: given in the scene, on the command "
-             "line or by the material preset.</p>\n" +
-             parameters_table(input.prepared));
+    page.add(
+        "<h2 id=\"parameters\">Parameters</h2>\n<p class=\"small\">Bold: given in the scene, on the command "
+        "line or by the material preset.</p>\n" +
+        parameters_table(input.prepared));
     page.add("</body>\n</html>\n");
     page.finish();
 }

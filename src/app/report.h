@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/comparison.h"
-#include "app/publish_hazard.h"
 #include "app/publish.h"
+#include "app/publish_hazard.h"
 #include "app/summary.h"
 
 namespace frana::app {

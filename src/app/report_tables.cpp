@@ -30,8 +30,8 @@ class Table {
         return *this;
     }
     Table& number(const std::string& name, const std::string& value, const std::string& unit) {
-        rows_ += "<tr><td>" + html_escaped(name) + "</td><td class=\"n\">" + html_escaped(value) + "</td><td>" +
-                 html_escaped(unit) + "</td></tr>\n";
+        rows_ += "<tr><td>" + html_escaped(name) + "</td><td class=\"n\">" + html_escaped(value) +
+                 "</td><td>" + html_escaped(unit) + "</td></tr>\n";
         return *this;
     }
     Table& raw(const std::string& html) {
@@ -64,7 +64,8 @@ void add_figures(Table& table, const ComparisonFigures& f) {
     table.number("Depth that counts as covered", figure(f.threshold_m), "m")
         .number("Observed area", grouped(f.observed_area_m2), "m²")
         .number("Simulated area", grouped(f.simulated_area_m2), "m²")
-        .number("Area difference |simulated − observed| / observed", figure(f.area_difference_percent, 3), "%")
+        .number("Area difference |simulated − observed| / observed", figure(f.area_difference_percent, 3),
+                "%")
         .number("Hit", grouped(f.hit_m2), "m²")
         .number("False alarm", grouped(f.false_alarm_m2), "m²")
         .number("Miss", grouped(f.miss_m2), "m²")
@@ -91,7 +92,8 @@ std::string curve_chart(const std::vector<ComparisonFigures>& curve) {
 std::string accuracy(const gis::TransformInfo& transform) {
     if (transform.operation.empty() || transform.operation == "none") return "none needed";
     return transform.operation +
-           (transform.accuracy_m < 0 ? "; accuracy unknown" : "; accuracy " + figure(transform.accuracy_m, 3) + " m") +
+           (transform.accuracy_m < 0 ? "; accuracy unknown"
+                                     : "; accuracy " + figure(transform.accuracy_m, 3) + " m") +
            (transform.needs_missing_grid ? " (a better one needs a grid file that is not installed)" : "");
 }
 
@@ -109,7 +111,8 @@ std::string results_table(const ReportInput& input) {
         .number("Run-out, straight in map view", grouped(f.run_out.horizontal_m), "m")
         .number("Drop", grouped(f.run_out.drop_m), "m")
         .number("Angle of reach", figure(f.run_out.reach_angle_deg, 3), "°")
-        .number("Simulated time (" + std::string(describe(r.stop_reason)) + ")", figure(r.simulated_seconds, 4), "s")
+        .number("Simulated time (" + std::string(describe(r.stop_reason)) + ")",
+                figure(r.simulated_seconds, 4), "s")
         .html();
 }
 
@@ -131,15 +134,18 @@ std::string numerics_table(const ReportInput& input) {
     std::string terms;
     for (const std::string& term : r.terms) terms += (terms.empty() ? "" : "; ") + term;
     return Table()
-               .number("Cells", grouped(grid.columns) + " × " + grouped(grid.rows), "of " + figure(grid.cell_size) + " m")
+               .number("Cells", grouped(grid.columns) + " × " + grouped(grid.rows),
+                       "of " + figure(grid.cell_size) + " m")
                .number("Particles: start, end, peak",
                        grouped(r.particles_initial) + ", " + grouped(r.particles_final) + ", " +
-                           grouped(r.particles_peak), "")
+                           grouped(r.particles_peak),
+                       "")
                .number("Time steps", grouped(r.steps), "")
                .number("Non-finite particles", grouped(e.non_finite), "0 in a good run")
                .number("Depths clamped", grouped(e.depth_clamped), "0 in a good run")
                .number("Speeds clamped", grouped(e.speed_clamped), "0 in a good run")
-               .number("Particles over ground without elevation", grouped(e.entered_no_data), "0 in a good run")
+               .number("Particles over ground without elevation", grouped(e.entered_no_data),
+                       "0 in a good run")
                .html() +
            "<p class=\"small\">Computed: " + html_escaped(terms) + "</p>\n";
 }
@@ -147,12 +153,14 @@ std::string numerics_table(const ReportInput& input) {
 std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas) {
     Table table({"class", "", "area [m²]"});
     for (const HazardArea& area : areas) {
-        table.raw("<tr><td>" + std::to_string(area.kind.value) + "</td><td><span class=\"swatch\" style=\"background:" +
-                  hex(area.kind.colour) + "\"></span> " + html_escaped(area.kind.label) + "</td><td class=\"n\">" +
+        table.raw("<tr><td>" + std::to_string(area.kind.value) +
+                  "</td><td><span class=\"swatch\" style=\"background:" + hex(area.kind.colour) +
+                  "\"></span> " + html_escaped(area.kind.label) + "</td><td class=\"n\">" +
                   grouped(area.area_m2) + "</td></tr>\n");
     }
     return "<p>Scheme " + html_escaped(*spec.hazard.scheme) +
-           ". This is the intensity of one scenario; a degree of danger also asks how often it happens.</p>\n" +
+           ". This is the intensity of one scenario; a degree of danger also asks how often it "
+           "happens.</p>\n" +
            table.html();
 }
 
@@ -167,7 +175,8 @@ std::string series_charts(const ReportInput& input) {
     std::string charts = svg_chart({"time [s]", "front from the release [m]", {front}, false}) +
                          svg_chart({"time [s]", "greatest speed [m/s]", {speed}, false}) +
                          svg_chart({"time [s]", "greatest depth [m]", {depth}, false});
-    static constexpr const char* k_colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
+    static constexpr const char* k_colours[] = {"#0072b2", "#d55e00", "#009e73",
+                                                "#cc79a7", "#e69f00", "#56b4e9"};
     const auto colour = [](std::size_t i) { return k_colours[i % std::size(k_colours)]; };
     const Recording& recording = input.prepared.scene.recording;
     std::vector<SvgSeries> gauges, sections;
@@ -197,13 +206,16 @@ std::string comparison_tables(const Comparison& c) {
             .number("Distance of the outlines, greatest (Hausdorff)", figure(c.outline->hausdorff_m, 3), "m");
     }
     if (c.runout_difference_m)
-        table.number("Run-out, simulated less observed, straight", signed_figure(*c.runout_difference_m), "m");
+        table.number("Run-out, simulated less observed, straight", signed_figure(*c.runout_difference_m),
+                     "m");
     if (c.path_runout) {
         table.number("Run-out along the flow path, simulated", grouped(c.path_runout->simulated_m), "m")
             .number("Run-out along the flow path, observed", grouped(c.path_runout->observed_m), "m");
     }
     for (const FrontComparison& front : c.fronts) {
-        table.number("Front " + front.name + ": mean distance, + beyond, − short", signed_figure(front.mean_m), "m")
+        table
+            .number("Front " + front.name + ": mean distance, + beyond, − short", signed_figure(front.mean_m),
+                    "m")
             .number("Front " + front.name + ": reached", figure(front.reached_percent, 3), "% of its length");
     }
     for (const TipComparison& tip : c.tips)

@@ -148,7 +148,8 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunL
         if (marks) extra.files.push_back({what, *file, marks->crs_label, marks->transform});
     };
     const std::string gauges_key = "output.gauges", sections_key = "output.cross-sections",
-                      profiles_key = "output.profiles", front_key = "scar.front", deposit_key = "scar.deposit";
+                      profiles_key = "output.profiles", front_key = "scar.front",
+                      deposit_key = "scar.deposit";
 
     const auto gauges = marks_of(output.gauges, gauges_key, reading, grid, problems);
     keep("Gauges", output.gauges, gauges);
@@ -165,14 +166,15 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunL
 
     const auto profiles = marks_of(output.profiles, profiles_key, reading, grid, problems);
     keep("Profiles", output.profiles, profiles);
-    extra.profiles = lines_of(profiles, output.profiles.value_or(""), reading.where(profiles_key), grid, problems);
+    extra.profiles =
+        lines_of(profiles, output.profiles.value_or(""), reading.where(profiles_key), grid, problems);
     require_different_names(extra.profiles, reading.where(profiles_key), problems);
 
     extra.recording.interval = output.sample_interval.value_or(0);
     // Depth times speed and the energy head are followed for the schemes that ask for them.
     const HazardSpec& hazard = reading.scene.hazard;
-    extra.recording.intensity = hazard.scheme == "swiss-flood" || hazard.scheme == "austrian-torrent" ||
-                                !hazard.flux_limits.empty();
+    extra.recording.intensity =
+        hazard.scheme == "swiss-flood" || hazard.scheme == "austrian-torrent" || !hazard.flux_limits.empty();
     const auto attempt = [&](const auto& read) {
         try {
             read();

@@ -33,8 +33,8 @@ struct Survey {
     [[nodiscard]] std::optional<Bounds> box() const;
 };
 
-/// Adds a file to a survey by what it holds: polygons (or closed lines) are a scar, open lines a front, points
-/// tips. Throws Error(input).
+/// Adds a file to a survey by what it holds: polygons (or closed lines) are a scar, open lines a front,
+/// points tips. Throws Error(input).
 void add_surveyed(const std::string& file, const std::string& crs_wkt, const std::string& where, RunLog& log,
                   Survey& survey);
 

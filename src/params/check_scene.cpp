@@ -68,7 +68,8 @@ void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& p
     }
     if (!custom && limits) {
         problems.add({"limits belong to scheme custom", file + ": hazard.scheme",
-                      hazard.scheme.value_or("not given"), "custom", "Set hazard.scheme = custom or remove them"});
+                      hazard.scheme.value_or("not given"), "custom",
+                      "Set hazard.scheme = custom or remove them"});
     }
 }
 

@@ -2,6 +2,7 @@
 #include "params/scene_parameters.h"
 
 #include "params/declare.h"
+#include "params/output_parameters.h"
 
 namespace frana {
 namespace {
@@ -11,12 +12,7 @@ using declare::number;
 using declare::on_off;
 using declare::Range;
 using declare::text;
-
-// The member a parameter stands for, of a scene that may or may not be const.
-#define FRANA_MEMBER(path)     \
-    [](auto& scene) -> auto& { \
-        return scene.path;     \
-    }
+using declare::word_list;
 
 /// A key that is known but whose feature does not exist yet: refused, never ignored.
 template <class Member>
@@ -120,69 +116,6 @@ Parameter particles_per_cell_parameter() {
     return result;
 }
 
-/// A list whose words come from a fixed set; a word in `alone` must stand by itself.
-template <class Member>
-Parameter word_list(const std::string& name, Member member, const std::vector<std::string>& alone,
-                    const std::vector<std::string>& words, const std::string& meaning,
-                    const std::vector<std::string>& not_yet = {}) {
-    Parameter result = declare::parameter(
-        name, "list", member,
-        [=](std::vector<std::string>& target, const std::string& value) -> std::optional<Refusal> {
-            const auto is_in = [](const std::vector<std::string>& list, const std::string& word) {
-                return std::find(list.begin(), list.end(), word) != list.end();
-            };
-            const std::vector<std::string> given = words_of(value);
-            if (given.empty()) return Refusal{"names nothing", ""};
-            for (const std::string& word : given) {
-                if (is_in(not_yet, word))
-                    return Refusal{"'" + word + "' is not available in this version", ""};
-                if (is_in(alone, word) && given.size() > 1)
-                    return Refusal{"'" + word + "' must stand alone", ""};
-                if (!is_in(alone, word) && !is_in(words, word))
-                    return Refusal{"'" + word + "' is not known", ""};
-            }
-            target = given;
-            return std::nullopt;
-        },
-        [](const std::vector<std::string>& value) { return joined(value, ", "); });
-    std::vector<std::string> all = alone;
-    all.insert(all.end(), words.begin(), words.end());
-    result.limits = joined(all, ", ");
-    if (!not_yet.empty()) result.limits += " (not available yet: " + joined(not_yet, ", ") + ")";
-    result.meaning = meaning;
-    return result;
-}
-
-/// Numbers greater than 0, each greater than the one before; none by default.
-template <class Member>
-Parameter rising_numbers(const std::string& name, Member member, const std::string& unit,
-                         const std::string& meaning) {
-    Parameter result = declare::parameter(
-        name, "list", member,
-        [](std::vector<double>& target, const std::string& value) -> std::optional<Refusal> {
-            std::vector<double> numbers;
-            for (const std::string& word : words_of(value)) {
-                const auto number = number_from_text(word);
-                if (!number) return Refusal{"'" + word + "' is not a number", ""};
-                if (!(*number > (numbers.empty() ? 0 : numbers.back())))
-                    return Refusal{"does not rise from above 0", "Write for example 0.5 2"};
-                numbers.push_back(*number);
-            }
-            target = numbers;
-            return std::nullopt;
-        },
-        [](const std::vector<double>& numbers) {
-            std::vector<std::string> words;
-            for (const double number : numbers) words.push_back(shortest_text(number));
-            return joined(words, ", ");
-        });
-    result.unit = unit;
-    result.limits = "rising numbers greater than 0";
-    result.meaning = meaning;
-    result.absent = "none";
-    return result;
-}
-
 Parameter map_size_parameter() {
     Parameter result =
         text("output.map-size", FRANA_MEMBER(output.map_size), "text", "Width and height of the maps.");
@@ -193,23 +126,6 @@ Parameter map_size_parameter() {
         scene.output.map_size = value;
         return std::nullopt;
     };
-    return result;
-}
-
-Parameter scheme_parameter() {
-    const std::vector<std::string> schemes{"swiss-debris-flow", "swiss-flood", "austrian-torrent", "custom"};
-    Parameter result = declare::parameter(
-        "hazard.scheme", "choice", FRANA_MEMBER(hazard.scheme),
-        [schemes](std::optional<std::string>& target, const std::string& value) -> std::optional<Refusal> {
-            if (std::find(schemes.begin(), schemes.end(), value) == schemes.end())
-                return Refusal{"is not one of the choices", ""};
-            target = value;
-            return std::nullopt;
-        },
-        [](const std::string& value) { return value; });
-    result.limits = joined(schemes, ", ");
-    result.meaning = "Scheme of intensity classes for hazard.tif; share/doc/hazard.md tells their sources.";
-    result.absent = "no classes";
     return result;
 }
 
@@ -334,7 +250,8 @@ void add_rest(std::vector<Parameter>& list) {
     list.push_back(on_off("output.frames", FRANA_MEMBER(output.frames),
                           "Write depth and velocity at the frame interval as GeoTIFFs."));
     list.push_back(on_off("output.animation", FRANA_MEMBER(output.animation), "Write animation.mp4."));
-    list.push_back(word_list("output.formats", FRANA_MEMBER(output.formats), {}, {"geotiff", "netcdf", "zarr", "ascii"},
+    list.push_back(word_list("output.formats", FRANA_MEMBER(output.formats), {},
+                             {"geotiff", "netcdf", "zarr", "ascii"},
                              "Formats: GeoTIFF is always written; netcdf and zarr add the frames as one file "
                              "each, ascii writes the AvaFrame rasters as ESRI ASCII grids."));
     Parameter checkpoint = number("output.checkpoint-interval", FRANA_MEMBER(output.checkpoint_interval), "s",
@@ -348,42 +265,13 @@ void add_rest(std::vector<Parameter>& list) {
     list.push_back(
         text("output.title", FRANA_MEMBER(output.title), "text", "Title of the maps.", "the scene's name"));
 
-    list.push_back(choice("output.names", FRANA_MEMBER(output.names), {"frana", "avaframe"},
-                          "avaframe: also peakFiles/ with pressure, thickness normal to the slope and speed under "
-                          "AvaFrame's names."));
-    list.push_back(on_off("output.report", FRANA_MEMBER(output.report),
-                          "Write report.html: maps, parameters, inputs, results and warnings in one file."));
-    list.push_back(text("output.gauges", FRANA_MEMBER(output.gauges), "file",
-                        "Points where depth and speed are recorded over time, in their own CRS.", "none"));
-    list.push_back(text("output.cross-sections", FRANA_MEMBER(output.sections), "file",
-                        "Lines through which the discharge is recorded over time, in their own CRS.", "none"));
-    list.push_back(number("output.sample-interval", FRANA_MEMBER(output.sample_interval), "s",
-                          Range{0, 1e6, true}, "Simulated time between rows of gauges and cross-sections.",
-                          "every step"));
-    list.push_back(text("output.profiles", FRANA_MEMBER(output.profiles), "file",
-                        "Lines along which profiles of the results are written, in their own CRS; the flow path's "
-                        "is always written.",
-                        "none"));
-
-    list.push_back(scheme_parameter());
-    list.push_back(rising_numbers("hazard.depth-limits", FRANA_MEMBER(hazard.depth_limits), "m",
-                                  "Scheme custom: greatest depths beyond which the class rises by one each."));
-    list.push_back(rising_numbers("hazard.velocity-limits", FRANA_MEMBER(hazard.velocity_limits), "m/s",
-                                  "Scheme custom: the same for the greatest speed."));
-    list.push_back(rising_numbers("hazard.flux-limits", FRANA_MEMBER(hazard.flux_limits), "m2/s",
-                                  "Scheme custom: the same for the greatest depth times speed at one moment."));
-    list.push_back(rising_numbers("hazard.pressure-limits", FRANA_MEMBER(hazard.pressure_limits), "kPa",
-                                  "Scheme custom: the same for the greatest dynamic pressure."));
+    add_extra_output(list);
+    add_hazard(list);
 
     list.push_back(text("scar.perimeter", FRANA_MEMBER(scar.perimeter), "file",
                         "Surveyed outline to compare with: any polygon layer, in its own CRS.",
                         "no comparison"));
-    list.push_back(text("scar.front", FRANA_MEMBER(scar.front), "file",
-                        "Surveyed lines of a front, or points of a deposit's tip, in their own CRS.",
-                        "no comparison"));
-    list.push_back(text("scar.deposit", FRANA_MEMBER(scar.deposit), "file",
-                        "Surveyed deposit: polygons, or a raster of elevation after less before.",
-                        "no comparison"));
+    add_survey(list);
     list.push_back(number("scar.threshold", FRANA_MEMBER(scar.threshold), "m", Range{1e-6, 100},
                           "Depth that counts as touched in the comparison.", "output.trace-threshold"));
 }

@@ -41,7 +41,8 @@ class Flow {
         for (const std::int64_t tile : state_.order.node_tiles()) {
             const NodeRange range(tile, state_.order.grid(), n);
             range.for_each(n.stride(), [&](std::size_t index, std::int64_t i, std::int64_t j) {
-                const bool ghost = i < k_ghost || j < k_ghost || i >= n.columns() + k_ghost || j >= n.rows() + k_ghost;
+                const bool ghost =
+                    i < k_ghost || j < k_ghost || i >= n.columns() + k_ghost || j >= n.rows() + k_ghost;
                 if (!ghost) visit(index);
             });
         }

@@ -31,14 +31,16 @@ Recorder::Recorder(const Recording& recording, const GridSpec& grid, const Numer
     for (const CrossSection& section : recording.sections) {
         Line line;
         for (std::size_t k = 1; k < section.line.size(); ++k) {
-            const Point a = grid.local_from_map(section.line[k - 1]), b = grid.local_from_map(section.line[k]);
+            const Point a = grid.local_from_map(section.line[k - 1]),
+                        b = grid.local_from_map(section.line[k]);
             const double length = std::hypot(b.x - a.x, b.y - a.y);
             const int count = static_cast<int>(std::ceil(length / longest));
             for (int p = 0; p < count; ++p) {
                 const double t = (p + 0.5) / count;
                 const double x = (a.x + t * (b.x - a.x)) / cell_size_ - 0.5;
                 const double y = (a.y + t * (b.y - a.y)) / cell_size_ - 0.5;
-                const auto i = static_cast<std::int64_t>(std::floor(x)), j = static_cast<std::int64_t>(std::floor(y));
+                const auto i = static_cast<std::int64_t>(std::floor(x)),
+                           j = static_cast<std::int64_t>(std::floor(y));
                 const double fx = x - static_cast<double>(i), fy = y - static_cast<double>(j);
                 line.pieces.push_back({{{node_at(i, j), (1 - fx) * (1 - fy)},
                                         {node_at(i + 1, j), fx * (1 - fy)},

@@ -10,7 +10,8 @@
 namespace frana {
 
 /// Records what a scene asks for beyond the maxima, from the nodes as each step leaves them: their depth,
-/// and the velocity that the particles brought (as the maxima see it), at the moment the step began. What the very last step leads to is not seen.
+/// and the velocity that the particles brought (as the maxima see it), at the moment the step began. What the
+/// very last step leads to is not seen.
 class Recorder {
   public:
     Recorder(const Recording& recording, const GridSpec& grid, const Numerics& numerics);
@@ -30,7 +31,7 @@ class Recorder {
     };
     /// A short piece of a line.
     struct Piece {
-        Share shares[4];           ///< the nodes round its middle
+        Share shares[4];            ///< the nodes round its middle
         double normal_x, normal_y;  ///< to the right, times the piece's length [m]
         double length;
     };

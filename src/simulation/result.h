@@ -70,13 +70,13 @@ struct GaugeRow {
 
 /// One row of sections.csv.
 struct SectionRow {
-    double time = 0;            ///< [s]
-    std::size_t section = 0;    ///< its place in Recording::sections
-    double discharge = 0;       ///< to the right of the line's direction positive [m3/s]
-    double volume = 0;          ///< passed so far, the same sign [m3]
-    double wetted_width = 0;    ///< length of the line that is deeper than the minimum depth [m]
-    double max_depth = 0;       ///< on the line [m]
-    double max_speed = 0;       ///< on the line, along the bed [m/s]
+    double time = 0;          ///< [s]
+    std::size_t section = 0;  ///< its place in Recording::sections
+    double discharge = 0;     ///< to the right of the line's direction positive [m3/s]
+    double volume = 0;        ///< passed so far, the same sign [m3]
+    double wetted_width = 0;  ///< length of the line that is deeper than the minimum depth [m]
+    double max_depth = 0;     ///< on the line [m]
+    double max_speed = 0;     ///< on the line, along the bed [m/s]
 };
 
 /// What a run gives back: rasters on the working grid (NaN where nothing ever flowed), series, counts.

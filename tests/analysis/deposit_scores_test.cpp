@@ -29,7 +29,7 @@ TEST(DepositScores, ByHand) {
     EXPECT_EQ(s.area_m2, 300);
     EXPECT_EQ(s.observed_volume_m3, 600);
     EXPECT_EQ(s.simulated_volume_m3, 300);
-    EXPECT_EQ(s.bias_m, -1);                            // (1 - 2 - 2) / 3
+    EXPECT_EQ(s.bias_m, -1);                               // (1 - 2 - 2) / 3
     EXPECT_NEAR(s.mean_absolute_error_m, 5.0 / 3, 1e-15);  // (1 + 2 + 2) / 3
     EXPECT_NEAR(s.rmse_m, std::sqrt(3.0), 1e-15);          // (1 + 4 + 4) / 3
     // Means 1 and 2: covariance (1)(-1) + (0)(1) + (-1)(0) = -1, variances 2 and 2.

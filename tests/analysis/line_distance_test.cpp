@@ -40,14 +40,13 @@ TEST(LineSet, SamplesAreEvenlySpreadWhateverTheVertices) {
 }
 
 TEST(DistanceBetween, ConcentricSquaresByHand) {
-    // Squares of 10 and 30 m about one centre, sampled every metre. From the inner one to the outer: 10 m, all
-    // 40 samples. From the outer one: 10 m beside the inner square (40 samples); at its corners
-    // sqrt(100 + a^2) with a = 0.5, 1.5 ... 9.5 m, 8 samples each; the farthest has a = 9.5.
-    const LineDistance d =
-        distance_between(LineSet(square(10, 10, 10)), LineSet(square(0, 0, 30)), 1);
+    // Squares of 10 and 30 m about one centre, sampled every metre. From the inner one to the outer: 10 m,
+    // all 40 samples. From the outer one: 10 m beside the inner square (40 samples); at its corners sqrt(100
+    // + a^2) with a = 0.5, 1.5 ... 9.5 m, 8 samples each; the farthest has a = 9.5.
+    const LineDistance d = distance_between(LineSet(square(10, 10, 10)), LineSet(square(0, 0, 30)), 1);
     double sum = 80 * 10;
     for (int k = 0; k < 10; ++k) sum += 8 * std::hypot(10, k + 0.5);
-    EXPECT_NEAR(d.mean_m, sum / 160, 1e-12);              // rounding
+    EXPECT_NEAR(d.mean_m, sum / 160, 1e-12);                 // rounding
     EXPECT_NEAR(d.hausdorff_m, std::hypot(10, 9.5), 1e-12);  // exact: 14.14 m; the sampling misses 0.35 m
     // Nearest rank of 160: the 152nd; the 8 farthest are those with a = 9.5, so it is the last with 9.5's
     // predecessor, a = 8.5.

@@ -65,19 +65,21 @@ TEST_F(Compare, MissingScarFile) {
     EXPECT_FALSE(std::filesystem::exists(path("scores")));
 }
 
-
 /// Depth 1 m on a square of 50 m, from (20, 50) to (70, 100), in depth.asc.
 class CompareSquare : public TinyScene {
   protected:
     CompareSquare() {
-        write_dtm([](int row, int column) {
-            return row >= 10 && row < 20 && column >= 4 && column < 14 ? 1.0 : -9999.0;
-        }, true, "depth.asc");
+        write_dtm(
+            [](int row, int column) {
+                return row >= 10 && row < 20 && column >= 4 && column < 14 ? 1.0 : -9999.0;
+            },
+            true, "depth.asc");
     }
     void write_lines(const std::string& name, const std::string& type, const std::string& coordinates) const {
-        write(name,
-              R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [{"type": "Feature", "properties": {"name": "f"}, "geometry": {"type": ")" +
-                  type + R"(", "coordinates": )" + coordinates + "}}]}");
+        write(
+            name,
+            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [{"type": "Feature", "properties": {"name": "f"}, "geometry": {"type": ")" +
+                type + R"(", "coordinates": )" + coordinates + "}}]}");
     }
     [[nodiscard]] static std::string place(double x, double y) {
         return "[" + std::to_string(k_west + x) + "," + std::to_string(k_south + y) + "]";
@@ -93,10 +95,10 @@ TEST_F(CompareSquare, OutlineDistancesOfASquareShiftedByHalf) {
     write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});
     const Outcome outcome = compare({"--scar", "scar.geojson"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    // Squares of 50 m, 25 m apart. Of each outline: the far side lies 25 m away (50 m of it); of the two sides along
-    // the shift, the half that the other square covers is 0 m away, the other half 0 to 25, at 2.5, 7.5 ... 22.5 m
-    // (samples of 5 m); the near side lies inside the other square, 25 m from its edge except near the corners:
-    // min(25, distance to the sides) = 2.5, 7.5, 12.5, 17.5, 22.5 and back.
+    // Squares of 50 m, 25 m apart. Of each outline: the far side lies 25 m away (50 m of it); of the two
+    // sides along the shift, the half that the other square covers is 0 m away, the other half 0 to 25,
+    // at 2.5, 7.5 ... 22.5 m (samples of 5 m); the near side lies inside the other square, 25 m from its edge
+    // except near the corners: min(25, distance to the sides) = 2.5, 7.5, 12.5, 17.5, 22.5 and back.
     const double along = 2 * (2.5 + 7.5 + 12.5 + 17.5 + 22.5);  // two sides; the covered halves add nothing
     const double near = 2 * (2.5 + 7.5 + 12.5 + 17.5 + 22.5);
     EXPECT_NEAR(json_number(outcome.out, "mean_m"), (10 * 25 + along + near) / 40, 1e-9);
@@ -135,23 +137,24 @@ TEST_F(CompareSquare, AnOpenLineThatCrossesTheEdgeIsHalfReached) {
 }
 
 TEST_F(CompareSquare, SeveralResultsAndScarsAreRanked) {
-    write_dtm([](int row, int column) {
-        return row >= 10 && row < 20 && column >= 9 && column < 19 ? 1.0 : -9999.0;
-    }, true, "better.asc");
+    write_dtm([](int row,
+                 int column) { return row >= 10 && row < 20 && column >= 9 && column < 19 ? 1.0 : -9999.0; },
+              true, "better.asc");
     write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});   // better.asc itself
     write_polygon("other", {{20, 50}, {70, 50}, {70, 100}, {20, 100}});  // depth.asc itself
-    const Outcome outcome = frana({"compare", "depth.asc", "better.asc", "--scar", "scar.geojson", "--out", "rank",
-                                   "--size", "800x600"});
+    const Outcome outcome = frana({"compare", "depth.asc", "better.asc", "--scar", "scar.geojson", "--out",
+                                   "rank", "--size", "800x600"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, read_text(path("rank/ranking.csv")));
     const std::size_t first = outcome.out.find("\n1,better_scar,better.asc,scar.geojson,1,1,0,"),
-                      second = outcome.out.find("\n2,depth_scar,depth.asc,scar.geojson,0.3333333333333333,0.5,0,");
+                      second =
+                          outcome.out.find("\n2,depth_scar,depth.asc,scar.geojson,0.3333333333333333,0.5,0,");
     EXPECT_NE(first, std::string::npos) << outcome.out;
     EXPECT_NE(second, std::string::npos) << outcome.out;
     EXPECT_TRUE(std::filesystem::exists(path("rank/better_scar/comparison.json")));
     EXPECT_TRUE(std::filesystem::exists(path("rank/depth_scar/comparison.png")));
-    const Outcome both = frana({"compare", "depth.asc", "--scar", "scar.geojson", "--scar", "other.geojson", "--out",
-                                "rank", "--size", "800x600"});
+    const Outcome both = frana({"compare", "depth.asc", "--scar", "scar.geojson", "--scar", "other.geojson",
+                                "--out", "rank", "--size", "800x600"});
     ASSERT_EQ(both.exit_code, 0) << both.err;
     EXPECT_NE(both.out.find("\n1,depth_other,"), std::string::npos) << both.out;
 }
@@ -159,17 +162,19 @@ TEST_F(CompareSquare, SeveralResultsAndScarsAreRanked) {
 TEST_F(Compare, ADepositAgainstAnElevationDifference) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
-    // The survey is the result's own deposit, half as deep: overlap is perfect (over a threshold that both exceed or
-    // neither does is not sure, so a low one), depths are twice the survey's.
+    // The survey is the result's own deposit, half as deep: overlap is perfect (over a threshold that both
+    // exceed or neither does is not sure, so a low one), depths are twice the survey's.
     const Raster depth = gis::read_result_raster(path("result/final_depth.tif"));
-    write_dtm([&](int row, int column) {
-        return depth.has_data(row, column) ? depth.at(row, column) / 2 : 0.0;
-    }, true, "change.asc");
-    const Outcome outcome = frana({"compare", "result", "--deposit", "change.asc", "--threshold", "0.004", "--out", "d"});
+    write_dtm(
+        [&](int row, int column) { return depth.has_data(row, column) ? depth.at(row, column) / 2 : 0.0; },
+        true, "change.asc");
+    const Outcome outcome =
+        frana({"compare", "result", "--deposit", "change.asc", "--threshold", "0.004", "--out", "d"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string deposit = outcome.out.substr(outcome.out.find("\"deposit\""));
     EXPECT_EQ(json_number(deposit, "jaccard"), 1);
-    EXPECT_NEAR(json_number(deposit, "simulated_volume_m3"), 2 * json_number(deposit, "observed_volume_m3"), 0.1);
+    EXPECT_NEAR(json_number(deposit, "simulated_volume_m3"), 2 * json_number(deposit, "observed_volume_m3"),
+                0.1);
     EXPECT_NEAR(json_number(deposit, "correlation"), 1, 1e-6);
     EXPECT_NEAR(json_number(deposit, "bias_m"), json_number(deposit, "mean_absolute_error_m"), 1e-6);
 }

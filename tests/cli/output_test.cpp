@@ -30,15 +30,18 @@ class Output : public TinyScene {
     [[nodiscard]] Raster raster(const std::string& name) const {
         return gis::read_result_raster(path("result/" + name));
     }
-    [[nodiscard]] std::string text(const std::string& name) const { return read_text(path("result/" + name)); }
+    [[nodiscard]] std::string text(const std::string& name) const {
+        return read_text(path("result/" + name));
+    }
     /// Points or lines in the DTM's system, offsets from its south-western corner.
     void write_marks(const std::string& name, const std::string& type,
                      const std::vector<std::pair<std::string, std::string>>& features) const {
         std::string json =
             R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [)";
         for (std::size_t i = 0; i < features.size(); ++i) {
-            json += std::string(i ? "," : "") + R"({"type": "Feature", "properties": {"name": ")" + features[i].first +
-                    R"("}, "geometry": {"type": ")" + type + R"(", "coordinates": )" + features[i].second + "}}";
+            json += std::string(i ? "," : "") + R"({"type": "Feature", "properties": {"name": ")" +
+                    features[i].first + R"("}, "geometry": {"type": ")" + type + R"(", "coordinates": )" +
+                    features[i].second + "}}";
         }
         write(name, json + "]}");
     }
@@ -51,7 +54,8 @@ std::string at(double x, double y) {
 std::vector<std::string> rows_of(const std::string& csv) {
     std::vector<std::string> rows;
     std::size_t begin = 0;
-    for (std::size_t end = csv.find('\n'); end != std::string::npos; begin = end + 1, end = csv.find('\n', begin))
+    for (std::size_t end = csv.find('\n'); end != std::string::npos;
+         begin = end + 1, end = csv.find('\n', begin))
         rows.push_back(csv.substr(begin, end - begin));
     return rows;
 }
@@ -71,7 +75,8 @@ const std::string k_quiet = "[output]\nmaps = off\nanimation = off\nframes = off
 
 TEST_F(Output, EveryRasterIsAValidCloudOptimisedGeotiffThatTellsWhereItComesFrom) {
     write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
-    run("frame-interval = 2\n[output]\nmaps = off\nanimation = off\nnames = avaframe\n[hazard]\nscheme = swiss-flood\n"
+    run("frame-interval = 2\n[output]\nmaps = off\nanimation = off\nnames = avaframe\n[hazard]\nscheme = "
+        "swiss-flood\n"
         "[scar]\nperimeter = scar.geojson\n");
     const std::string hash = app::text_hash(text("scene.ini"));
     EXPECT_EQ(hash.size(), 36U);
@@ -106,22 +111,26 @@ TEST_F(Output, EveryRasterIsAValidCloudOptimisedGeotiffThatTellsWhereItComesFrom
 
 TEST_F(Output, GdalsOwnValidatorAgrees) {
     const std::string validator = "/usr/bin/python3 -m osgeo_utils.samples.validate_cloud_optimized_geotiff ";
-    if (std::system("/usr/bin/python3 -c 'import osgeo_utils.samples.validate_cloud_optimized_geotiff' 2> /dev/null") != 0)
+    if (std::system("/usr/bin/python3 -c 'import osgeo_utils.samples.validate_cloud_optimized_geotiff' 2> "
+                    "/dev/null") != 0)
         GTEST_SKIP() << "GDAL's validator (Debian: python3-gdal) is not installed";
     run(k_quiet + "[hazard]\nscheme = swiss-debris-flow\n");
     for (const std::string name : {"max_depth", "dtm", "hazard"}) {
         const std::string report = path("report_" + name);
-        const int status =
-            std::system((validator + "--full-check=yes '" + path("result/" + name + ".tif") + "' > '" + report + "' 2>&1").c_str());
+        const int status = std::system(
+            (validator + "--full-check=yes '" + path("result/" + name + ".tif") + "' > '" + report + "' 2>&1")
+                .c_str());
         EXPECT_EQ(status, 0) << read_text(report);
-        EXPECT_NE(read_text(report).find("is a valid cloud optimized GeoTIFF"), std::string::npos) << read_text(report);
+        EXPECT_NE(read_text(report).find("is a valid cloud optimized GeoTIFF"), std::string::npos)
+            << read_text(report);
     }
 }
 
 TEST_F(Output, TheHashFollowsTheScene) {
     EXPECT_EQ(app::text_hash("a"), app::text_hash("a"));
     EXPECT_NE(app::text_hash("a"), app::text_hash("b"));
-    // RFC 4122's method for "http://www.example.com/" in the URL namespace, from another implementation (Python's uuid5).
+    // RFC 4122's method for "http://www.example.com/" in the URL namespace, from another implementation
+    // (Python's uuid5).
     EXPECT_EQ(app::text_hash("http://www.example.com/"), "fcde3c85-2270-590f-9e7c-ee003d65e0e2");
 }
 
@@ -140,7 +149,8 @@ TEST_F(Output, OutlinesCarryTheirFigures) {
         EXPECT_GT(value("area_m2"), 0);
         EXPECT_GT(value("volume_m3"), 0);
         EXPECT_GT(value("runout_m"), 0);
-        EXPECT_NEAR(value("reach_angle_deg"), std::atan2(value("drop_m"), value("runout_m")) * 180 / M_PI, 1e-9);
+        EXPECT_NEAR(value("reach_angle_deg"), std::atan2(value("drop_m"), value("runout_m")) * 180 / M_PI,
+                    1e-9);
         if (name == "deposit") {
             // What is deeper than the threshold; the rest is film.
             EXPECT_LE(value("volume_m3"), 4000 * (1 + 1e-9));
@@ -160,7 +170,9 @@ TEST_F(Output, ProfilesAlongTheFlowPathAndTheUsersLine) {
     run(k_quiet + "profiles = axis.geojson\n");
     const std::vector<std::string> rows = rows_of(text("profiles.csv"));
     ASSERT_GT(rows.size(), 42U);
-    EXPECT_EQ(rows[0], "line,distance_m,x,y,bed_m,release_m,max_depth,max_velocity,final_depth,arrival_time,max_pressure");
+    EXPECT_EQ(
+        rows[0],
+        "line,distance_m,x,y,bed_m,release_m,max_depth,max_velocity,final_depth,arrival_time,max_pressure");
     const Raster depth = raster("max_depth.tif"), bed = raster("bed.tif");
     int on_axis = 0;
     double path_length = 0;
@@ -184,7 +196,8 @@ TEST_F(Output, ProfilesAlongTheFlowPathAndTheUsersLine) {
         }
     }
     EXPECT_EQ(on_axis, 41);  // 200 m, a station a cell
-    // The flow runs straight down the slope: no shorter than the straight run-out, no longer than an eighth turn's.
+    // The flow runs straight down the slope: no shorter than the straight run-out, no longer than an eighth
+    // turn's.
     const double straight = json_number(text("summary.json"), "horizontal_m");
     EXPECT_GE(path_length, straight * (1 - 1e-9));
     EXPECT_LE(path_length, 1.083 * straight + k_cell);
@@ -200,11 +213,11 @@ TEST_F(Output, GaugesAndCrossSectionsRecordTheFlow) {
     // Across the slope 10 m below the release, drawn from the south to the north: downhill is to the right.
     write_marks("sections.geojson", "LineString", {{"bridge", "[" + at(80, 0) + "," + at(80, 150) + "]"}});
     run(k_quiet + "gauges = gauges.geojson\ncross-sections = sections.geojson\nsample-interval = 0.5\n");
-    const std::vector<std::string> gauges = rows_of(text("gauges.csv")), sections = rows_of(text("sections.csv"));
+    const std::vector<std::string> gauges = rows_of(text("gauges.csv")),
+                                   sections = rows_of(text("sections.csv"));
     EXPECT_EQ(gauges[0], "time_s,gauge,depth_m,speed_ms");
-    EXPECT_EQ(sections[0],
-              "time_s,section,discharge_m3s,volume_m3,wetted_width_m,max_depth_m,max_speed_ms");
-    EXPECT_EQ(gauges.size(), 1 + 2 * 8U);  // 0, 0.5 ... 3.5 s
+    EXPECT_EQ(sections[0], "time_s,section,discharge_m3s,volume_m3,wetted_width_m,max_depth_m,max_speed_ms");
+    EXPECT_EQ(gauges.size(), 1 + 2 * 8U);                     // 0, 0.5 ... 3.5 s
     EXPECT_NEAR(std::stod(cells_of(gauges[1])[2]), 2, 0.01);  // the release's thickness at the start
     EXPECT_EQ(cells_of(gauges[1])[1], "top");
     EXPECT_EQ(cells_of(gauges.back())[2], "0");
@@ -223,9 +236,11 @@ TEST_F(Output, GaugesAndCrossSectionsRecordTheFlow) {
 TEST_F(Output, PlacesOutsideTheGridAndLayersOfTheWrongKindAreRefusedTogether) {
     write_marks("gauges.geojson", "Point", {{"far", at(1000, 75)}});
     write_marks("points.geojson", "Point", {{"p", at(10, 75)}});
-    write_marks("twice.geojson", "LineString",
-                {{"a", "[" + at(10, 5) + "," + at(20, 5) + "]"}, {"a", "[" + at(10, 9) + "," + at(20, 9) + "]"}});
-    write_scene("[output]\ngauges = gauges.geojson\ncross-sections = points.geojson\nprofiles = twice.geojson\n");
+    write_marks(
+        "twice.geojson", "LineString",
+        {{"a", "[" + at(10, 5) + "," + at(20, 5) + "]"}, {"a", "[" + at(10, 9) + "," + at(20, 9) + "]"}});
+    write_scene(
+        "[output]\ngauges = gauges.geojson\ncross-sections = points.geojson\nprofiles = twice.geojson\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
     EXPECT_EQ(outcome.exit_code, 2);
     for (const std::string words : {"output.gauges: lies outside the working grid (value gauge far at 528000",
@@ -237,7 +252,8 @@ TEST_F(Output, PlacesOutsideTheGridAndLayersOfTheWrongKindAreRefusedTogether) {
 
 TEST_F(Output, HazardClassesFollowFromTheRasters) {
     run(k_quiet + "[hazard]\nscheme = swiss-debris-flow\n");
-    const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif"), speed = raster("max_velocity.tif");
+    const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif"),
+                 speed = raster("max_velocity.tif");
     double high = 0;
     for (std::size_t i = 0; i < classes.values.size(); ++i) {
         ASSERT_EQ(std::isnan(classes.values[i]), std::isnan(depth.values[i]));
@@ -248,7 +264,8 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
     }
     EXPECT_GT(high, 0);
     const gis::GdalSession session;
-    const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/hazard_zones.gpkg").c_str(), GDAL_OF_VECTOR));
+    const GDALDatasetUniquePtr file(
+        GDALDataset::Open(path("result/hazard_zones.gpkg").c_str(), GDAL_OF_VECTOR));
     ASSERT_TRUE(file);
     double zones = 0;
     for (const auto& feature : *file->GetLayer(0))
@@ -262,7 +279,8 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
 
 TEST_F(Output, SchemesThatNeedFluxOrHeadRecordThem) {
     run(k_quiet + "[hazard]\nscheme = austrian-torrent\n");
-    const Raster classes = raster("hazard.tif"), head = raster("max_head.tif"), deposit = raster("final_depth.tif");
+    const Raster classes = raster("hazard.tif"), head = raster("max_head.tif"),
+                 deposit = raster("final_depth.tif");
     for (std::size_t i = 0; i < classes.values.size(); ++i) {
         if (std::isnan(classes.values[i])) continue;
         // The file's floats may fall on the other side of a limit than the doubles that were classed.
@@ -301,7 +319,8 @@ TEST_F(Output, AvaFrameFilesHaveItsNamesAndThicknessNormalToTheSlope) {
     for (std::int64_t row = 0; row < k_rows; ++row) {
         for (std::int64_t column = 0; column < 39; ++column) {
             const double vertical = depth.has_data(row, column) ? depth.at(row, column) : 0;
-            ASSERT_NEAR(normal.at(row, column), vertical * cosine, 2e-5 * (1 + vertical)) << row << ' ' << column;
+            ASSERT_NEAR(normal.at(row, column), vertical * cosine, 2e-5 * (1 + vertical))
+                << row << ' ' << column;
         }
     }
 }
@@ -319,13 +338,16 @@ TEST_F(Output, FramesAsNetcdfAndZarr) {
         std::vector<float> values(static_cast<std::size_t>(k_rows) * k_columns);
         const GUInt64 start[3] = {2, 0, 0};
         const size_t count[3] = {1, k_rows, k_columns};
-        ASSERT_TRUE(depth->Read(start, count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float32), values.data()));
+        ASSERT_TRUE(depth->Read(start, count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float32),
+                                values.data()));
         const Raster frame = raster("frames/depth_0002.tif");
         for (std::size_t i = 0; i < values.size(); ++i)
-            ASSERT_EQ(values[i], std::isnan(frame.values[i]) ? -9999 : static_cast<float>(frame.values[i])) << name;
+            ASSERT_EQ(values[i], std::isnan(frame.values[i]) ? -9999 : static_cast<float>(frame.values[i]))
+                << name;
     }
     write_scene("[output]\nmaps = off\nanimation = off\nframes = off\nformats = geotiff, zarr\n");
-    EXPECT_NE(frana({"check", "scene.ini"}).err.find("hold the frames, but the scene makes none"), std::string::npos);
+    EXPECT_NE(frana({"check", "scene.ini"}).err.find("hold the frames, but the scene makes none"),
+              std::string::npos);
 }
 
 }  // namespace

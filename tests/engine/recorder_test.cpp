@@ -12,8 +12,8 @@
 namespace frana::test {
 namespace {
 
-// Ritter's dam break, 10 m over dry ground: at the dam the depth is 4/9 of 10 m, the speed 2/3 sqrt(g 10 m) and
-// the discharge 8/27 10 m sqrt(g 10 m) a metre of width, from the first moment and for ever.
+// Ritter's dam break, 10 m over dry ground: at the dam the depth is 4/9 of 10 m, the speed 2/3 sqrt(g 10 m)
+// and the discharge 8/27 10 m sqrt(g 10 m) a metre of width, from the first moment and for ever.
 class AtTheDam : public ::testing::Test {
   protected:
     static constexpr double k_end = 20;
@@ -41,9 +41,7 @@ class AtTheDam : public ::testing::Test {
         result_.max_depth = flow.to_raster(flow.maxima().depth);
         recorder.give(flow, result_);
     }
-    [[nodiscard]] Point dam(double offset_y) const {
-        return {grid_.west + 500, grid_.south() + offset_y};
-    }
+    [[nodiscard]] Point dam(double offset_y) const { return {grid_.west + 500, grid_.south() + offset_y}; }
     [[nodiscard]] double width() const { return grid_.cell_size * k_rows; }
 };
 
@@ -64,8 +62,8 @@ TEST_F(AtTheDam, DischargeAndVolumeAreRitters) {
         EXPECT_EQ(row.discharge > 0, row.section == 0);
         EXPECT_NEAR(row.wetted_width, width(), 1e-9);
     }
-    // What the nodes say has passed against what the particles say, who cross column by column: 1.25 m of them
-    // side by side hold 125 m3, so their sum is known to half of that.
+    // What the nodes say has passed against what the particles say, who cross column by column: 1.25 m of
+    // them side by side hold 125 m3, so their sum is known to half of that.
     const SectionRow& last = result_.sections[result_.sections.size() - 2];
     EXPECT_NEAR(last.volume, beyond_, 0.5 * 10 * 1.25 * width());
     EXPECT_NEAR(result_.sections.back().volume, -last.volume, 1e-9 * beyond_);
@@ -92,7 +90,8 @@ TEST_F(AtTheDam, GreatestFluxIsThatOfTheDamAndRowsKeepTheInterval) {
     // q(x, t) has its maximum 8/27 h c at x = 0.
     const double exact = 8.0 / 27 * 10 * std::sqrt(98.1);
     const Point place{grid_.west + 520, grid_.south() + width() / 2};
-    const double there = result_.max_flux.at(1, static_cast<std::int64_t>((place.x - grid_.west) / grid_.cell_size));
+    const double there =
+        result_.max_flux.at(1, static_cast<std::int64_t>((place.x - grid_.west) / grid_.cell_size));
     // After 20 s: xi = x / (c t) = 0.105, q = h u = (2 - xi)^2 (1 + xi) 2/27 h c = 0.992 of the greatest.
     EXPECT_NEAR(there, 0.992 * exact, 0.02 * exact);
 }
@@ -105,7 +104,10 @@ TEST(Recorder, FluxAndHeadLieWithinWhatTheMaximaAllowAndChangeNothingElse) {
         for (std::int64_t c = 0; c < 120; ++c)
             scene.terrain.at(r, c) = 100 + std::max(0.0, 0.5 * (120 - 2.0 * static_cast<double>(c)));
     scene.release = {{{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}},
-                      2, {}, {}, false}};
+                      2,
+                      {},
+                      {},
+                      false}};
     scene.material.friction_coefficient = 0.3;
     scene.time.end = 8;
     const RunResult plain = run(scene, {});

@@ -64,7 +64,8 @@ TEST_P(Stack, HasCfCoordinatesUnitsAndCrs) {
     EXPECT_TRUE(crs->IsSame(&utm, std::array<const char*, 3>{"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
                                                              "CRITERION=EQUIVALENT", nullptr}
                                       .data()));
-    EXPECT_TRUE(root->OpenMDArray(text_of(*depth, "grid_mapping"))) << "the variable that the attribute names";
+    EXPECT_TRUE(root->OpenMDArray(text_of(*depth, "grid_mapping")))
+        << "the variable that the attribute names";
     const auto read = [&](const char* name, std::size_t count) {
         std::vector<double> values(count);
         const GUInt64 start = 0;

@@ -32,9 +32,9 @@ TEST(ReadMarks, PointsAndLinesWithTheirNames) {
 }
 
 TEST(ReadMarks, PlacesArriveInTheTargetCrs) {
-    // Monte Mario: 1500000 5000000 in EPSG:3003 is 499970.7 4999981 or so in UTM 32; the exact figures depend on the
-    // operation. Degrees do not: 9 E 45 N is 500000 4982950.400 in EPSG:32632 (on the central meridian; the arc
-    // length of the ellipsoid times 0.9996).
+    // Monte Mario: 1500000 5000000 in EPSG:3003 is 499970.7 4999981 or so in UTM 32; the exact figures depend
+    // on the operation. Degrees do not: 9 E 45 N is 500000 4982950.400 in EPSG:32632 (on the central
+    // meridian; the arc length of the ellipsoid times 0.9996).
     const Folder folder;
     write_text(folder.file("g.geojson"),
                R"({"type": "Feature", "properties": {"name": "bridge"}, "geometry": {"type": "Point",)"
@@ -56,8 +56,9 @@ TEST(ReadMarks, RefusesWhatItCannotUse) {
                   .find("not a vector file"),
               std::string::npos);
     make_vector(folder.file("a.shp"), "ESRI Shapefile", "", {"POINT (1 2)"});
-    EXPECT_NE(std::string(
-                  error_of([&] { read_marks(folder.file("a.shp"), crs_from_user("EPSG:32632", ""), "k"); }).what())
+    EXPECT_NE(std::string(error_of([&] {
+                              read_marks(folder.file("a.shp"), crs_from_user("EPSG:32632", ""), "k");
+                          }).what())
                   .find("coordinate reference system"),
               std::string::npos);
     EXPECT_EQ(read_marks(folder.file("a.shp"), "", "k").points[0].place.y, 2);

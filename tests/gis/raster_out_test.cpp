@@ -115,7 +115,8 @@ TEST(WriteGeotiff, IsValidAsGdalsValidatorHasIt) {
     for (const int columns : {3, 255, 256, 257, 1100}) {
         write_geotiff(folder.file("a.tif"), bowl(columns, 600), k_text);
         EXPECT_EQ(test::cog_problems(folder.file("a.tif")), std::vector<std::string>{}) << columns;
-        write_class_geotiff(folder.file("c.tif"), Raster(bowl(columns, 600).grid, 1), {{1, "one", {1, 2, 3}}}, k_text);
+        write_class_geotiff(folder.file("c.tif"), Raster(bowl(columns, 600).grid, 1), {{1, "one", {1, 2, 3}}},
+                            k_text);
         EXPECT_EQ(test::cog_problems(folder.file("c.tif")), std::vector<std::string>{}) << columns;
     }
 }
@@ -138,8 +139,8 @@ TEST(WriteGeotiff, TheCheckFindsWhatIsNotCloudOptimised) {
         std::vector<float> values(1100 * 300);
         std::uint32_t noise = 1;  // which does not compress, so that blocks outgrow their place
         for (float& value : values) value = static_cast<float>(noise = noise * 1664525 + 1013904223);
-        ASSERT_EQ(file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 1100, 300, values.data(), 1100, 300, GDT_Float32, 0, 0,
-                                                   nullptr),
+        ASSERT_EQ(file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 1100, 300, values.data(), 1100, 300,
+                                                   GDT_Float32, 0, 0, nullptr),
                   CE_None);
     }
     EXPECT_FALSE(test::cog_problems(folder.file("a.tif")).empty()) << "edited";

@@ -86,8 +86,7 @@ TEST_F(ReadScene, WhatIsNotAvailableIsSaidNotIgnored) {
     for (const std::string line :
          {"[terrain]\nfriction-zones = z.shp\n", "[release]\nthickness = slip-surface\n",
           "[material]\nmodel = structured\n", "[numerics]\nprecision = single\n",
-          "[output]\ncheckpoint-interval = 60\n",
-          "[numerics]\nscheme = paper\nshape = quadratic\n"}) {
+          "[output]\ncheckpoint-interval = 60\n", "[numerics]\nscheme = paper\nshape = quadratic\n"}) {
         EXPECT_NE(messages(line).find("not available in this version"), std::string::npos) << line;
     }
 }
@@ -166,8 +165,8 @@ TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
                                      "sample-interval = 1\n[hazard]\nscheme = custom\n");
     for (const std::string words :
          {"output.formats: netcdf and zarr hold the frames, but the scene makes none",
-          "output.formats: ascii is a format of the AvaFrame rasters", "output.sample-interval: has nothing to sample",
-          "hazard.scheme: scheme custom needs limits"})
+          "output.formats: ascii is a format of the AvaFrame rasters",
+          "output.sample-interval: has nothing to sample", "hazard.scheme: scheme custom needs limits"})
         EXPECT_NE(all.find(words), std::string::npos) << words << " in\n" << all;
     EXPECT_EQ(messages(k_least + "[output]\nformats = netcdf\n"), "") << "GeoTIFFs need not be asked for";
 }
@@ -183,8 +182,9 @@ TEST_F(ReadScene, LimitsRiseFromAboveZero) {
                       .find("hazard.depth-limits"),
                   std::string::npos)
             << limits;
-    EXPECT_NE(messages(k_least + "[hazard]\nscheme = swiss\n").find("hazard.scheme: is not one of the choices"),
-              std::string::npos);
+    EXPECT_NE(
+        messages(k_least + "[hazard]\nscheme = swiss\n").find("hazard.scheme: is not one of the choices"),
+        std::string::npos);
 }
 
 }  // namespace
