@@ -126,23 +126,45 @@ void write_cog(const std::string& path, GDALDatasetH dataset, const char* resamp
     file.rename_into_place();
 }
 
-}  // namespace
-
-void write_geotiff(const std::string& path, const Raster& raster, const BandText& text) {
-    const GdalSession session;
+std::vector<float> file_values(const Raster& raster) {
     std::vector<float> values(raster.values.size());
     std::transform(raster.values.begin(), raster.values.end(), values.begin(), [](double value) {
         return std::isfinite(value) ? static_cast<float>(value) : static_cast<float>(k_file_nodata);
     });
-    const GdalDataset dataset = in_memory(raster.grid, GDT_Float32, k_file_nodata);
-    const int columns = static_cast<int>(raster.grid.columns), rows = static_cast<int>(raster.grid.rows);
-    if (GDALRasterIO(GDALGetRasterBand(dataset.get(), 1), GF_Write, 0, 0, columns, rows, values.data(),
-                     columns, rows, GDT_Float32, 0, 0) != CE_None) {
+    return values;
+}
+
+GdalDataset in_memory(const std::string& path, const GridSpec& grid, const std::vector<float>& values) {
+    const GdalSession session;
+    GdalDataset dataset = in_memory(grid, GDT_Float32, k_file_nodata);
+    const int columns = static_cast<int>(grid.columns), rows = static_cast<int>(grid.rows);
+    if (GDALRasterIO(GDALGetRasterBand(dataset.get(), 1), GF_Write, 0, 0, columns, rows,
+                     const_cast<float*>(values.data()), columns, rows, GDT_Float32, 0, 0) != CE_None) {
         refuse(path, session);
     }
+    return dataset;
+}
+
+}  // namespace
+
+void write_geotiff(const std::string& path, const Raster& raster, const BandText& text) {
+    const GdalSession session;
+    const std::vector<float> values = file_values(raster);
+    const GdalDataset dataset = in_memory(path, raster.grid, values);
     set_texts(dataset.get(), text);
     set_statistics(dataset.get(), values);
     write_cog(path, dataset.get(), "AVERAGE", "FLOATING_POINT");
+}
+
+void write_ascii_grid(const std::string& path, const Raster& raster) {
+    const GdalSession session;
+    const GdalDataset dataset = in_memory(path, raster.grid, file_values(raster));
+    const NoSideFiles quiet;
+    CPLStringList options;
+    options.SetNameValue("SIGNIFICANT_DIGITS", "6");
+    const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("AAIGrid"), path.c_str(), dataset.get(),
+                                             TRUE, options.List(), nullptr, nullptr));
+    if (!written || session.failed()) refuse(path, session);
 }
 
 void write_class_geotiff(const std::string& path, const Raster& raster,

@@ -27,6 +27,10 @@ struct BandText {
 /// disk too.
 void write_geotiff(const std::string& path, const Raster& raster, const BandText& text);
 
+/// An ESRI ASCII grid (.asc, and .prj where there is a CRS), six significant digits, nodata -9999: for
+/// programs that read no GeoTIFF. Throws Error(environment).
+void write_ascii_grid(const std::string& path, const Raster& raster);
+
 /// One class of a classified raster.
 struct ClassEntry {
     std::uint8_t value = 0;  ///< 1 to 254

@@ -130,6 +130,52 @@ std::string sld(const std::string& name, const std::vector<ColourStop>& stops, c
     return out.str();
 }
 
+// Half transparent, so that the ground under the zones can be read.
+constexpr double k_zone_opacity = 0.6;
+
+std::string polygon_qml(const std::string& attribute, const std::vector<ColourStop>& stops) {
+    std::ostringstream out, symbols;
+    out << "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
+        << "<qgis version=\"3.22.0\" styleCategories=\"Symbology\">\n"
+        << "  <renderer-v2 type=\"categorizedSymbol\" attr=\"" << escaped(attribute)
+        << "\" symbollevels=\"0\" enableorderby=\"0\" forceraster=\"0\">\n    <categories>\n";
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        out << "      <category symbol=\"" << i << "\" value=\"" << shortest_text(stops[i].value)
+            << "\" type=\"double\" label=\"" << escaped(stops[i].label) << "\" render=\"true\"/>\n";
+        const Rgb c = stops[i].colour;
+        symbols << "      <symbol type=\"fill\" name=\"" << i << "\" alpha=\"" << k_zone_opacity
+                << "\" clip_to_extent=\"1\" force_rhr=\"0\">\n        <layer class=\"SimpleFill\" pass=\"0\" "
+                << "locked=\"0\" enabled=\"1\">\n          <prop k=\"color\" v=\"" << int(c.r) << ','
+                << int(c.g) << ',' << int(c.b) << ",255\"/>\n          <prop k=\"style\" v=\"solid\"/>\n"
+                << "          <prop k=\"outline_style\" v=\"no\"/>\n        </layer>\n      </symbol>\n";
+    }
+    out << "    </categories>\n    <symbols>\n"
+        << symbols.str() << "    </symbols>\n  </renderer-v2>\n  <blendMode>0</blendMode>\n</qgis>\n";
+    return out.str();
+}
+
+std::string polygon_sld(const std::string& name, const std::string& attribute,
+                        const std::vector<ColourStop>& stops) {
+    std::ostringstream out;
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        << "<StyledLayerDescriptor version=\"1.0.0\" xmlns=\"http://www.opengis.net/sld\" "
+        << "xmlns:ogc=\"http://www.opengis.net/ogc\">\n  <NamedLayer>\n    <Name>" << escaped(name)
+        << "</Name>\n    <UserStyle>\n      <FeatureTypeStyle>\n";
+    for (const ColourStop& stop : stops) {
+        out << "        <Rule>\n          <Name>" << escaped(stop.label)
+            << "</Name>\n          <ogc:Filter>\n"
+            << "            <ogc:PropertyIsEqualTo><ogc:PropertyName>" << escaped(attribute)
+            << "</ogc:PropertyName><ogc:Literal>" << shortest_text(stop.value)
+            << "</ogc:Literal></ogc:PropertyIsEqualTo>\n          </ogc:Filter>\n"
+            << "          <PolygonSymbolizer>\n            <Fill>\n              <CssParameter name=\"fill\">"
+            << hex(stop.colour) << "</CssParameter>\n              <CssParameter name=\"fill-opacity\">"
+            << k_zone_opacity << "</CssParameter>\n            </Fill>\n          </PolygonSymbolizer>\n"
+            << "        </Rule>\n";
+    }
+    out << "      </FeatureTypeStyle>\n    </UserStyle>\n  </NamedLayer>\n</StyledLayerDescriptor>\n";
+    return out.str();
+}
+
 }  // namespace
 
 std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds,
@@ -151,6 +197,15 @@ void write_styles(const std::string& tif_path, const std::vector<ColourStop>& st
     std::filesystem::path beside = tif;
     write_text(beside.replace_extension(".qml").string(), qml(stops, unit, kind));
     write_text(beside.replace_extension(".sld").string(), sld(tif.stem().string(), stops, unit, kind));
+}
+
+void write_polygon_styles(const std::string& gpkg_path, const std::string& attribute,
+                          const std::vector<ColourStop>& stops) {
+    const std::filesystem::path file(gpkg_path);
+    std::filesystem::path beside = file;
+    write_text(beside.replace_extension(".qml").string(), polygon_qml(attribute, stops));
+    write_text(beside.replace_extension(".sld").string(),
+               polygon_sld(file.stem().string(), attribute, stops));
 }
 
 }  // namespace frana::gis

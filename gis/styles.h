@@ -32,4 +32,9 @@ std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<do
 void write_styles(const std::string& tif_path, const std::vector<ColourStop>& stops, const std::string& unit,
                   StyleKind kind);
 
+/// Writes NAME.qml and NAME.sld beside a polygon layer NAME.gpkg: one fill for each value of a whole-number
+/// attribute, half transparent. Throws Error(environment).
+void write_polygon_styles(const std::string& gpkg_path, const std::string& attribute,
+                          const std::vector<ColourStop>& stops);
+
 }  // namespace frana::gis

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,34 @@ struct OutlineLayer {
     std::vector<PolygonFeature> features;
 };
 
+/// A line or a point with its attributes.
+struct LineFeature {
+    Polyline line;
+    std::map<std::string, double> numbers;
+    std::map<std::string, std::string> texts;
+};
+struct PointFeature {
+    Point place;
+    std::map<std::string, double> numbers;
+    std::map<std::string, std::string> texts;
+};
+struct LineLayer {
+    std::string name;
+    std::vector<LineFeature> features;
+};
+struct PointLayer {
+    std::string name;
+    std::vector<PointFeature> features;
+};
+
 /// A GeoPackage with one multipolygon layer per entry, with an area_m2 column and the features' own
 /// attributes. Written aside and renamed. An empty CRS stays unknown. Throws Error(environment).
 void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt,
                     const std::vector<OutlineLayer>& layers);
+
+/// A GeoPackage of lines (with their length_m) and points; NaN attributes become NULL. Otherwise as
+/// write_outlines.
+void write_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt,
+                            const std::vector<LineLayer>& lines, const std::vector<PointLayer>& points);
 
 }  // namespace frana::gis

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/trace.h"
 #include "core/error.h"
 
 namespace frana {
@@ -54,9 +55,8 @@ double area_under_roc(const Raster& depth, const Raster& mask, double positives)
     return area;
 }
 
-}  // namespace
-
-ComparisonFigures compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
+/// All but the area under the curve.
+ComparisonFigures figures_at(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
     check_same_cells(simulated_depth, observed_mask);
     double hits = 0, false_alarms = 0, misses = 0;
     for (std::size_t i = 0; i < observed_mask.values.size(); ++i) {
@@ -87,8 +87,29 @@ ComparisonFigures compare(const Raster& simulated_depth, const Raster& observed_
     figures.true_positive_rate = hits / positives;
     figures.false_positive_rate = std::min(1.0, false_alarms / (k_negatives_per_positive * positives));
     figures.d2pc = std::hypot(1 - figures.true_positive_rate, figures.false_positive_rate);
-    figures.auroc = area_under_roc(simulated_depth, observed_mask, positives);
     return figures;
+}
+
+}  // namespace
+
+ComparisonFigures compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
+    ComparisonFigures figures = figures_at(simulated_depth, observed_mask, threshold);
+    figures.auroc = area_under_roc(simulated_depth, observed_mask,
+                                   figures.observed_area_m2 / observed_mask.grid.cell_area());
+    return figures;
+}
+
+std::vector<ComparisonFigures> score_curve(const Raster& simulated_depth, const Raster& observed_mask) {
+    std::vector<ComparisonFigures> curve{compare(simulated_depth, observed_mask, 0)};
+    const double deepest = maximum(simulated_depth);
+    for (double decade = 0.01; decade < deepest; decade *= 10) {
+        for (const double factor : {1.0, 1.5, 2.0, 3.0, 5.0, 7.0}) {
+            if (factor * decade >= deepest) break;
+            curve.push_back(figures_at(simulated_depth, observed_mask, factor * decade));
+            curve.back().auroc = curve.front().auroc;
+        }
+    }
+    return curve;
 }
 
 Raster agreement(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "core/raster.h"
 
 namespace frana {
@@ -31,6 +33,10 @@ struct ComparisonFigures {
 /// Compares a depth [m] (NaN: never reached) with a mask (not 0 and not NaN: observed) on the same cells.
 /// Throws Error(input) when the grids differ or nothing was observed.
 ComparisonFigures compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold);
+
+/// The figures for thresholds [m] of 0 and 1, 1.5, 2, 3, 5, 7 times powers of ten from 0.01 up to the
+/// greatest depth; auroc, which belongs to the whole curve, is the same in each. Throws as compare does.
+std::vector<ComparisonFigures> score_curve(const Raster& simulated_depth, const Raster& observed_mask);
 
 enum class Agreement { hit = 1, false_alarm = 2, miss = 3 };
 

@@ -6,11 +6,13 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/comparison.h"
+#include "app/ranking.h"
 #include "app/result_reader.h"
+#include "app/text_file.h"
+#include "app/version.h"
 #include "core/error.h"
 #include "gis/crs.h"
 #include "gis/raster_in.h"
-#include "gis/vector_in.h"
 #include "params/scene_spec.h"
 
 namespace frana::app {
@@ -21,16 +23,22 @@ namespace fs = std::filesystem;
 CommandForm compare_form() {
     namespace options = boost::program_options;
     CommandForm form{
-        "frana compare RESULT_DIR|RASTER --scar VECTOR [options]",
-        "Compares a simulated depth with a surveyed outline in any CRS. Prints the figures and writes "
-        "comparison.json,\ncomparison.tif and comparison.png.",
+        "frana compare RESULT_DIR|RASTER... --scar VECTOR... [--deposit FILE] [options]",
+        "Compares simulated depths with what was surveyed, in any CRS: areas, lines of a front, points of a "
+        "tip.\n"
+        "Prints the figures and writes comparison.json, comparison_curve.csv, comparison.tif and "
+        "comparison.png.\nSeveral results or scars give a folder each, and a ranking in ranking.csv.",
         "RESULT_DIR|RASTER",
-        {}};
-    form.options.add_options()("scar", options::value<std::string>(), "surveyed outline: any polygon layer")(
+        {},
+        true};
+    form.options.add_options()("scar", options::value<std::vector<std::string>>(),
+                               "surveyed areas, open lines (a front) or points (a tip); repeatable")(
+        "deposit", options::value<std::string>(),
+        "surveyed deposit: polygons, or a raster of elevation after less before")(
         "threshold", options::value<std::string>(),
         "depth in metres over which ground counts as covered (default: the result's, else 0.1)")(
         "out", options::value<std::string>(),
-        "folder for the files (default: RESULT_DIR, or the current folder for a RASTER)")(
+        "folder for the files (default: RESULT_DIR, or the current folder for a RASTER or a ranking)")(
         "size", options::value<std::string>(), "WIDTHxHEIGHT of the map in pixels (default: 1600x1200)");
     return form;
 }
@@ -46,17 +54,56 @@ Raster foreign_depth(const std::string& file) {
     return gis::read_result_raster(file);
 }
 
-MultiPolygon read_scar(const std::string& file, const std::string& crs_wkt, RunLog& log) {
-    const gis::PolygonLayer layer = gis::read_polygons(file, crs_wkt, "--scar");
-    for (const std::string& warning : layer.warnings) log.warn("scar: " + warning);
-    if (crs_wkt.empty()) log.warn("the raster has no CRS: the scar's coordinates are taken as they are");
-    MultiPolygon all;
-    for (const PolygonFeature& feature : layer.features)
-        all.insert(all.end(), feature.parts.begin(), feature.parts.end());
-    return all;
+/// What is simulated: a result of frana's or one raster of any program's.
+struct Simulated {
+    ComparisonInput input;
+    MapSource source;
+    std::string name;          ///< for folders and the ranking
+    std::string usual_folder;  ///< where the files go unless told otherwise
+};
+
+Simulated read_simulated(const std::string& operand, const std::optional<double>& threshold) {
+    Simulated simulated;
+    ComparisonInput& input = simulated.input;
+    double usual_threshold = OutputSpec{}.trace_threshold;
+    simulated.usual_folder = ".";
+    if (fs::is_directory(operand)) {
+        const ResultReader result(operand);
+        input.depth = result.raster("max_depth");
+        if (result.has("bed.tif") && result.has("release.tif")) {
+            input.bed = result.raster("bed");
+            input.release = result.raster("release");
+        }
+        if (result.has("final_depth.tif")) input.final_depth = result.raster("final_depth");
+        simulated.source = result.map_source();
+        usual_threshold = result.scene_number("scar.threshold",
+                                              result.scene_number("output.trace-threshold", usual_threshold));
+        simulated.usual_folder = result.directory();
+        input.depth_label = result.path("max_depth.tif");
+        simulated.name = fs::absolute(result.directory()).lexically_normal().filename().string();
+    } else {
+        input.depth = foreign_depth(operand);
+        simulated.name = fs::path(operand).stem().string();
+        simulated.source.title = simulated.name;
+        simulated.source.crs_label = gis::crs_name(input.depth.grid.crs_wkt);
+        input.depth_label = operand;
+    }
+    input.metadata = {{"PROGRAM", k_program}, {"VERSION", k_version}};
+    input.threshold = threshold.value_or(usual_threshold);
+    return simulated;
 }
 
-std::string output_folder(const std::string& folder) {
+Survey read_survey(const std::optional<std::string>& scar, const std::optional<std::string>& deposit,
+                   const GridSpec& grid, RunLog& log) {
+    Survey survey;
+    if (grid.crs_wkt.empty())
+        log.warn("the raster has no CRS: the survey's coordinates are taken as they are");
+    if (scar) add_surveyed(*scar, grid.crs_wkt, "--scar", log, survey);
+    if (deposit) add_deposit(*deposit, grid, "--deposit", log, survey);
+    return survey;
+}
+
+std::string make_folder(const std::string& folder) {
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) {
@@ -66,54 +113,57 @@ std::string output_folder(const std::string& folder) {
     return folder;
 }
 
+/// Compares and writes into a folder, which is made only once the figures are there.
+Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog& log) {
+    const Comparison comparison = compare_with_survey(simulated.input, log);
+    make_folder(folder);
+    write_comparison(comparison, simulated.input, folder);
+    if (comparison.figures) {
+        simulated.source.scar = simulated.input.survey.scar;
+        draw_comparison(comparison, simulated.source, (fs::path(folder) / "comparison.png").string());
+    }
+    return comparison;
+}
+
 }  // namespace
 
 int cmd_compare(const Arguments& arguments) {
     const auto values = parse_arguments(compare_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
-    const auto scar = text_option(*values, "scar");
-    if (!scar) {
+    const std::vector<std::string> scars = text_options(*values, "scar");
+    const auto deposit = text_option(*values, "deposit");
+    if (scars.empty() && !deposit) {
         throw Error(ErrorKind::input, Problem{"--scar is missing", "command line", "", "",
                                               "Name the surveyed outline: --scar VECTOR"});
     }
     const auto threshold = threshold_option(*values);
     const auto size = size_option(*values);
-    const std::string operand = (*values)["operand"].as<std::string>();
+    const auto out = text_option(*values, "out");
+    const auto operands = text_options(*values, "operand");
+    const bool several = operands.size() > 1 || scars.size() > 1;
+    std::vector<std::optional<std::string>> surveyed(scars.begin(), scars.end());
+    if (surveyed.empty()) surveyed.emplace_back();
     RunLog log(false);
-
-    ComparisonInput input;
-    MapSource source;
-    double usual_threshold = OutputSpec{}.trace_threshold;
-    std::string usual_folder = ".";
-    if (fs::is_directory(operand)) {
-        const ResultReader result(operand);
-        input.depth = result.raster("max_depth");
-        if (result.has("bed.tif") && result.has("release.tif")) {
-            input.bed = result.raster("bed");
-            input.release = result.raster("release");
+    Ranking ranking;
+    for (const std::string& operand : operands) {
+        Simulated simulated = read_simulated(operand, threshold);
+        if (size) simulated.source.size = *size;
+        for (const auto& scar : surveyed) {
+            simulated.input.survey = read_survey(scar, deposit, simulated.input.depth.grid, log);
+            if (!several) {
+                const Comparison comparison =
+                    compare_into(simulated, out.value_or(simulated.usual_folder), log);
+                std::cout << comparison_json(comparison, simulated.input);
+                return static_cast<int>(ExitCode::done);
+            }
+            const std::string scar_name = scar ? fs::path(*scar).stem().string() : "deposit";
+            const std::string folder = ranking.folder_for(simulated.name, scar_name);
+            ranking.add(folder, operand, scar.value_or(deposit.value_or("")),
+                        compare_into(simulated, (fs::path(out.value_or(".")) / folder).string(), log));
         }
-        source = result.map_source();
-        usual_threshold = result.scene_number("scar.threshold",
-                                              result.scene_number("output.trace-threshold", usual_threshold));
-        usual_folder = operand;
-        input.depth_label = result.path("max_depth.tif");
-    } else {
-        input.depth = foreign_depth(operand);
-        source.title = fs::path(operand).stem().string();
-        source.crs_label = gis::crs_name(input.depth.grid.crs_wkt);
-        input.depth_label = operand;
     }
-    input.scar_label = *scar;
-    input.threshold = threshold.value_or(usual_threshold);
-    input.scar = read_scar(*scar, input.depth.grid.crs_wkt, log);
-    source.scar = input.scar;
-    if (size) source.size = *size;
-
-    const Comparison comparison = compare_with_scar(input, log);
-    const std::string folder = output_folder(text_option(*values, "out").value_or(usual_folder));
-    write_comparison(comparison, input, folder);
-    draw_comparison(comparison, source, (fs::path(folder) / "comparison.png").string());
-    std::cout << comparison_json(comparison, input);
+    write_text_file((fs::path(out.value_or(".")) / "ranking.csv").string(), ranking.csv());
+    std::cout << ranking.csv();
     return static_cast<int>(ExitCode::done);
 }
 

@@ -7,6 +7,7 @@
 #include "app/error_estimate.h"
 #include "app/number_text.h"
 #include "app/progress.h"
+#include "app/provenance.h"
 #include "app/publish.h"
 #include "app/share_directory.h"
 #include "app/signals.h"
@@ -83,7 +84,7 @@ int cmd_run(const Arguments& arguments) {
 
     catch_stop_signals();
     ResultDirectory directory(target, overwrite);
-    FrameWriter frames(directory.path("frames"));
+    FrameWriter frames(directory.path("frames"), provenance(prepared));
     const bool wants_frames = prepared.scene.time.frame_interval > 0;
     if (wants_frames) directory.make_folder("frames");
     ProgressReporter progress(quiet);

@@ -23,8 +23,11 @@ std::optional<options::variables_map> parse_arguments(const CommandForm& form,
     options::options_description all = visible;
     options::positional_options_description positions;
     if (!form.operand.empty()) {
-        all.add_options()("operand", options::value<std::string>());
-        positions.add("operand", 1);
+        if (form.repeats)
+            all.add_options()("operand", options::value<std::vector<std::string>>());
+        else
+            all.add_options()("operand", options::value<std::string>());
+        positions.add("operand", form.repeats ? -1 : 1);
     }
     options::variables_map values;
     try {

@@ -17,6 +17,7 @@ struct CommandForm {
     std::string purpose;  ///< one or two sentences
     std::string operand;  ///< name of the one positional argument, "" if there is none
     boost::program_options::options_description options;
+    bool repeats = false;  ///< the positional argument may be given more than once
 };
 
 /// Reads the arguments of a command. None: help was asked for and printed, nothing else is to be done.

@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/comparison.h"
 
-#include <filesystem>
+#include <cmath>
 
+#include "analysis/flow_path.h"
 #include "analysis/runout.h"
 #include "analysis/trace.h"
 #include "app/number_text.h"
-#include "app/text_file.h"
-#include "app/version.h"
-#include "core/json.h"
-#include "gis/raster_out.h"
+#include "core/error.h"
 #include "gis/rasterize.h"
-#include "gis/styles.h"
 
 namespace frana::app {
 namespace {
-
-struct ClassText {
-    Agreement kind;
-    const char* label;
-    Rgb colour;
-};
-
-// Okabe and Ito's colours, safe for the colour-blind: bluish green, orange, sky blue.
-constexpr ClassText k_classes[] = {{Agreement::hit, "Hit: simulated and observed", {0, 158, 115}},
-                                   {Agreement::false_alarm, "False alarm: simulated only", {230, 159, 0}},
-                                   {Agreement::miss, "Miss: observed only", {86, 180, 233}}};
 
 std::optional<double> runout_difference(const ComparisonInput& input, const Raster& observed, RunLog& log) {
     if (!input.bed || !input.release) return std::nullopt;
@@ -39,87 +25,124 @@ std::optional<double> runout_difference(const ComparisonInput& input, const Rast
     return simulated.horizontal_m - runout(*input.bed, *input.release, observed).horizontal_m;
 }
 
-}  // namespace
+/// Both run-outs on one path: that of the simulated flow, led on to the farthest of trace and survey.
+std::optional<PathRunout> path_runout(const ComparisonInput& input, const Raster& observed) {
+    if (!input.bed || !input.release || !observed.grid.same_cells(input.bed->grid)) return std::nullopt;
+    const Raster trace = trace_mask(input.depth, input.threshold);
+    if (masked_area(trace) == 0) return std::nullopt;
+    Raster both = observed;
+    for (std::size_t i = 0; i < both.values.size(); ++i)
+        if (trace.values[i] != 0) both.values[i] = 1;
+    const Runout farthest = runout(*input.bed, *input.release, both);
+    Raster depth = input.depth;
+    for (std::size_t i = 0; i < depth.values.size(); ++i) {
+        // Surveyed ground without flow is better than ground that nothing touched.
+        const bool surveyed = observed.values[i] != 0 && !(depth.values[i] > input.threshold);
+        if (surveyed) depth.values[i] = input.threshold;
+    }
+    const Polyline path = flow_path(depth, farthest.top, farthest.tip);
+    return PathRunout{runout_along(path, trace), runout_along(path, observed)};
+}
 
-Comparison compare_with_scar(const ComparisonInput& input, RunLog& log) {
-    const Raster depth = padded_to(input.depth, bounds(input.scar), k_no_data);
-    if (!depth.grid.same_cells(input.depth.grid))
-        log.warn("the scar reaches beyond the computed ground; its part outside counts as missed");
-    const Raster observed = gis::coverage(input.scar, depth.grid);
-    Comparison comparison;
+FrontComparison compare_front(const gis::NamedLine& front, const LineSet& outline, const MultiPolygon& trace,
+                              double spacing) {
+    FrontComparison result;
+    result.name = front.name;
+    std::vector<double> distances;
+    double inside = 0;
+    const std::vector<Point> samples = LineSet({front.line}).samples(spacing);
+    for (const Point& point : samples) {
+        const bool reached = contains(trace, point);
+        distances.push_back(outline.distance(point) * (reached ? 1 : -1));
+        result.mean_m += distances.back() / static_cast<double>(samples.size());
+        inside += reached;
+    }
+    result.reached_percent = 100 * inside / static_cast<double>(samples.size());
+    result.size = distance_statistics(std::move(distances));
+    return result;
+}
+
+void compare_fronts_and_tips(const ComparisonInput& input, RunLog& log, Comparison& comparison) {
+    const Survey& survey = input.survey;
+    if (survey.fronts.empty() && survey.tips.empty()) return;
+    const MultiPolygon trace = gis::polygonise(trace_mask(input.depth, input.threshold));
+    if (trace.empty()) {
+        log.warn("nothing is deeper than " + figure(input.threshold) + " m, so there is no front to compare");
+        return;
+    }
+    const LineSet outline(trace);
+    for (const gis::NamedLine& front : survey.fronts)
+        comparison.fronts.push_back(compare_front(front, outline, trace, input.depth.grid.cell_size));
+    for (const gis::NamedPoint& tip : survey.tips)
+        comparison.tips.push_back(
+            {tip.name, outline.distance(tip.place) * (contains(trace, tip.place) ? 1 : -1)});
+}
+
+void compare_area(const ComparisonInput& input, const Raster& depth, RunLog& log, Comparison& comparison) {
+    const Raster observed = gis::coverage(input.survey.scar, depth.grid);
     comparison.figures = compare(depth, observed, input.threshold);
+    comparison.curve = score_curve(depth, observed);
     comparison.classes = agreement(depth, observed, input.threshold);
     comparison.runout_difference_m = runout_difference(input, observed, log);
+    comparison.path_runout = path_runout(input, observed);
+    const MultiPolygon trace = gis::polygonise(trace_mask(input.depth, input.threshold));
+    if (!trace.empty()) {
+        comparison.outline =
+            distance_between(LineSet(trace), LineSet(input.survey.scar), input.depth.grid.cell_size);
+    }
+}
+
+void compare_deposits(const ComparisonInput& input, const Bounds& box, RunLog& log, Comparison& comparison) {
+    const Survey& survey = input.survey;
+    if (survey.deposit.empty() && !survey.elevation_change) return;
+    if (!input.final_depth) {
+        log.warn("there is no depth at the end to compare with the surveyed deposit");
+        return;
+    }
+    if (!survey.deposit.empty()) {
+        const Raster depth = padded_to(*input.final_depth, box, k_no_data);
+        comparison.deposit_overlap =
+            compare(depth, gis::coverage(survey.deposit, depth.grid), input.threshold);
+    } else {
+        comparison.deposit_overlap = compare(
+            *input.final_depth, trace_mask(*survey.elevation_change, input.threshold), input.threshold);
+        comparison.deposit_depth =
+            compare_deposit(*input.final_depth, *survey.elevation_change, input.threshold);
+    }
+}
+
+}  // namespace
+
+Comparison compare_with_survey(const ComparisonInput& input, RunLog& log) {
+    Comparison comparison;
+    const Bounds box = input.survey.box().value_or(input.depth.grid.bounds());
+    if (!input.survey.scar.empty()) {
+        const Raster depth = padded_to(input.depth, bounds(input.survey.scar), k_no_data);
+        if (!depth.grid.same_cells(input.depth.grid))
+            log.warn("the scar reaches beyond the computed ground; its part outside counts as missed");
+        compare_area(input, depth, log, comparison);
+    }
+    compare_fronts_and_tips(input, log, comparison);
+    compare_deposits(input, box, log, comparison);
     return comparison;
 }
 
-std::string comparison_json(const Comparison& comparison, const ComparisonInput& input) {
-    const ComparisonFigures& f = comparison.figures;
-    JsonWriter json;
-    json.begin_object();
-    json.text("program", k_program).text("version", k_version);
-    json.text("simulated", input.depth_label).text("observed", input.scar_label);
-    json.number("cell_size", input.depth.grid.cell_size).number("threshold_m", f.threshold_m);
-    json.number("observed_area_m2", f.observed_area_m2).number("simulated_area_m2", f.simulated_area_m2);
-    json.number("area_difference_percent", f.area_difference_percent);
-    json.number("hit_m2", f.hit_m2).number("false_alarm_m2", f.false_alarm_m2).number("miss_m2", f.miss_m2);
-    json.number("jaccard", f.jaccard).number("dice", f.dice).number("csi", f.csi);
-    json.number("true_positive_rate", f.true_positive_rate)
-        .number("false_positive_rate", f.false_positive_rate);
-    json.number("d2pc", f.d2pc).number("auroc", f.auroc);
-    if (comparison.runout_difference_m)
-        json.number("runout_difference_m", *comparison.runout_difference_m);
-    else
-        json.null("runout_difference_m");
-    json.text("negatives", "true negatives are five times the observed area less the false alarms");
-    json.end_object();
-    return json.str();
-}
-
-void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder) {
-    const std::filesystem::path place = folder;
-    std::vector<gis::ClassEntry> classes;
-    std::vector<gis::ColourStop> stops;
-    for (const ClassText& entry : k_classes) {
-        classes.push_back({static_cast<std::uint8_t>(entry.kind), entry.label, entry.colour});
-        stops.push_back({static_cast<double>(entry.kind), entry.colour, entry.label});
+std::string comparison_headline(const Comparison& comparison) {
+    std::string text;
+    if (comparison.figures) {
+        text = "area differs from the scar's by " + figure(comparison.figures->area_difference_percent, 3) +
+               " %, Jaccard " + figure(comparison.figures->jaccard, 3);
     }
-    const std::string raster = (place / "comparison.tif").string();
-    gis::write_class_geotiff(raster, comparison.classes, classes,
-                             {"comparison",
-                              "Simulated trace against the surveyed scar: 1 hit, 2 false alarm, 3 miss",
-                              "",
-                              {{"PROGRAM", k_program}, {"VERSION", k_version}}});
-    gis::write_styles(raster, stops, "", gis::StyleKind::exact);
-    write_text_file((place / "comparison.json").string(), comparison_json(comparison, input));
-}
-
-void draw_comparison(const Comparison& comparison, MapSource source, const std::string& path) {
-    const ComparisonFigures& f = comparison.figures;
-    source.notes = {"Deeper than " + figure(f.threshold_m) + " m counts",
-                    "Observed " + grouped(f.observed_area_m2) + " m²",
-                    "Simulated " + grouped(f.simulated_area_m2) + " m²",
-                    "Area difference " + figure(f.area_difference_percent, 3) + " %",
-                    "Jaccard " + figure(f.jaccard, 3),
-                    "Dice " + figure(f.dice, 3)};
-    render::MapSpec spec;
-    spec.title = source.title + ": comparison with the scar";
-    spec.subtitle = source.subtitle;
-    spec.legend_title = "Agreement";
-    spec.attribution = std::string("Simulated with ") + k_program + " " + k_version;
-    spec.terrain = source.terrain.values.empty() ? nullptr : &source.terrain;
-    spec.layer = &comparison.classes;
-    for (const ClassText& entry : k_classes)
-        spec.categories.push_back({static_cast<double>(entry.kind), entry.label, entry.colour});
-    if (!source.release.empty())
-        spec.outlines.push_back({"Release", source.release, {20, 20, 20}, 2.5, true});
-    spec.outlines.push_back({"Surveyed scar", source.scar, {120, 0, 80}, 3, false});
-    spec.side_notes = source.notes;
-    spec.convergence_deg = source.convergence_deg;
-    spec.crs_label = source.crs_label;
-    spec.width = source.size.width;
-    spec.height = source.size.height;
-    render::write_png(path, render::draw_map(spec));
+    for (const FrontComparison& front : comparison.fronts)
+        text += (text.empty() ? "" : "; ") + std::string("front ") + front.name + ": " +
+                figure(front.mean_m, 3) + " m on average";
+    for (const TipComparison& tip : comparison.tips)
+        text += (text.empty() ? "" : "; ") + std::string("tip ") + tip.name + ": " +
+                figure(tip.distance_m, 3) + " m";
+    if (comparison.deposit_overlap)
+        text += (text.empty() ? "" : "; ") + std::string("deposit: Jaccard ") +
+                figure(comparison.deposit_overlap->jaccard, 3);
+    return text;
 }
 
 }  // namespace frana::app

@@ -31,7 +31,8 @@ std::string list_file(const std::string& folder) {
 
 void FrameWriter::add(const Frame& frame) {
     const Stopwatch watch;
-    const std::map<std::string, std::string> time{{"TIME_S", shortest_text(frame.time)}};
+    std::map<std::string, std::string> time = metadata_;
+    time["TIME_S"] = shortest_text(frame.time);
     gis::write_geotiff(frame_file(folder_, "depth", times_.size()), frame.depth,
                        {"depth", "Flow depth at one instant, vertical", "m", time});
     gis::write_geotiff(frame_file(folder_, "velocity", times_.size()), frame.velocity,

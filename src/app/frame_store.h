@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace frana::app {
 /// while a run goes on, so that memory holds one at a time.
 class FrameWriter {
   public:
-    explicit FrameWriter(std::string folder) : folder_(std::move(folder)) {}
+    /// `metadata` goes into every raster.
+    explicit FrameWriter(std::string folder, std::map<std::string, std::string> metadata)
+        : folder_(std::move(folder)), metadata_(std::move(metadata)) {}
     /// Throws Error(environment).
     void add(const Frame& frame);
     void finish() const;
@@ -22,6 +25,7 @@ class FrameWriter {
 
   private:
     std::string folder_;
+    std::map<std::string, std::string> metadata_;
     std::vector<double> times_;
     double seconds_ = 0;
 };

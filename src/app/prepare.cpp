@@ -100,6 +100,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, log, problems);
     MaterialZones zones = prepare_zones(reading, known_ground, log, problems);
     std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, log, problems);
+    ExtraInput extra;
+    if (ground) extra = prepare_extra(reading, ground->terrain.grid, log, problems);
     problems.throw_if_any();
 
     Prepared prepared;
@@ -133,6 +135,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.ground = std::move(*ground);
     prepared.release = std::move(release);
     prepared.scar = std::move(scar);
+    prepared.scene.recording = std::exchange(extra.recording, {});
+    prepared.extra = std::move(extra);
     return prepared;
 }
 

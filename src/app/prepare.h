@@ -7,6 +7,7 @@
 
 #include "app/prepare_release.h"
 #include "app/prepare_terrain.h"
+#include "app/survey_input.h"
 #include "simulation/scene.h"
 
 namespace frana::app {
@@ -18,6 +19,7 @@ struct Prepared {
     TerrainInput ground;   ///< its raster has moved into the scene
     ReleaseInput release;  ///< its areas have moved into the scene
     std::optional<gis::PolygonLayer> scar;
+    ExtraInput extra;            ///< its recording has moved into the scene
     double convergence_deg = 0;  ///< true north from grid north at the grid's centre, clockwise
     std::map<std::string, std::string> resolved;  ///< what frana chose for keys left to it
 };

@@ -9,14 +9,18 @@
 #include "app/animation.h"
 #include "app/comparison.h"
 #include "app/number_text.h"
+#include "app/provenance.h"
+#include "app/publish_exchange.h"
+#include "app/publish_hazard.h"
 #include "app/publish_rasters.h"
+#include "app/publish_series.h"
+#include "app/report.h"
 #include "app/text_file.h"
 #include "app/thickness_volume.h"
 #include "app/timeseries.h"
 #include "app/version.h"
 #include "core/json.h"
 #include "params/scene_parameters.h"
-#include "params/write_scene.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -24,13 +28,6 @@ namespace {
 
 std::string title_of(const SceneSpec& spec) {
     return spec.output.title.value_or(scene_name(spec));
-}
-
-MultiPolygon parts_of(const gis::PolygonLayer& layer) {
-    MultiPolygon all;
-    for (const PolygonFeature& feature : layer.features)
-        all.insert(all.end(), feature.parts.begin(), feature.parts.end());
-    return all;
 }
 
 MapSource map_source(const Finished& run, const Runout& run_out, double covered_area) {
@@ -54,7 +51,7 @@ MapSource map_source(const Finished& run, const Runout& run_out, double covered_
     source.terrain = prepared.scene.terrain;
     for (const ReleaseArea& area : prepared.scene.release)
         source.release.insert(source.release.end(), area.outline.begin(), area.outline.end());
-    if (prepared.scar) source.scar = parts_of(*prepared.scar);
+    if (prepared.scar) source.scar = parts_of(prepared.scar->features);
     source.size = *size_from_text(prepared.spec.output.map_size);
     return source;
 }
@@ -113,10 +110,23 @@ void publish_animation(const Finished& run, const MapSource& source, const Resul
     if (!output.frames) std::filesystem::remove_all(directory.path("frames"), ignored);
 }
 
-ComparisonInput comparison_input(const Finished& run, const MapSource& source) {
-    const SceneSpec& spec = run.prepared.spec;
-    return {run.result.max_depth,        source.scar,    scar_threshold(spec), "max_depth.tif",
-            spec.scar.perimeter.value(), run.result.bed, run.result.release};
+ComparisonInput comparison_input(const Finished& run) {
+    const Prepared& prepared = run.prepared;
+    ComparisonInput input;
+    input.survey = prepared.extra.survey;
+    if (prepared.scar) {
+        input.survey.scar = parts_of(prepared.scar->features);
+        input.survey.scar_label = prepared.spec.scar.perimeter.value();
+    }
+    if (input.survey.empty()) return input;
+    input.depth = run.result.max_depth;
+    input.threshold = scar_threshold(prepared.spec);
+    input.depth_label = "max_depth.tif";
+    input.bed = run.result.bed;
+    input.release = run.result.release;
+    input.final_depth = run.result.final_depth;
+    input.metadata = provenance(prepared);
+    return input;
 }
 
 /// A speed beyond 2 sqrt(g H), H from the highest surface to the lowest bed, is more than any fluid reaches
@@ -188,13 +198,22 @@ void warn_of_trouble(const Finished& run, RunLog& log) {
     }
 }
 
-SceneSpec echoed(const Prepared& prepared) {
-    SceneSpec spec = prepared.spec;
-    // The echo lies in another folder: what was derived from the scene file's own name must be written out.
-    spec.output.title = title_of(spec);
-    // The directory holds this result now; a repetition goes to its own unless told otherwise.
-    spec.output.directory.reset();
-    return spec;
+/// The comparison with what was surveyed, if anything was. A survey that cannot be compared does not cost the
+/// run: it is a warning.
+std::optional<Comparison> publish_comparison(const Finished& run, const ResultDirectory& directory,
+                                             RunLog& log) {
+    const ComparisonInput input = comparison_input(run);
+    if (input.survey.empty()) return std::nullopt;
+    try {
+        Comparison comparison = compare_with_survey(input, log);
+        write_comparison(comparison, input, directory.path(""));
+        log.tell(comparison_headline(comparison));
+        return comparison;
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::input) throw;
+        log.warn(std::string("the survey could not be compared: ") + error.what());
+        return std::nullopt;
+    }
 }
 
 }  // namespace
@@ -214,25 +233,27 @@ bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter&
     facts.covered_area_m2 = masked_area(trace);
 
     publish_rasters(prepared, result, directory);
-    publish_outlines(prepared, result, directory);
+    publish_outlines(prepared, result, facts.run_out, directory);
+    publish_series(prepared, result, directory);
+    publish_profiles(prepared, result, facts.run_out, directory);
+    const HazardResult hazard = publish_hazard(prepared, result, directory);
+    facts.hazard = hazard.areas;
+    publish_avaframe(prepared, result, directory);
     write_text_file(directory.path("timeseries.csv"), timeseries_csv(result.series));
-    write_text_file(directory.path("scene.ini"), scene_text(echoed(prepared), prepared.resolved));
+    write_text_file(directory.path("scene.ini"), echoed_scene(prepared));
     if (frames.count() > 0) frames.finish();
+    publish_frame_stacks(prepared, directory);
     const MapSource source = map_source(run, facts.run_out, facts.covered_area_m2);
-    std::optional<Comparison> comparison;
-    if (prepared.scar) {
-        const ComparisonInput input = comparison_input(run, source);
-        comparison = compare_with_scar(input, log);
-        write_comparison(*comparison, input, directory.path(""));
-        log.tell("area differs from the scar's by " + figure(comparison->figures.area_difference_percent, 3) +
-                 " %, Jaccard " + figure(comparison->figures.jaccard, 3));
-    }
+    const std::optional<Comparison> comparison = publish_comparison(run, directory, log);
     facts.wall.output = output_watch.seconds() + frames.seconds();
 
     const Stopwatch render_watch;
     Drawings drawings(log);
     publish_maps(run, source, directory, drawings);
-    if (comparison)
+    if (!hazard.areas.empty() && prepared.spec.output.maps.front() != "off")
+        drawings.attempt("maps/hazard.png",
+                         [&] { draw_hazard(hazard, source, directory.path("maps/hazard.png")); });
+    if (comparison && comparison->figures)
         drawings.attempt("comparison.png",
                          [&] { draw_comparison(*comparison, source, directory.path("comparison.png")); });
     publish_animation(run, source, directory, frames, drawings);
@@ -243,6 +264,8 @@ bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter&
     facts.wall.total = run.since_start.seconds();
     facts.peak_memory_bytes = peak_memory_bytes();
     facts.warnings = log.warnings();
+    if (prepared.spec.output.report)
+        write_report({prepared, result, facts, comparison, facts.hazard}, directory);
     write_text_file(directory.path("summary.json"), summary_json(result, facts));
     log.note("wrote summary.json");
     write_text_file(directory.path("log.txt"), log.text());

@@ -3,7 +3,7 @@
 
 #include "analysis/trace.h"
 #include "app/layers.h"
-#include "app/version.h"
+#include "app/provenance.h"
 #include "core/colour.h"
 #include "core/json.h"
 #include "gis/raster_out.h"
@@ -15,12 +15,9 @@ namespace frana::app {
 namespace {
 
 void write(const ResultDirectory& directory, const std::string& name, const Raster& raster,
-           const std::string& description, const std::string& unit, const SceneSpec& spec) {
-    gis::write_geotiff(directory.path(name + ".tif"), raster,
-                       {name,
-                        description,
-                        unit,
-                        {{"PROGRAM", k_program}, {"VERSION", k_version}, {"SCENE", scene_name(spec)}}});
+           const std::string& description, const std::string& unit,
+           const std::map<std::string, std::string>& origin) {
+    gis::write_geotiff(directory.path(name + ".tif"), raster, {name, description, unit, origin});
 }
 
 PolygonFeature feature(MultiPolygon parts, double threshold) {
@@ -31,15 +28,27 @@ PolygonFeature feature(MultiPolygon parts, double threshold) {
 }
 
 /// One layer with one feature, or an empty layer where there is no ground to outline.
-gis::OutlineLayer outline(const std::string& name, const Raster& depth, double threshold) {
-    MultiPolygon parts = gis::polygonise(trace_mask(depth, threshold));
+gis::OutlineLayer outline(const std::string& name, const Raster& depth, double threshold,
+                          const RunResult& result, const Runout& run_out) {
+    const Raster mask = trace_mask(depth, threshold);
+    MultiPolygon parts = gis::polygonise(mask);
     if (parts.empty()) return {name, {}};
-    return {name, {feature(std::move(parts), threshold)}};
+    PolygonFeature area = feature(std::move(parts), threshold);
+    double volume = 0;
+    for (std::size_t i = 0; i < mask.values.size(); ++i)
+        if (mask.values[i] != 0) volume += depth.values[i] * result.bed.grid.cell_area();
+    area.numbers["volume_m3"] = volume;
+    area.numbers["max_depth_m"] = maximum(depth);
+    area.numbers["runout_m"] = run_out.horizontal_m;
+    area.numbers["drop_m"] = run_out.drop_m;
+    area.numbers["reach_angle_deg"] = run_out.reach_angle_deg;
+    return {name, {area}};
 }
 
-void publish_exchange(const SceneSpec& spec, const RunResult& result, const ResultDirectory& directory) {
+void publish_exchange(const std::map<std::string, std::string>& origin, const RunResult& result,
+                      const ResultDirectory& directory) {
     const auto publish = [&](const std::string& name, const Raster& depth, const std::string& description) {
-        write(directory, name, depth, description, "m", spec);
+        write(directory, name, depth, description, "m", origin);
         gis::write_styles(
             directory.path(name + ".tif"),
             gis::class_stops(palette("depth"), layer_classes(layer_named("final_depth"), maximum(depth)), "m"), "m",
@@ -52,25 +61,27 @@ void publish_exchange(const SceneSpec& spec, const RunResult& result, const Resu
 }  // namespace
 
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
+    const std::map<std::string, std::string> origin = provenance(prepared);
     for (const Layer& layer : result_layers()) {
         const Raster& raster = result.*layer.values;
-        write(directory, layer.name, raster, layer.description, layer.unit, prepared.spec);
+        write(directory, layer.name, raster, layer.description, layer.unit, origin);
         gis::write_styles(
             directory.path(layer.name + ".tif"),
             gis::class_stops(palette(layer.palette), layer_classes(layer, maximum(raster)), layer.unit),
             layer.unit, gis::StyleKind::classed);
     }
-    if (result.exchanges) publish_exchange(prepared.spec, result, directory);
-    write(directory, "dtm", prepared.scene.terrain, "Terrain on the working grid", "m", prepared.spec);
-    write(directory, "bed", result.bed, "Bed that was slid over", "m", prepared.spec);
-    write(directory, "release", result.release, "Thickness released, vertical", "m", prepared.spec);
+    if (result.exchanges) publish_exchange(origin, result, directory);
+    write(directory, "dtm", prepared.scene.terrain, "Terrain on the working grid", "m", origin);
+    write(directory, "bed", result.bed, "Bed that was slid over", "m", origin);
+    write(directory, "release", result.release, "Thickness released, vertical", "m", origin);
     gis::write_styles(directory.path("release.tif"),
                       gis::class_stops(palette("depth"),
                                        layer_classes(layer_named("max_depth"), maximum(result.release)), "m"),
                       "m", gis::StyleKind::classed);
 }
 
-void publish_outlines(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
+void publish_outlines(const Prepared& prepared, const RunResult& result, const Runout& run_out,
+                      const ResultDirectory& directory) {
     std::vector<gis::OutlineLayer> layers{{"release", {}}};
     for (std::size_t i = 0; i < prepared.scene.release.size(); ++i) {
         const ReleaseArea& area = prepared.scene.release[i];
@@ -82,8 +93,14 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const R
         layers[0].features.push_back(std::move(release));
     }
     const double threshold = prepared.spec.output.trace_threshold;
-    layers.push_back(outline("trace", result.max_depth, threshold));
-    layers.push_back(outline("deposit", result.final_depth, threshold));
+    layers.push_back(outline("trace", result.max_depth, threshold, result, run_out));
+    layers.push_back(outline("deposit", result.final_depth, threshold, result,
+                             runout(result.bed, result.release, trace_mask(result.final_depth, threshold))));
+    for (PolygonFeature& trace : layers[1].features) {
+        // What passed over the trace is what was released; depths of different moments do not add up.
+        trace.numbers["volume_m3"] = result.volume_initial;
+        trace.numbers["max_velocity_ms"] = maximum(result.max_velocity);
+    }
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
     gis::write_outlines(directory.path("extent.gpkg"), prepared.scene.grid.crs_wkt, layers);
 }

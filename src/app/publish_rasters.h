@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "analysis/runout.h"
 #include "app/prepare.h"
 #include "app/result_directory.h"
 #include "simulation/result.h"
@@ -13,6 +14,7 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
 
 /// extent.gpkg: release, trace (greatest depth over the threshold), deposit (final depth over it), scar if
 /// given.
-void publish_outlines(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory);
+void publish_outlines(const Prepared& prepared, const RunResult& result, const Runout& run_out,
+                      const ResultDirectory& directory);
 
 }  // namespace frana::app

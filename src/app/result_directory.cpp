@@ -48,11 +48,32 @@ bool is_inside(const fs::path& path, const fs::path& directory) {
 
 /// Names in a result directory that frana itself writes; everything else there is the user's.
 bool is_ours(const std::string& name) {
-    static const std::vector<std::string> k_names{
-        "scene.ini", "summary.json",  "timeseries.csv", "log.txt",         "extent.gpkg",   "frames",
-        "maps",      "animation.mp4", "animation.gif",  "comparison.json", "comparison.png"};
+    static const std::vector<std::string> k_names{"scene.ini",
+                                                  "summary.json",
+                                                  "timeseries.csv",
+                                                  "log.txt",
+                                                  "extent.gpkg",
+                                                  "frames",
+                                                  "maps",
+                                                  "animation.mp4",
+                                                  "animation.gif",
+                                                  "comparison.json",
+                                                  "comparison.png",
+                                                  "comparison_curve.csv",
+                                                  "report.html",
+                                                  "gauges.csv",
+                                                  "sections.csv",
+                                                  "gauges.gpkg",
+                                                  "profiles.csv",
+                                                  "profiles.gpkg",
+                                                  "hazard_zones.gpkg",
+                                                  "hazard_zones.qml",
+                                                  "hazard_zones.sld",
+                                                  "peakFiles",
+                                                  "frames.nc",
+                                                  "frames.zarr"};
     if (std::find(k_names.begin(), k_names.end(), name) != k_names.end()) return true;
-    std::vector<std::string> rasters{"release", "dtm", "bed", "comparison"};
+    std::vector<std::string> rasters{"release", "dtm", "bed", "comparison", "hazard", "max_flux", "max_head"};
     for (const Layer& layer : result_layers()) rasters.push_back(layer.name);
     for (const std::string& raster : rasters)
         for (const char* ending : {".tif", ".qml", ".sld"})

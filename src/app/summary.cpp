@@ -76,6 +76,14 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
     json.begin_object("runout").number("horizontal_m", facts.run_out.horizontal_m);
     json.number("drop_m", facts.run_out.drop_m).number("reach_angle_deg", facts.run_out.reach_angle_deg);
     json.end_object();
+    if (!facts.hazard.empty()) {
+        json.begin_array("hazard");
+        for (const HazardArea& area : facts.hazard) {
+            json.begin_object().integer("class", area.kind.value).text("label", area.kind.label);
+            json.number("area_m2", area.area_m2).end_object();
+        }
+        json.end_array();
+    }
     const HardEvents& events = result.hard_events;
     json.begin_object("hard_events").integer("non_finite", events.non_finite);
     json.integer("depth_clamped", events.depth_clamped).integer("speed_clamped", events.speed_clamped);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/runout.h"
+#include "app/publish_hazard.h"
 #include "params/scene_spec.h"
 #include "simulation/result.h"
 
@@ -23,7 +24,8 @@ struct SummaryFacts {
     WallSeconds wall;
     std::int64_t peak_memory_bytes = 0;
     Runout run_out;
-    double covered_area_m2 = 0;  ///< of the trace: greatest depth over output.trace-threshold
+    double covered_area_m2 = 0;      ///< of the trace: greatest depth over output.trace-threshold
+    std::vector<HazardArea> hazard;  ///< empty: no scheme
     std::vector<std::string> warnings;
 };
 

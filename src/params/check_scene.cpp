@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/check_scene.h"
 
+#include <algorithm>
+
 #include "core/json.h"
 #include "params/check_laws.h"
+#include "params/value_text.h"
 
 namespace frana {
 namespace {
@@ -133,6 +136,41 @@ void check_frames(const SceneSpec& scene, const std::string& file, Problems& pro
     }
 }
 
+void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& problems) {
+    const bool limits = !hazard.depth_limits.empty() || !hazard.velocity_limits.empty() ||
+                        !hazard.flux_limits.empty() || !hazard.pressure_limits.empty();
+    const bool custom = hazard.scheme == "custom";
+    if (custom && !limits) {
+        problems.add({"scheme custom needs limits", file + ": hazard.scheme", "custom", "",
+                      "Set hazard.depth-limits, velocity-limits, flux-limits or pressure-limits"});
+    }
+    if (!custom && limits) {
+        problems.add({"limits belong to scheme custom", file + ": hazard.scheme",
+                      hazard.scheme.value_or("not given"), "custom",
+                      "Set hazard.scheme = custom or remove them"});
+    }
+}
+
+void check_output(const SceneSpec& scene, const std::string& file, Problems& problems) {
+    const auto has = [&](const char* format) {
+        const auto& list = scene.output.formats;
+        return std::find(list.begin(), list.end(), format) != list.end();
+    };
+    if ((has("netcdf") || has("zarr")) && frame_interval(scene) == 0) {
+        problems.add({"netcdf and zarr hold the frames, but the scene makes none", file + ": output.formats",
+                      joined(scene.output.formats, ", "), "", "Set output.frames = on"});
+    }
+    if (has("ascii") && scene.output.names != "avaframe") {
+        problems.add({"ascii is a format of the AvaFrame rasters", file + ": output.formats",
+                      joined(scene.output.formats, ", "), "", "Set output.names = avaframe or remove ascii"});
+    }
+    if (scene.output.sample_interval && !scene.output.gauges && !scene.output.sections) {
+        problems.add({"has nothing to sample", file + ": output.sample-interval",
+                      shortest_text(*scene.output.sample_interval), "",
+                      "Set output.gauges or output.cross-sections, or remove the key"});
+    }
+}
+
 }  // namespace
 
 void check_scene(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
@@ -143,6 +181,8 @@ void check_scene(const SceneSpec& scene, const std::set<std::string>& given, con
     check_laws(scene, given, file, problems);
     check_numerics(scene.numerics, file, problems);
     check_frames(scene, file, problems);
+    check_hazard(scene.hazard, file, problems);
+    check_output(scene, file, problems);
 }
 
 }  // namespace frana

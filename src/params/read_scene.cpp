@@ -177,7 +177,7 @@ std::vector<std::string> input_files(const SceneSpec& scene) {
     std::vector<std::string> files{scene.file};
     SceneSpec copy = scene;
     for (const Parameter& parameter : scene_parameters()) {
-        if (!parameter.map_files || parameter.section == "output") continue;
+        if (!parameter.map_files || parameter.name() == "output.directory") continue;
         parameter.map_files(copy, [&](const std::string& path) {
             files.push_back(path);
             return path;

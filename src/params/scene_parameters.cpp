@@ -4,6 +4,7 @@
 #include "params/declare.h"
 #include "params/input_parameters.h"
 #include "params/material_parameters.h"
+#include "params/output_parameters.h"
 #include "params/site_parameters.h"
 
 namespace frana {
@@ -101,8 +102,10 @@ void add_rest(std::vector<Parameter>& list) {
     list.push_back(on_off("output.frames", FRANA_MEMBER(output.frames),
                           "Write depth and velocity at the frame interval as GeoTIFFs."));
     list.push_back(on_off("output.animation", FRANA_MEMBER(output.animation), "Write animation.mp4."));
-    list.push_back(word_list("output.formats", FRANA_MEMBER(output.formats), {}, {"geotiff"},
-                             "Formats of rasters.", {"netcdf", "ascii"}));
+    list.push_back(word_list("output.formats", FRANA_MEMBER(output.formats), {},
+                             {"geotiff", "netcdf", "zarr", "ascii"},
+                             "Formats: GeoTIFF is always written; netcdf and zarr add the frames as one file "
+                             "each, ascii writes the AvaFrame rasters as ESRI ASCII grids."));
     Parameter checkpoint = number("output.checkpoint-interval", FRANA_MEMBER(output.checkpoint_interval), "s",
                                   Range{0, 0}, "Wall time between checkpoints; 0: none.");
     checkpoint.limits = "0 (checkpoints are not available in this version)";
@@ -114,9 +117,13 @@ void add_rest(std::vector<Parameter>& list) {
     list.push_back(
         text("output.title", FRANA_MEMBER(output.title), "text", "Title of the maps.", "the scene's name"));
 
+    add_extra_output(list);
+    add_hazard(list);
+
     list.push_back(text("scar.perimeter", FRANA_MEMBER(scar.perimeter), "file",
                         "Surveyed outline to compare with: any polygon layer, in its own CRS.",
                         "no comparison"));
+    add_survey(list);
     list.push_back(number("scar.threshold", FRANA_MEMBER(scar.threshold), "m", Range{1e-6, 100},
                           "Depth that counts as touched in the comparison.", "output.trace-threshold"));
 }
@@ -153,6 +160,7 @@ std::vector<Section> scene_sections() {
             {"numerics", "How it is computed."},
             {"time", "How long."},
             {"output", "What is written."},
+            {"hazard", "Classes of intensity."},
             {"scar", "The surveyed outline to compare with."}};
 }
 

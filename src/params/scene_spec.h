@@ -132,12 +132,26 @@ struct OutputSpec {
     double trace_threshold = 0.1;
     std::string map_size = "1600x1200";
     std::optional<std::string> title;
+    std::string names = "frana";
+    bool report = true;
+    std::optional<std::string> gauges;
+    std::optional<std::string> sections;
+    std::optional<std::string> profiles;
+    std::optional<double> sample_interval;
+};
+
+/// [hazard]
+struct HazardSpec {
+    std::optional<std::string> scheme;
+    std::vector<double> depth_limits, velocity_limits, flux_limits, pressure_limits;
 };
 
 /// [scar]
 struct ScarSpec {
     std::optional<std::string> perimeter;
     LayerSpec perimeter_layer;
+    std::optional<std::string> front;
+    std::optional<std::string> deposit;
     std::optional<double> threshold;
 };
 
@@ -154,6 +168,7 @@ struct SceneSpec {
     NumericsSpec numerics;
     TimeSpec time;
     OutputSpec output;
+    HazardSpec hazard;
     ScarSpec scar;
     std::map<std::string, Origin> origins;  ///< "section.key" -> where its value came from; absent: default
 

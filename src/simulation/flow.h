@@ -7,6 +7,7 @@
 #include "core/thread_pool.h"
 #include "models/voellmy_bingham/step.h"
 #include "mpm/maxima.h"
+#include "mpm/node_tiles.h"
 #include "simulation/scene.h"
 
 namespace frana {
@@ -44,6 +45,19 @@ class Flow {
     [[nodiscard]] double time() const noexcept { return state_.time; }
     [[nodiscard]] const ParticleSet& particles() const noexcept { return state_.particles; }
     [[nodiscard]] const NodeGrid& nodes() const noexcept { return state_.nodes; }
+    /// Calls visit(index) for every node of the terrain that may hold material, as the last step left it.
+    template <class Visit>
+    void for_each_active_node(const Visit& visit) const {
+        const NodeGrid& n = state_.nodes;
+        for (const std::int64_t tile : state_.order.node_tiles()) {
+            const NodeRange range(tile, state_.order.grid(), n);
+            range.for_each(n.stride(), [&](std::size_t index, std::int64_t i, std::int64_t j) {
+                const bool ghost =
+                    i < k_ghost || j < k_ghost || i >= n.columns() + k_ghost || j >= n.rows() + k_ghost;
+                if (!ghost) visit(index);
+            });
+        }
+    }
     [[nodiscard]] const voellmy_bingham::Laws& laws() const noexcept { return laws_; }
     [[nodiscard]] double volume_left() const noexcept { return state_.volume_left; }
     /// What has gone from the bed to the flow and back so far.

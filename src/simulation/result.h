@@ -79,6 +79,25 @@ struct ReleasedArea {
     bool failed = true;  ///< false: its start lies after the run's end
 };
 
+/// One row of gauges.csv.
+struct GaugeRow {
+    double time = 0;        ///< [s]
+    std::size_t gauge = 0;  ///< its place in Recording::gauges
+    double depth = 0;       ///< vertical [m]
+    double speed = 0;       ///< along the bed [m/s]
+};
+
+/// One row of sections.csv.
+struct SectionRow {
+    double time = 0;          ///< [s]
+    std::size_t section = 0;  ///< its place in Recording::sections
+    double discharge = 0;     ///< to the right of the line's direction positive [m3/s]
+    double volume = 0;        ///< passed so far, the same sign [m3]
+    double wetted_width = 0;  ///< length of the line that is deeper than the minimum depth [m]
+    double max_depth = 0;     ///< on the line [m]
+    double max_speed = 0;     ///< on the line, along the bed [m/s]
+};
+
 /// What a run gives back: rasters on the working grid (NaN where nothing ever flowed), series, counts.
 struct RunResult {
     Raster bed;           ///< what was slid over [m]
@@ -88,7 +107,11 @@ struct RunResult {
     Raster max_pressure;  ///< density times speed squared [kPa], taken at every step
     Raster arrival_time;  ///< first time deeper than the minimum depth [s]
     Raster final_depth;   ///< [m]
+    Raster max_flux;      ///< depth times speed along the bed at one moment [m2/s]; empty unless recorded
+    Raster max_head;      ///< depth plus v^2 / 2g at one moment [m]; empty unless recorded
     std::vector<SeriesRow> series;
+    std::vector<GaugeRow> gauges;
+    std::vector<SectionRow> sections;
 
     std::int64_t steps = 0;
     double simulated_seconds = 0;

@@ -159,6 +159,26 @@ struct Inflow {
     std::optional<double> azimuth;  ///< clockwise from the grid's north [rad]; none: normal to the line, downhill
 };
 
+/// A place where depth and speed are recorded over time.
+struct Gauge {
+    std::string name;
+    Point place;  ///< map coordinates
+};
+
+/// A line through which the discharge is recorded over time.
+struct CrossSection {
+    std::string name;
+    Polyline line;  ///< map coordinates
+};
+
+/// What is recorded besides the maxima; nothing of it costs anything unless asked for.
+struct Recording {
+    std::vector<Gauge> gauges;
+    std::vector<CrossSection> sections;
+    double interval = 0;     ///< between rows of gauges and sections [s]; 0: every step
+    bool intensity = false;  ///< maxima of depth times speed and of the energy head
+};
+
 /// Everything the engine needs, validated, in SI units; const from here on.
 struct Scene {
     GridSpec grid;                          ///< working grid
@@ -173,6 +193,7 @@ struct Scene {
     Entrainment entrainment;
     Numerics numerics;
     TimeControl time;
+    Recording recording;
 };
 
 }  // namespace frana

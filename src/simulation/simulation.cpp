@@ -10,6 +10,7 @@
 
 #include "simulation/arrivals.h"
 #include "simulation/flow.h"
+#include "simulation/recorder.h"
 #include "simulation/release.h"
 #include "simulation/terms.h"
 
@@ -189,6 +190,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     double next_frame = interval > 0 ? interval : std::numeric_limits<double>::infinity();
     StillWatch watch;
     FadeWatch fade(scene.time);
+    Recorder recorder(scene.recording, scene.grid, scene.numerics);
     result.stop_reason = StopReason::end_time;
     while (flow.time() < scene.time.end) {
         const double target = std::min({next_frame, scene.time.end, arrivals.next_time()});
@@ -196,7 +198,9 @@ RunResult run(const Scene& scene, const RunOptions& options) {
         // Two equal steps rather than a full one and a sliver.
         const double stable = flow.stable_step();
         const double limit = left <= stable ? left : left < 2 * stable ? 0.5 * left : left;
+        const double began = flow.time();
         const voellmy_bingham::StepReport report = flow.advance(limit);
+        if (!recorder.idle()) recorder.see(flow, began, report.dt);
         result.series.push_back(series_row(flow, report, scene.material.density,
                                           result.volume_entered));
         result.particles_peak =
@@ -253,6 +257,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     }
     for (Raster* raster : {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth})
         hide_walls(scene, *raster);
+    recorder.give(flow, result);
     result.max_pressure = pressure_kpa(result.max_velocity, scene.material.density);
     result.bed = std::move(release.bed);
     result.release = std::move(release.depth);

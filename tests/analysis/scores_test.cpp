@@ -100,5 +100,21 @@ TEST(Scores, AgreementClasses) {
     EXPECT_TRUE(std::isnan(classes.values[3]));
 }
 
+TEST(Scores, TheCurveOverTheThresholdByHand) {
+    const Raster depth = row_of({3, 2, 0.012, k_no_data});
+    const Raster observed = row_of({1, 0, 1, 1});
+    const std::vector<ComparisonFigures> curve = score_curve(depth, observed);
+    // 0; 0.01, 0.015 ... 0.07; 0.1 ... 0.7; 1, 1.5, 2 (3 is not under the greatest depth).
+    ASSERT_EQ(curve.size(), 1U + 6 + 6 + 3);
+    EXPECT_EQ(curve[0].threshold_m, 0);
+    EXPECT_NEAR(curve[0].jaccard, 2.0 / 4, k_rounding);
+    EXPECT_NEAR(curve[1].jaccard, 2.0 / 4, k_rounding);  // 0.012 is over 0.01 ...
+    EXPECT_NEAR(curve[2].jaccard, 1.0 / 4, k_rounding);  // ... but not over 0.015
+    EXPECT_NEAR(curve.back().threshold_m, 2, 1e-12);
+    EXPECT_NEAR(curve.back().jaccard, 1.0 / 3, k_rounding);
+    for (const ComparisonFigures& figures : curve)
+        EXPECT_EQ(figures.auroc, compare(depth, observed, 1).auroc);
+}
+
 }  // namespace
 }  // namespace frana

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <sstream>
+
 #include "tiny_scene.h"
 
 namespace frana::test {
@@ -15,6 +17,25 @@ TEST_P(Example, IsReadyToRun) {
     const Outcome outcome = frana({"check", std::string(FRANA_SOURCE_DIR) + "/share/scenes/" + scene});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("ready to run"), std::string::npos);
+}
+
+TEST_P(Example, LeadsFromTheRawFilesToTheReportInAtMostFifteenLines) {
+    const auto [scene, data] = GetParam();
+    const std::string file = std::string(FRANA_SOURCE_DIR) + "/share/scenes/" + scene;
+    std::istringstream text(read_text(file));
+    int lines = 0;
+    for (std::string line; std::getline(text, line);) lines += !line.empty() && line[0] != '#';
+    EXPECT_LE(lines, 15) << scene;
+    if (!std::filesystem::exists(std::string(FRANA_SHARED_DIR) + "/data/" + data))
+        GTEST_SKIP() << "the event's data are not at " << FRANA_SHARED_DIR << "/data/" << data;
+    // A second of the flow; the whole runs are in share/doc/examples.md.
+    const Outcome outcome = frana({"run", file, "--out", "result", "--quiet", "--set", "time.end=1", "--set",
+                                   "output.maps=max_depth", "--set", "output.animation=off", "--set",
+                                   "output.frames=off", "--set", "output.map-size=800x600"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string page = read_text(path("result/report.html"));
+    EXPECT_NE(page.find("</html>"), std::string::npos);
+    EXPECT_NE(page.find("src=\"data:image/png"), std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Example,

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "cog_check.h"
 #include "files.h"
 #include "gis/crs.h"
 #include "gis/gdal_session.h"
@@ -107,6 +108,61 @@ TEST(WriteGeotiff, IsCloudOptimisedWithTextsAndStatisticsInside) {
                 1e-9 * std::abs(mean));
     EXPECT_NEAR(std::atof(fresh->GetRasterBand(1)->GetMetadataItem("STATISTICS_STDDEV")), deviation,
                 1e-9 * deviation);
+}
+
+TEST(WriteGeotiff, IsValidAsGdalsValidatorHasIt) {
+    const Folder folder;
+    for (const int columns : {3, 255, 256, 257, 1100}) {
+        write_geotiff(folder.file("a.tif"), bowl(columns, 600), k_text);
+        EXPECT_EQ(test::cog_problems(folder.file("a.tif")), std::vector<std::string>{}) << columns;
+        write_class_geotiff(folder.file("c.tif"), Raster(bowl(columns, 600).grid, 1), {{1, "one", {1, 2, 3}}},
+                            k_text);
+        EXPECT_EQ(test::cog_problems(folder.file("c.tif")), std::vector<std::string>{}) << columns;
+    }
+}
+
+TEST(WriteGeotiff, TheCheckFindsWhatIsNotCloudOptimised) {
+    const Folder folder;
+    write_geotiff(folder.file("a.tif"), bowl(1100, 600), k_text);
+    const GdalSession session;
+    {
+        const GDALDatasetUniquePtr file(GDALDataset::Open(folder.file("a.tif").c_str(), GDAL_OF_RASTER));
+        GDALDriver* tiff = GetGDALDriverManager()->GetDriverByName("GTiff");
+        const GDALDatasetUniquePtr striped(
+            tiff->CreateCopy(folder.file("b.tif").c_str(), file.get(), TRUE, nullptr, nullptr, nullptr));
+    }
+    EXPECT_FALSE(test::cog_problems(folder.file("b.tif")).empty()) << "stripes";
+    {
+        // A value changed in place: GDAL rewrites blocks and says so in the file.
+        const GDALDatasetUniquePtr file(
+            GDALDataset::Open(folder.file("a.tif").c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE));
+        std::vector<float> values(1100 * 300);
+        std::uint32_t noise = 1;  // which does not compress, so that blocks outgrow their place
+        for (float& value : values) value = static_cast<float>(noise = noise * 1664525 + 1013904223);
+        ASSERT_EQ(file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 1100, 300, values.data(), 1100, 300,
+                                                   GDT_Float32, 0, 0, nullptr),
+                  CE_None);
+    }
+    EXPECT_FALSE(test::cog_problems(folder.file("a.tif")).empty()) << "edited";
+}
+
+TEST(WriteAsciiGrid, ComesBackToSixDigits) {
+    const Folder folder;
+    const Raster raster = bowl(20, 10);
+    write_ascii_grid(folder.file("a.asc"), raster);
+    const Raster back = read_result_raster(folder.file("a.asc"));
+    EXPECT_TRUE(back.grid.same_cells(raster.grid));
+    for (std::size_t i = 0; i < raster.values.size(); ++i) {
+        if (std::isnan(raster.values[i])) {
+            EXPECT_TRUE(std::isnan(back.values[i]));
+        } else {
+            EXPECT_NEAR(back.values[i], raster.values[i], 1e-5 * (1 + std::abs(raster.values[i])));
+        }
+    }
+    const std::string text = test::text_in(folder.file("a.asc"));
+    const std::size_t nodata = text.find("NODATA_value");
+    ASSERT_NE(nodata, std::string::npos);
+    EXPECT_EQ(std::atof(text.c_str() + nodata + 12), -9999);
 }
 
 TEST(WriteGeotiff, OverviewsDoNotMixInNoData) {

@@ -86,7 +86,7 @@ TEST_F(ReadScene, UnknownPresetNamesThePresets) {
 TEST_F(ReadScene, WhatIsNotAvailableIsSaidNotIgnored) {
     for (const std::string line :
          {"[material]\nmodel = structured\n", "[numerics]\nprecision = single\n",
-          "[output]\nformats = netcdf\n", "[output]\ncheckpoint-interval = 60\n",
+          "[output]\ncheckpoint-interval = 60\n",
           "[numerics]\nscheme = paper\nshape = quadratic\n"}) {
         EXPECT_NE(messages(line).find("not available in this version"), std::string::npos) << line;
     }
@@ -164,6 +164,34 @@ TEST_F(ReadScene, FrameIntervalIsRoundAndOnlyWhereFramesAreWanted) {
     EXPECT_EQ(frame_interval(read(k_least + "[output]\nframes = off\nanimation = off\n").scene), 0);
     EXPECT_NE(messages(k_least + "[time]\nframe-interval = 0.001\n").find("more than 10000 frames"),
               std::string::npos);
+}
+
+TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
+    const std::string all = messages(k_least +
+                                     "[output]\nformats = netcdf, ascii\nframes = off\nanimation = off\n"
+                                     "sample-interval = 1\n[hazard]\nscheme = custom\n");
+    for (const std::string words :
+         {"output.formats: netcdf and zarr hold the frames, but the scene makes none",
+          "output.formats: ascii is a format of the AvaFrame rasters",
+          "output.sample-interval: has nothing to sample", "hazard.scheme: scheme custom needs limits"})
+        EXPECT_NE(all.find(words), std::string::npos) << words << " in\n" << all;
+    EXPECT_EQ(messages(k_least + "[output]\nformats = netcdf\n"), "") << "GeoTIFFs need not be asked for";
+}
+
+TEST_F(ReadScene, LimitsRiseFromAboveZero) {
+    const SceneReading reading =
+        read(k_least + "[hazard]\nscheme = custom\ndepth-limits = 0.5 2\npressure-limits = 3, 30\n");
+    EXPECT_TRUE(reading.problems.empty());
+    EXPECT_EQ(reading.scene.hazard.depth_limits, (std::vector<double>{0.5, 2}));
+    EXPECT_EQ(reading.scene.hazard.pressure_limits, (std::vector<double>{3, 30}));
+    for (const std::string limits : {"0 1", "2 1", "1 1", "1 x"})
+        EXPECT_NE(messages(k_least + "[hazard]\nscheme = custom\ndepth-limits = " + limits + "\n")
+                      .find("hazard.depth-limits"),
+                  std::string::npos)
+            << limits;
+    EXPECT_NE(
+        messages(k_least + "[hazard]\nscheme = swiss\n").find("hazard.scheme: is not one of the choices"),
+        std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/marks_in.h"
+
+#include <ogrsf_frmts.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "core/error.h"
+#include "gis/crs.h"
+#include "gis/gdal_session.h"
+
+namespace frana::gis {
+namespace {
+
+std::string wkt_of(const OGRSpatialReference* crs) {
+    if (!crs || std::string(crs->GetName()).rfind("Undefined", 0) == 0) return {};
+    const char* const options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
+    char* text = nullptr;
+    const bool good = crs->exportToWkt(&text, options) == OGRERR_NONE;
+    std::string wkt = good && text ? text : "";
+    CPLFree(text);
+    return wkt;
+}
+
+std::string name_of(const OGRFeature& feature) {
+    for (const char* field : {"name", "NAME", "Name", "id"}) {
+        const int index = feature.GetFieldIndex(field);
+        if (index >= 0 && feature.IsFieldSetAndNotNull(index)) return feature.GetFieldAsString(index);
+    }
+    return {};
+}
+
+std::string numbered(const std::string& name, std::size_t before) {
+    return name.empty() ? std::to_string(before + 1) : name;
+}
+
+void take(const OGRGeometry& geometry, const std::string& name, Marks& marks) {
+    switch (wkbFlatten(geometry.getGeometryType())) {
+        case wkbPoint: {
+            const OGRPoint& point = *geometry.toPoint();
+            if (!point.IsEmpty())
+                marks.points.push_back({numbered(name, marks.points.size()), {point.getX(), point.getY()}});
+            return;
+        }
+        case wkbLineString: {
+            Polyline line;
+            for (const OGRPoint& point : *geometry.toLineString())
+                line.push_back({point.getX(), point.getY()});
+            if (line.size() >= 2)
+                marks.lines.push_back({numbered(name, marks.lines.size()), std::move(line)});
+            return;
+        }
+        case wkbPolygon:
+        case wkbMultiPolygon:
+            ++marks.polygons;
+            return;
+        case wkbMultiPoint:
+        case wkbMultiLineString:
+        case wkbGeometryCollection:
+            for (const OGRGeometry* part : *geometry.toGeometryCollection()) take(*part, name, marks);
+            return;
+        default:
+            return;
+    }
+}
+
+void transform_places(Marks& marks, const std::string& from, const std::string& to) {
+    Bounds box{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    const auto each = [&](const auto& visit) {
+        for (NamedPoint& point : marks.points) visit(point.place);
+        for (NamedLine& line : marks.lines)
+            for (Point& place : line.line) visit(place);
+    };
+    each([&](const Point& p) {
+        box = {std::min(box.west, p.x), std::min(box.south, p.y), std::max(box.east, p.x),
+               std::max(box.north, p.y)};
+    });
+    if (box.west > box.east) return;
+    const CrsTransform transform(from, to, box);
+    marks.transform = transform.info();
+    each([&](Point& p) { p = transform(p); });
+}
+
+}  // namespace
+
+Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+    constexpr const char* k_mark = "|layer=";
+    const GdalSession session;
+    const std::size_t bar = path.find(k_mark);
+    const std::string file = path.substr(0, bar);
+    const std::string wanted = bar == std::string::npos ? "" : path.substr(bar + std::string(k_mark).size());
+    const auto fault = [&](const std::string& what, const std::string& value, const std::string& remedy) {
+        return Error(ErrorKind::input, Problem{what, where + ": " + path, value, "", remedy});
+    };
+    const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
+    if (!dataset) {
+        throw fault(std::filesystem::exists(file) ? "the file is not a vector file that can be read"
+                                                  : "the file does not exist",
+                    "", "Give points or lines in any format that OGR reads");
+    }
+    Marks marks;
+    std::string crs;
+    bool found = wanted.empty();
+    for (OGRLayer* layer : dataset->GetLayers()) {
+        if (!wanted.empty() && wanted != layer->GetName()) continue;
+        found = true;
+        if (crs.empty()) crs = wkt_of(layer->GetSpatialRef());
+        for (const auto& feature : *layer) {
+            const OGRGeometry* geometry = feature->GetGeometryRef();
+            if (!geometry) continue;
+            const std::unique_ptr<OGRGeometry> straight(geometry->getLinearGeometry());
+            take(*straight, name_of(*feature), marks);
+        }
+    }
+    if (!found) throw fault("the file has no such layer", wanted, "Name one of its layers");
+    if (session.failed()) throw fault("the file is damaged: " + session.last_message(), "", "Export it anew");
+    if (marks.points.empty() && marks.lines.empty() && marks.polygons == 0)
+        throw fault("the file holds no point and no line", "", "Draw at least one");
+    marks.crs_label = crs.empty() ? "none" : crs_name(crs);
+    if (crs.empty() && !target_crs_wkt.empty()) {
+        throw fault("the file names no coordinate reference system", "",
+                    "Add a .prj file (or assign one: ogr2ogr -a_srs EPSG:...), or use terrain.crs = local "
+                    "throughout");
+    }
+    try {
+        transform_places(marks, target_crs_wkt.empty() ? "" : crs, target_crs_wkt);
+    } catch (const Error& error) {
+        throw fault(error.problems().front().what, error.problems().front().value,
+                    error.problems().front().remedy);
+    }
+    return marks;
+}
+
+}  // namespace frana::gis

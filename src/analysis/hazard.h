@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/colour.h"
+#include "core/raster.h"
+
+namespace frana {
+
+/// What hazard schemes look at; share/doc/hazard.md tells which maxima are taken together.
+struct HazardQuantities {
+    const Raster& depth;     ///< greatest depth [m]; NaN: never reached, no class
+    const Raster& velocity;  ///< greatest speed [m/s]
+    const Raster& flux;      ///< greatest product of depth and speed at one moment [m2/s]
+    const Raster& head;      ///< greatest sum of depth and v^2 / 2g at one moment [m]
+    const Raster& pressure;  ///< greatest dynamic pressure [kPa]
+    const Raster& deposit;   ///< depth at the end [m]
+};
+
+/// Rising limits of a scheme of the user's own: a cell's class is one more than the number of limits that
+/// the quantity exceeds, the highest over the quantities that have limits.
+struct HazardLimits {
+    std::vector<double> depth, velocity, flux, pressure;
+
+    [[nodiscard]] bool empty() const noexcept {
+        return depth.empty() && velocity.empty() && flux.empty() && pressure.empty();
+    }
+};
+
+struct HazardClass {
+    int value = 0;  ///< 1: the lowest
+    std::string label;
+    Rgb colour;
+};
+
+struct HazardScheme {
+    std::string name;    ///< "swiss-debris-flow"
+    std::string source;  ///< where the thresholds come from
+    std::vector<HazardClass> classes;
+    HazardLimits limits;  ///< of scheme custom
+};
+
+/// The scheme of a name, with the user's limits for `custom`. Throws Error(input) for an unknown one.
+HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits);
+
+/// Class of every cell that was reached, NaN elsewhere.
+Raster hazard_classes(const HazardScheme& scheme, const HazardQuantities& quantities);
+
+}  // namespace frana

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/provenance.h"
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
+
+#include "app/version.h"
+#include "params/write_scene.h"
+
+namespace frana::app {
+
+std::string text_hash(const std::string& text) {
+    return to_string(boost::uuids::name_generator_sha1(boost::uuids::ns::url())(text));
+}
+
+std::string echoed_scene(const Prepared& prepared) {
+    SceneSpec spec = prepared.spec;
+    // The echo lies in another folder: what was derived from the scene file's own name must be written out.
+    spec.output.title = spec.output.title.value_or(scene_name(spec));
+    // The directory holds this result now; a repetition goes to its own unless told otherwise.
+    spec.output.directory.reset();
+    return scene_text(spec, prepared.resolved);
+}
+
+std::map<std::string, std::string> provenance(const Prepared& prepared) {
+    return {{"PROGRAM", k_program},
+            {"VERSION", k_version},
+            {"SCENE", scene_name(prepared.spec)},
+            {"SCENE_HASH", text_hash(echoed_scene(prepared))},
+            {"TIFFTAG_SOFTWARE", std::string(k_program) + " " + k_version}};
+}
+
+}  // namespace frana::app

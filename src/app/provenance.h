@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "app/prepare.h"
+
+namespace frana::app {
+
+/// What every raster says about where it comes from: PROGRAM, VERSION, SCENE, SCENE_HASH, TIFFTAG_SOFTWARE.
+std::map<std::string, std::string> provenance(const Prepared& prepared);
+
+/// The scene as scene.ini of the result holds it.
+std::string echoed_scene(const Prepared& prepared);
+
+/// A name for a text that changes with every byte of it: its UUID of version 5 (SHA-1; RFC 4122) in the URL
+/// namespace.
+std::string text_hash(const std::string& text);
+
+}  // namespace frana::app

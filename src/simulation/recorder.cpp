@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/node_tiles.h"
+
+namespace frana {
+
+Recorder::Recorder(const Recording& recording, const GridSpec& grid, const Numerics& numerics)
+    : intensity_(recording.intensity),
+      metric_(numerics.slope_correction != SlopeCorrection::none),
+      interval_(recording.interval),
+      minimum_depth_(numerics.minimum_depth),
+      gravity_(numerics.gravity),
+      cell_size_(grid.cell_size) {
+    const std::int64_t stride = grid.columns + 2 * k_ghost;
+    const auto node_at = [&](std::int64_t i, std::int64_t j) {
+        i = std::clamp<std::int64_t>(i, 0, grid.columns - 1);
+        j = std::clamp<std::int64_t>(j, 0, grid.rows - 1);
+        return static_cast<std::size_t>((j + k_ghost) * stride + i + k_ghost);
+    };
+    for (const Gauge& gauge : recording.gauges) {
+        const Point local = grid.local_from_map(gauge.place);
+        places_.push_back(node_at(static_cast<std::int64_t>(std::floor(local.x / cell_size_)),
+                                  static_cast<std::int64_t>(std::floor(local.y / cell_size_))));
+    }
+    // Two pieces a cell: a bilinear field is integrated along the line with an error of the second order.
+    const double longest = cell_size_ / 2;
+    for (const CrossSection& section : recording.sections) {
+        Line line;
+        for (std::size_t k = 1; k < section.line.size(); ++k) {
+            const Point a = grid.local_from_map(section.line[k - 1]),
+                        b = grid.local_from_map(section.line[k]);
+            const double length = std::hypot(b.x - a.x, b.y - a.y);
+            const int count = static_cast<int>(std::ceil(length / longest));
+            for (int p = 0; p < count; ++p) {
+                const double t = (p + 0.5) / count;
+                const double x = (a.x + t * (b.x - a.x)) / cell_size_ - 0.5;
+                const double y = (a.y + t * (b.y - a.y)) / cell_size_ - 0.5;
+                const auto i = static_cast<std::int64_t>(std::floor(x)),
+                           j = static_cast<std::int64_t>(std::floor(y));
+                const double fx = x - static_cast<double>(i), fy = y - static_cast<double>(j);
+                line.pieces.push_back({{{node_at(i, j), (1 - fx) * (1 - fy)},
+                                        {node_at(i + 1, j), fx * (1 - fy)},
+                                        {node_at(i, j + 1), (1 - fx) * fy},
+                                        {node_at(i + 1, j + 1), fx * fy}},
+                                       (b.y - a.y) / count,
+                                       -(b.x - a.x) / count,
+                                       length / count});
+            }
+        }
+        lines_.push_back(std::move(line));
+    }
+}
+
+Recorder::NodeState Recorder::state_of(const NodeGrid& nodes, std::size_t node) const {
+    const NodeSums& sums = nodes.sums[node];
+    if (!(sums.mass > 0)) return {};
+    NodeState state;
+    const double cell_area = cell_size_ * cell_size_;
+    state.depth = shown_depth(sums.mass, sums.area * cell_area, sums.support, 1 / cell_area);
+    state.u = sums.fx;
+    state.v = sums.fy;
+    double climb = 0;
+    if (metric_) {
+        const auto stride = static_cast<std::size_t>(nodes.stride());
+        climb = (state.u * (nodes.bed[node + 1] - nodes.bed[node - 1]) +
+                 state.v * (nodes.bed[node + stride] - nodes.bed[node - stride])) /
+                (2 * cell_size_);
+    }
+    state.speed = std::sqrt(state.u * state.u + state.v * state.v + climb * climb);
+    return state;
+}
+
+SectionRow Recorder::row_of(const Flow& flow, std::size_t section, double time) const {
+    SectionRow row;
+    row.time = time;
+    row.section = section;
+    const NodeGrid& nodes = flow.nodes();
+    for (const Piece& piece : lines_[section].pieces) {
+        double flux_x = 0, flux_y = 0, depth = 0, speed = 0;
+        for (const Share& share : piece.shares) {
+            const NodeState state = state_of(nodes, share.node);
+            // The volume in the cell, not the depth that is shown, is what passes.
+            const double held = nodes.sums[share.node].mass / (cell_size_ * cell_size_);
+            flux_x += share.weight * held * state.u;
+            flux_y += share.weight * held * state.v;
+            depth += share.weight * state.depth;
+            speed += share.weight * state.speed;
+        }
+        row.discharge += flux_x * piece.normal_x + flux_y * piece.normal_y;
+        if (depth < minimum_depth_) continue;
+        row.wetted_width += piece.length;
+        row.max_depth = std::max(row.max_depth, depth);
+        row.max_speed = std::max(row.max_speed, speed);
+    }
+    return row;
+}
+
+double Recorder::passing(const Flow& flow, std::size_t section) const {
+    const NodeGrid& nodes = flow.nodes();
+    double sum = 0;
+    for (const Piece& piece : lines_[section].pieces) {
+        for (const Share& share : piece.shares) {
+            const NodeSums& node = nodes.sums[share.node];
+            if (node.mass > 0)
+                sum += share.weight * node.mass * (node.px * piece.normal_x + node.py * piece.normal_y);
+        }
+    }
+    return sum / (cell_size_ * cell_size_);
+}
+
+void Recorder::add_rows(const Flow& flow, double time) {
+    for (std::size_t g = 0; g < places_.size(); ++g) {
+        const NodeState state = state_of(flow.nodes(), places_[g]);
+        const bool reached = state.depth >= minimum_depth_;
+        gauge_rows_.push_back({time, g, reached ? state.depth : 0, reached ? state.speed : 0});
+    }
+    for (std::size_t s = 0; s < lines_.size(); ++s) {
+        section_rows_.push_back(row_of(flow, s, time));
+        section_rows_.back().volume = lines_[s].volume;
+    }
+}
+
+void Recorder::fold_intensity(const Flow& flow) {
+    const NodeGrid& nodes = flow.nodes();
+    if (flux_.size() == 0) {
+        flux_ = ZeroArray<double>(nodes.sums.size());
+        head_ = ZeroArray<double>(nodes.sums.size());
+    }
+    flow.for_each_active_node([&](std::size_t node) {
+        const NodeState state = state_of(nodes, node);
+        if (state.depth < minimum_depth_) return;
+        flux_[node] = std::max(flux_[node], state.depth * state.speed);
+        head_[node] = std::max(head_[node], state.depth + state.speed * state.speed / (2 * gravity_));
+    });
+}
+
+void Recorder::see(const Flow& flow, double time, double dt) {
+    if (intensity_) fold_intensity(flow);
+    const bool due = interval_ <= 0 || time >= next_row_ * (1 - 1e-12);
+    if (due) {
+        add_rows(flow, time);
+        if (interval_ > 0) next_row_ = interval_ * (std::floor(time / interval_ * (1 + 1e-12)) + 1);
+    }
+    for (std::size_t s = 0; s < lines_.size(); ++s) lines_[s].volume += dt * passing(flow, s);
+}
+
+void Recorder::give(const Flow& flow, RunResult& result) {
+    result.gauges = std::move(gauge_rows_);
+    result.sections = std::move(section_rows_);
+    if (!intensity_) return;
+    result.max_flux = flow.to_raster(flux_);
+    result.max_head = flow.to_raster(head_);
+    // Reached but never moving is a flux of zero, not "no data"; a head is at least the depth.
+    for (std::size_t i = 0; i < result.max_depth.values.size(); ++i) {
+        const double depth = result.max_depth.values[i];
+        if (std::isnan(depth)) continue;
+        if (std::isnan(result.max_flux.values[i])) result.max_flux.values[i] = 0;
+        if (!(result.max_head.values[i] >= depth)) result.max_head.values[i] = depth;
+    }
+}
+
+}  // namespace frana

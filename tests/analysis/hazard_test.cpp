@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analysis/hazard.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.h"
+
+namespace frana {
+namespace {
+
+/// One row of cells with every quantity; what a test does not set is zero.
+struct Cells {
+    explicit Cells(std::vector<double> depths) {
+        GridSpec grid;
+        grid.columns = static_cast<std::int64_t>(depths.size());
+        grid.rows = 1;
+        depth = velocity = flux = head = pressure = deposit = Raster(grid);
+        depth.values = std::move(depths);
+    }
+    [[nodiscard]] std::vector<double> classes(const std::string& scheme,
+                                              const HazardLimits& limits = {}) const {
+        return hazard_classes(hazard_scheme(scheme, limits), {depth, velocity, flux, head, pressure, deposit})
+            .values;
+    }
+    Raster depth, velocity, flux, head, pressure, deposit;
+};
+
+TEST(Hazard, SwissDebrisFlowNeedsDepthAndSpeedOverOne) {
+    Cells cells({1.01, 1.01, 1, 3, 0.2, k_no_data});
+    cells.velocity.values = {1.01, 1, 8, 0.5, 9, k_no_data};
+    const auto classes = cells.classes("swiss-debris-flow");
+    EXPECT_EQ(std::vector<double>(classes.begin(), classes.end() - 1), (std::vector<double>{3, 2, 2, 2, 2}));
+    EXPECT_TRUE(std::isnan(classes.back())) << "never reached";
+}
+
+TEST(Hazard, SwissFloodTakesTheWorseOfDepthAndFlux) {
+    Cells cells({2.01, 2, 0.5, 0.51, 0.4, 0.4, 0.4});
+    cells.flux.values = {0, 0, 0, 0, 0.5, 0.51, 2.01};
+    EXPECT_EQ(cells.classes("swiss-flood"), (std::vector<double>{3, 2, 1, 2, 1, 2, 3}));
+}
+
+TEST(Hazard, AustrianTorrentIsRedFromEnergyHeadOrDeposit) {
+    Cells cells({1, 1, 1, 1});
+    cells.head.values = {1.49, 1.5, 1, 1};
+    cells.deposit.values = {0, 0, 0.69, 0.7};
+    EXPECT_EQ(cells.classes("austrian-torrent"), (std::vector<double>{1, 2, 1, 2}));
+}
+
+TEST(Hazard, CustomCountsTheLimitsExceeded) {
+    Cells cells({0.2, 0.6, 3, 0.2, 0.2});
+    cells.pressure.values = {0, 0, 0, 11, 31};
+    const HazardLimits limits{{0.5}, {}, {}, {10, 30}};
+    EXPECT_EQ(cells.classes("custom", limits), (std::vector<double>{1, 2, 2, 2, 3}));
+    EXPECT_EQ(hazard_scheme("custom", limits).classes.size(), 3U);
+}
+
+TEST(Hazard, EveryClassOfASchemeHasItsOwnColourAndEverySchemeASource) {
+    for (const std::string name : {"swiss-debris-flow", "swiss-flood", "austrian-torrent", "custom"}) {
+        const HazardScheme scheme = hazard_scheme(name, {{0.5, 2}, {}, {}, {}});
+        EXPECT_FALSE(scheme.source.empty());
+        for (std::size_t i = 1; i < scheme.classes.size(); ++i) {
+            EXPECT_EQ(scheme.classes[i].value, scheme.classes[i - 1].value + 1);
+            EXPECT_NE(scheme.classes[i].colour.g, scheme.classes[i - 1].colour.g) << name;
+        }
+    }
+    EXPECT_THROW(hazard_scheme("swiss", {}), Error);
+}
+
+}  // namespace
+}  // namespace frana

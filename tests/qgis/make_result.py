@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A short run of the sample with every styled file, for the pictures: make_result.py FRANA SAMPLE RESULT."""
+import find_qgis  # noqa: F401
+import subprocess
+import sys
+
+program, sample, result = sys.argv[1:]
+sys.exit(subprocess.call([
+    program, "run", sample + "/scene.ini", "--out", result, "--overwrite", "--quiet",
+    "--set", "time.end=6", "--set", "terrain.cell-size=10", "--set", "output.maps=off", "--set", "output.animation=off",
+    "--set", "output.frames=off", "--set", "output.report=off", "--set", "hazard.scheme=swiss-flood"]))
