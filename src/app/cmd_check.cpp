@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <boost/program_options/value_semantic.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <limits>
 
 #include "app/command_line.h"
 #include "app/commands.h"
@@ -51,6 +53,32 @@ std::string time_text(const RunEstimate& expected, const std::optional<TimeEstim
            (trial->cut_short ? ", which reached " + figure(trial->trial_end, 2) + " s" : "");
 }
 
+/// What stands on the ground and where it differs, on the working grid.
+void print_site(const Scene& scene) {
+    const auto zone = [&](const std::string& name, const std::optional<Raster>& raster, const std::string& unit) {
+        if (!raster) return;
+        std::int64_t cells = 0;
+        double least = std::numeric_limits<double>::infinity(), greatest = -least;
+        for (const double value : raster->values) {
+            if (std::isnan(value)) continue;
+            ++cells;
+            least = std::min(least, value);
+            greatest = std::max(greatest, value);
+        }
+        line(name, figure(least, 4) + " to " + figure(greatest, 4) + unit + " on " + grouped(cells) + " cells");
+    };
+    const MaterialZones& zones = scene.zones;
+    if (zones.friction_coefficient || zones.turbulence || zones.cohesion || zones.erodible_depth)
+        std::printf("\nZones\n");
+    zone("friction", zones.friction_coefficient, " (coefficient)");
+    zone("turbulence", zones.turbulence, " m/s2");
+    zone("cohesion", zones.cohesion, " Pa");
+    zone("erodible depth", zones.erodible_depth, " m");
+    if (scene.walls)
+        std::printf("\nWalls on %s cells\n",
+                    grouped(std::count(scene.walls->values.begin(), scene.walls->values.end(), 1.0)).c_str());
+}
+
 void print_run(const Prepared& prepared, const RunEstimate& expected,
                const std::optional<TimeEstimate>& trial, int threads) {
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
@@ -86,6 +114,7 @@ int cmd_check(const Arguments& arguments) {
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
     std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
     std::printf("\n%s", input_table(prepared, expected.memory_bytes).c_str());
+    print_site(prepared.scene);
     print_run(prepared, expected, trial, threads);
     std::fflush(stdout);
     compare_volumes(prepared.release.file_volume_m3, expected.volume, log);

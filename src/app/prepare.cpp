@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/prepare.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/layer_choice.h"
@@ -13,6 +14,7 @@
 #include "core/json.h"
 #include "gis/crs.h"
 #include "params/law_names.h"
+#include "simulation/arrivals.h"
 
 namespace frana::app {
 namespace {
@@ -89,6 +91,14 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     return chosen;
 }
 
+/// What only seeding finds: a wall on the release, a velocity without direction, an inflow over ground without data.
+void refuse_what_cannot_start(const Scene& scene) {
+    const bool in_motion = std::any_of(scene.release.begin(), scene.release.end(),
+                                       [](const ReleaseArea& area) { return area.speed > 0; });
+    if (scene.walls || in_motion || !scene.inflows.empty())
+        Arrivals(scene, std::exchange(make_release(scene).later, {}));
+}
+
 }  // namespace
 
 Prepared prepare(const SceneReading& reading, RunLog& log) {
@@ -126,6 +136,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.time.stop_moving_share = reading.scene.time.stop_moving_share;
     prepared.scene.time.moving_speed = reading.scene.time.moving_speed;
     prepared.scene.time.frame_interval = frame_interval(reading.scene);
+    refuse_what_cannot_start(prepared.scene);
     const GridSpec& grid = prepared.scene.grid;
     if (!grid.crs_wkt.empty()) {
         prepared.convergence_deg = gis::meridian_convergence_deg(

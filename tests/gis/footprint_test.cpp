@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/footprint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace frana::gis::test {
+namespace {
+
+const GridSpec k_grid{1000, 2100, 5, 20, 20, ""};
+
+Raster cells_of(const MultiPolygon& outline, Cover cover, bool& thin) {
+    Raster mask(k_grid);
+    thin = visit_cells(outline, k_grid, cover,
+                       [&](std::int64_t row, std::int64_t column) { mask.at(row, column) += 1; });
+    return mask;
+}
+
+double count(const Raster& mask) {
+    double sum = 0;
+    for (const double value : mask.values) sum += value;
+    return sum;
+}
+
+MultiPolygon box(double west, double south, double east, double north) {
+    return {{{{west, south}, {east, south}, {east, north}, {west, north}}, {}}};
+}
+
+TEST(Footprint, TakesCellsByTheirCentres) {
+    bool thin = true;
+    // Columns 2 to 5 and rows from the south 4 to 5 have their centres inside.
+    const Raster mask = cells_of(box(1011, 2021, 1029, 2029), Cover::closed, thin);
+    EXPECT_FALSE(thin);
+    EXPECT_EQ(count(mask), 4 * 2);
+    EXPECT_EQ(mask.at(19 - 4, 2), 1);
+    EXPECT_EQ(mask.at(19 - 5, 5), 1);
+}
+
+// A dam one metre wide that runs aslant: every row of cells has one, and each touches the next by a side.
+TEST(Footprint, LeavesNoGapInAThinDam) {
+    const MultiPolygon dam{{{{1011, 2001}, {1012, 2001}, {1082, 2099}, {1081, 2099}}, {}}};
+    bool thin = false;
+    EXPECT_LT(count(cells_of(dam, Cover::centres, thin)), 20) << "by centres alone it has gaps";
+    EXPECT_FALSE(thin);
+    const Raster mask = cells_of(dam, Cover::closed, thin);
+    EXPECT_TRUE(thin);
+    for (std::int64_t row = 0; row < 20; ++row) {
+        bool any = false, joined = row == 0;
+        for (std::int64_t column = 0; column < 20; ++column) {
+            any = any || mask.at(row, column) == 1;
+            joined = joined || (mask.at(row, column) == 1 && mask.at(row - 1, column) == 1);
+        }
+        EXPECT_TRUE(any) << row;
+        EXPECT_TRUE(joined) << row;
+    }
+}
+
+TEST(Footprint, LeavesOutWhatLiesBeyondTheGrid) {
+    bool thin = false;
+    EXPECT_EQ(count(cells_of(box(1090, 2090, 1500, 2500), Cover::centres, thin)), 4);
+    EXPECT_EQ(count(cells_of(box(3000, 2090, 3500, 2500), Cover::centres, thin)), 0);
+}
+
+}  // namespace
+}  // namespace frana::gis::test
