@@ -207,7 +207,8 @@ std::optional<Comparison> publish_comparison(const Finished& run, const ResultDi
     try {
         Comparison comparison = compare_with_survey(input, log);
         write_comparison(comparison, input, directory.path(""));
-        log.tell(comparison_headline(comparison));
+        const std::string headline = comparison_headline(comparison);
+        if (!headline.empty()) log.tell(headline);
         return comparison;
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::input) throw;
