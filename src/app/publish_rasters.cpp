@@ -40,10 +40,10 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
 void publish_exchange(const SceneSpec& spec, const RunResult& result, const ResultDirectory& directory) {
     const auto publish = [&](const std::string& name, const Raster& depth, const std::string& description) {
         write(directory, name, depth, description, "m", spec);
-        gis::write_styles(
-            directory.path(name + ".tif"),
-            gis::class_stops(palette("depth"), layer_classes(layer_named("final_depth"), maximum(depth)), "m"), "m",
-            gis::StyleKind::classed);
+        gis::write_styles(directory.path(name + ".tif"),
+                          gis::class_stops(palette("depth"),
+                                           layer_classes(layer_named("final_depth"), maximum(depth)), "m"),
+                          "m", gis::StyleKind::classed);
     };
     publish("eroded_depth", result.eroded_depth, "Depth eroded from the bed, vertical");
     publish("deposited_depth", result.deposited_depth, "Depth deposited on the bed, vertical");
