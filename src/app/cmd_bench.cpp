@@ -24,13 +24,14 @@ namespace fs = std::filesystem;
 
 CommandForm bench_form() {
     namespace options = boost::program_options;
-    CommandForm form{"frana bench accuracy|stability|speed [options]",
-                     "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
-                     "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
-                     "with --out also writes\naccuracy.csv and accuracy.png, stability.csv, or "
-                     "speed.csv and law_costs.csv.\naccuracy takes some ten minutes, with --quick half a minute.",
-                     "accuracy|stability|speed",
-                     {}};
+    CommandForm form{
+        "frana bench accuracy|stability|speed [options]",
+        "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
+        "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
+        "with --out also writes\naccuracy.csv and accuracy.png, stability.csv, or "
+        "speed.csv and law_costs.csv.\naccuracy takes some ten minutes, with --quick half a minute.",
+        "accuracy|stability|speed",
+        {}};
     form.options.add_options()("out", options::value<std::string>(), "folder for the files")(
         "quick", "accuracy: two resolutions; speed: no more than a million particles")(
         "case", options::value<std::vector<std::string>>(),

@@ -16,7 +16,8 @@ int cmd_materials(const Arguments& arguments) {
         "",
         {}};
     if (!parse_arguments(form, arguments)) return static_cast<int>(ExitCode::done);
-    std::cout << "Each preset is a starting point, not a calibrated truth: fit its values to a known event of the same "
+    std::cout << "Each preset is a starting point, not a calibrated truth: fit its values to a known event "
+                 "of the same "
                  "kind and place.\n\n";
     bool first = true;
     for (const MaterialPreset& preset : material_presets(materials_directory())) {

@@ -99,8 +99,8 @@ int cmd_run(const Arguments& arguments) {
                  figure(result.volume_deposited, 4) + " m3 in its bed");
     }
     if (result.unsupported > 0) {
-        log.note("over convex ground the motion lifted the flow off its bed at " + std::to_string(result.unsupported) +
-                 " nodes times steps; there it had no friction");
+        log.note("over convex ground the motion lifted the flow off its bed at " +
+                 std::to_string(result.unsupported) + " nodes times steps; there it had no friction");
     }
 
     const bool all_drawn =

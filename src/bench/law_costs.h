@@ -15,8 +15,8 @@ struct LawCost {
     double bytes_per_particle = 0;
 };
 
-/// Runs speed_sheet with each law switched on alone and gives the times, the plain flow first. Variants take turns, and
-/// each one's best of three is taken, so that what else the machine does weighs little.
+/// Runs speed_sheet with each law switched on alone and gives the times, the plain flow first. Variants take
+/// turns, and each one's best of three is taken, so that what else the machine does weighs little.
 /// @param particles of the sheet, @param steps of each turn
 std::vector<LawCost> run_law_costs(double particles, std::int64_t steps);
 

@@ -10,7 +10,8 @@ namespace frana::bench {
 /// with one earth pressure coefficient K for both directions. In the slope's coordinates
 ///     h = H / (f g) (1 - (X / (R f))^2 - (Y / (R g))^2),   X = x - a t^2 / 2,  a = g (sin - cos tan delta),
 ///     u = a t + X f'/f,   v = Y g'/g,
-///     f'' = 2 K G H / (R^2 f^2 g),   g'' = 2 K G H / (R^2 f g^2) - F g' / (a t),   G = g cos, F = G tan delta.
+///     f'' = 2 K G H / (R^2 f^2 g),   g'' = 2 K G H / (R^2 f g^2) - F g' / (a t),   G = g cos, F = G tan
+///     delta.
 /// The last term is friction turned sideways by v/u, to first order; what is left out is of the order of
 /// (v/u)^2 F / 2, a few percent of a at the cap's sides, so an error under about 0.005 is not to be expected.
 /// The equations are integrated by the classical Runge-Kutta method from the start's series.

@@ -10,8 +10,8 @@
 
 namespace frana::bench {
 
-/// The flow that is measured: a sheet 3 m deep on a plane of 20 degrees, 4 particles a cell, Voellmy friction, slope
-/// correction; `mud`: with in-plane viscosity and yield stress.
+/// The flow that is measured: a sheet 3 m deep on a plane of 20 degrees, 4 particles a cell, Voellmy
+/// friction, slope correction; `mud`: with in-plane viscosity and yield stress.
 Setup speed_sheet(double particles, bool mud);
 
 /// One row of speed.csv.

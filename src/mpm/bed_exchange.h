@@ -27,8 +27,8 @@ struct BedLayer {
 
 /// What went from the bed to the flow and back.
 struct ExchangeReport {
-    double eroded = 0, deposited = 0;        ///< [m3]
-    double momentum_x = 0, momentum_y = 0;   ///< of what was deposited, over density [m4/s]
+    double eroded = 0, deposited = 0;       ///< [m3]
+    double momentum_x = 0, momentum_y = 0;  ///< of what was deposited, over density [m4/s]
 
     void merge(const ExchangeReport& r) noexcept {
         eroded += r.eroded;
@@ -38,13 +38,16 @@ struct ExchangeReport {
     }
 };
 
-/// Erosion and deposition at a tile's nodes: what is eroded (or, where nothing is, deposited) in this step. Comes after update_nodes, whose friction says how the bed resists. What lies on the bed can be taken up again.
-/// Deposition leaves a film of the flow, so that particles keep a volume. Reads NodeSums mass, velocity, share; BedState;
-/// bed; reads and writes BedLayer. Nodes outside the terrain and solid ones do not exchange.
+/// Erosion and deposition at a tile's nodes: what is eroded (or, where nothing is, deposited) in this step.
+/// Comes after update_nodes, whose friction says how the bed resists. What lies on the bed can be taken up
+/// again. Deposition leaves a film of the flow, so that particles keep a volume. Reads NodeSums mass,
+/// velocity, share; BedState; bed; reads and writes BedLayer. Nodes outside the terrain and solid ones do not
+/// exchange.
 /// @param density [kg/m3]  @param dt [s]  @param film least depth that deposition leaves [m]
 template <bool Metric, class Erosion, class Deposition>
-void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Deposition& deposition, double density,
-                       double dt, double film, const BedState* states, const NodeGrid& nodes, BedLayer* layers) {
+void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Deposition& deposition,
+                       double density, double dt, double film, const BedState* states, const NodeGrid& nodes,
+                       BedLayer* layers) {
     const double half_inverse_dx = 0.5 / nodes.cell_size(), cell_area = nodes.cell_size() * nodes.cell_size();
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
     const std::uint8_t* solid = nodes.solid();
@@ -94,13 +97,15 @@ inline void move_bed(const NodeRange& range, const BedLayer* layers, NodeGrid& n
                    [&](std::size_t i, std::int64_t, std::int64_t) { nodes.bed[i] += layers[i].change; });
 }
 
-/// Particles take up what their nodes gained and give what they lost, in proportion to their volume, area unchanged: the
-/// sum over particles is the sum over nodes, exactly. What is taken up is at rest, so the particle's velocity falls and
-/// its momentum stays; what is laid down leaves with its momentum. Must come before particles move. Reads x, y, BedLayer;
-/// reads and writes volume; writes the share of their velocity that particles keep.
+/// Particles take up what their nodes gained and give what they lost, in proportion to their volume, area
+/// unchanged: the sum over particles is the sum over nodes, exactly. What is taken up is at rest, so the
+/// particle's velocity falls and its momentum stays; what is laid down leaves with its momentum. Must come
+/// before particles move. Reads x, y, BedLayer; reads and writes volume; writes the share of their velocity
+/// that particles keep.
 template <class Shape>
-void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid& nodes, const BedLayer* layers,
-                             ParticleSet& particles, double* kept, double* lost, ExchangeReport& report) {
+void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid& nodes,
+                             const BedLayer* layers, ParticleSet& particles, double* kept, double* lost,
+                             ExchangeReport& report) {
     const double dx = nodes.cell_size();
     double* volume = particles[Field::volume];
     for (std::size_t p = begin; p < end; ++p) {

@@ -5,8 +5,8 @@
 
 namespace frana {
 
-/// Thickness and support of each node that holds mass; the laws then add their parts. Reads NodeSums mass, area, px, py
-/// (curved only), bed; writes BedState.
+/// Thickness and support of each node that holds mass; the laws then add their parts. Reads NodeSums mass,
+/// area, px, py (curved only), bed; writes BedState.
 template <class Slope>
 void fill_bed_states(const NodeRange& range, const NodeUpdate& k, const NodeGrid& nodes, BedState* states) {
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
@@ -20,7 +20,8 @@ void fill_bed_states(const NodeRange& range, const NodeUpdate& k, const NodeGrid
 
 /// Adds one law to the nodes of a tile.
 template <class Law>
-void add_friction(const NodeRange& range, const NodeUpdate& k, Law law, const NodeGrid& nodes, BedState* states) {
+void add_friction(const NodeRange& range, const NodeUpdate& k, Law law, const NodeGrid& nodes,
+                  BedState* states) {
     if constexpr (requires { law.effective_share; }) law.effective_share = k.effective_share;
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t, std::int64_t) {
         if (nodes.sums[i].mass > 0) law(states[i], i);

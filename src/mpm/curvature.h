@@ -9,15 +9,16 @@ namespace frana {
 ///
 ///     load = v . grad grad Z . v = u^2 Z_xx + 2 u v Z_xy + v^2 Z_yy
 ///
-/// u, v velocity in map view [m/s]. The bed then supports (g + load) / sqrt(n) per mass, n = 1 + |grad Z|^2, which is
-/// g cos(theta) + speed^2 / radius along the motion: more in hollows, less over edges, none where it would be negative;
-/// and it pushes by -(g + load) grad Z / n in map view, which keeps the speed along the bed where friction does not act.
-/// This is a point mass on a surface, exact; specification, section 5. Second derivatives are those of the quadric
-/// through the nine nodes by least squares (Evans 1980, Z. Geomorphol. Suppl. 36, 274), smoother than plain differences
-/// by a factor of three on noisy terrain. Nothing at speed zero; depth does not enter.
+/// u, v velocity in map view [m/s]. The bed then supports (g + load) / sqrt(n) per mass, n = 1 + |grad Z|^2,
+/// which is g cos(theta) + speed^2 / radius along the motion: more in hollows, less over edges, none where it
+/// would be negative; and it pushes by -(g + load) grad Z / n in map view, which keeps the speed along the
+/// bed where friction does not act. This is a point mass on a surface, exact; specification, section 5.
+/// Second derivatives are those of the quadric through the nine nodes by least squares (Evans 1980, Z.
+/// Geomorphol. Suppl. 36, 274), smoother than plain differences by sqrt(3) on noisy terrain.
+/// Nothing at speed zero; depth does not enter.
 /// @param column, row padded; 0 on the outermost ring, which no particle reaches
-inline double curvature_load(const NodeGrid& nodes, std::size_t i, std::int64_t column, std::int64_t row, double u,
-                             double v) noexcept {
+inline double curvature_load(const NodeGrid& nodes, std::size_t i, std::int64_t column, std::int64_t row,
+                             double u, double v) noexcept {
     if (column <= 0 || row <= 0 || column >= nodes.stride() - 1 || row >= nodes.padded_rows() - 1) return 0;
     const auto step = static_cast<std::size_t>(nodes.stride());
     const double *z = nodes.bed.data() + i, *south = z - step, *north = z + step;

@@ -30,7 +30,8 @@ struct UniformFriction {
     [[nodiscard]] double stopped_in_step(std::size_t, const NodeUpdate& k) const noexcept {
         return k.dt * law.friction_coefficient * k.gravity;
     }
-    /// A node's share in the bound that holds it: in map view the bound g tan(phi) / sqrt(n) acts over sqrt(n).
+    /// A node's share in the bound that holds it: in map view the bound g tan(phi) / sqrt(n) acts over
+    /// sqrt(n).
     [[nodiscard]] double held(double mass, std::size_t, double n) const noexcept { return mass / n; }
     /// What turns the sum of shares into a momentum.
     [[nodiscard]] double held_in_step(const NodeUpdate& k) const noexcept {
@@ -42,8 +43,8 @@ struct UniformFriction {
     }
 };
 
-/// The sum of any laws, with parameters that may differ from node to node: each node's BedState, filled beforehand, and
-/// at most one law that is no polynomial of the speed.
+/// The sum of any laws, with parameters that may differ from node to node: each node's BedState, filled
+/// beforehand, and at most one law that is no polynomial of the speed.
 template <class Excess>
 struct SummedFriction {
     static constexpr bool remembers = true;

@@ -54,7 +54,8 @@ struct NodeDrive {
 
 /// The ground under a node and what its curvature adds to gravity; no acceleration yet.
 template <class Slope>
-NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
+NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column,
+                    std::int64_t row) {
     const double half_inverse_dx = 0.5 / nodes.cell_size();
     const double* bed = nodes.bed.data();
     NodeDrive d{0, 0, 0, 0, 1, 0};
@@ -66,7 +67,8 @@ NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, s
     if constexpr (Slope::metric) d.n += d.slope_x * d.slope_x + d.slope_y * d.slope_y;
     if constexpr (Slope::curved) {
         const NodeSums& node = nodes.sums[i];
-        d.load = std::max(-k.gravity, curvature_load(nodes, i, column, row, node.px / node.mass, node.py / node.mass));
+        d.load = std::max(-k.gravity,
+                          curvature_load(nodes, i, column, row, node.px / node.mass, node.py / node.mass));
     }
     return d;
 }
@@ -142,8 +144,8 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& fri
 /// velocity, share, old velocity and support into NodeSums. Calls observe(node, depth, speed) for every node
 /// deeper than the minimum.
 template <class Slope, class Friction, class Observe>
-NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, NodeGrid& nodes,
-                        const Observe& observe) {
+NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction,
+                        NodeGrid& nodes, const Observe& observe) {
     NodeReport report;
     const double inverse_area = 1 / (nodes.cell_size() * nodes.cell_size());
     const std::uint8_t* solid = nodes.solid();

@@ -13,7 +13,7 @@ bool holds(const std::vector<std::string>& list, const std::string& word) {
 }  // namespace
 
 std::vector<std::string> bed_friction_names() {
-    return {"voellmy",          "coulomb",       "turbulence", "cohesion", "ramms-yield",        "bingham",
+    return {"voellmy",          "coulomb",       "turbulence", "cohesion", "ramms-yield",       "bingham",
             "herschel-bulkley", "obrien-julien", "manning",    "chezy",    "pouliquen-forterre"};
 }
 
@@ -49,7 +49,9 @@ std::string in_plane_stress(const MaterialSpec& material) {
 const std::vector<LawKey>& law_keys() {
     static const std::vector<LawKey> keys{
         {"material.friction-angle", {"coulomb", "ramms-yield", "pouliquen-forterre", "earth-pressure"}, {}},
-        {"material.friction-coefficient", {"coulomb", "ramms-yield", "pouliquen-forterre", "earth-pressure"}, {}},
+        {"material.friction-coefficient",
+         {"coulomb", "ramms-yield", "pouliquen-forterre", "earth-pressure"},
+         {}},
         {"material.turbulence", {"turbulence"}, {}},
         {"material.pore-pressure-ratio", {"coulomb", "pouliquen-forterre"}, {}},
         {"material.pore-dissipation-time", {"coulomb", "pouliquen-forterre"}, {}},

@@ -66,9 +66,10 @@ void add_numerics(std::vector<Parameter>& list) {
         choice("numerics.slope-correction", FRANA_MEMBER(numerics.slope_correction),
                {"auto", "none", "normal", "surface"},
                "Form of the equations on steep ground; auto: normal for scheme default, none for paper."));
-    list.push_back(on_off("numerics.curvature", FRANA_MEMBER(numerics.curvature),
-                          "Load of the motion over the bed's curvature: more friction in hollows, less over edges. "
-                          "Needs a slope correction."));
+    list.push_back(
+        on_off("numerics.curvature", FRANA_MEMBER(numerics.curvature),
+               "Load of the motion over the bed's curvature: more friction in hollows, less over edges. "
+               "Needs a slope correction."));
     list.push_back(choice("numerics.boundary", FRANA_MEMBER(numerics.boundary), {"open", "wall"},
                           "Edge of the working grid: material leaves and is counted, or is held."));
     list.push_back(number("numerics.gravity", FRANA_MEMBER(numerics.gravity), "m/s2", Range{0.1, 100},
@@ -85,10 +86,12 @@ void add_rest(std::vector<Parameter>& list) {
         number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Simulated time at most."));
     list.push_back(on_off("time.stop-when-still", FRANA_MEMBER(time.stop_when_still),
                           "End as soon as nothing moves any more."));
-    list.push_back(number("time.stop-energy-share", FRANA_MEMBER(time.stop_energy_share), "", Range{0, 0.5},
-                          "End once kinetic energy is under this share of its peak; 0: never for this reason."));
-    list.push_back(number("time.stop-moving-share", FRANA_MEMBER(time.stop_moving_share), "", Range{0, 0.5},
-                          "End once the moving volume is under this share of its peak; 0: never for this reason."));
+    list.push_back(
+        number("time.stop-energy-share", FRANA_MEMBER(time.stop_energy_share), "", Range{0, 0.5},
+               "End once kinetic energy is under this share of its peak; 0: never for this reason."));
+    list.push_back(
+        number("time.stop-moving-share", FRANA_MEMBER(time.stop_moving_share), "", Range{0, 0.5},
+               "End once the moving volume is under this share of its peak; 0: never for this reason."));
     list.push_back(number("time.moving-speed", FRANA_MEMBER(time.moving_speed), "m/s", Range{0, 10, true},
                           "Speed from which volume counts as moving."));
     list.push_back(number("time.frame-interval", FRANA_MEMBER(time.frame_interval), "s", Range{0, 1e6, true},

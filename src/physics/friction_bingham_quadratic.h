@@ -9,14 +9,14 @@
 
 namespace frana {
 
-/// Bed resistance of a Bingham fluid with the ratio zeta = tau_Y / tau_B from the quadratic of Fois, de Falco, Formaggia
-/// 2024 (equation 9) instead of the cubic:
+/// Bed resistance of a Bingham fluid with the ratio zeta = tau_Y / tau_B from the quadratic of Fois, de
+/// Falco, Formaggia 2024 (equation 9) instead of the cubic:
 ///
-///     48 zeta^2 - (114 + 32 a) zeta + 65 = 0,   a = 6 mu s / (tau_Y d),   R = tau_Y / (zeta rho d)      [m/s2]
+///     48 zeta^2 - (114 + 32 a) zeta + 65 = 0,   a = 6 mu s / (tau_Y d),   R = tau_Y / (zeta rho d) [m/s2]
 ///
-/// mu viscosity [Pa s], tau_Y yield stress [Pa], d thickness [m], s mean speed [m/s], rho density [kg/m3]. Range: tau_Y
-/// > 0, mu > 0. Limits: at speed zero zeta is 0.951, so that its bound is 1.051 tau_Y / (rho d); for d -> 0 the flow
-/// stops. For the exact root see friction_herschel_bulkley.h with m = 1.
+/// mu viscosity [Pa s], tau_Y yield stress [Pa], d thickness [m], s mean speed [m/s], rho density [kg/m3].
+/// Range: tau_Y > 0, mu > 0. Limits: at speed zero zeta is 0.951, so that its bound is 1.051 tau_Y / (rho d);
+/// for d -> 0 the flow stops. For the exact root see friction_herschel_bulkley.h with m = 1.
 struct BinghamQuadraticExcess {
     static constexpr bool active = true;
     double density = 2000;      ///< [kg/m3]

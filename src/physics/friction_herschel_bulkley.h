@@ -9,16 +9,18 @@
 
 namespace frana {
 
-/// Bed resistance of a Herschel-Bulkley fluid, tau = tau_Y + K (du/dz)^m, in steady simple shear: the bed stress tau_B
-/// that goes with the mean speed s over a plug and a sheared layer,
+/// Bed resistance of a Herschel-Bulkley fluid, tau = tau_Y + K (du/dz)^m, in steady simple shear: the bed
+/// stress tau_B that goes with the mean speed s over a plug and a sheared layer,
 ///
-///     s = d/(1 + 1/m) (x / K)^(1/m) (x / tau_B) ( 1 - x / ((2 + 1/m) tau_B) ),   x = tau_B - tau_Y,   R = tau_B / (rho d)
+///     s = d/(1 + 1/m) (x / K)^(1/m) (x / tau_B) ( 1 - x / ((2 + 1/m) tau_B) ),   x = tau_B - tau_Y
+///     R = tau_B / (rho d)      [m/s2]
 ///
-/// d thickness [m], K consistency [Pa s^m], m flow index [-], rho density [kg/m3]. m = 1 is Bingham, and then the same as
-/// the cubic zeta^3 - (3 + a) zeta + 2 = 0 with zeta = tau_Y / tau_B and a = 6 K s / (tau_Y d); tau_Y = 0 is a power-law
-/// fluid, with m = 1 R = 3 K s / (rho d^2). Range: K > 0, 0.1 <= m <= 2, laminar flow. Limits: tau_Y is a bound at speed
-/// zero; for d -> 0 the flow stops. Applied implicitly, with the stress as the unknown. Sources: Coussot 1994, J.
-/// Hydraul. Res. 32, 535; Huang and Garcia 1998, J. Fluid Mech. 374, 305.
+/// d thickness [m], K consistency [Pa s^m], m flow index [-], rho density [kg/m3]. m = 1 is Bingham, and then
+/// the same as the cubic zeta^3 - (3 + a) zeta + 2 = 0 with zeta = tau_Y / tau_B and a = 6 K s / (tau_Y d);
+/// tau_Y = 0 is a power-law fluid, with m = 1 R = 3 K s / (rho d^2). Range: K > 0, 0.1 <= m <= 2, laminar
+/// flow. Limits: tau_Y is a bound at speed zero; for d -> 0 the flow stops. Applied implicitly, with the
+/// stress as the unknown. Sources: Coussot 1994, J. Hydraul. Res. 32, 535; Huang and Garcia 1998, J. Fluid
+/// Mech. 374, 305.
 struct HerschelBulkleyExcess {
     static constexpr bool active = true;
     double density = 2000;    ///< [kg/m3]

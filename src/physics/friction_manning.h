@@ -9,9 +9,9 @@ namespace frana {
 ///
 ///     R(s) = g n^2 s^2 / d^(4/3)      [m/s2]
 ///
-/// n Manning roughness [s/m^(1/3)], d thickness [m], s speed [m/s]. Range: fully rough, turbulent flow; n 0.01 to 0.2.
-/// Limits: nothing at speed zero; infinitely stiff for d -> 0, applied implicitly. Source: Chow, Open-Channel
-/// Hydraulics, 1959, section 5-6, hydraulic radius = depth.
+/// n Manning roughness [s/m^(1/3)], d thickness [m], s speed [m/s]. Range: fully rough, turbulent flow; n
+/// 0.01 to 0.2. Limits: nothing at speed zero; infinitely stiff for d -> 0, applied implicitly. Source: Chow,
+/// Open-Channel Hydraulics, 1959, section 5-6, hydraulic radius = depth.
 struct ManningFriction {
     double gravity = 9.81;  ///< [m/s2]
     double manning = 0.05;  ///< n [s/m^(1/3)]

@@ -11,27 +11,28 @@ namespace frana {
 
 /// Friction of dry grains that grows with the flow's inertia, mu(I) in its depth-averaged form:
 ///
-///     R(s) = (1 - r_u) g_n ( mu_1 + (mu_2 - mu_1) / (1 + beta d / (L Fr)) ),   Fr = s / sqrt(g_n d)      [m/s2]
+///     R(s) = (1 - r_u) g_n ( mu_1 + (mu_2 - mu_1) / (1 + beta d / (L Fr)) ),   Fr = s / sqrt(g_n d) [m/s2]
 ///
-/// mu_1 = tan(zeta_1) friction of the slowest steady flow, mu_2 = tan(zeta_2) of the fastest [-], beta = 0.136 and L (of the
-/// order of a grain's diameter) [m] of the deposit h_stop, d thickness [m], g_n normal gravity [m/s2]. Range: mu_1 <= mu_2,
-/// L > 0; dry grains. Limits: mu_1 g_n is a bound at speed zero; for d -> 0 or fast flow friction is mu_2; without support
-/// there is none. Sources: Pouliquen and Forterre 2002, J. Fluid Mech. 453, 133 (the dynamic branch, Fr > beta; it is
-/// continued here to Fr = 0, without their hysteresis of starting); as mu(I): Jop, Forterre, Pouliquen 2006, Nature 441, 727.
+/// mu_1 = tan(zeta_1) friction of the slowest steady flow, mu_2 = tan(zeta_2) of the fastest [-], beta =
+/// 0.136 and L (of the order of a grain's diameter) [m] of the deposit h_stop, d thickness [m], g_n normal
+/// gravity [m/s2]. Range: mu_1 <= mu_2, L > 0; dry grains. Limits: mu_1 g_n is a bound at speed zero; for d
+/// -> 0 or fast flow friction is mu_2; without support there is none. Sources: Pouliquen and Forterre 2002,
+/// J. Fluid Mech. 453, 133 (the dynamic branch, Fr > beta; it is continued here to Fr = 0, without their
+/// hysteresis of starting); as mu(I): Jop, Forterre, Pouliquen 2006, Nature 441, 727.
 struct PouliquenForterreExcess {
     static constexpr bool active = true;
-    NodeValue slow_coefficient;    ///< mu_1 [-]
-    double fast_coefficient = 0.6; ///< mu_2 [-]
-    double beta = 0.136;           ///< [-]
-    double length = 1;             ///< L [m]
-    double effective_share = 1;    ///< 1 - r_u [-]
+    NodeValue slow_coefficient;     ///< mu_1 [-]
+    double fast_coefficient = 0.6;  ///< mu_2 [-]
+    double beta = 0.136;            ///< [-]
+    double length = 1;              ///< L [m]
+    double effective_share = 1;     ///< 1 - r_u [-]
 
     void operator()(BedState& bed, std::size_t node) const noexcept {
         bed.yield += effective_share * slow_coefficient.at(node) * bed.normal_gravity;
     }
 
-    /// Backward Euler with the polynomial parts. s / (s + s_c) is the share of mu_2 - mu_1 that acts, s_c = beta d
-    /// sqrt(g_n d) / L.
+    /// Backward Euler with the polynomial parts. s / (s + s_c) is the share of mu_2 - mu_1 that acts, s_c =
+    /// beta d sqrt(g_n d) / L.
     [[nodiscard]] double speed_after(const BedState& bed, std::size_t node, double left,
                                      double dt) const noexcept {
         const double difference = std::max(0.0, fast_coefficient - slow_coefficient.at(node));

@@ -23,8 +23,8 @@ struct NoExcess {
     }
 };
 
-/// Speed after dt under all laws of a place, by backward Euler: s1 + dt R(s1) = s0, never below zero. Friction cannot
-/// turn the motion round, and a constant drive reaches the exact terminal speed.
+/// Speed after dt under all laws of a place, by backward Euler: s1 + dt R(s1) = s0, never below zero.
+/// Friction cannot turn the motion round, and a constant drive reaches the exact terminal speed.
 /// @param s0 speed before friction, with the drive of this step already added [m/s]
 template <class Excess>
 double speed_after_friction(const BedState& bed, std::size_t node, const Excess& excess, double s0,

@@ -9,9 +9,10 @@ namespace frana {
 ///
 ///     R(s) = g s^2 / (xi d)      [m/s2]
 ///
-/// xi turbulence coefficient [m/s2], d thickness normal to the bed [m], s speed along the bed [m/s]. Range: xi > 0;
-/// infinite: off. Limits: nothing at speed zero; infinitely stiff for d -> 0, so it is applied implicitly.
-/// Source: Voellmy 1955; Fois, de Falco, Formaggia 2024, equation 2. Chezy's law is the same with xi = C^2.
+/// xi turbulence coefficient [m/s2], d thickness normal to the bed [m], s speed along the bed [m/s]. Range:
+/// xi > 0; infinite: off. Limits: nothing at speed zero; infinitely stiff for d -> 0, so it is applied
+/// implicitly. Source: Voellmy 1955; Fois, de Falco, Formaggia 2024, equation 2. Chezy's law is the same with
+/// xi = C^2.
 struct TurbulentFriction {
     double gravity = 9.81;  ///< [m/s2]
     NodeValue turbulence;   ///< xi [m/s2]

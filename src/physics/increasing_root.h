@@ -5,9 +5,9 @@
 
 namespace frana {
 
-/// Root of an increasing function with f(low) <= 0 <= f(high), to the last few digits: regula falsi with the Illinois
-/// weights, and bisection where that does not halve the bracket in three steps (steep or flat laws). The count is
-/// bounded: bisection alone would need about 60 steps.
+/// Root of an increasing function with f(low) <= 0 <= f(high), to the last few digits: regula falsi with the
+/// Illinois weights, and bisection where that does not halve the bracket in three steps (steep or flat laws).
+/// The count is bounded: bisection alone would need about 60 steps.
 template <class Function>
 double increasing_root(const Function& f, double low, double high) noexcept {
     double f_low = f(low), f_high = f(high);

@@ -22,10 +22,11 @@ const Stress& stress_of(const StressLaws& laws) {
 
 template <class Shape, class Transfer, class Stress, bool Relaxed>
 ParticleReport nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
-                                        const StressLaws& stress, const NodeGrid& nodes, ParticleSet& particles) {
+                                        const StressLaws& stress, const NodeGrid& nodes,
+                                        ParticleSet& particles) {
     if constexpr (Stress::active) {
-        return nodes_to_particles<Shape, Transfer, Stress, Relaxed>(tile, update, stress_of<Stress>(stress), nodes,
-                                                                    particles);
+        return nodes_to_particles<Shape, Transfer, Stress, Relaxed>(tile, update, stress_of<Stress>(stress),
+                                                                    nodes, particles);
     } else {
         return nodes_to_particles<Shape, Transfer, Stress, Relaxed>(tile, update, Stress{}, nodes, particles);
     }
@@ -48,7 +49,8 @@ void choose_transfer(PlaneStressLaw stress, Stages& stages) {
             stages.nodes_to_particles = nodes_to_particles_stage<Shape, Transfer, BinghamStress, Relaxed>;
             break;
         case PlaneStressLaw::earth_pressure:
-            stages.nodes_to_particles = nodes_to_particles_stage<Shape, Transfer, EarthPressureStress, Relaxed>;
+            stages.nodes_to_particles =
+                nodes_to_particles_stage<Shape, Transfer, EarthPressureStress, Relaxed>;
             break;
         case PlaneStressLaw::none:
             stages.nodes_to_particles = nodes_to_particles_stage<Shape, Transfer, NoStress, Relaxed>;

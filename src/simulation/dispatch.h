@@ -13,8 +13,9 @@ voellmy_bingham::Stages choose_stages(const Material& material, const MaterialZo
 
 /// The laws with their parameters, in the engine's units.
 /// @param gravity normal to the ground plane: numerics.gravity, or that of a tilted frame [m/s2]
-voellmy_bingham::Laws make_laws(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
-                                const Numerics& numerics, const NodeGrid& nodes, double gravity);
+voellmy_bingham::Laws make_laws(const Material& material, const MaterialZones& zones,
+                                const Entrainment& entrainment, const Numerics& numerics,
+                                const NodeGrid& nodes, double gravity);
 
 /// The transfer that is really used.
 Transfer transfer_of(const Numerics& numerics);

@@ -33,15 +33,15 @@ void hold_uniform(const NodeRange& range, const NodeUpdate& update, const BedFri
 }
 
 template <class Slope>
-void hold_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState* states,
-                 NodeGrid& nodes) {
+void hold_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
+                 BedState* states, NodeGrid& nodes) {
     const NoExcess none;
     hold_nodes<Slope>(range, update, SummedFriction<NoExcess>{none, states, friction.yields}, nodes);
 }
 
 template <class Slope>
-NodeReport update_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState*,
-                          double time, NodeGrid& nodes, Maxima& maxima) {
+NodeReport update_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
+                          BedState*, double time, NodeGrid& nodes, Maxima& maxima) {
     return update_nodes<Slope>(
         range, update, UniformFriction{friction.voellmy}, nodes,
         [&](std::size_t node, double depth, double speed) { maxima.see(node, depth, speed, time); });
@@ -85,8 +85,8 @@ void choose_slope(const Material& material, bool summed, bool curved, Stages& st
 }
 
 template <bool Metric, class Erosion, class Deposition>
-void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double film, const BedState* states,
-                    const NodeGrid& nodes, BedLayer* layers) {
+void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double film,
+                    const BedState* states, const NodeGrid& nodes, BedLayer* layers) {
     const auto law_of = [&]<class Law>() -> Law {
         if constexpr (std::is_same_v<Law, ShearStressErosion>) return laws.shear_stress;
         if constexpr (std::is_same_v<Law, GrowthErosion>) return laws.growth;
@@ -94,8 +94,9 @@ void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, 
         if constexpr (std::is_same_v<Law, ShearStressDeposition>) return laws.deposition;
         if constexpr (std::is_same_v<Law, NoExchange>) return {};
     };
-    exchange_at_nodes<Metric>(range, law_of.template operator()<Erosion>(), law_of.template operator()<Deposition>(),
-                              laws.density, dt, film, states, nodes, layers);
+    exchange_at_nodes<Metric>(range, law_of.template operator()<Erosion>(),
+                              law_of.template operator()<Deposition>(), laws.density, dt, film, states, nodes,
+                              layers);
 }
 
 // 2 metrics x 4 laws of erosion x 2 of deposition = 16.
@@ -122,7 +123,8 @@ void choose_erosion(const Entrainment& entrainment, Stages& stages) {
 // Turns the terms of a material into sweeps over the nodes.
 class FrictionBuilder {
   public:
-    FrictionBuilder(const Material& material, const MaterialZones& zones, const NodeGrid& nodes, double gravity)
+    FrictionBuilder(const Material& material, const MaterialZones& zones, const NodeGrid& nodes,
+                    double gravity)
         : material_(material), zones_(zones), nodes_(nodes), gravity_(gravity) {}
 
     BedFriction build() {
@@ -178,13 +180,14 @@ void FrictionBuilder::add(BedTerm term) {
                                     value(zones_.friction_coefficient, m.friction_coefficient)},
                          true);
         case BedTerm::bingham:
-            if (!m.exact_yield_ratio) return excess(BinghamQuadraticExcess{m.density, m.yield_stress, m.viscosity});
+            if (!m.exact_yield_ratio)
+                return excess(BinghamQuadraticExcess{m.density, m.yield_stress, m.viscosity});
             return excess(HerschelBulkleyExcess{m.density, m.yield_stress, m.viscosity, 1});
         case BedTerm::herschel_bulkley:
             return excess(HerschelBulkleyExcess{m.density, m.yield_stress, m.consistency, m.flow_index});
         case BedTerm::obrien_julien:
-            return sweep(OBrienJulienFriction{gravity_, m.density, m.yield_stress, m.viscosity, m.laminar_resistance,
-                                              m.manning},
+            return sweep(OBrienJulienFriction{gravity_, m.density, m.yield_stress, m.viscosity,
+                                              m.laminar_resistance, m.manning},
                          m.yield_stress > 0);
         case BedTerm::manning:
             return sweep(ManningFriction{gravity_, m.manning}, false);
@@ -192,7 +195,8 @@ void FrictionBuilder::add(BedTerm term) {
             return sweep(ChezyFriction{gravity_, m.chezy}, false);
         case BedTerm::pouliquen_forterre:
             return excess(PouliquenForterreExcess{value(zones_.friction_coefficient, m.friction_coefficient),
-                                                  m.fast_friction_coefficient, m.friction_beta, m.friction_length});
+                                                  m.fast_friction_coefficient, m.friction_beta,
+                                                  m.friction_length});
     }
 }
 
@@ -200,9 +204,9 @@ void FrictionBuilder::add(BedTerm term) {
 
 bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
                    const Numerics& numerics) {
-    const bool only_voellmy = std::all_of(
-        material.bed_friction.begin(), material.bed_friction.end(),
-        [](BedTerm term) { return term == BedTerm::coulomb || term == BedTerm::turbulence; });
+    const bool only_voellmy =
+        std::all_of(material.bed_friction.begin(), material.bed_friction.end(),
+                    [](BedTerm term) { return term == BedTerm::coulomb || term == BedTerm::turbulence; });
     return !only_voellmy || zones.friction_coefficient || zones.turbulence || zones.cohesion ||
            material.pore_pressure_ratio > 0 || material.surface_pressure > 0 || numerics.curvature ||
            entrainment.active();
@@ -228,8 +232,9 @@ void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, S
     }
 }
 
-BedFriction make_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
-                          const Numerics& numerics, const NodeGrid& nodes, double gravity) {
+BedFriction make_friction(const Material& material, const MaterialZones& zones,
+                          const Entrainment& entrainment, const Numerics& numerics, const NodeGrid& nodes,
+                          double gravity) {
     BedFriction friction;
     if (sums_friction(material, zones, entrainment, numerics))
         friction = FrictionBuilder(material, zones, nodes, gravity).build();

@@ -6,8 +6,8 @@
 
 namespace frana {
 
-/// Whether a scene needs more at the bed than uniform Voellmy friction: other laws, parameters that vary, pore pressure,
-/// surface pressure, curvature, or the stress at the bed for erosion.
+/// Whether a scene needs more at the bed than uniform Voellmy friction: other laws, parameters that vary,
+/// pore pressure, surface pressure, curvature, or the stress at the bed for erosion.
 bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
                    const Numerics& numerics);
 
@@ -15,7 +15,8 @@ bool sums_friction(const Material& material, const MaterialZones& zones, const E
 void choose_node_stages(const Material& material, const Numerics& numerics, bool summed,
                         voellmy_bingham::Stages& stages);
 /// The stages of erosion and deposition, if any.
-void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, voellmy_bingham::Stages& stages);
+void choose_exchange(const Entrainment& entrainment, const Numerics& numerics,
+                     voellmy_bingham::Stages& stages);
 
 voellmy_bingham::BedFriction make_friction(const Material& material, const MaterialZones& zones,
                                            const Entrainment& entrainment, const Numerics& numerics,

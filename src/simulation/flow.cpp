@@ -78,7 +78,8 @@ voellmy_bingham::State initial_state(const Raster& bed, ParticleSet particles) {
     return voellmy_bingham::State(std::move(particles), std::move(nodes), std::move(order));
 }
 
-ZeroArray<BedLayer> bed_layers(const Entrainment& entrainment, const MaterialZones& zones, const NodeGrid& nodes) {
+ZeroArray<BedLayer> bed_layers(const Entrainment& entrainment, const MaterialZones& zones,
+                               const NodeGrid& nodes) {
     ZeroArray<BedLayer> layers(nodes.bed.size());
     if (entrainment.erosion == ErosionLaw::none) return layers;
     std::vector<double> depths;
@@ -91,8 +92,8 @@ ZeroArray<BedLayer> bed_layers(const Entrainment& entrainment, const MaterialZon
 }  // namespace
 
 Flow::Flow(const Raster& bed, const ParticleSet& particles, const Material& material,
-           const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt, const MaterialZones& zones,
-           const Entrainment& entrainment)
+           const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt,
+           const MaterialZones& zones, const Entrainment& entrainment)
     : grid_(bed.grid),
       numerics_(numerics),
       pool_(threads),
@@ -231,7 +232,7 @@ void Flow::see_present() {
     }
 }
 
-Raster Flow::layer_depth(double BedLayer::* depth) const {
+Raster Flow::layer_depth(double BedLayer::*depth) const {
     Raster raster(grid_, k_no_data);
     if (state_.bed_layers.size() == 0) return raster;
     for (std::int64_t row = 0; row < grid_.rows; ++row) {

@@ -62,7 +62,8 @@ class Flow {
     [[nodiscard]] double volume_left() const noexcept { return state_.volume_left; }
     /// What has gone from the bed to the flow and back so far.
     [[nodiscard]] const ExchangeReport& exchanged() const noexcept { return state_.exchanged; }
-    /// Depth eroded from and deposited on each cell so far [m]; NaN where none. Only for scenes that exchange.
+    /// Depth eroded from and deposited on each cell so far [m]; NaN where none. Only for scenes that
+    /// exchange.
     [[nodiscard]] Raster eroded_depth() const;
     [[nodiscard]] Raster deposited_depth() const;
     [[nodiscard]] std::int64_t steps() const noexcept { return steps_; }
@@ -104,7 +105,7 @@ class Flow {
     [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
 
   private:
-    [[nodiscard]] Raster layer_depth(double BedLayer::* depth) const;
+    [[nodiscard]] Raster layer_depth(double BedLayer::*depth) const;
 
     GridSpec grid_;
     Numerics numerics_;

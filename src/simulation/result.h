@@ -124,10 +124,10 @@ struct RunResult {
     double volume_inflow = 0;   ///< of which flowed in through lines [m3]
     std::vector<ReleasedArea> released;  ///< in the order of Scene::release
     bool exchanges = false;  ///< whether the scene erodes or deposits; the next lines are empty otherwise
-    Raster eroded_depth, deposited_depth;             ///< vertical [m], NaN where none
-    double volume_eroded = 0, volume_deposited = 0;   ///< [m3]
-    double momentum_deposited = 0;                    ///< that deposits took with them, size of the sum [kg m/s]
-    std::int64_t unsupported = 0;  ///< nodes times steps at which the motion over a convex bed lifted off
+    Raster eroded_depth, deposited_depth;            ///< vertical [m], NaN where none
+    double volume_eroded = 0, volume_deposited = 0;  ///< [m3]
+    double momentum_deposited = 0;  ///< that deposits took with them, size of the sum [kg m/s]
+    std::int64_t unsupported = 0;   ///< nodes times steps at which the motion over a convex bed lifted off
     HardEvents hard_events;
     std::vector<std::string> terms;  ///< physics and numerics really computed
     std::vector<std::string> notes;  ///< for log.txt: choices made, warnings

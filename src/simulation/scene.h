@@ -48,8 +48,8 @@ enum class BedTerm {
 /// What resists in the plane of the flow. Bingham with neither viscosity nor yield stress is none.
 enum class PlaneStressLaw { bingham, earth_pressure, none };
 
-/// One phase: a sum of laws at the bed, a stress in the plane. Angles are already tangents here. Only what the chosen
-/// laws need is read.
+/// One phase: a sum of laws at the bed, a stress in the plane. Angles are already tangents here. Only what
+/// the chosen laws need is read.
 struct Material {
     std::vector<BedTerm> bed_friction{BedTerm::coulomb, BedTerm::turbulence};
     PlaneStressLaw plane_stress = PlaneStressLaw::bingham;
@@ -68,12 +68,12 @@ struct Material {
     double laminar_resistance = 24;      ///< O'Brien-Julien K [-]
     double manning = 0;                  ///< n [s/m^(1/3)]
     double chezy = 0;                    ///< C [m^(1/2)/s]
-    double fast_friction_coefficient = 0;  ///< Pouliquen-Forterre mu_2 [-]
-    double friction_length = 0;            ///< Pouliquen-Forterre L [m]
-    double friction_beta = 0.136;          ///< Pouliquen-Forterre beta [-]
-    double pore_pressure_ratio = 0;        ///< r_u at the start [-]
+    double fast_friction_coefficient = 0;                                    ///< Pouliquen-Forterre mu_2 [-]
+    double friction_length = 0;                                              ///< Pouliquen-Forterre L [m]
+    double friction_beta = 0.136;                                            ///< Pouliquen-Forterre beta [-]
+    double pore_pressure_ratio = 0;                                          ///< r_u at the start [-]
     double pore_dissipation_time = std::numeric_limits<double>::infinity();  ///< T [s]; infinity: r_u stays
-    double internal_friction_coefficient = 0;                                ///< tan(phi_i), earth pressure [-]
+    double internal_friction_coefficient = 0;  ///< tan(phi_i), earth pressure [-]
 
     [[nodiscard]] bool has(BedTerm term) const noexcept {
         return std::find(bed_friction.begin(), bed_friction.end(), term) != bed_friction.end();
@@ -82,15 +82,16 @@ struct Material {
 
 enum class ErosionLaw { none, shear_stress, growth, mechanical };
 
-/// What the flow takes from its bed and leaves on it; src/physics/erosion_*.h and deposition_*.h describe the laws.
+/// What the flow takes from its bed and leaves on it; src/physics/erosion_*.h and deposition_*.h describe the
+/// laws.
 struct Entrainment {
     ErosionLaw erosion = ErosionLaw::none;
     bool deposition = false;
-    double erodible_depth = 0;         ///< vertical, where MaterialZones gives none [m]
-    double erosion_rate = 0.025;       ///< shear stress: E [m/s]
-    double critical_shear = 1000;      ///< shear stress: tau_c [Pa]
-    double potential_depth = 1e-4;     ///< shear stress: depth per stress [m/Pa]
-    double growth_rate = 0;            ///< growth: E_s [1/m]
+    double erodible_depth = 0;            ///< vertical, where MaterialZones gives none [m]
+    double erosion_rate = 0.025;          ///< shear stress: E [m/s]
+    double critical_shear = 1000;         ///< shear stress: tau_c [Pa]
+    double potential_depth = 1e-4;        ///< shear stress: depth per stress [m/Pa]
+    double growth_rate = 0;               ///< growth: E_s [1/m]
     double bed_friction_coefficient = 0;  ///< mechanical: tan(phi_b) [-]
     double bed_cohesion = 0;              ///< mechanical: c [Pa]
     double bed_pore_pressure_ratio = 0;   ///< mechanical: r_b [-]
@@ -101,8 +102,8 @@ struct Entrainment {
     [[nodiscard]] bool active() const noexcept { return erosion != ErosionLaw::none || deposition; }
 };
 
-/// Parameters that differ from place to place: rasters on the working grid. NaN: the uniform value of Material (and of
-/// Entrainment) holds there. A raster that is absent costs nothing.
+/// Parameters that differ from place to place: rasters on the working grid. NaN: the uniform value of
+/// Material (and of Entrainment) holds there. A raster that is absent costs nothing.
 struct MaterialZones {
     std::optional<Raster> friction_coefficient;  ///< tan(phi) [-], >= 0
     std::optional<Raster> turbulence;            ///< Voellmy xi [m/s2], > 0; infinity: off
@@ -117,7 +118,8 @@ struct Numerics {
     double cfl = 0.5;
     bool well_balanced = true;  ///< still level per node (default scheme only)
     SlopeCorrection slope_correction = SlopeCorrection::normal;
-    bool curvature = false;  ///< the load of the motion over the bed's curvature; not without slope correction
+    bool curvature =
+        false;  ///< the load of the motion over the bed's curvature; not without slope correction
     Boundary boundary = Boundary::open;
     NodataPolicy nodata = NodataPolicy::stop;
     double gravity = 9.81;        ///< [m/s2]

@@ -49,8 +49,8 @@ class StillWatch {
     double crawling_ = 0;
 };
 
-// Decides when so little is left of a flow's motion that a scene wants no more of it: kinetic energy or moving volume under
-// a share of its peak. Both grow from zero, so neither ends a flow that has not begun.
+// Decides when so little is left of a flow's motion that a scene wants no more of it: kinetic energy or
+// moving volume under a share of its peak. Both grow from zero, so neither ends a flow that has not begun.
 class FadeWatch {
   public:
     explicit FadeWatch(const TimeControl& time) : time_(time) {}
@@ -274,8 +274,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
         result.deposited_depth = flow.deposited_depth();
         result.volume_eroded = flow.exchanged().eroded;
         result.volume_deposited = flow.exchanged().deposited;
-        result.momentum_deposited = scene.material.density *
-                                    std::hypot(flow.exchanged().momentum_x, flow.exchanged().momentum_y);
+        result.momentum_deposited =
+            scene.material.density * std::hypot(flow.exchanged().momentum_x, flow.exchanged().momentum_y);
     }
     engine.stop();
     result.engine_seconds = engine.seconds();
@@ -303,8 +303,9 @@ RunEstimate estimate(const Scene& scene, int threads) {
     constexpr std::int64_t k_rasters = 10;
     constexpr std::int64_t k_node_bytes = sizeof(NodeSums) + sizeof(NodeLevel) + 4 * sizeof(double);
     const auto bed_bytes = static_cast<std::int64_t>(flow.bed_bytes_per_node());
-    e.memory_bytes = cells * (bed_bytes + k_rasters * static_cast<std::int64_t>(sizeof(double)) + k_node_bytes) +
-                     3 * e.particles * static_cast<std::int64_t>(flow.particles().bytes_per_particle());
+    e.memory_bytes =
+        cells * (bed_bytes + k_rasters * static_cast<std::int64_t>(sizeof(double)) + k_node_bytes) +
+        3 * e.particles * static_cast<std::int64_t>(flow.particles().bytes_per_particle());
     // Time of the first steps, for as many steps as the end time would take at the first step's length.
     constexpr int k_trial_steps = 3;
     const auto begin = std::chrono::steady_clock::now();

@@ -28,7 +28,7 @@ void add_bed_term(BedTerm term, const Material& m, const MaterialZones& zones, W
             return;
         case BedTerm::bingham:
             words.emplace_back(m.exact_yield_ratio ? "Bingham bed resistance, exact"
-                                                          : "Bingham bed resistance, quadratic");
+                                                   : "Bingham bed resistance, quadratic");
             return;
         case BedTerm::herschel_bulkley:
             words.emplace_back("Herschel-Bulkley bed resistance");
@@ -99,7 +99,8 @@ std::vector<std::string> list_terms(const Scene& scene) {
     const Numerics& numerics = scene.numerics;
     Words words{"hydrostatic pressure", "bed slope"};
     if (numerics.slope_correction == SlopeCorrection::normal) words.emplace_back("slope correction: normal");
-    if (numerics.slope_correction == SlopeCorrection::surface) words.emplace_back("slope correction: surface");
+    if (numerics.slope_correction == SlopeCorrection::surface)
+        words.emplace_back("slope correction: surface");
     if (numerics.curvature) words.emplace_back("curvature of the bed");
     add_bed(scene, words);
     if (material.plane_stress == PlaneStressLaw::bingham) {

@@ -286,8 +286,9 @@ TEST_F(RunCommand, ErosionAndOtherLawsAreReportedAndRepeatable) {
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));
-    for (const std::string words : {"eroded_m3", "deposited_m3", "unsupported_node_steps", "cohesion at the bed",
-                                    "pore pressure that dissipates", "curvature of the bed", "exponential growth"})
+    for (const std::string words :
+         {"eroded_m3", "deposited_m3", "unsupported_node_steps", "cohesion at the bed",
+          "pore pressure that dissipates", "curvature of the bed", "exponential growth"})
         EXPECT_NE(summary.find(words), std::string::npos) << words;
     EXPECT_NE(read_text(path("result/log.txt")).find("the flow eroded"), std::string::npos);
     const Outcome again = frana({"run", "result/scene.ini", "--out", "again", "--quiet"});

@@ -69,24 +69,28 @@ TEST(Growth, EndsWithTheErodibleLayer) {
     Flow flow = drifting_sheet(e);
     flow.advance_to(4);
     double deepest = 0;
-    for (const double depth : flow.eroded_depth().values) deepest = std::max(deepest, std::isnan(depth) ? 0 : depth);
+    for (const double depth : flow.eroded_depth().values)
+        deepest = std::max(deepest, std::isnan(depth) ? 0 : depth);
     EXPECT_NEAR(deepest, 0.03, 1e-15);
     EXPECT_NEAR(flow.volume(), 400 + flow.exchanged().eroded, 1e-12 * 400);
 }
 
-// A wide slab that slides steadily in a tilted frame: friction equals the drive, so the stress at the bed is rho d g_x.
+// A wide slab that slides steadily in a tilted frame: friction equals the drive, so the stress at the bed is
+// rho d g_x.
 struct SteadySlab {
     double eroded, deposited, speed;
 };
 SteadySlab steady_slab(const Entrainment& entrainment, double along, double speed, double time,
                        const MaterialZones& zones = {}) {
     const GridSpec grid = bench::plain_grid(120, 8, 1);
-    const ParticleSet seeds = bench::fill_lattice(
-        grid, 2, 0, [&](Point p) { return bench::Seed{p.x > 10 && p.x < 110 ? 1.0 : 0, speed, 0}; });
+    const ParticleSet seeds = bench::fill_lattice(grid, 2, 0, [&](Point p) {
+        return bench::Seed{p.x > 10 && p.x < 110 ? 1.0 : 0, speed, 0};
+    });
     Material material = water();
     material.density = k_density;
     material.friction_coefficient = along / 9;
-    Flow flow(Raster(grid), seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
+    Flow flow(Raster(grid), seeds, material,
+              numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
               TiltedGravity{along, 0, 9}, zones, entrainment);
     flow.advance_to(time);
     const Raster eroded = flow.eroded_depth(), deposited = flow.deposited_depth();
@@ -186,7 +190,8 @@ TEST(BedExchange, ErodibleDepthByZones) {
     EXPECT_NEAR(steady_slab(e, 2, 4, 1, zones).eroded, 0.01, 1e-15);
 }
 
-// Bed, volumes and momenta are the same bits for any number of threads, on a slope with walls, both ways of exchange.
+// Bed, volumes and momenta are the same bits for any number of threads, on a slope with walls, both ways of
+// exchange.
 TEST(BedExchange, SameBitsForAnyNumberOfThreads) {
     Entrainment e;
     e.erosion = ErosionLaw::shear_stress;
@@ -200,8 +205,8 @@ TEST(BedExchange, SameBitsForAnyNumberOfThreads) {
     Material material = dry_friction(15);
     material.turbulence = 300;
     const auto end_state = [&](int threads) {
-        Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), threads,
-                  std::nullopt, {}, e);
+        Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall),
+                  threads, std::nullopt, {}, e);
         flow.advance_to(12);
         EXPECT_GT(flow.exchanged().eroded, 10);
         EXPECT_GT(flow.exchanged().deposited, 10);

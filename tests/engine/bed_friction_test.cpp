@@ -54,7 +54,8 @@ TEST(CoulombFriction, TakesItsValueFromTheNode) {
 TEST(TurbulentFriction, IsVoellmysSecondPartAndChezysLaw) {
     const double xi = 400;
     EXPECT_DOUBLE_EQ(bed_under(TurbulentFriction{k_gravity, {xi}}).square, k_gravity / (xi * k_thickness));
-    EXPECT_DOUBLE_EQ(bed_under(TurbulentFriction{k_gravity, {xi}}).square, bed_under(ChezyFriction{k_gravity, 20}).square);
+    EXPECT_DOUBLE_EQ(bed_under(TurbulentFriction{k_gravity, {xi}}).square,
+                     bed_under(ChezyFriction{k_gravity, 20}).square);
     EXPECT_EQ(bed_under(TurbulentFriction{k_gravity, {std::numeric_limits<double>::infinity()}}).square, 0);
 }
 
@@ -94,8 +95,8 @@ TEST(OBrienJulienFriction, IsTheFrictionSlopeTimesGravity) {
     const OBrienJulienFriction law{k_gravity, k_density, 120, 30, 2000, 0.05};
     const BedState bed = bed_under(law);
     const double s = 3.1, d = k_thickness, gamma = k_density * k_gravity;
-    const double slope = 120 / (gamma * d) + 2000 * 30 * s / (8 * gamma * d * d) +
-                         0.05 * 0.05 * s * s / std::pow(d, 4.0 / 3);
+    const double slope =
+        120 / (gamma * d) + 2000 * 30 * s / (8 * gamma * d * d) + 0.05 * 0.05 * s * s / std::pow(d, 4.0 / 3);
     EXPECT_NEAR(bed.yield + bed.linear * s + bed.square * s * s, k_gravity * slope, 1e-12);
 }
 
@@ -108,16 +109,20 @@ TEST(PolynomialFriction, SolvesTheImplicitEquation) {
     EXPECT_EQ(speed_after_friction(bed, 0, NoExcess{}, 0.069, 0.1), 0);
 }
 
-// Fluids in steady simple shear: the profile of du/dz = ((tau_B (1 - z/d) - tau_Y) / K)^(1/m), integrated twice over
-// the depth by Simpson's rule, is the mean speed.
-double mean_speed_by_quadrature(double bed_stress, double yield, double consistency, double index, double depth) {
+// Fluids in steady simple shear: the profile of du/dz = ((tau_B (1 - z/d) - tau_Y) / K)^(1/m), integrated
+// twice over the depth by Simpson's rule, is the mean speed.
+double mean_speed_by_quadrature(double bed_stress, double yield, double consistency, double index,
+                                double depth) {
     const int n = 20000;
     const double sheared = depth * (1 - yield / bed_stress), dz = sheared / n;
     // mean = 1/d int_0^d u dz = 1/d int_0^d (d - z) u'(z) dz
     double sum = 0;
     for (int i = 0; i <= n; ++i) {
         const double z = i * dz, excess = std::max(0.0, bed_stress * (1 - z / depth) - yield);
-        sum += (i == 0 || i == n ? 1 : i % 2 ? 4 : 2) * (depth - z) * std::pow(excess / consistency, 1 / index);
+        sum += (i == 0 || i == n ? 1
+                : i % 2          ? 4
+                                 : 2) *
+               (depth - z) * std::pow(excess / consistency, 1 / index);
     }
     return sum * dz / 3 / depth;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every law of bed friction as a scene chooses it: a wide slab in a frame tilted along the bed must move as a block under
-// that law. Only the slab's middle is looked at: its edges collapse.
+// Every law of bed friction as a scene chooses it: a wide slab in a frame tilted along the bed must move as a
+// block under that law. Only the slab's middle is looked at: its edges collapse.
 #include <gtest/gtest.h>
 
 #include "cases.h"
@@ -19,14 +19,16 @@ Material material_of(std::vector<BedTerm> terms) {
     return material;
 }
 
-// Mean speed of what lies within 5 m of the slab's middle after `time`; the slab, 1 m thick, starts at 10 m < x < 70 m, and
-// the pressure wave from its ends goes 3 m/s. Steps are short, since each law is applied to first order in time.
+// Mean speed of what lies within 5 m of the slab's middle after `time`; the slab, 1 m thick, starts at 10 m <
+// x < 70 m, and the pressure wave from its ends goes 3 m/s. Steps are short, since each law is applied to
+// first order in time.
 double slab_speed(const Material& material, double time, double travelled, const MaterialZones& zones = {},
                   double side = 0, std::int64_t rows = 4) {
     const GridSpec grid = bench::plain_grid(120 + static_cast<std::int64_t>(travelled), rows, 1);
     const ParticleSet seeds = bench::fill_lattice(
         grid, 2, 0, [](Point p) { return bench::Seed{p.x > 10 && p.x < 70 ? 1.0 : 0.0}; });
-    Flow flow(Raster(grid), seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
+    Flow flow(Raster(grid), seeds, material,
+              numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
               TiltedGravity{k_along, 0, k_normal}, zones);
     while (flow.time() < time) flow.advance(std::min(0.005, time - flow.time()));
     double sum = 0;
@@ -161,7 +163,8 @@ TEST(BedLaws, SumOfThree) {
     m.yield_stress = 500;
     m.viscosity = 100;
     expect_block(m, [](double s, double) {
-        return 0.05 * k_normal + k_normal * s * s / 300 + 500 / (k_density * ExactYieldRatio{}(6 * 100 * s / 500));
+        return 0.05 * k_normal + k_normal * s * s / 300 +
+               500 / (k_density * ExactYieldRatio{}(6 * 100 * s / 500));
     });
 }
 
@@ -188,8 +191,9 @@ TEST(BedLaws, SummedVoellmyIsUniformVoellmy) {
     EXPECT_NEAR(slab_speed(m, 3, 10, same), slab_speed(m, 3, 10), 1e-9);
 }
 
-// What yields holds at rest exactly, by its own bound: a cone on a slope, whose driving stress is at most rho g h (slope of
-// the surface, 0.1 + 0.2), 3 m x 0.3 x 2000 x 9.81 = 17.7 kPa at its middle, less everywhere else.
+// What yields holds at rest exactly, by its own bound: a cone on a slope, whose driving stress is at most rho
+// g h (slope of the surface, 0.1 + 0.2), 3 m x 0.3 x 2000 x 9.81 = 17.7 kPa at its middle, less everywhere
+// else.
 class HoldsAtRest : public testing::TestWithParam<BedTerm> {};
 
 TEST_P(HoldsAtRest, NotOneBitMoves) {
@@ -206,7 +210,8 @@ TEST_P(HoldsAtRest, NotOneBitMoves) {
     const ParticleSet seeds = bench::fill_lattice(
         grid, 2, 0, [](Point p) { return bench::Seed{3 - 0.1 * std::hypot(p.x - 40, p.y - 40)}; });
     Flow flow(bed, seeds, m, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
-    const std::vector<double> x(flow.particles()[Field::x], flow.particles()[Field::x] + flow.particles().size());
+    const std::vector<double> x(flow.particles()[Field::x],
+                                flow.particles()[Field::x] + flow.particles().size());
     flow.advance_to(20);
     ASSERT_EQ(flow.particles().size(), x.size());
     EXPECT_EQ(greatest_speed(flow), 0);

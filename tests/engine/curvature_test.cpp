@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The load of the motion over a curved bed: a film too thin for its own pressure to matter moves as a point mass on the
-// surface, whose speed is known exactly.
+// The load of the motion over a curved bed: a film too thin for its own pressure to matter moves as a point
+// mass on the surface, whose speed is known exactly.
 #include <gtest/gtest.h>
 
 #include "cases.h"
@@ -51,23 +51,27 @@ Rider ride(const Track& track, double start, double speed, double friction, bool
     return rider;
 }
 
-// A quarter of a hollow cylinder of radius 60 m, from 45 degrees down to the bottom at x = 60 m, then the flat.
+// A quarter of a hollow cylinder of radius 60 m, from 45 degrees down to the bottom at x = 60 m, then the
+// flat.
 constexpr double k_radius = 60;
 Track arc(double cell) {
     const auto from_bottom = [](double x) { return std::max(0.0, k_radius - x); };
-    return {80, cell, [=](double x) { return k_radius - std::sqrt(k_radius * k_radius - std::pow(from_bottom(x), 2)); },
+    return {80, cell,
+            [=](double x) { return k_radius - std::sqrt(k_radius * k_radius - std::pow(from_bottom(x), 2)); },
             [=](double x) {
                 const double a = from_bottom(x);
                 return -a / std::sqrt(k_radius * k_radius - a * a);
             }};
 }
 
-// Speed on the arc at slope angle b of a block that started at rest at a: d(v^2)/db = -2 g R sin b + 2 mu (g R cos b + v^2),
-// v^2 = C exp(2 mu b) + A cos b + B sin b.
+// Speed on the arc at slope angle b of a block that started at rest at a: d(v^2)/db = -2 g R sin b + 2 mu (g
+// R cos b + v^2), v^2 = C exp(2 mu b) + A cos b + B sin b.
 double arc_speed(double mu, double a, double b) {
     const double m = k_gravity * k_radius / (1 + 4 * mu * mu);
     const double in_phase = 2 * m * (1 - 2 * mu * mu), off_phase = 6 * mu * m;
-    const auto particular = [&](double angle) { return in_phase * std::cos(angle) + off_phase * std::sin(angle); };
+    const auto particular = [&](double angle) {
+        return in_phase * std::cos(angle) + off_phase * std::sin(angle);
+    };
     return std::sqrt(particular(b) - particular(a) * std::exp(2 * mu * (b - a)));
 }
 
@@ -80,7 +84,8 @@ TEST_P(CircularArc, SpeedIsExact) {
         const Track track = arc(level == 0 ? 1 : 0.5);
         const Rider rider = ride(track, start, 0, mu, true, 3.5);
         ASSERT_GT(rider.x, start + 15);
-        const double a = std::asin((k_radius - start) / k_radius), b = std::asin((k_radius - rider.x) / k_radius);
+        const double a = std::asin((k_radius - start) / k_radius),
+                     b = std::asin((k_radius - rider.x) / k_radius);
         error[level] = std::abs(rider.speed / arc_speed(mu, a, b) - 1);
     }
     // First order in step and cell; cells of 0.25 m and this length: 1e-4 without friction.
@@ -110,7 +115,8 @@ TEST(Bump, FasterThanGravityBendsItsPathItFliesWithoutFriction) {
 }
 
 TEST(Bump, SlowerItPressesLess) {
-    // The crest itself, where the slope vanishes: du/dt = -mu (g - u^2 / R) over a time in which it moves 1.2 m.
+    // The crest itself, where the slope vanishes: du/dt = -mu (g - u^2 / R) over a time in which it moves 1.2
+    // m.
     const double radius = 40, u = 12, mu = 0.5, time = 0.1;
     const Rider with = ride(ridge(radius), 40 - 0.5 * u * time, u, mu, true, time);
     const Rider without = ride(ridge(radius), 40 - 0.5 * u * time, u, mu, false, time);

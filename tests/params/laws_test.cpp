@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws of friction, stress, erosion and deposition: which keys they need, which contradict them, what is echoed.
+// Laws of friction, stress, erosion and deposition: which keys they need, which contradict them, what is
+// echoed.
 #include <algorithm>
 
 #include "params/law_names.h"
@@ -38,37 +39,53 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         LawCase{"voellmy", "[material]\nfriction-angle = 20\nturbulence = 300\n", {}},
         LawCase{"no_friction", "[material]\ndensity = 2000\n", {"no bed friction is given"}},
-        LawCase{"cohesion_without_value", "[material]\nfriction-angle = 20\nbed-friction = voellmy, cohesion\n",
+        LawCase{"cohesion_without_value",
+                "[material]\nfriction-angle = 20\nbed-friction = voellmy, cohesion\n",
                 {"material.cohesion: is missing", "bed-friction = cohesion"}},
-        LawCase{"cohesion", "[material]\nfriction-angle = 20\ncohesion = 500\nbed-friction = voellmy, cohesion\n", {}},
-        LawCase{"cohesion_unread", "[material]\nfriction-angle = 20\ncohesion = 500\n",
+        LawCase{"cohesion",
+                "[material]\nfriction-angle = 20\ncohesion = 500\nbed-friction = voellmy, cohesion\n",
+                {}},
+        LawCase{"cohesion_unread",
+                "[material]\nfriction-angle = 20\ncohesion = 500\n",
                 {"material.cohesion: is given, but no law", "set material.bed-friction = cohesion"}},
-        LawCase{"unknown_law", "[material]\nfriction-angle = 20\nbed-friction = voellmi\n", {"'voellmi' is not known"}},
+        LawCase{"unknown_law",
+                "[material]\nfriction-angle = 20\nbed-friction = voellmi\n",
+                {"'voellmi' is not known"}},
         LawCase{"bingham", "[material]\nbed-friction = bingham\nviscosity = 50\nyield-stress = 200\n", {}},
-        LawCase{"bingham_without_viscosity", "[material]\nbed-friction = bingham\nyield-stress = 200\n",
+        LawCase{"bingham_without_viscosity",
+                "[material]\nbed-friction = bingham\nyield-stress = 200\n",
                 {"material.viscosity: must be greater than 0"}},
         LawCase{"two_fluids",
                 "[material]\nbed-friction = bingham, obrien-julien\nviscosity = 50\nyield-stress = 200\n",
                 {"names two laws for one thing"}},
-        LawCase{"friction_unread", "[material]\nbed-friction = manning\nmanning = 0.05\nfriction-angle = 20\n",
+        LawCase{"friction_unread",
+                "[material]\nbed-friction = manning\nmanning = 0.05\nfriction-angle = 20\n",
                 {"material.friction-angle: is given, but no law"}},
-        LawCase{"negative_manning", "[material]\nbed-friction = manning\nmanning = -0.05\n",
+        LawCase{"negative_manning",
+                "[material]\nbed-friction = manning\nmanning = -0.05\n",
                 {"material.manning: is out of range", "-0.05"}},
         LawCase{"yield_unread",
                 "[material]\nfriction-angle = 20\nyield-stress = 100\nin-plane-stress = none\n",
                 {"material.yield-stress: is given, but no law"}},
         LawCase{"earth_pressure",
-                "[material]\nfriction-angle = 20\nin-plane-stress = earth-pressure\ninternal-friction-angle = 30\n", {}},
-        LawCase{"earth_pressure_too_smooth",
-                "[material]\nfriction-angle = 35\nin-plane-stress = earth-pressure\ninternal-friction-angle = 30\n",
-                {"material.internal-friction-angle: is less than the friction angle of the bed", "at least 35"}},
-        LawCase{"dissipation_without_pressure", "[material]\nfriction-angle = 35\npore-dissipation-time = 30\n",
+                "[material]\nfriction-angle = 20\nin-plane-stress = earth-pressure\ninternal-friction-angle "
+                "= 30\n",
+                {}},
+        LawCase{
+            "earth_pressure_too_smooth",
+            "[material]\nfriction-angle = 35\nin-plane-stress = earth-pressure\ninternal-friction-angle = "
+            "30\n",
+            {"material.internal-friction-angle: is less than the friction angle of the bed", "at least 35"}},
+        LawCase{"dissipation_without_pressure",
+                "[material]\nfriction-angle = 35\npore-dissipation-time = 30\n",
                 {"pore-dissipation-time: is given without a pore pressure"}},
-        LawCase{"erosion_without_layer", "[material]\nfriction-angle = 20\n[entrainment]\nerosion = shear-stress\n",
+        LawCase{"erosion_without_layer",
+                "[material]\nfriction-angle = 20\n[entrainment]\nerosion = shear-stress\n",
                 {"entrainment.erodible-depth: is missing"}},
-        LawCase{"erodible_below_zero",
-                "[material]\nfriction-angle = 20\n[entrainment]\nerosion = shear-stress\nerodible-depth = -1\n",
-                {"entrainment.erodible-depth: is out of range", "-1", "0 to 1000"}},
+        LawCase{
+            "erodible_below_zero",
+            "[material]\nfriction-angle = 20\n[entrainment]\nerosion = shear-stress\nerodible-depth = -1\n",
+            {"entrainment.erodible-depth: is out of range", "-1", "0 to 1000"}},
         LawCase{"growth_rate_of_another_law",
                 "[material]\nfriction-angle = 20\n[entrainment]\nerosion = shear-stress\nerodible-depth = 1\n"
                 "growth-rate = 0.01\n",
@@ -98,11 +115,13 @@ TEST_F(Laws, StressInThePlaneGivesWayToTheBed) {
     EXPECT_EQ(in_plane_stress(material), "none");
 }
 
-// A preset with Voellmy values, a scene with another law: the preset's friction is forgotten, the echo can be run.
+// A preset with Voellmy values, a scene with another law: the preset's friction is forgotten, the echo can be
+// run.
 TEST_F(Laws, AnotherLawThanThePresetsForgetsItsFriction) {
-    const SceneReading reading = read(
-        k_ground + "[material]\npreset = rock-avalanche\nbed-friction = manning\nmanning = 0.06\n");
-    EXPECT_TRUE(reading.problems.empty()) << (reading.problems.empty() ? "" : describe(reading.problems.list()[0]));
+    const SceneReading reading =
+        read(k_ground + "[material]\npreset = rock-avalanche\nbed-friction = manning\nmanning = 0.06\n");
+    EXPECT_TRUE(reading.problems.empty())
+        << (reading.problems.empty() ? "" : describe(reading.problems.list()[0]));
     EXPECT_FALSE(reading.scene.material.friction_coefficient);
     EXPECT_FALSE(reading.scene.material.turbulence);
     EXPECT_EQ(messages(scene_text(reading.scene, {})), "");

@@ -17,7 +17,8 @@ namespace frana::voellmy_bingham {
 /// A law's sweep over the nodes of a tile; called once a tile and step.
 using FrictionSweep = std::function<void(const NodeRange&, const NodeUpdate&, const NodeGrid&, BedState*)>;
 
-/// Bed friction of a scene: Voellmy with uniform parameters, or a sum of laws, one of which may be no polynomial.
+/// Bed friction of a scene: Voellmy with uniform parameters, or a sum of laws, one of which may be no
+/// polynomial.
 struct BedFriction {
     bool summed = false;
     VoellmyFriction voellmy;            ///< where not summed
@@ -25,11 +26,10 @@ struct BedFriction {
     std::tuple<NoExcess, HerschelBulkleyExcess, BinghamQuadraticExcess, PouliquenForterreExcess> excess;
     bool yields = false;  ///< whether any law of the sum holds material at rest
     PorePressure pore_pressure;
-    std::vector<std::vector<double>> node_values;  ///< what the laws' NodeValue point to, padded like the nodes
+    std::vector<std::vector<double>>
+        node_values;  ///< what the laws' NodeValue point to, padded like the nodes
 
-    [[nodiscard]] bool holds() const noexcept {
-        return summed ? yields : voellmy.friction_coefficient > 0;
-    }
+    [[nodiscard]] bool holds() const noexcept { return summed ? yields : voellmy.friction_coefficient > 0; }
 };
 
 }  // namespace frana::voellmy_bingham

@@ -65,7 +65,7 @@ struct Laws {
     double minimum_depth = 0.01;  ///< [m]
     bool wall = false;
     Point origin;  ///< release centroid, local metres
-    double moving_speed = 0;      ///< speed from which volume counts as moving [m/s]
+    double moving_speed = 0;  ///< speed from which volume counts as moving [m/s]
     BedFriction friction;
     StressLaws stress;
     BedExchange exchange;

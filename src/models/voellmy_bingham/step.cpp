@@ -60,8 +60,8 @@ void sort_particles(State& state, bool drop, ThreadPool& pool) {
 // Erosion and deposition: decided at the nodes, taken and given by the particles where they still are.
 void exchange_with_bed(State& state, const Laws& laws, const Stages& stages, double dt, ThreadPool& pool) {
     for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
-        stages.exchange_at_nodes(range, laws.exchange, dt, laws.resample.minimum_depth, state.bed_states.data(),
-                                 state.nodes, state.bed_layers.data());
+        stages.exchange_at_nodes(range, laws.exchange, dt, laws.resample.minimum_depth,
+                                 state.bed_states.data(), state.nodes, state.bed_layers.data());
     });
     for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
         move_bed(range, state.bed_layers.data(), state.nodes);
@@ -85,7 +85,8 @@ void slow_down(State& state, ThreadPool& pool) {
     const auto& tiles = state.order.tiles();
     std::vector<ExchangeReport> reports(tiles.size());
     pool.for_each(tiles.size(), [&](std::size_t t) {
-        slow_particles(tiles[t].begin, tiles[t].end, state.kept.data(), state.lost.data(), state.particles, reports[t]);
+        slow_particles(tiles[t].begin, tiles[t].end, state.kept.data(), state.lost.data(), state.particles,
+                       reports[t]);
     });
     for (const ExchangeReport& r : reports) state.exchanged.merge(r);
 }
@@ -98,7 +99,8 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
     const double *u = state.particles[Field::u], *v = state.particles[Field::v];
     const double *volume = state.particles[Field::volume], *area = state.particles[Field::area];
     for (std::size_t p = 0; p < state.particles.size(); ++p) {
-        const double wave = std::hypot(u[p], v[p]) + std::sqrt(laws.gravity * laws.stress.wave_factor * volume[p] / area[p]);
+        const double wave =
+            std::hypot(u[p], v[p]) + std::sqrt(laws.gravity * laws.stress.wave_factor * volume[p] / area[p]);
         state.wave_speed = std::max(state.wave_speed, wave);
     }
     if (laws.wall) mirror_bed(state.nodes);
@@ -146,7 +148,8 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
     if (stages.fill_bed_states != nullptr) {
         for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
             stages.fill_bed_states(range, node_update, state.nodes, bed_states);
-            for (const FrictionSweep& sweep : laws.friction.sweeps) sweep(range, node_update, state.nodes, bed_states);
+            for (const FrictionSweep& sweep : laws.friction.sweeps)
+                sweep(range, node_update, state.nodes, bed_states);
         });
     }
     if (laws.friction.holds()) {
@@ -156,8 +159,8 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
     }
     std::vector<NodeReport> node_reports(state.order.node_tiles().size());
     for_node_tiles(state, pool, [&](std::size_t t, const NodeRange& range) {
-        node_reports[t] = stages.update_nodes(range, node_update, laws.friction, bed_states, state.time, state.nodes,
-                                              maxima);
+        node_reports[t] = stages.update_nodes(range, node_update, laws.friction, bed_states, state.time,
+                                              state.nodes, maxima);
     });
     for (const NodeReport& r : node_reports) report.nodes.merge(r);
     if (laws.wall) mirror_velocities(state.nodes);
