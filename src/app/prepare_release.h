@@ -13,6 +13,7 @@ namespace frana::app {
 
 /// How a raster came onto the working grid.
 struct RasterUse {
+    gis::RasterInfo file;
     gis::TransformInfo transform;
     std::string resampling;
     std::int64_t nodata_cells = 0;  ///< of the working grid
@@ -23,7 +24,7 @@ struct ReleaseInput {
     std::vector<ReleaseArea> areas;
     std::optional<gis::PolygonLayer> perimeter;    ///< none: outlined by the thickness raster
     std::vector<gis::RasterInfo> thickness_files;  ///< rasters that gave the thickness
-    std::vector<RasterUse> thickness_uses;         ///< one for each of them
+    std::vector<RasterUse> thickness_uses;         ///< and how
     std::optional<double> file_volume_m3;          ///< of the thickness raster, see thickness_volume
     double area_m2 = 0;                            ///< of the outlines, in map view
 };
