@@ -73,11 +73,8 @@ std::string input_table(const Prepared& prepared, std::int64_t memory_bytes) {
     add_raster(table, "DTM", ground.file, ground.transform, ground.resampling_used, ground.nodata_cells);
     if (prepared.release.perimeter)
         add_layer(table, "Release perimeter", *prepared.spec.release.perimeter, *prepared.release.perimeter);
-    for (std::size_t i = 0; i < prepared.release.thickness_files.size(); ++i) {
-        const RasterUse& use = prepared.release.thickness_uses.at(i);
-        add_raster(table, "Release thickness", prepared.release.thickness_files[i], use.transform,
-                   use.resampling, use.nodata_cells);
-    }
+    for (const RasterUse& use : prepared.release.thickness_uses)
+        add_raster(table, "Release thickness", use.file, use.transform, use.resampling, use.nodata_cells);
     if (prepared.scar) add_layer(table, "Scar", *prepared.spec.scar.perimeter, *prepared.scar);
     const GridSpec& grid = prepared.scene.grid;
     const std::string filled = ground.filled_cells > 0 ? grouped(ground.filled_cells) + " filled"

@@ -11,6 +11,7 @@
 #include "core/json.h"
 #include "gis/lines_in.h"
 #include "gis/table_in.h"
+#include "params/absolute_path.h"
 #include "params/read_scene.h"
 #include "params/value_text.h"
 

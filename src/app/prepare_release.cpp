@@ -53,7 +53,7 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
             for (const std::string& warning : read.warnings) log.warn("thickness: " + warning);
             report_transform("thickness " + file, read.transform, ground->terrain.grid.cell_size, log);
             log.note("thickness " + file + ": resampling " + read.resampling_used);
-            release.thickness_uses.push_back({read.transform, read.resampling_used, read.nodata_cells});
+            release.thickness_uses.push_back({info, read.transform, read.resampling_used, read.nodata_cells});
             rasters.push_back(std::move(read.raster));
         } catch (const Error& error) {
             problems.add(error);

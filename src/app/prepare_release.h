@@ -13,6 +13,7 @@ namespace frana::app {
 
 /// How a raster came onto the working grid.
 struct RasterUse {
+    gis::RasterInfo file;
     gis::TransformInfo transform;
     std::string resampling;
     std::int64_t nodata_cells = 0;  ///< of the working grid

@@ -59,6 +59,7 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     const int factor = large ? 4 : 2;
     const Trial coarse = try_coarse(reading, grid, 2 * factor, threads);
     const Trial fine = try_coarse(reading, grid, factor, threads);
+    if (!(coarse.particles_peak > 0) || start.particles == 0) return std::nullopt;
     // Of the two the one that came to its end; how much a halving of the cells adds is known from both.
     const bool both = !fine.cut_short && !coarse.cut_short;
     const bool use_fine = both || coarse.cut_short;
