@@ -122,10 +122,10 @@ def main(name, result):
         print("%s, %s: %d cells coloured, %d wrong" % (name, style, coloured, len(wrong)))
         assert coloured > 0, "no cell has a colour"
         assert not wrong, "\n".join(wrong[:10])
+    # Layers that outlive QGIS's own clean-up crash it; everything is said and written by now.
+    sys.stdout.flush()
+    os._exit(0)
 
 
 if __name__ == "__main__":
     main(*sys.argv[1:])
-    # Layers that outlive QGIS's own clean-up crash it; everything is said and written by now.
-    sys.stdout.flush()
-    os._exit(0)
