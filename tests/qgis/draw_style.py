@@ -89,42 +89,42 @@ def values_of(path):
 def main(name, result):
     application = QgsApplication([], False)
     application.initQgis()
-    try:
-        zones = name == "hazard_zones"
-        grid = QgsRasterLayer(os.path.join(result, ("hazard" if zones else name) + ".tif"), "grid")
-        assert grid.isValid(), "the raster does not open"
-        columns, rows, extent = grid.width(), grid.height(), grid.extent()
-        if zones:
-            values = values_of(os.path.join(result, "hazard.tif"))
-            items, _ = classes_of(os.path.join(result, "hazard.qml"))
-            opacity = 0.6
-            blend = {int(v): tuple(round(opacity * c + (1 - opacity) * b) for c, b in zip(colour, (255, 0, 255)))
-                     for v, colour in items}
-            open_layer = lambda: QgsVectorLayer(os.path.join(result, "hazard_zones.gpkg"), name, "ogr")
-            colour_of = lambda value: None if value is None else blend[int(value)]
-        else:
-            values = values_of(os.path.join(result, name + ".tif"))
-            items, exact = classes_of(os.path.join(result, name + ".qml"))
-            open_layer = lambda: QgsRasterLayer(os.path.join(result, name + ".tif"), name)
-            colour_of = lambda value: None if value is None else expected_colour(value, items, exact)
-        for style in ("qml", "sld"):
-            layer = open_layer()
-            assert layer.isValid(), "the layer does not open"
-            if style == "sld":
-                message, good = layer.loadSldStyle(os.path.join(result, name + ".sld"))
-                if not good and "not supported" in message and not zones:
-                    # QGIS 3.22 reads no SLD for rasters; its text must say what the .qml says.
-                    assert sld_classes(os.path.join(result, name + ".sld")) == sld_like(items), "the styles differ"
-                    print("%s, sld: not read by this QGIS, same classes as the qml" % name)
-                    continue
-                assert good, "QGIS does not read the .sld: " + message
-            image = draw(layer, extent, columns, rows, os.path.join(result, "%s_%s.png" % (name, style)))
-            wrong, coloured = check(image, values, columns, rows, colour_of, 2 if zones else 0)  # a blend rounds
-            print("%s, %s: %d cells coloured, %d wrong" % (name, style, coloured, len(wrong)))
-            assert coloured > 0, "no cell has a colour"
-            assert not wrong, "\n".join(wrong[:10])
-    finally:
-        application.exitQgis()
+    zones = name == "hazard_zones"
+    grid = QgsRasterLayer(os.path.join(result, ("hazard" if zones else name) + ".tif"), "grid")
+    assert grid.isValid(), "the raster does not open"
+    columns, rows, extent = grid.width(), grid.height(), grid.extent()
+    if zones:
+        values = values_of(os.path.join(result, "hazard.tif"))
+        items, _ = classes_of(os.path.join(result, "hazard.qml"))
+        opacity = 0.6
+        blend = {int(v): tuple(round(opacity * c + (1 - opacity) * b) for c, b in zip(colour, (255, 0, 255)))
+                 for v, colour in items}
+        open_layer = lambda: QgsVectorLayer(os.path.join(result, "hazard_zones.gpkg"), name, "ogr")
+        colour_of = lambda value: None if value is None else blend[int(value)]
+    else:
+        values = values_of(os.path.join(result, name + ".tif"))
+        items, exact = classes_of(os.path.join(result, name + ".qml"))
+        open_layer = lambda: QgsRasterLayer(os.path.join(result, name + ".tif"), name)
+        colour_of = lambda value: None if value is None else expected_colour(value, items, exact)
+    for style in ("qml", "sld"):
+        layer = open_layer()
+        assert layer.isValid(), "the layer does not open"
+        if style == "sld":
+            message, good = layer.loadSldStyle(os.path.join(result, name + ".sld"))
+            if not good and "not supported" in message and not zones:
+                # QGIS 3.22 reads no SLD for rasters; its text must say what the .qml says.
+                assert sld_classes(os.path.join(result, name + ".sld")) == sld_like(items), "the styles differ"
+                print("%s, sld: not read by this QGIS, same classes as the qml" % name)
+                continue
+            assert good, "QGIS does not read the .sld: " + message
+        image = draw(layer, extent, columns, rows, os.path.join(result, "%s_%s.png" % (name, style)))
+        wrong, coloured = check(image, values, columns, rows, colour_of, 2 if zones else 0)  # a blend rounds
+        print("%s, %s: %d cells coloured, %d wrong" % (name, style, coloured, len(wrong)))
+        assert coloured > 0, "no cell has a colour"
+        assert not wrong, "\n".join(wrong[:10])
+    # Layers that outlive QGIS's own clean-up crash it; everything is said and written by now.
+    sys.stdout.flush()
+    os._exit(0)
 
 
 if __name__ == "__main__":
