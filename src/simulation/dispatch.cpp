@@ -65,7 +65,7 @@ void choose_scheme(Transfer transfer, PlaneStressLaw law, Stages& stages) {
     stages.pressure_to_nodes =
         stress ? pressure_to_nodes<Shape, Relaxed, true> : pressure_to_nodes<Shape, Relaxed, false>;
     stages.exchange_with_particles = exchange_with_particles<Shape>;
-    if (Relaxed) stages.fields = stages.fields | FieldMask{Field::divergence};
+    if (Relaxed) stages.fields = stages.fields | FieldMask{Field::compression};
     if (stress) stages.fields = stages.fields | k_stress_fields;
     switch (transfer) {
         case Transfer::pic:
@@ -92,6 +92,7 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
         choose_scheme<HatShape, false>(transfer, stress_law(material), stages);
     } else {
         stages.references = numerics.well_balanced;
+        stages.leapfrog = true;
         choose_scheme<QuadraticSplineShape, true>(transfer, stress_law(material), stages);
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;

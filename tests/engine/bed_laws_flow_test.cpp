@@ -31,6 +31,7 @@ double slab_speed(const Material& material, double time, double travelled, const
               numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
               TiltedGravity{k_along, 0, k_normal}, zones);
     while (flow.time() < time) flow.advance(std::min(step, time - flow.time()));
+    flow.synchronise();
     double sum = 0;
     int n = 0;
     const ParticleSet& p = flow.particles();

@@ -122,13 +122,13 @@ void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, Threa
     }
 }
 
-StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_limit, Maxima& maxima,
-                ThreadPool& pool) {
+namespace {
+
+// Forces change the velocities for a time `kick`, then the new velocities move the particles for a time `drift`.
+StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, double kick, double drift,
+                          Maxima& maxima, ThreadPool& pool) {
     StepReport report;
-    const double dx = state.nodes.cell_size();
-    const double dt =
-        std::min(stable_step(dx, laws.cfl, state.wave_speed, laws.gravity, state.diffusivity), dt_limit);
-    report.dt = dt;
+    report.dt = drift;
 
     // Particles to nodes: mass, momentum, area, reference levels; then the force of pressure, slope and
     // stress.
@@ -140,7 +140,7 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
 
     // Nodes: gravity along the bed, friction as a cap, maxima. Holding looks at neighbours, so it comes
     // first.
-    NodeUpdate node_update{dt, laws.gravity, laws.gravity_x, laws.gravity_y, laws.minimum_depth};
+    NodeUpdate node_update{kick, laws.gravity, laws.gravity_x, laws.gravity_y, laws.minimum_depth};
     node_update.moving_speed = laws.moving_speed;
     if (laws.friction.pore_pressure.active())
         node_update.effective_share = 1 - laws.friction.pore_pressure.ratio(state.time);
@@ -164,10 +164,12 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
     });
     for (const NodeReport& r : node_reports) report.nodes.merge(r);
     if (laws.wall) mirror_velocities(state.nodes);
-    if (stages.exchange_at_nodes != nullptr) exchange_with_bed(state, laws, stages, dt, pool);
+    // Only while positions move: velocities alone take nothing from the bed.
+    const bool exchanges = stages.exchange_at_nodes != nullptr && drift > 0;
+    if (exchanges) exchange_with_bed(state, laws, stages, drift, pool);
 
     // Nodes to particles: velocity, position, depth, stress.
-    const ParticleUpdate particle_update{dt, laws.gravity * laws.stress.wave_factor,
+    const ParticleUpdate particle_update{drift, laws.gravity * laws.stress.wave_factor,
                                          laws.resample.minimum_depth, laws.wall, laws.origin};
     const auto& tiles = state.order.tiles();
     std::vector<ParticleReport> particle_reports(tiles.size());
@@ -176,10 +178,23 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
             stages.nodes_to_particles(tiles[t], particle_update, laws.stress, state.nodes, state.particles);
     });
     for (const ParticleReport& r : particle_reports) report.particles.merge(r);
-    if (stages.exchange_at_nodes != nullptr) slow_down(state, pool);
+    if (exchanges) slow_down(state, pool);
+    return report;
+}
+
+}  // namespace
+
+StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_limit, Maxima& maxima,
+                ThreadPool& pool) {
+    const double dx = state.nodes.cell_size();
+    const double dt =
+        std::min(stable_step(dx, laws.cfl, state.wave_speed, laws.gravity, state.diffusivity), dt_limit);
+    const double lag = stages.leapfrog ? 0.5 * dt : 0;
+    StepReport report = kick_and_drift(state, laws, stages, state.velocity_lag + dt - lag, dt, maxima, pool);
 
     // Order and number of particles; the next step's bounds.
     state.time += dt;
+    state.velocity_lag = lag;
     state.wave_speed = report.particles.wave_speed;
     state.diffusivity = report.particles.diffusivity;
     const double moved = report.particles.speed * dt / dx;
@@ -195,6 +210,12 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
         }
     }
     return report;
+}
+
+void synchronise(State& state, const Laws& laws, const Stages& stages, Maxima& maxima, ThreadPool& pool) {
+    if (state.velocity_lag == 0) return;
+    kick_and_drift(state, laws, stages, state.velocity_lag, 0, maxima, pool);
+    state.velocity_lag = 0;
 }
 
 }  // namespace frana::voellmy_bingham
