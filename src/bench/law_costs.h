@@ -10,7 +10,7 @@ namespace frana::bench {
 /// What a law costs, one thread.
 struct LawCost {
     std::string law;
-    double nanoseconds = 0;  ///< wall time a particle-step
+    double nanoseconds = 0;  ///< processor time a particle-step
     double relative = 0;     ///< over the same flow without the law
     double bytes_per_particle = 0;
 };

@@ -46,7 +46,7 @@ struct BinghamQuadraticExcess {
                 const double s = speed(excess, bed.thickness);
                 return s + dt * (excess / mass + s * (bed.linear + s * bed.square)) - left;
             },
-            0, left * mass / dt);
+            left * mass / dt, 3 * viscosity * left / bed.thickness);
         return std::min(left, speed(x, bed.thickness));
     }
 };

@@ -50,7 +50,8 @@ struct HerschelBulkleyExcess {
                 const double s = speed(excess, bed.thickness);
                 return s + dt * (excess / mass + s * (bed.linear + s * bed.square)) - left;
             },
-            0, left * mass / dt);
+            left * mass / dt,
+            consistency * std::pow(2 * (1 + 1 / flow_index) * left / bed.thickness, flow_index));
         return std::min(left, speed(x, bed.thickness));
     }
 };

@@ -43,7 +43,7 @@ struct PouliquenForterreExcess {
                 const double share = s > 0 ? s / (s + s_c) : 0;
                 return s + most * share + dt * s * (bed.linear + s * bed.square) - left;
             },
-            0, left);
+            left, left);
     }
 };
 

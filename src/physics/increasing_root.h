@@ -1,22 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace frana {
 
-/// Root of an increasing function with f(low) <= 0 <= f(high), to the last few digits: regula falsi with the
-/// Illinois weights, and bisection where that does not halve the bracket in three steps (steep or flat laws).
-/// The count is bounded: bisection alone would need about 60 steps.
+/// Root of an increasing function with f(0) < 0 <= f(highest), to 1e-14 of itself. A guess within a few
+/// orders of magnitude is closed in by factors of four; then regula falsi with the Illinois weights, and
+/// bisection where three steps have not halved the bracket. The count is bounded.
 template <class Function>
-double increasing_root(const Function& f, double low, double high) noexcept {
-    double f_low = f(low), f_high = f(high);
-    if (!(f_low < 0)) return low;
+double increasing_root(const Function& f, double highest, double guess) noexcept {
+    double high = guess > 0 && guess < highest ? guess : highest, low = 0, f_high = f(high), f_low = 0;
+    while (f_high < 0 && high < highest) {
+        low = high;
+        f_low = f_high;
+        high = std::min(4 * high, highest);
+        f_high = f(high);
+    }
     if (!(f_high > 0)) return high;
-    const double fine = 4e-16 * high;
+    while (low == 0) {
+        const double x = 0.25 * high, value = x > 1e-300 ? f(x) : -1;
+        if (value < 0) {
+            low = x;
+            f_low = value;
+        } else {
+            high = x;
+            f_high = value;
+        }
+    }
     double width = high - low;
     int side = 0;  // which end moved last
-    for (int i = 0; i < 200 && high - low > fine; ++i) {
+    for (int i = 0; i < 200 && high - low > 1e-14 * high; ++i) {
         double x = (low * f_high - high * f_low) / (f_high - f_low);
         const bool slow = i % 3 == 2 && high - low > 0.5 * width;
         if (i % 3 == 2) width = high - low;

@@ -23,14 +23,15 @@ Material material_of(std::vector<BedTerm> terms) {
 // x < 70 m, and the pressure wave from its ends goes 3 m/s. Steps are short, since each law is applied to
 // first order in time.
 double slab_speed(const Material& material, double time, double travelled, const MaterialZones& zones = {},
-                  double side = 0, std::int64_t rows = 4) {
+                  double side = 0, std::int64_t rows = 4, double step = 0.005) {
     const GridSpec grid = bench::plain_grid(120 + static_cast<std::int64_t>(travelled), rows, 1);
     const ParticleSet seeds = bench::fill_lattice(
         grid, 2, 0, [](Point p) { return bench::Seed{p.x > 10 && p.x < 70 ? 1.0 : 0.0}; });
     Flow flow(Raster(grid), seeds, material,
               numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
               TiltedGravity{k_along, 0, k_normal}, zones);
-    while (flow.time() < time) flow.advance(std::min(0.005, time - flow.time()));
+    while (flow.time() < time) flow.advance(std::min(step, time - flow.time()));
+    flow.synchronise();
     double sum = 0;
     int n = 0;
     const ParticleSet& p = flow.particles();
@@ -168,7 +169,8 @@ TEST(BedLaws, SumOfThree) {
     });
 }
 
-// The strips that are looked at lie 6 m from the zones' border, and in 1 s a pressure wave goes 3 m.
+// The strips that are looked at lie 6 m from the zones' border, and in 1 s a pressure wave goes 3 m;
+// steps are long, since each one blurs the shear between the zones a little.
 TEST(BedLaws, ZonesGiveEachPlaceItsOwnFriction) {
     Material m = material_of({BedTerm::coulomb, BedTerm::turbulence});
     m.friction_coefficient = 0.1;
@@ -178,8 +180,8 @@ TEST(BedLaws, ZonesGiveEachPlaceItsOwnFriction) {
         for (std::int64_t r = 0; r < 8; ++r) zones.friction_coefficient->at(r, c) = 0.3;  // north
     }
     const double slow = (k_along - 0.3 * k_normal), fast = k_along - 0.1 * k_normal;
-    EXPECT_NEAR(slab_speed(m, 1, 1, zones, -1, 16), fast, 1e-3 * fast);
-    EXPECT_NEAR(slab_speed(m, 1, 1, zones, 1, 16), slow, 1e-3 * fast);
+    EXPECT_NEAR(slab_speed(m, 1, 1, zones, -1, 16, 0.1), fast, 1e-3 * fast);
+    EXPECT_NEAR(slab_speed(m, 1, 1, zones, 1, 16, 0.1), slow, 1e-3 * fast);
 }
 
 TEST(BedLaws, SummedVoellmyIsUniformVoellmy) {
@@ -191,9 +193,8 @@ TEST(BedLaws, SummedVoellmyIsUniformVoellmy) {
     EXPECT_NEAR(slab_speed(m, 3, 10, same), slab_speed(m, 3, 10), 1e-9);
 }
 
-// What yields holds at rest exactly, by its own bound: a cone on a slope, whose driving stress is at most rho
-// g h (slope of the surface, 0.1 + 0.2), 3 m x 0.3 x 2000 x 9.81 = 17.7 kPa at its middle, less everywhere
-// else.
+// What yields holds at rest exactly, by its own bound: a cone on a slope, whose driving stress is at most
+// rho g h times the slope of its surface, 0.1 + 0.2: 9 kPa at its middle, less everywhere else.
 class HoldsAtRest : public testing::TestWithParam<BedTerm> {};
 
 TEST_P(HoldsAtRest, NotOneBitMoves) {
@@ -202,17 +203,17 @@ TEST_P(HoldsAtRest, NotOneBitMoves) {
     m.fast_friction_coefficient = 0.6;
     m.friction_length = 1;
     m.cohesion = m.yield_stress = 30000;
-    m.ramms_yield_stress = 60000;  // reaches 22 kPa there
+    m.ramms_yield_stress = 60000;  // reaches 14 kPa there
     m.viscosity = m.consistency = 100;
     m.flow_index = 0.5;
-    const GridSpec grid = bench::plain_grid(80, 80, 1);
-    const Raster bed = bench::sample_raster(grid, [](Point p) { return (80 - p.x) * 0.2; });
+    const GridSpec grid = bench::plain_grid(40, 40, 1);
+    const Raster bed = bench::sample_raster(grid, [](Point p) { return (40 - p.x) * 0.2; });
     const ParticleSet seeds = bench::fill_lattice(
-        grid, 2, 0, [](Point p) { return bench::Seed{3 - 0.1 * std::hypot(p.x - 40, p.y - 40)}; });
+        grid, 2, 0, [](Point p) { return bench::Seed{1.5 - 0.1 * std::hypot(p.x - 20, p.y - 20)}; });
     Flow flow(bed, seeds, m, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
     const std::vector<double> x(flow.particles()[Field::x],
                                 flow.particles()[Field::x] + flow.particles().size());
-    flow.advance_to(20);
+    flow.advance_to(10);
     ASSERT_EQ(flow.particles().size(), x.size());
     EXPECT_EQ(greatest_speed(flow), 0);
     for (std::size_t i = 0; i < x.size(); ++i) ASSERT_EQ(flow.particles()[Field::x][i], x[i]);

@@ -37,6 +37,7 @@ Rider ride(const Track& track, double start, double speed, double friction, bool
     Flow flow(bench::sample_raster(grid, [&](Point p) { return track.bed(p.x); }), seeds, material, how, 1);
     Rider rider;
     while (flow.time() < time) rider.unsupported += flow.advance(time - flow.time()).nodes.unsupported;
+    flow.synchronise();
     const ParticleSet& p = flow.particles();
     double volume = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {

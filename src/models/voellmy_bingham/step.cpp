@@ -164,6 +164,7 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
     });
     for (const NodeReport& r : node_reports) report.nodes.merge(r);
     if (laws.wall) mirror_velocities(state.nodes);
+    // Only while positions move: velocities alone take nothing from the bed.
     const bool exchanges = stages.exchange_at_nodes != nullptr && drift > 0;
     if (exchanges) exchange_with_bed(state, laws, stages, drift, pool);
 
