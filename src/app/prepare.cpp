@@ -96,7 +96,7 @@ void refuse_what_cannot_start(const Scene& scene) {
     const bool in_motion = std::any_of(scene.release.begin(), scene.release.end(),
                                        [](const ReleaseArea& area) { return area.speed > 0; });
     if (scene.walls || in_motion || !scene.inflows.empty())
-        Arrivals(scene, std::move(make_release(scene).later));
+        Arrivals(scene, make_release(scene).later);
 }
 
 }  // namespace

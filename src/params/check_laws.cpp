@@ -24,6 +24,11 @@ std::string asked_by(const std::string& law) {
     return "material.bed-friction = " + law;
 }
 
+/// Whether [zones] gives what the key of another section would: nothing outside the zones is then a fair default.
+bool by_place(const std::set<std::string>& given, const std::string& name) {
+    return given.count("zones." + name.substr(name.find('.') + 1)) > 0;
+}
+
 void check_keys(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                 Problems& problems) {
     const std::vector<std::string> laws = laws_of(scene);
@@ -39,7 +44,7 @@ void check_keys(const SceneSpec& scene, const std::set<std::string>& given, cons
                           "Remove it, or set " + joined(askers, " or ")});
         }
         for (const std::string& law : key.needs) {
-            if (is_given || !holds(laws, law)) continue;
+            if (is_given || !holds(laws, law) || by_place(given, key.name)) continue;
             problems.add({"is missing", file + ": " + key.name, "", "", asked_by(law) + " needs it"});
         }
     }
@@ -115,9 +120,10 @@ void check_angles(const SceneSpec& scene, const std::string& file, Problems& pro
 
 void check_rest(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                 Problems& problems) {
-    if (scene.entrainment.erosion != "off" && given.count("entrainment.erodible-depth") == 0) {
+    if (scene.entrainment.erosion != "off" && given.count("entrainment.erodible-depth") == 0 &&
+        !by_place(given, "entrainment.erodible-depth")) {
         problems.add({"is missing", file + ": entrainment.erodible-depth", "", "",
-                      "Give the depth in metres that can be eroded"});
+                      "Give the depth in metres that can be eroded, here or in zones.erodible-depth"});
     }
     if (scene.material.pore_dissipation_time && !(scene.material.pore_pressure_ratio.value_or(0) > 0)) {
         problems.add({"is given without a pore pressure", file + ": material.pore-dissipation-time", "", "",
