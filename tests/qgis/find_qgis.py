@@ -2,8 +2,11 @@
 """QGIS's Python bindings, or exit code 77, by which ctest knows a skipped test."""
 import os
 import sys
+import tempfile
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+# A profile of its own: the user's is neither read nor written, and tests side by side do not wait for its databases.
+os.environ["QGIS_CUSTOM_CONFIG_PATH"] = tempfile.mkdtemp(prefix="frana_qgis_")
 try:
     import qgis.core  # noqa: F401
 except ImportError:
