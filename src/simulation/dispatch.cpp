@@ -5,6 +5,7 @@
 
 #include "mpm/particles_to_nodes.h"
 #include "mpm/pressure.h"
+#include "mpm/vector/kernels.h"
 
 namespace frana {
 
@@ -65,6 +66,14 @@ void choose_scheme(Transfer transfer, bool stress, Stages& stages) {
     }
 }
 
+// The default scheme's sweeps over particles, for what this processor can do.
+void use_vector_kernels(const VectorKernels& kernels, bool stress, Stages& stages) {
+    stages.particles_to_nodes =
+        stages.references ? kernels.particles_and_levels_to_nodes : kernels.particles_to_nodes;
+    stages.pressure_to_nodes = stress ? kernels.pressure_and_stress_to_nodes : kernels.pressure_to_nodes;
+    stages.nodes_to_particles = stress ? kernels.nodes_to_particles_with_stress : kernels.nodes_to_particles;
+}
+
 bool has_stress(const Material& material) {
     return material.viscosity > 0 || material.yield_stress > 0;
 }
@@ -86,6 +95,9 @@ Stages choose_stages(const Material& material, const Numerics& numerics) {
         choose_scheme<QuadraticSplineShape, true>(transfer, has_stress(material), stages);
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
+    }
+    if (numerics.scheme == Scheme::standard && transfer == Transfer::apic) {
+        use_vector_kernels(best_kernels(), has_stress(material), stages);
     }
     switch (numerics.slope_correction) {
         case SlopeCorrection::none:

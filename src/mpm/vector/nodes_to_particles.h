@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mpm/nodes_to_particles.h"
+#include "mpm/vector/chunk_stencil.h"
+
+namespace frana {
+namespace {
+
+/// What four particles gather from their nodes; each quad holds one quantity of the four.
+struct ChunkGather {
+    Quad cell_depth, u, v, share, support;
+    Quad u_x, u_y, v_x, v_y;      // gradient of the nodal velocity
+    Quad m_xx, m_xy, m_yx, m_yy;  // its first moments
+
+    /// Each node is one quad {mass, u, v, share}, and its support. Sums along rows first: five sums of weights in two
+    /// directions then take 14 multiplications a row instead of 27.
+    FRANA_INLINE ChunkGather(Quad px, Quad py, std::size_t n, const GridScale& grid, const NodeSums* sums) {
+        const ChunkAxis ax(px, grid), ay(py, grid);
+        std::size_t first[4];
+        first_nodes(ax, ay, grid.stride, first);
+        alignas(32) double weight_x[3][4], slope_x[3][4], moment_x[3][4];
+        alignas(32) double weight_y[3][4], slope_y[3][4], moment_y[3][4];
+        store(ax, px, grid, weight_x, slope_x, moment_x);
+        store(ay, py, grid, weight_y, slope_y, moment_y);
+        Quad value[4], by_x[4], by_y[4], along_x[4], along_y[4];
+        alignas(32) double held[4] = {};
+        for (std::size_t k = 0; k < n; ++k) {
+            value[k] = by_x[k] = by_y[k] = along_x[k] = along_y[k] = 0.0;
+            for (int b = 0; b < 3; ++b) {
+                const NodeSums* row = sums + first[k] + b * grid.stride;
+                const Quad west = Quad::load(&row[0].mass), middle = Quad::load(&row[1].mass),
+                           east = Quad::load(&row[2].mass);
+                const Quad w = weight_x[0][k] * west + weight_x[1][k] * middle + weight_x[2][k] * east;
+                const Quad g = slope_x[0][k] * west + slope_x[1][k] * middle + slope_x[2][k] * east;
+                const Quad m = moment_x[0][k] * west + moment_x[1][k] * middle + moment_x[2][k] * east;
+                value[k] += weight_y[b][k] * w;
+                by_x[k] += weight_y[b][k] * g;
+                by_y[k] += slope_y[b][k] * w;
+                along_x[k] += weight_y[b][k] * m;
+                along_y[k] += moment_y[b][k] * w;
+                held[k] += weight_y[b][k] * (weight_x[0][k] * row[0].support + weight_x[1][k] * row[1].support +
+                                             weight_x[2][k] * row[2].support);
+            }
+        }
+        for (std::size_t k = n; k < 4; ++k) {
+            value[k] = value[0];
+            by_x[k] = by_x[0];
+            by_y[k] = by_y[0];
+            along_x[k] = along_x[0];
+            along_y[k] = along_y[0];
+            held[k] = held[0];
+        }
+        for (Quad* rows : {value, by_x, by_y, along_x, along_y}) transpose(rows[0], rows[1], rows[2], rows[3]);
+        cell_depth = value[0];
+        u = value[1];
+        v = value[2];
+        share = value[3];
+        support = Quad::load(held);
+        u_x = by_x[1];
+        v_x = by_x[2];
+        u_y = by_y[1];
+        v_y = by_y[2];
+        m_xx = along_x[1];
+        m_yx = along_x[2];
+        m_xy = along_y[1];
+        m_yy = along_y[2];
+    }
+
+  private:
+    static FRANA_INLINE void store(const ChunkAxis& axis, Quad position, const GridScale& grid, double (&weight)[3][4],
+                                   double (&slope)[3][4], double (&moment)[3][4]) {
+        Quad w[3], g[3];
+        axis.weights(w);
+        axis.slopes(grid.inverse_dx, g);
+        const Quad to_first = axis.to_first(position, grid.dx);
+        for (int a = 0; a < 3; ++a) {
+            w[a].store(weight[a]);
+            g[a].store(slope[a]);
+            (w[a] * (to_first + a * grid.dx)).store(moment[a]);
+        }
+    }
+};
+
+/// nodes_to_particles<QuadraticSplineShape, ApicTransfer, Stress, true>, four particles at a time.
+template <class Stress>
+ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const ParticleUpdate& k, const Stress& stress,
+                                         const NodeGrid& nodes, ParticleSet& particles) {
+    double *const x = particles[Field::x], *const y = particles[Field::y];
+    double *const u = particles[Field::u], *const v = particles[Field::v];
+    const double* const volume = particles[Field::volume];
+    double* const area = particles[Field::area];
+    double *const c_xx = particles[Field::c_xx], *const c_xy = particles[Field::c_xy];
+    double *const c_yx = particles[Field::c_yx], *const c_yy = particles[Field::c_yy];
+    double* const divergence = particles[Field::divergence];
+    double *const s_xx = particles[Field::s_xx], *const s_xy = particles[Field::s_xy];
+    double* const s_yy = particles[Field::s_yy];
+    double *const q_xx = particles[Field::q_xx], *const q_xy = particles[Field::q_xy];
+    double* const q_yy = particles[Field::q_yy];
+    const GridScale grid(nodes);
+    const double courant = k.dt * grid.inverse_dx, cell_area = grid.dx * grid.dx;
+    const double largest_claim = k_largest_claim * cell_area;
+    const double width = nodes.width(), height = nodes.height(), margin = 1e-9 * grid.dx;
+    const NodeSums* const sums = nodes.sums.data();
+    ParticleReport report;
+    Quad wave_speed = 0.0, greatest_speed = 0.0, diffusivity = 0.0, front_squared = 0.0, longest = 0.0;
+    Quad kinetic = 0.0, inside_volume = 0.0;
+
+    for (std::size_t p = tile.begin; p < tile.end; p += 4) {
+        const std::size_t n = tile.end - p < 4 ? tile.end - p : 4;
+        const Quad::Mask real = first_lanes(n);
+        const Quad old_x = load_some(x + p, n), old_y = load_some(y + p, n);
+        const Quad mass = load_some(volume + p, n), old_area = load_some(area + p, n);
+        const ChunkGather g(old_x, old_y, n, grid, sums);
+
+        const double d = 4 * grid.inverse_dx * grid.inverse_dx;  // inverse of the spline's second moment
+        store_some(d * g.m_xx, c_xx + p, n);
+        store_some(d * g.m_xy, c_xy + p, n);
+        store_some(d * g.m_yx, c_yx + p, n);
+        store_some(d * g.m_yy, c_yy + p, n);
+        store_some(g.u, u + p, n);
+        store_some(g.v, v + p, n);
+
+        const Quad div = g.u_x + g.v_y;
+        store_some(div, divergence + p, n);
+        const Quad determinant = 1 + k.dt * div + k.dt * k.dt * (g.u_x * g.v_y - g.u_y * g.v_x);
+        const Quad::Mask sound = determinant > k_least_growth;
+        report.clamped += count(~sound & real);
+        Quad growth = select(sound, determinant, k_least_growth);
+        const Quad::Mask tower = mass * g.share * cell_area > k_tower * old_area * g.cell_depth;
+        growth = select((growth < 1) & ((g.share < 1) | tower), 1.0, growth);
+        Quad new_area = old_area * growth;
+        {  // Q <- F Q F^T, F = I + dt grad v
+            const Quad old_xx = load_some(q_xx + p, n), old_xy = load_some(q_xy + p, n),
+                       old_yy = load_some(q_yy + p, n);
+            const Quad fxx = 1 + k.dt * g.u_x, fxy = k.dt * g.u_y, fyx = k.dt * g.v_x, fyy = 1 + k.dt * g.v_y;
+            const Quad axx = fxx * old_xx + fxy * old_xy, axy = fxx * old_xy + fxy * old_yy;
+            const Quad ayx = fyx * old_xx + fyy * old_xy, ayy = fyx * old_xy + fyy * old_yy;
+            const Quad xx = axx * fxx + axy * fxy, xy = axx * fyx + axy * fyy, yy = ayx * fyx + ayy * fyy;
+            const Quad trace = xx + yy;
+            longest = select(real & (mass > k.film * old_area), max(longest, trace), longest);
+            const Quad fit = min(1.0, largest_claim / trace);
+            store_some(fit * xx, q_xx + p, n);
+            store_some(fit * xy, q_xy + p, n);
+            store_some(fit * yy, q_yy + p, n);
+        }
+        const Quad speed2 = g.u * g.u + g.v * g.v, speed = sqrt(speed2);
+        const Quad beta = min(k_relaxation_limit, k_relaxation_gain * speed * courant);
+        const Quad relaxed = new_area * (1 + beta * (1 / g.share - 1));
+        new_area = select((g.share > 1) | (g.support > 0.999), relaxed, new_area);
+        new_area = min(new_area, max(old_area, largest_claim));
+        store_some(new_area, area + p, n);
+        const Quad depth = mass / new_area;
+        if constexpr (Stress::active) {
+            for (std::size_t i = 0; i < n; ++i) {
+                const auto l = static_cast<int>(i);
+                const PlaneStress t =
+                    stress({g.u_x[l], 0.5 * (g.u_y[l] + g.v_x[l]), g.v_y[l], g.u[l], g.v[l], depth[l]});
+                s_xx[p + i] = t.xx;
+                s_xy[p + i] = t.xy;
+                s_yy[p + i] = t.yy;
+                report.diffusivity = std::max(report.diffusivity, t.diffusivity);
+            }
+        }
+        Quad px = old_x + k.dt * g.u, py = old_y + k.dt * g.v;
+        if (k.wall) {
+            px = min(max(px, margin), width - margin);
+            py = min(max(py, margin), height - margin);
+        }
+        const Quad wave = speed + sqrt(k.gravity * depth);
+        const Quad::Mask finite = (wave < 1e9) & (abs(px) < 1e12) & (abs(py) < 1e12);
+        store_some(select(finite, px, old_x), x + p, n);
+        store_some(select(finite, py, old_y), y + p, n);
+        const Quad::Mask inside = finite & real & (px >= 0.0) & (px < width) & (py >= 0.0) & (py < height);
+        if (const int in = count(inside); in != static_cast<int>(n)) {
+            report.non_finite += count(~finite & real);
+            report.outside += count(finite & ~inside & real);
+        }
+        if (nodes.any_solid()) {
+            for (std::size_t i = 0; i < n; ++i) {
+                const auto l = static_cast<int>(i);
+                if (inside[l] && nodes.is_solid(static_cast<std::int64_t>(px[l] * grid.inverse_dx),
+                                                static_cast<std::int64_t>(py[l] * grid.inverse_dx))) {
+                    ++report.no_data;
+                }
+            }
+        }
+        const Quad ox = px - k.origin.x, oy = py - k.origin.y;
+        wave_speed = select(inside, max(wave_speed, wave), wave_speed);
+        greatest_speed = select(inside, max(greatest_speed, speed), greatest_speed);
+        front_squared = select(inside, max(front_squared, ox * ox + oy * oy), front_squared);
+        kinetic += select(inside, 0.5 * mass * speed2, 0.0);
+        inside_volume += select(inside, mass, 0.0);
+    }
+    report.wave_speed = greatest(wave_speed);
+    report.speed = greatest(greatest_speed);
+    report.diffusivity = std::max(report.diffusivity, greatest(diffusivity));
+    report.front_squared = greatest(front_squared);
+    report.longest = greatest(longest);
+    report.kinetic = sum(kinetic);
+    report.volume = sum(inside_volume);
+    return report;
+}
+
+}  // namespace
+}  // namespace frana
