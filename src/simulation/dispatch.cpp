@@ -96,8 +96,9 @@ Stages choose_stages(const Material& material, const Numerics& numerics) {
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
     }
-    if (numerics.scheme == Scheme::standard && transfer == Transfer::apic) {
-        use_vector_kernels(best_kernels(), has_stress(material), stages);
+    const VectorKernels* kernels = vector_kernels();
+    if (kernels && numerics.scheme == Scheme::standard && transfer == Transfer::apic) {
+        use_vector_kernels(*kernels, has_stress(material), stages);
     }
     switch (numerics.slope_correction) {
         case SlopeCorrection::none:

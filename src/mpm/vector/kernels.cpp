@@ -3,11 +3,12 @@
 
 namespace frana {
 
-const VectorKernels& best_kernels() {
+// In a source of its own: the one that holds the kernels is compiled for processors that may not be this one.
+const VectorKernels* vector_kernels() {
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return *avx2_kernels();
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return compiled_vector_kernels();
 #endif
-    return baseline_kernels();
+    return nullptr;
 }
 
 }  // namespace frana

@@ -5,11 +5,10 @@
 
 namespace frana {
 
-/// The particle sweeps of the default scheme (quadratic splines, APIC, referenced pressure) for one instruction set.
-/// The plain templates of mpm/ say what they compute; tests compare the two. Results are the same to rounding, and
-/// the same bits for the same instruction set.
+/// The particle sweeps of the default scheme (quadratic splines, APIC, referenced pressure), four particles or a row
+/// of nodes at a time. The plain templates of mpm/ say what they compute and serve processors without the
+/// instructions; tests compare the two. Results are the same to rounding.
 struct VectorKernels {
-    const char* name;
     void (*particles_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&);
     void (*particles_and_levels_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&);
     void (*pressure_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&);
@@ -20,12 +19,10 @@ struct VectorKernels {
                                                      const BinghamStress&, const NodeGrid&, ParticleSet&);
 };
 
-/// What every processor of the architecture can do, and what AVX2 and FMA can; the latter is null on other
-/// architectures.
-const VectorKernels& baseline_kernels();
-const VectorKernels* avx2_kernels();
+/// The kernels in AVX2 and FMA; null where the processor has not both.
+const VectorKernels* vector_kernels();
 
-/// The best that this processor can run.
-const VectorKernels& best_kernels();
+/// Them as compiled, whatever this processor can run; null on other architectures.
+const VectorKernels* compiled_vector_kernels();
 
 }  // namespace frana

@@ -15,7 +15,7 @@ struct ChunkGather {
 
     /// Each node is one quad {mass, u, v, share}, and its support. Sums along rows first: five sums of weights in two
     /// directions then take 14 multiplications a row instead of 27.
-    FRANA_INLINE ChunkGather(Quad px, Quad py, std::size_t n, const GridScale& grid, const NodeSums* sums) {
+    FRANA_INLINE ChunkGather(Quad px, Quad py, const GridScale& grid, const NodeSums* sums) {
         const ChunkAxis ax(px, grid), ay(py, grid);
         std::size_t first[4];
         first_nodes(ax, ay, grid.stride, first);
@@ -24,32 +24,31 @@ struct ChunkGather {
         store(ax, px, grid, weight_x, slope_x, moment_x);
         store(ay, py, grid, weight_y, slope_y, moment_y);
         Quad value[4], by_x[4], by_y[4], along_x[4], along_y[4];
-        alignas(32) double held[4] = {};
-        for (std::size_t k = 0; k < n; ++k) {
-            value[k] = by_x[k] = by_y[k] = along_x[k] = along_y[k] = 0.0;
-            for (int b = 0; b < 3; ++b) {
-                const NodeSums* row = sums + first[k] + b * grid.stride;
+        alignas(32) double held[4];
+        for (std::size_t k = 0; k < 4; ++k) {
+            const NodeSums* row = sums + first[k];  // lanes that repeat the first particle do so here too
+            Quad value_k = 0.0, by_x_k = 0.0, by_y_k = 0.0, along_x_k = 0.0, along_y_k = 0.0;
+            double held_k = 0;
+            for (int b = 0; b < 3; ++b, row += grid.stride) {
                 const Quad west = Quad::load(&row[0].mass), middle = Quad::load(&row[1].mass),
                            east = Quad::load(&row[2].mass);
                 const Quad w = weight_x[0][k] * west + weight_x[1][k] * middle + weight_x[2][k] * east;
                 const Quad g = slope_x[0][k] * west + slope_x[1][k] * middle + slope_x[2][k] * east;
                 const Quad m = moment_x[0][k] * west + moment_x[1][k] * middle + moment_x[2][k] * east;
-                value[k] += weight_y[b][k] * w;
-                by_x[k] += weight_y[b][k] * g;
-                by_y[k] += slope_y[b][k] * w;
-                along_x[k] += weight_y[b][k] * m;
-                along_y[k] += moment_y[b][k] * w;
-                held[k] += weight_y[b][k] * (weight_x[0][k] * row[0].support + weight_x[1][k] * row[1].support +
-                                             weight_x[2][k] * row[2].support);
+                value_k += weight_y[b][k] * w;
+                by_x_k += weight_y[b][k] * g;
+                by_y_k += slope_y[b][k] * w;
+                along_x_k += weight_y[b][k] * m;
+                along_y_k += moment_y[b][k] * w;
+                held_k += weight_y[b][k] * (weight_x[0][k] * row[0].support + weight_x[1][k] * row[1].support +
+                                            weight_x[2][k] * row[2].support);
             }
-        }
-        for (std::size_t k = n; k < 4; ++k) {
-            value[k] = value[0];
-            by_x[k] = by_x[0];
-            by_y[k] = by_y[0];
-            along_x[k] = along_x[0];
-            along_y[k] = along_y[0];
-            held[k] = held[0];
+            value[k] = value_k;
+            by_x[k] = by_x_k;
+            by_y[k] = by_y_k;
+            along_x[k] = along_x_k;
+            along_y[k] = along_y_k;
+            held[k] = held_k;
         }
         for (Quad* rows : {value, by_x, by_y, along_x, along_y}) transpose(rows[0], rows[1], rows[2], rows[3]);
         cell_depth = value[0];
@@ -105,13 +104,14 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
     ParticleReport report;
     Quad wave_speed = 0.0, greatest_speed = 0.0, diffusivity = 0.0, front_squared = 0.0, longest = 0.0;
     Quad kinetic = 0.0, inside_volume = 0.0;
+    Quad::Mask clamped{}, non_finite{}, outside{};  // counted downwards: true is -1
 
     for (std::size_t p = tile.begin; p < tile.end; p += 4) {
         const std::size_t n = tile.end - p < 4 ? tile.end - p : 4;
         const Quad::Mask real = first_lanes(n);
         const Quad old_x = load_some(x + p, n), old_y = load_some(y + p, n);
         const Quad mass = load_some(volume + p, n), old_area = load_some(area + p, n);
-        const ChunkGather g(old_x, old_y, n, grid, sums);
+        const ChunkGather g(old_x, old_y, grid, sums);
 
         const double d = 4 * grid.inverse_dx * grid.inverse_dx;  // inverse of the spline's second moment
         store_some(d * g.m_xx, c_xx + p, n);
@@ -125,7 +125,7 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         store_some(div, divergence + p, n);
         const Quad determinant = 1 + k.dt * div + k.dt * k.dt * (g.u_x * g.v_y - g.u_y * g.v_x);
         const Quad::Mask sound = determinant > k_least_growth;
-        report.clamped += count(~sound & real);
+        clamped += ~sound & real;
         Quad growth = select(sound, determinant, k_least_growth);
         const Quad::Mask tower = mass * g.share * cell_area > k_tower * old_area * g.cell_depth;
         growth = select((growth < 1) & ((g.share < 1) | tower), 1.0, growth);
@@ -172,10 +172,8 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         store_some(select(finite, px, old_x), x + p, n);
         store_some(select(finite, py, old_y), y + p, n);
         const Quad::Mask inside = finite & real & (px >= 0.0) & (px < width) & (py >= 0.0) & (py < height);
-        if (const int in = count(inside); in != static_cast<int>(n)) {
-            report.non_finite += count(~finite & real);
-            report.outside += count(finite & ~inside & real);
-        }
+        non_finite += ~finite & real;
+        outside += finite & ~inside & real;
         if (nodes.any_solid()) {
             for (std::size_t i = 0; i < n; ++i) {
                 const auto l = static_cast<int>(i);
@@ -192,6 +190,9 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         kinetic += select(inside, 0.5 * mass * speed2, 0.0);
         inside_volume += select(inside, mass, 0.0);
     }
+    report.clamped = count(clamped);
+    report.non_finite = count(non_finite);
+    report.outside = count(outside);
     report.wave_speed = greatest(wave_speed);
     report.speed = greatest(greatest_speed);
     report.diffusivity = std::max(report.diffusivity, greatest(diffusivity));
