@@ -39,17 +39,25 @@ double extent(const ParticleRow& r) {
     return std::sqrt(shape_of(r).largest());
 }
 
+// What merging looks at.
+struct Outline {
+    double x, y, volume;
+    Symmetric shape;
+
+    explicit Outline(const ParticleRow& r)
+        : x(get(r, Field::x)), y(get(r, Field::y)), volume(get(r, Field::volume)), shape(shape_of(r)) {}
+};
+
 // Shape of two particles as one. The covariance of a uniform box of extents Q is Q / 12.
-Symmetric merged_shape(const ParticleRow& a, const ParticleRow& b) {
-    const double va = get(a, Field::volume), vb = get(b, Field::volume), volume = va + vb;
-    const double wa = va / volume, wb = vb / volume;
-    const double dx = get(a, Field::x) - get(b, Field::x), dy = get(a, Field::y) - get(b, Field::y);
-    const Symmetric qa = shape_of(a), qb = shape_of(b);
-    const double apart = 12 * wa * wb;
-    return {wa * qa.xx + wb * qb.xx + apart * dx * dx, wa * qa.xy + wb * qb.xy + apart * dx * dy,
-            wa * qa.yy + wb * qb.yy + apart * dy * dy};
+Symmetric merged_shape(const Outline& a, const Outline& b) {
+    const double wa = a.volume / (a.volume + b.volume), wb = 1 - wa;
+    const double dx = a.x - b.x, dy = a.y - b.y, apart = 12 * wa * wb;
+    return {wa * a.shape.xx + wb * b.shape.xx + apart * dx * dx,
+            wa * a.shape.xy + wb * b.shape.xy + apart * dx * dy,
+            wa * a.shape.yy + wb * b.shape.yy + apart * dy * dy};
 }
 
+// Two particles as one.
 ParticleRow merged(const ParticleRow& a, const ParticleRow& b) {
     ParticleRow r = a;
     const double va = get(a, Field::volume), vb = get(b, Field::volume), volume = va + vb;
@@ -60,7 +68,7 @@ ParticleRow merged(const ParticleRow& a, const ParticleRow& b) {
     }
     get(r, Field::volume) = volume;
     get(r, Field::area) = get(a, Field::area) + get(b, Field::area);
-    set_shape(r, merged_shape(a, b));
+    set_shape(r, merged_shape(Outline(a), Outline(b)));
     return r;
 }
 
@@ -186,17 +194,19 @@ class TileResampler {
             }
         };
         const double limit = limits_.merge_extent * limits_.cell_size;
-        std::vector<ParticleRow> rows;
+        std::vector<Outline> outlines;
         for (auto& cell : cells) {
-            rows.clear();
-            for (const std::size_t i : cell) rows.push_back(row(i));
+            outlines.clear();
+            for (const std::size_t i : cell) outlines.emplace_back(row(i));
             while (static_cast<int>(cell.size()) > limits_.max_per_cell) {
                 // The pair whose union is shortest: it blurs least.
                 double best = limit * limit;
                 std::size_t best_a = 0, best_b = 0;
                 for (std::size_t a = 0; a < cell.size(); ++a) {
                     for (std::size_t b = a + 1; b < cell.size(); ++b) {
-                        const double length2 = merged_shape(rows[a], rows[b]).largest();
+                        const Symmetric shape = merged_shape(outlines[a], outlines[b]);
+                        if (0.5 * (shape.xx + shape.yy) >= best) continue;  // the largest is no less than the mean
+                        const double length2 = shape.largest();
                         if (length2 < best) {
                             best = length2;
                             best_a = a;
@@ -205,14 +215,15 @@ class TileResampler {
                     }
                 }
                 if (best_b == 0) break;
-                rows[best_a] = merged(rows[best_a], rows[best_b]);
+                const ParticleRow both = merged(row(cell[best_a]), row(cell[best_b]));
                 drop(cell[best_a]);
                 drop(cell[best_b]);
                 cell[best_a] = size_ + change_.come.size();
-                change_.come.push_back(rows[best_a]);
+                outlines[best_a] = Outline(both);
+                change_.come.push_back(both);
                 unwanted.push_back(0);
                 cell.erase(cell.begin() + static_cast<std::ptrdiff_t>(best_b));
-                rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(best_b));
+                outlines.erase(outlines.begin() + static_cast<std::ptrdiff_t>(best_b));
                 ++change_.counts.merged;
             }
         }

@@ -3,6 +3,7 @@
 
 #include "mpm/nodes_to_particles.h"
 #include "mpm/vector/chunk_stencil.h"
+#include "mpm/vector/stress_bingham.h"
 
 namespace frana {
 namespace {
@@ -152,15 +153,11 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         store_some(new_area, area + p, n);
         const Quad depth = mass / new_area;
         if constexpr (Stress::active) {
-            for (std::size_t i = 0; i < n; ++i) {
-                const auto l = static_cast<int>(i);
-                const PlaneStress t =
-                    stress({g.u_x[l], 0.5 * (g.u_y[l] + g.v_x[l]), g.v_y[l], g.u[l], g.v[l], depth[l]});
-                s_xx[p + i] = t.xx;
-                s_xy[p + i] = t.xy;
-                s_yy[p + i] = t.yy;
-                report.diffusivity = std::max(report.diffusivity, t.diffusivity);
-            }
+            const QuadStress t = bingham_stress(stress, g.u_x, 0.5 * (g.u_y + g.v_x), g.v_y, g.u, g.v, depth);
+            store_some(t.xx, s_xx + p, n);
+            store_some(t.xy, s_xy + p, n);
+            store_some(t.yy, s_yy + p, n);
+            diffusivity = max(diffusivity, t.diffusivity);
         }
         Quad px = old_x + k.dt * g.u, py = old_y + k.dt * g.v;
         if (k.wall) {
@@ -195,7 +192,7 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
     report.outside = count(outside);
     report.wave_speed = greatest(wave_speed);
     report.speed = greatest(greatest_speed);
-    report.diffusivity = std::max(report.diffusivity, greatest(diffusivity));
+    report.diffusivity = greatest(diffusivity);
     report.front_squared = greatest(front_squared);
     report.longest = greatest(longest);
     report.kinetic = sum(kinetic);
