@@ -27,7 +27,7 @@ CommandForm bench_form() {
                      "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
                      "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
                      "with --out also writes\naccuracy.csv and accuracy.png, stability.csv or "
-                     "speed.csv.\naccuracy takes some ten minutes, with --quick half a minute.",
+                     "speed.csv,\nspeed_stages.csv, speed_terms.csv and speed.png.\naccuracy takes some ten minutes, with --quick half a minute.",
                      "accuracy|stability|speed",
                      {}};
     form.options.add_options()("out", options::value<std::string>(), "folder for the files")(
@@ -106,8 +106,13 @@ int bench_speed(const boost::program_options::variables_map& values) {
     options.report = report_line;
     const auto result = bench::run_speed(options);
     std::cout << bench::speed_table(result);
-    if (folder) write_text_file((*folder / "speed.csv").string(), bench::speed_csv(result));
-    return static_cast<int>(ExitCode::done);
+    if (folder) {
+        write_text_file((*folder / "speed.csv").string(), bench::speed_csv(result));
+        write_text_file((*folder / "speed_stages.csv").string(), bench::speed_stages_csv(result));
+        write_text_file((*folder / "speed_terms.csv").string(), bench::speed_terms_csv(result));
+        render::write_png((*folder / "speed.png").string(), speed_chart(result));
+    }
+    return static_cast<int>(result.right() ? ExitCode::done : ExitCode::numerical);
 }
 
 }  // namespace

@@ -95,6 +95,8 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, int thread
                                                         : "is the bed: the release lies on top of it");
     line("particles", grouped(expected.particles));
     line("memory", words("about", bytes_text(static_cast<double>(expected.memory_bytes))));
+    line("fields", std::to_string(expected.bytes_per_particle) + " bytes a particle, " +
+                       std::to_string(expected.bytes_per_node) + " bytes a node");
     line("first step", figure(expected.first_step_seconds, 3) + " s, end at " +
                            shortest_text(prepared.scene.time.end) + " s at most");
     line("estimated time",

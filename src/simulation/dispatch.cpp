@@ -84,7 +84,7 @@ Transfer transfer_of(const Numerics& numerics) {
 
 }  // namespace
 
-Stages choose_stages(const Material& material, const Numerics& numerics) {
+Stages choose_stages(const Material& material, const Numerics& numerics, Kernels kernels) {
     Stages stages;
     stages.fields = k_basic_fields;
     const Transfer transfer = transfer_of(numerics);
@@ -96,9 +96,9 @@ Stages choose_stages(const Material& material, const Numerics& numerics) {
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
     }
-    const VectorKernels* kernels = vector_kernels();
-    if (kernels && numerics.scheme == Scheme::standard && transfer == Transfer::apic) {
-        use_vector_kernels(*kernels, has_stress(material), stages);
+    const VectorKernels* fast = kernels == Kernels::fastest ? vector_kernels() : nullptr;
+    if (fast && numerics.scheme == Scheme::standard && transfer == Transfer::apic) {
+        use_vector_kernels(*fast, has_stress(material), stages);
     }
     switch (numerics.slope_correction) {
         case SlopeCorrection::none:

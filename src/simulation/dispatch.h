@@ -10,8 +10,13 @@
 
 namespace frana {
 
+/// Which kernels sweep over the particles: the fastest that the processor runs, or the plain ones that say what the
+/// fast ones compute.
+enum class Kernels { fastest, plain };
+
 /// The one place where names become types: the stages that a scene's material and numerics ask for.
-voellmy_bingham::Stages choose_stages(const Material& material, const Numerics& numerics);
+voellmy_bingham::Stages choose_stages(const Material& material, const Numerics& numerics,
+                                      Kernels kernels = Kernels::fastest);
 
 /// The laws with their parameters, in the engine's units.
 voellmy_bingham::Laws make_laws(const Material& material, const Numerics& numerics, double cell_size);

@@ -7,6 +7,7 @@
 #include "core/thread_pool.h"
 #include "models/voellmy_bingham/step.h"
 #include "mpm/maxima.h"
+#include "simulation/dispatch.h"
 #include "simulation/scene.h"
 
 namespace frana {
@@ -22,9 +23,10 @@ struct TiltedGravity {
 class Flow {
   public:
     /// @param bed elevation [m], NaN where there is none; its grid gives cell size and extent
+    /// @param kernels plain: without the processor's vector instructions, for comparison
     /// @param particles in local metres; fields the scheme needs are added with their initial values
     Flow(const Raster& bed, const ParticleSet& particles, const Material& material, const Numerics& numerics,
-         int threads, std::optional<TiltedGravity> tilt = std::nullopt);
+         int threads, std::optional<TiltedGravity> tilt = std::nullopt, Kernels kernels = Kernels::fastest);
 
     voellmy_bingham::StepReport advance(double dt_limit);
     /// Steps until `time`; every step at most `dt_limit` if that is positive.
@@ -32,6 +34,8 @@ class Flow {
 
     [[nodiscard]] double time() const noexcept { return state_.time; }
     [[nodiscard]] const ParticleSet& particles() const noexcept { return state_.particles; }
+    /// Bytes that a node of the map takes once it was touched.
+    [[nodiscard]] std::size_t bytes_per_node() const noexcept;
     [[nodiscard]] const NodeGrid& nodes() const noexcept { return state_.nodes; }
     [[nodiscard]] const voellmy_bingham::Laws& laws() const noexcept { return laws_; }
     [[nodiscard]] double volume_left() const noexcept { return state_.volume_left; }
@@ -64,6 +68,10 @@ class Flow {
     [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
 
   private:
+    // Calls visit(row, column, node) for the cells that particles can touch, tile by tile.
+    template <class Visit>
+    void for_each_reached_cell(const Visit& visit) const;
+
     GridSpec grid_;
     Numerics numerics_;
     ThreadPool pool_;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "models/voellmy_bingham/stage_times.h"
 #include "mpm/node_grid.h"
 #include "mpm/nodes_to_particles.h"
 #include "mpm/update_nodes.h"
@@ -46,6 +47,7 @@ struct StepReport {
     NodeReport nodes;
     ParticleReport particles;
     ResampleCounts resampled;
+    StageSeconds seconds{};  ///< what each stage took
 };
 
 }  // namespace frana::voellmy_bingham

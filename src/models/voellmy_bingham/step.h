@@ -16,6 +16,7 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
 
 /// Mass, momentum, area and reference levels on the nodes for the particles as they are now, without moving
 /// anything.
-void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, ThreadPool& pool);
+void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, ThreadPool& pool,
+                     StageWatch& watch);
 
 }  // namespace frana::voellmy_bingham
