@@ -27,7 +27,8 @@ CommandForm bench_form() {
                      "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
                      "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
                      "with --out also writes\naccuracy.csv and accuracy.png, stability.csv or "
-                     "speed.csv,\nspeed_stages.csv, speed_terms.csv and speed.png.\naccuracy takes some ten minutes, with --quick half a minute.",
+                     "speed.csv,\nspeed_stages.csv, speed_terms.csv and speed.png.\n"
+                     "accuracy takes some ten minutes, with --quick half a minute.",
                      "accuracy|stability|speed",
                      {}};
     form.options.add_options()("out", options::value<std::string>(), "folder for the files")(

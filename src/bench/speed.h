@@ -40,8 +40,8 @@ struct SpeedResult {
     std::vector<std::pair<int, double>> bandwidth;  ///< threads, bytes a second
     std::vector<std::string> notes;                 ///< sizes left out, and why
     std::string kernels;                            ///< which the processor runs
-    /// Greatest difference of depth between the fast kernels and the plain ones after ten steps of `slide` and `mud`, over
-    /// the greatest depth; zero where the processor runs the plain ones.
+    /// Greatest difference of depth between the fast kernels and the plain ones after ten steps of `slide` and `mud`,
+    /// over the greatest depth; zero where the processor runs the plain ones.
     double difference_from_plain = 0;
 
     /// Whether the fast kernels gave the plain ones' answer and all numbers of threads the same bits.
@@ -57,8 +57,8 @@ struct SpeedOptions {
 };
 
 /// Throughput of the default scheme on two flows, 4 particles a cell:
-///   slide  a sheet 3 m deep that slides at 12 m/s, near its terminal speed, down a plane of 20 degrees: Voellmy friction,
-///          slope correction; particles cross cells, so that sorting, splitting and merging are in the figures
+///   slide  a sheet 3 m deep that slides at 12 m/s, near its terminal speed, down a plane of 20 degrees: Voellmy
+///          friction, slope correction; particles cross cells, so that sorting, splitting and merging are in the figures
 ///   mud    the same with in-plane viscosity and yield stress
 /// Sizes 1e4, 1e5, 1e6, and 1e7 unless `quick` or memory forbids. Each run's depth is compared, bit for bit,
 /// with the one that a single thread gave.

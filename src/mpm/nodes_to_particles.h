@@ -25,6 +25,10 @@ inline constexpr double k_largest_claim = 4;
 /// A particle this many times deeper than its cells' mean depth is not compressed further.
 inline constexpr double k_tower = 2;
 
+/// Share of a cell from which it counts as full when material converges. Rounding must not decide about a lattice that
+/// fills its cells exactly.
+inline constexpr double k_full_share = 1 - 1e-9;
+
 /// How velocity comes back from the nodes (paper, equations 33-34).
 struct PicTransfer {
     static constexpr bool affine = false, increment = false;
@@ -172,7 +176,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         // particle gets much deeper than the cells round it, however long it is pressed into a corner.
         if constexpr (Relaxed) {
             const bool tower = volume[p] * share * cell_area > k_tower * area[p] * cell_depth;
-            if (growth < 1 && (share < 1 || tower)) growth = 1;
+            if (growth < 1 && (share < k_full_share || tower)) growth = 1;
         }
         double new_area = area[p] * growth;
         if constexpr (Relaxed && Transfer::affine) {  // Q <- F Q F^T, F = I + dt grad v

@@ -34,6 +34,8 @@ class Flow {
 
     [[nodiscard]] double time() const noexcept { return state_.time; }
     [[nodiscard]] const ParticleSet& particles() const noexcept { return state_.particles; }
+    /// Tiles of nodes that the particles can touch: what a step clears and updates.
+    [[nodiscard]] std::size_t reached_tiles() const noexcept { return state_.order.node_tiles().size(); }
     /// Bytes that a node of the map takes once it was touched.
     [[nodiscard]] std::size_t bytes_per_node() const noexcept;
     [[nodiscard]] const NodeGrid& nodes() const noexcept { return state_.nodes; }

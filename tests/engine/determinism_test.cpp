@@ -49,7 +49,8 @@ TEST_P(Determinism, SameBitsForAnyNumberOfThreads) {
         for (std::size_t f = 0; f < k_fields; ++f) {
             const auto field = static_cast<Field>(f);
             if (!one.particles.mask().has(field)) continue;
-            EXPECT_EQ(std::memcmp(one.particles[field], many.particles[field], one.particles.size() * sizeof(double)), 0)
+            const std::size_t bytes = one.particles.size() * sizeof(double);
+            EXPECT_EQ(std::memcmp(one.particles[field], many.particles[field], bytes), 0)
                 << k_field_table[f].name << ", " << threads << " threads";
         }
     }

@@ -129,7 +129,7 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         clamped += ~sound & real;
         Quad growth = select(sound, determinant, k_least_growth);
         const Quad::Mask tower = mass * g.share * cell_area > k_tower * old_area * g.cell_depth;
-        growth = select((growth < 1) & ((g.share < 1) | tower), 1.0, growth);
+        growth = select((growth < 1) & ((g.share < k_full_share) | tower), 1.0, growth);
         Quad new_area = old_area * growth;
         {  // Q <- F Q F^T, F = I + dt grad v
             const Quad old_xx = load_some(q_xx + p, n), old_xy = load_some(q_xy + p, n),
