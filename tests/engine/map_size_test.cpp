@@ -10,10 +10,10 @@ namespace frana::test {
 namespace {
 
 // A pile that slides from the south-western corner of a map `columns` wide and high. The map falls no further after
-// the first 100 columns, which the flow does not cross, so that every map has the same lowest cell.
+// the first 95 columns, which the flow does not cross, so that every map has the same lowest cell.
 std::unique_ptr<Flow> pile_on_map(std::int64_t columns) {
     const GridSpec grid = bench::plain_grid(columns, columns, 2);
-    const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.2 * std::max(0.0, 200 - p.x); });
+    const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.2 * std::max(0.0, 190 - p.x); });
     const ParticleSet seeds = bench::fill_lattice(
         grid, 2, 0, [](Point p) { return bench::Seed{4 - 0.2 * std::hypot(p.x - 40, p.y - 40)}; });
     return std::make_unique<Flow>(bed, seeds, dry_friction(8),
