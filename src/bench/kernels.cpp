@@ -30,7 +30,7 @@ struct Tile {
 
     explicit Tile(const Raster& bed) : gathered(bed), moved(bed) {
         constexpr FieldMask k_all =
-            k_basic_fields | k_affine_fields | k_shape_fields | k_stress_fields | FieldMask{Field::divergence};
+            k_basic_fields | k_affine_fields | k_shape_fields | k_stress_fields | FieldMask{Field::compression};
         const auto inside = [](double v) { return v > 16 * k_cell && v < 32 * k_cell; };
         const ParticleSet seeds = fill_lattice(bed.grid, 2, 0.5, [&](Point p) {
             return Seed{inside(p.x) && inside(p.y) ? 3 + std::sin(0.1 * p.x) : 0, 8 + std::sin(0.07 * p.y), 0.1};

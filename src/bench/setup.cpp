@@ -74,6 +74,7 @@ void TimedFlow::advance_to(double end,
         if (!(flow_->time() > before)) ++non_finite_;  // a step that does not move time comes from no number
         if (after_step) after_step(report);
     }
+    flow_->synchronise();
 }
 
 }  // namespace frana::bench

@@ -77,11 +77,9 @@ SlabOutcome run_slab(double cell_size, Scheme scheme, const Slab& slab,
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
     TimedFlow run(setup);
     SlabOutcome outcome;
-    double before = slab.start_speed;
     run.advance_to(slab.time, [&](const voellmy_bingham::StepReport& report) {
-        const double now = middle_speed(run.flow().particles(), k_middle + travel(run.flow().time()));
-        outcome.distance += 0.5 * (before + now) * report.dt;
-        before = now;
+        // The velocity after a step is the one that has moved the particles through it.
+        outcome.distance += middle_speed(run.flow().particles(), k_middle + travel(run.flow().time())) * report.dt;
     });
     const double middle = k_middle + slab.travel;
     outcome.mean_speed = middle_speed(run.flow().particles(), middle);

@@ -44,9 +44,9 @@ double bytes_moved(Stage stage, bool stress) {
             fields = basic + affine;
             break;
         case Stage::pressure:
-            fields = 5 + stresses;  // x, y, volume, area, divergence
+            fields = 5 + stresses;  // x, y, volume, area, compression
             break;
-        case Stage::nodes_to_particles:  // reads x, y, volume, area, shape; writes all but the volume, divergence too
+        case Stage::nodes_to_particles:  // reads x, y, volume, area, shape; writes all but the volume, compression too
             fields = 4 + shape + (basic - 1) + affine + shape + 1 + stresses;
             break;
         default:

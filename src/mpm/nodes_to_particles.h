@@ -22,6 +22,12 @@ inline constexpr double k_least_growth = 0.1;
 /// further.
 inline constexpr double k_largest_claim = 4;
 
+/// Greatest difference of a particle's affine velocity over a cell at a free front, in celerities sqrt(g h), where no
+/// support is left; with support s it is this over (1 - s). In a simple wave u + 2 sqrt(g h) is constant, so velocity
+/// cannot vary by more than twice the celerity over the cell in which the depth goes to zero; without the bound the
+/// foremost particles outrun 2 sqrt(g h) at every split.
+inline constexpr double k_front_shear = 0.7;
+
 /// A particle this many times deeper than its cells' mean depth is not compressed further.
 inline constexpr double k_tower = 2;
 
@@ -74,8 +80,28 @@ struct ParticleReport {
     }
 };
 
+/// Rate of compression that the artificial viscosity acts on [1/s]: -div v, weighted by how far the velocities on the
+/// stencil are from linear, |v0 - 2 v1 + v2| / (|v1 - v0| + |v2 - v1|) along both axes. 1 behind a shock that rings, 0
+/// where a flow converges smoothly: there a viscosity would only cost energy.
+template <class Shape>
+double shock_compression(const Stencil<Shape>& s, const NodeSums* sums, std::int64_t stride, double divergence) {
+    if (!(divergence < 0)) return 0;
+    static_assert(Shape::width == 3);
+    double u[3] = {0, 0, 0}, v[3] = {0, 0, 0};
+    for (int b = 0; b < 3; ++b) {
+        const NodeSums* row = sums + s.first + b * stride;
+        for (int a = 0; a < 3; ++a) {
+            u[a] += s.wy[b] * row[a].px;
+            v[b] += s.wx[a] * row[a].py;
+        }
+    }
+    const double bend = std::abs(u[0] - 2 * u[1] + u[2]) + std::abs(v[0] - 2 * v[1] + v[2]);
+    const double change = std::abs(u[1] - u[0]) + std::abs(u[2] - u[1]) + std::abs(v[1] - v[0]) + std::abs(v[2] - v[1]);
+    return change > 0 ? -divergence * bend / change : 0;
+}
+
 /// New velocity, position, depth and stress of a tile's particles (paper, equations 33-38).
-/// Reads NodeSums after update_nodes; reads and writes x, y, u, v, area; writes c_* (affine), divergence
+/// Reads NodeSums after update_nodes; reads and writes x, y, u, v, area; writes c_* (affine), compression
 /// (Relaxed), s_* (Stress). Relaxed adds the area relaxation, which ties h_p to the mass on the grid: A grows
 /// or shrinks with what the particles claim of each cell, and only shrinks at a free front. Relaxed and
 /// affine together also carry the particle's shape q_*, which decides about splitting. A particle that leaves
@@ -93,7 +119,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
     double* const c_xy = particles[Field::c_xy];
     double* const c_yx = particles[Field::c_yx];
     double* const c_yy = particles[Field::c_yy];
-    double* const divergence = particles[Field::divergence];
+    double* const compression = particles[Field::compression];
     double* const s_xx = particles[Field::s_xx];
     double* const s_xy = particles[Field::s_xy];
     double* const s_yy = particles[Field::s_yy];
@@ -143,6 +169,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
                 }
             }
         }
+        const double celerity = std::sqrt(k.gravity * volume[p] / area[p]);
         if constexpr (Transfer::affine) {
             if constexpr (Shape::width == 3) {
                 const double d = 4 * inverse_dx * inverse_dx;  // inverse of the spline's second moment
@@ -150,6 +177,18 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
                 c_xy[p] = d * m_xy;
                 c_yx[p] = d * m_yx;
                 c_yy[p] = d * m_yy;
+                if constexpr (Relaxed) {
+                    const double across = dx * std::sqrt(c_xx[p] * c_xx[p] + c_xy[p] * c_xy[p] +
+                                                         c_yx[p] * c_yx[p] + c_yy[p] * c_yy[p]);
+                    const double bound = k_front_shear * celerity;
+                    if ((1 - support) * across > bound) {
+                        const double fit = bound / ((1 - support) * across);
+                        c_xx[p] *= fit;
+                        c_xy[p] *= fit;
+                        c_yx[p] *= fit;
+                        c_yy[p] *= fit;
+                    }
+                }
             } else {  // hat functions: the affine part is the gradient itself (Jiang et al. 2015)
                 c_xx[p] = u_x;
                 c_xy[p] = u_y;
@@ -192,7 +231,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         }
         const double speed2 = un * un + vn * vn, speed = std::sqrt(speed2);
         if constexpr (Relaxed) {
-            divergence[p] = div;
+            compression[p] = shock_compression(s, sums, stride, div);
             const double beta = std::min(k_relaxation_limit, k_relaxation_gain * speed * courant);
             if (share > 1 || support > 0.999) new_area *= 1 + beta * (1 / share - 1);
         }

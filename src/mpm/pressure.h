@@ -12,14 +12,14 @@
 namespace frana {
 
 /// Linear artificial viscosity under compression, as a share of rho h sqrt(g h) dx (specification 4, item 5).
-inline constexpr double k_shock_viscosity = 0.3;
+inline constexpr double k_shock_viscosity = 0.5;
 
 /// Hydrostatic pressure, bed slope and in-plane stress, to the nodes' forces over density.
 /// Plain form (paper, equation 28): F_i = sum A [ 1/2 g h^2 grad N_i - g h grad Z N_i ] - sum V sigma grad
 /// N_i. Referenced form (specification 4, item 4; NodeLevel): h^2 and h are measured against the node's own
 /// still level or mean depth, which integrates to zero in the continuum, so that a uniform state exerts
 /// exactly no force whatever the particles' arrangement; update_nodes adds back the weight of a reference
-/// that follows the bed. Reads x, y, volume, area, s_* if Stress, divergence if Referenced; reads NodeLevel;
+/// that follows the bed. Reads x, y, volume, area, s_* if Stress, compression if Referenced; reads NodeLevel;
 /// adds to NodeSums fx, fy.
 template <class Shape, bool Referenced, bool Stress>
 void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity,
@@ -28,7 +28,7 @@ void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, d
     const double* y = particles[Field::y];
     const double* volume = particles[Field::volume];
     const double* area = particles[Field::area];
-    const double* divergence = particles[Field::divergence];
+    const double* compression = particles[Field::compression];
     const double* s_xx = particles[Field::s_xx];
     const double* s_xy = particles[Field::s_xy];
     const double* s_yy = particles[Field::s_yy];
@@ -45,8 +45,7 @@ void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, d
         const double half_gravity_area = 0.5 * gravity * area[p];
         double pressure = half_gravity_area * depth * depth;
         if constexpr (Referenced) {
-            const double compression = std::max(0.0, -divergence[p]);
-            pressure += k_shock_viscosity * volume[p] * std::sqrt(gravity * depth) * compression * dx;
+            pressure += k_shock_viscosity * volume[p] * std::sqrt(gravity * depth) * compression[p] * dx;
         }
         double xx = 0, xy = 0, yy = 0;
         if constexpr (Stress) {

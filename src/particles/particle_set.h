@@ -25,7 +25,7 @@ enum class Field : unsigned char {
     c_xy,
     c_yx,
     c_yy,        // affine velocity (APIC): rows are components, columns directions
-    divergence,  // of the nodal velocity, last step
+    compression,  // rate that the artificial viscosity acts on, last step
     s_xx,
     s_xy,
     s_yy,  // in-plane viscous stress over density
@@ -51,7 +51,7 @@ inline constexpr std::array<FieldInfo, k_fields> k_field_table{{
     {"c_xy", "1/s", 0},
     {"c_yx", "1/s", 0},
     {"c_yy", "1/s", 0},
-    {"divergence", "1/s", 0},
+    {"compression", "1/s", 0},
     {"s_xx", "m2/s2", 0},
     {"s_xy", "m2/s2", 0},
     {"s_yy", "m2/s2", 0},

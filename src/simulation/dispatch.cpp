@@ -54,7 +54,7 @@ template <class Shape, bool Relaxed>
 void choose_scheme(Transfer transfer, bool stress, Stages& stages) {
     stages.pressure_to_nodes =
         stress ? pressure_to_nodes<Shape, Relaxed, true> : pressure_to_nodes<Shape, Relaxed, false>;
-    if (Relaxed) stages.fields = stages.fields | FieldMask{Field::divergence};
+    if (Relaxed) stages.fields = stages.fields | FieldMask{Field::compression};
     if (stress) stages.fields = stages.fields | k_stress_fields;
     switch (transfer) {
         case Transfer::pic:
@@ -92,6 +92,7 @@ Stages choose_stages(const Material& material, const Numerics& numerics, Kernels
         choose_scheme<HatShape, false>(transfer, has_stress(material), stages);
     } else {
         stages.references = numerics.well_balanced;
+        stages.leapfrog = true;
         choose_scheme<QuadraticSplineShape, true>(transfer, has_stress(material), stages);
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;

@@ -63,6 +63,10 @@ voellmy_bingham::StepReport Flow::advance(double dt_limit) {
     return voellmy_bingham::step(state_, laws_, stages_, dt_limit, maxima_, pool_);
 }
 
+void Flow::synchronise() {
+    voellmy_bingham::synchronise(state_, laws_, stages_, maxima_, pool_);
+}
+
 void Flow::advance_to(double time) {
     while (state_.time < time) {
         const double left = time - state_.time;
@@ -70,6 +74,7 @@ void Flow::advance_to(double time) {
         advance(left);
         if (state_.time == before || time - state_.time < 1e-12 * time) state_.time = time;
     }
+    synchronise();
 }
 
 std::size_t Flow::bytes_per_node() const noexcept {

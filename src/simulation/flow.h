@@ -29,7 +29,9 @@ class Flow {
          int threads, std::optional<TiltedGravity> tilt = std::nullopt, Kernels kernels = Kernels::fastest);
 
     voellmy_bingham::StepReport advance(double dt_limit);
-    /// Steps until `time`; every step at most `dt_limit` if that is positive.
+    /// Brings the velocities, which lag half a step, to the present time. Before looking at them.
+    void synchronise();
+    /// Steps until `time` and synchronises.
     void advance_to(double time);
 
     [[nodiscard]] double time() const noexcept { return state_.time; }

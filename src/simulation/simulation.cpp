@@ -62,6 +62,7 @@ SeriesRow series_row(const Flow& flow, const voellmy_bingham::StepReport& report
 }
 
 Frame take_frame(Flow& flow, int index) {
+    flow.synchronise();
     Flow::Snapshot shot = flow.snapshot();
     return {index, flow.time(), std::move(shot.depth), std::move(shot.speed)};
 }
@@ -158,6 +159,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
         }
         break;
     }
+    flow.synchronise();
     give_frame();
     flow.see_present();
     const Maxima& maxima = flow.maxima();

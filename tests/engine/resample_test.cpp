@@ -40,7 +40,7 @@ ParticleRow particle(double x, double y, double length, double width, double ang
     return r;
 }
 
-constexpr FieldMask k_mask = k_basic_fields | k_affine_fields | k_shape_fields | FieldMask{Field::divergence};
+constexpr FieldMask k_mask = k_basic_fields | k_affine_fields | k_shape_fields | FieldMask{Field::compression};
 
 ResampleCounts resample_once(ParticleSet& particles, int max_per_cell) {
     ThreadPool pool(2);

@@ -24,7 +24,7 @@ constexpr double k_rounding = 1e-13;
 
 constexpr double k_cell = 2.5;
 constexpr FieldMask k_all_fields =
-    k_basic_fields | k_affine_fields | k_shape_fields | k_stress_fields | FieldMask{Field::divergence};
+    k_basic_fields | k_affine_fields | k_shape_fields | k_stress_fields | FieldMask{Field::compression};
 
 // A rough bed with a pond, an edge and cells without terrain.
 Raster rough_bed(std::mt19937& random) {
@@ -48,7 +48,7 @@ ParticleSet random_particles(std::size_t count, double low, double high, std::mt
         get(r, Field::v) = 10 * sign(random);
         get(r, Field::area) = (0.05 + 3 * unit(random)) * k_cell * k_cell;
         get(r, Field::volume) = get(r, Field::area) * std::pow(10.0, -4 + 5 * unit(random));
-        for (const Field f : {Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy, Field::divergence})
+        for (const Field f : {Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy, Field::compression})
             get(r, f) = 2 * sign(random);
         for (const Field f : {Field::s_xx, Field::s_xy, Field::s_yy}) get(r, f) = 5 * sign(random);
         get(r, Field::q_xx) = (0.2 + unit(random)) * k_cell * k_cell;

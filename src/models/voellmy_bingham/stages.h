@@ -19,6 +19,7 @@ struct Stages {
     ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const BinghamStress&,
                                          const NodeGrid&, ParticleSet&) = nullptr;
     bool references = false;  ///< pressure is measured against a still level or mean depth per node
+    bool leapfrog = false;    ///< velocities live half a step before positions; otherwise at the same time
     bool resamples = false;   ///< particles split and merge
     FieldMask fields;         ///< what the particles carry for all of this
 };

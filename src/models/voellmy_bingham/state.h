@@ -20,7 +20,8 @@ struct State {
     ParticleSet particles;
     NodeGrid nodes;
     TileOrder order;
-    double time = 0;         ///< [s]
+    double time = 0;         ///< of positions [s]
+    double velocity_lag = 0;    ///< how far the velocities are behind the positions [s]
     double drift = 0;        ///< how far particles may have moved since the last sort [cells]
     int since_sort = 0;         ///< [steps]
     double wave_speed = 0;   ///< greatest |v| + sqrt(g h) [m/s]

@@ -89,14 +89,14 @@ void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, Threa
     }
 }
 
-StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_limit, Maxima& maxima,
-                ThreadPool& pool) {
+namespace {
+
+// Forces change the velocities for a time `kick`, then the new velocities move the particles for a time `drift`.
+StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, double kick, double drift,
+                          Maxima& maxima, ThreadPool& pool) {
     StepReport report;
     StageWatch watch(report.seconds);
-    const double dx = state.nodes.cell_size();
-    const double dt =
-        std::min(stable_step(dx, laws.cfl, state.wave_speed, laws.gravity, state.diffusivity), dt_limit);
-    report.dt = dt;
+    report.dt = drift;
 
     // Particles to nodes: mass, momentum, area, reference levels; then the force of pressure, slope and
     // stress.
@@ -109,7 +109,7 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
 
     // Nodes: gravity along the bed, friction as a cap, maxima. Holding looks at neighbours, so it comes
     // first.
-    const NodeUpdate node_update{dt, laws.gravity, laws.gravity_x, laws.gravity_y, laws.minimum_depth};
+    const NodeUpdate node_update{kick, laws.gravity, laws.gravity_x, laws.gravity_y, laws.minimum_depth};
     if (laws.friction.friction_coefficient > 0) {
         for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
             stages.hold_nodes(range, node_update, laws.friction, state.nodes);
@@ -125,7 +125,7 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
     watch.ends(Stage::nodes);
 
     // Nodes to particles: velocity, position, depth, stress.
-    const ParticleUpdate particle_update{dt, laws.gravity, laws.resample.minimum_depth, laws.wall, laws.origin};
+    const ParticleUpdate particle_update{drift, laws.gravity, laws.resample.minimum_depth, laws.wall, laws.origin};
     const auto& tiles = state.order.tiles();
     std::vector<ParticleReport> particle_reports(tiles.size());
     pool.for_each(tiles.size(), [&](std::size_t t) {
@@ -134,9 +134,23 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
     });
     for (const ParticleReport& r : particle_reports) report.particles.merge(r);
     watch.ends(Stage::nodes_to_particles);
+    return report;
+}
+
+}  // namespace
+
+StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_limit, Maxima& maxima,
+                ThreadPool& pool) {
+    const double dx = state.nodes.cell_size();
+    const double dt =
+        std::min(stable_step(dx, laws.cfl, state.wave_speed, laws.gravity, state.diffusivity), dt_limit);
+    const double lag = stages.leapfrog ? 0.5 * dt : 0;
+    StepReport report = kick_and_drift(state, laws, stages, state.velocity_lag + dt - lag, dt, maxima, pool);
+    StageWatch watch(report.seconds);
 
     // Order and number of particles; the next step's bounds.
     state.time += dt;
+    state.velocity_lag = lag;
     state.wave_speed = report.particles.wave_speed;
     state.diffusivity = report.particles.diffusivity;
     const double moved = report.particles.speed * dt / dx;
@@ -154,6 +168,12 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
         }
     }
     return report;
+}
+
+void synchronise(State& state, const Laws& laws, const Stages& stages, Maxima& maxima, ThreadPool& pool) {
+    if (state.velocity_lag == 0) return;
+    kick_and_drift(state, laws, stages, state.velocity_lag, 0, maxima, pool);
+    state.velocity_lag = 0;
 }
 
 }  // namespace frana::voellmy_bingham

@@ -13,6 +13,7 @@ struct ChunkGather {
     Quad cell_depth, u, v, share, support;
     Quad u_x, u_y, v_x, v_y;      // gradient of the nodal velocity
     Quad m_xx, m_xy, m_yx, m_yy;  // its first moments
+    Quad bend, change;            // of the nodal velocity along the axes, see shock_compression
 
     /// Each node is one quad {mass, u, v, share}, and its support. Sums along rows first: five sums of weights in two
     /// directions then take 14 multiplications a row instead of 27.
@@ -24,11 +25,12 @@ struct ChunkGather {
         alignas(32) double weight_y[3][4], slope_y[3][4], moment_y[3][4];
         store(ax, px, grid, weight_x, slope_x, moment_x);
         store(ay, py, grid, weight_y, slope_y, moment_y);
-        Quad value[4], by_x[4], by_y[4], along_x[4], along_y[4];
+        Quad value[4], by_x[4], by_y[4], along_x[4], along_y[4], bends[4], changes[4];
         alignas(32) double held[4];
         for (std::size_t k = 0; k < 4; ++k) {
             const NodeSums* row = sums + first[k];  // lanes that repeat the first particle do so here too
             Quad value_k = 0.0, by_x_k = 0.0, by_y_k = 0.0, along_x_k = 0.0, along_y_k = 0.0;
+            Quad columns[3] = {0.0, 0.0, 0.0}, rows[3];
             double held_k = 0;
             for (int b = 0; b < 3; ++b, row += grid.stride) {
                 const Quad west = Quad::load(&row[0].mass), middle = Quad::load(&row[1].mass),
@@ -36,6 +38,10 @@ struct ChunkGather {
                 const Quad w = weight_x[0][k] * west + weight_x[1][k] * middle + weight_x[2][k] * east;
                 const Quad g = slope_x[0][k] * west + slope_x[1][k] * middle + slope_x[2][k] * east;
                 const Quad m = moment_x[0][k] * west + moment_x[1][k] * middle + moment_x[2][k] * east;
+                rows[b] = w;
+                columns[0] += weight_y[b][k] * west;
+                columns[1] += weight_y[b][k] * middle;
+                columns[2] += weight_y[b][k] * east;
                 value_k += weight_y[b][k] * w;
                 by_x_k += weight_y[b][k] * g;
                 by_y_k += slope_y[b][k] * w;
@@ -50,8 +56,15 @@ struct ChunkGather {
             along_x[k] = along_x_k;
             along_y[k] = along_y_k;
             held[k] = held_k;
+            // u from column to column, v from row to row, in their own lanes.
+            const Quad::Mask is_v{0, 0, -1, 0};
+            const Quad low = select(is_v, rows[0], columns[0]), mean = select(is_v, rows[1], columns[1]),
+                       high = select(is_v, rows[2], columns[2]);
+            bends[k] = abs(low - 2 * mean + high);
+            changes[k] = abs(mean - low) + abs(high - mean);
         }
-        for (Quad* rows : {value, by_x, by_y, along_x, along_y}) transpose(rows[0], rows[1], rows[2], rows[3]);
+        for (Quad* rows : {value, by_x, by_y, along_x, along_y, bends, changes})
+            transpose(rows[0], rows[1], rows[2], rows[3]);
         cell_depth = value[0];
         u = value[1];
         v = value[2];
@@ -65,6 +78,8 @@ struct ChunkGather {
         m_yx = along_x[2];
         m_xy = along_y[1];
         m_yy = along_y[2];
+        bend = bends[1] + bends[2];
+        change = changes[1] + changes[2];
     }
 
   private:
@@ -92,7 +107,7 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
     double* const area = particles[Field::area];
     double *const c_xx = particles[Field::c_xx], *const c_xy = particles[Field::c_xy];
     double *const c_yx = particles[Field::c_yx], *const c_yy = particles[Field::c_yy];
-    double* const divergence = particles[Field::divergence];
+    double* const compression = particles[Field::compression];
     double *const s_xx = particles[Field::s_xx], *const s_xy = particles[Field::s_xy];
     double* const s_yy = particles[Field::s_yy];
     double *const q_xx = particles[Field::q_xx], *const q_xy = particles[Field::q_xy];
@@ -115,15 +130,21 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         const ChunkGather g(old_x, old_y, grid, sums);
 
         const double d = 4 * grid.inverse_dx * grid.inverse_dx;  // inverse of the spline's second moment
-        store_some(d * g.m_xx, c_xx + p, n);
-        store_some(d * g.m_xy, c_xy + p, n);
-        store_some(d * g.m_yx, c_yx + p, n);
-        store_some(d * g.m_yy, c_yy + p, n);
+        {
+            const Quad xx = d * g.m_xx, xy = d * g.m_xy, yx = d * g.m_yx, yy = d * g.m_yy;
+            const Quad free = (1 - g.support) * grid.dx * sqrt(xx * xx + xy * xy + yx * yx + yy * yy);
+            const Quad bound = k_front_shear * sqrt(k.gravity * mass / old_area);
+            const Quad fit = select(free > bound, bound / free, 1.0);
+            store_some(fit * xx, c_xx + p, n);
+            store_some(fit * xy, c_xy + p, n);
+            store_some(fit * yx, c_yx + p, n);
+            store_some(fit * yy, c_yy + p, n);
+        }
         store_some(g.u, u + p, n);
         store_some(g.v, v + p, n);
 
         const Quad div = g.u_x + g.v_y;
-        store_some(div, divergence + p, n);
+        store_some(select((div < 0) & (g.change > 0), -div * g.bend / g.change, 0.0), compression + p, n);
         const Quad determinant = 1 + k.dt * div + k.dt * k.dt * (g.u_x * g.v_y - g.u_y * g.v_x);
         const Quad::Mask sound = determinant > k_least_growth;
         clamped += ~sound & real;

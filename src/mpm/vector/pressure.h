@@ -74,7 +74,7 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
     if (tile.begin == tile.end) return;
     const double *const x = particles[Field::x], *const y = particles[Field::y];
     const double *const volume = particles[Field::volume], *const area = particles[Field::area];
-    const double* const divergence = particles[Field::divergence];
+    const double* const compression = particles[Field::compression];
     const double *const s_xx = particles[Field::s_xx], *const s_xy = particles[Field::s_xy];
     const double* const s_yy = particles[Field::s_yy];
     const GridScale grid(nodes);
@@ -113,8 +113,8 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
         {
             const Quad mass = load_some(volume + p, n), claim = load_some(area + p, n), h = mass / claim;
             const Quad half = 0.5 * gravity * claim;
-            const Quad compression = max(0.0, -load_some(divergence + p, n));
-            (half * h * h + k_shock_viscosity * mass * sqrt(gravity * h) * compression * grid.dx).store(pressure);
+            (half * h * h + k_shock_viscosity * mass * sqrt(gravity * h) * load_some(compression + p, n) * grid.dx)
+                .store(pressure);
             h.store(depth);
             half.store(half_weight);
             (gravity * claim).store(weight);
