@@ -50,7 +50,7 @@ Polyline line_of(const OGRFeature& feature, const std::string& where) {
 
 }  // namespace
 
-LineLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
     const GdalSession session;
     constexpr const char* k_mark = "|layer=";
     const std::size_t mark = path.find(k_mark);
@@ -78,11 +78,11 @@ LineLayer read_lines(const std::string& path, const std::string& target_crs_wkt,
     if (crs.empty() && !target_crs_wkt.empty())
         throw fault(place, "the file names no coordinate reference system", "",
                     "Assign one (ogr2ogr -a_srs EPSG:...), or use terrain.crs = local throughout");
-    LineLayer read;
+    LineInputLayer read;
     read.crs_label = crs.empty() ? "none" : crs_name(crs);
     layer->ResetReading();
     for (const auto& from : *layer) {
-        LineFeature feature{line_of(*from, place), {}};
+        LineInput feature{line_of(*from, place), {}};
         for (int i = 0; i < from->GetFieldCount(); ++i) {
             if (from->IsFieldSetAndNotNull(i))
                 feature.texts[from->GetFieldDefnRef(i)->GetNameRef()] = from->GetFieldAsString(i);
@@ -92,7 +92,7 @@ LineLayer read_lines(const std::string& path, const std::string& target_crs_wkt,
     if (read.features.empty()) throw fault(place, "the layer is empty", layer->GetName(), "Draw a line");
     const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt);
     read.transform = transform.info();
-    for (LineFeature& feature : read.features) {
+    for (LineInput& feature : read.features) {
         for (Point& point : feature.line) point = transform(point);
     }
     return read;

@@ -11,13 +11,13 @@
 namespace frana::gis {
 
 /// One line of a vector layer with its text attributes.
-struct LineFeature {
+struct LineInput {
     Polyline line;
     std::map<std::string, std::string> texts;
 };
 
-struct LineLayer {
-    std::vector<LineFeature> features;  ///< in the target CRS
+struct LineInputLayer {
+    std::vector<LineInput> features;  ///< in the target CRS
     std::string crs_label;              ///< of the file, for people
     TransformInfo transform;
 };
@@ -25,6 +25,6 @@ struct LineLayer {
 /// Every line of a vector layer in the target CRS (empty: coordinates as they are); "FILE|layer=NAME" picks one of
 /// several layers. A line of several parts that join end to end is one line; curves become straight pieces, heights
 /// are dropped. `where` names the key. Throws Error(input): missing file, no CRS, no lines, parts that do not join.
-LineLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where);
+LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where);
 
 }  // namespace frana::gis

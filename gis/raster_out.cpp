@@ -115,6 +115,7 @@ void write_cog(const std::string& path, GDALDatasetH dataset, const char* resamp
     options.SetNameValue("BLOCKSIZE", std::to_string(k_block).c_str());
     options.SetNameValue("OVERVIEWS", "AUTO");
     options.SetNameValue("OVERVIEW_RESAMPLING", resampling);
+    options.SetNameValue("NUM_THREADS", "ALL_CPUS");  // the file is the same for any number
     {
         const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("COG"), file.partial_path().c_str(),
                                                  dataset, TRUE, options.List(), nullptr, nullptr));

@@ -71,4 +71,28 @@ render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows) {
     return render::draw_chart(content, 2000, 1500);
 }
 
+render::Image speed_chart(const bench::SpeedResult& result) {
+    render::ChartContent content{"Speed of the engine",
+                                 "Level lines: the time of a particle-step does not depend on their number.",
+                                 "particles",
+                                 "million particle-steps a second",
+                                 2,
+                                 {}};
+    for (const bench::SpeedRow& row : result.rows) {
+        if (content.panels.empty() || content.panels.back().title != row.case_name)
+            content.panels.push_back({row.case_name, {}, "not run"});
+        auto& lines = content.panels.back().series;
+        const std::string label = std::to_string(row.threads) + (row.threads == 1 ? " thread" : " threads");
+        auto line = std::find_if(lines.begin(), lines.end(), [&](const auto& one) { return one.label == label; });
+        if (line == lines.end()) {
+            const bool one = row.threads == 1;
+            lines.push_back({label, one ? k_paper : k_default,
+                             one ? render::Marker::square : render::Marker::circle, false, {}});
+            line = lines.end() - 1;
+        }
+        line->points.push_back({static_cast<double>(row.particles), row.particle_steps_per_second / 1e6});
+    }
+    return render::draw_chart(content, 1600, 900);
+}
+
 }  // namespace frana::app

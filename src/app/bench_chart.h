@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bench/accuracy.h"
+#include "bench/speed.h"
 #include "render/image.h"
 
 namespace frana::app {
@@ -11,5 +12,8 @@ namespace frana::app {
 /// accuracy.png: l1_depth against wall time, logarithmic, a panel for each case, both schemes; on the dam
 /// breaks also GeoClaw's published figures. Cases without error to show, being at rounding, say so.
 render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows);
+
+/// speed.png: particle-steps a second against particles, a panel for each flow, a line for each number of threads.
+render::Image speed_chart(const bench::SpeedResult& result);
 
 }  // namespace frana::app

@@ -24,14 +24,14 @@ namespace fs = std::filesystem;
 
 CommandForm bench_form() {
     namespace options = boost::program_options;
-    CommandForm form{
-        "frana bench accuracy|stability|speed [options]",
-        "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
-        "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
-        "with --out also writes\naccuracy.csv and accuracy.png, stability.csv, or "
-        "speed.csv and law_costs.csv.\naccuracy takes some ten minutes, with --quick half a minute.",
-        "accuracy|stability|speed",
-        {}};
+    CommandForm form{"frana bench accuracy|stability|speed [options]",
+                     "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
+                     "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
+                     "with --out also writes\naccuracy.csv and accuracy.png, stability.csv or "
+                     "speed.csv,\nspeed_stages.csv, speed_terms.csv, law_costs.csv and speed.png.\n"
+                     "accuracy takes some ten minutes, with --quick half a minute.",
+                     "accuracy|stability|speed",
+                     {}};
     form.options.add_options()("out", options::value<std::string>(), "folder for the files")(
         "quick", "accuracy: two resolutions; speed: no more than a million particles")(
         "case", options::value<std::vector<std::string>>(),
@@ -112,9 +112,12 @@ int bench_speed(const boost::program_options::variables_map& values) {
     std::cout << bench::speed_table(result) << bench::law_costs_table(costs);
     if (folder) {
         write_text_file((*folder / "speed.csv").string(), bench::speed_csv(result));
+        write_text_file((*folder / "speed_stages.csv").string(), bench::speed_stages_csv(result));
+        write_text_file((*folder / "speed_terms.csv").string(), bench::speed_terms_csv(result));
         write_text_file((*folder / "law_costs.csv").string(), bench::law_costs_csv(costs));
+        render::write_png((*folder / "speed.png").string(), speed_chart(result));
     }
-    return static_cast<int>(ExitCode::done);
+    return static_cast<int>(result.right() ? ExitCode::done : ExitCode::numerical);
 }
 
 }  // namespace

@@ -92,6 +92,8 @@ void print_run(const Prepared& prepared, const RunEstimate& expected,
         "particles",
         grouped(expected.particles) +
             (trial ? " at the start, about " + grouped(two_digits(trial->particles_peak)) + " at most" : ""));
+    line("fields", std::to_string(expected.bytes_per_particle) + " bytes a particle, " +
+                       std::to_string(expected.bytes_per_node) + " bytes a node");
     line("first step", figure(expected.first_step_seconds, 3) + " s, end at " +
                            shortest_text(prepared.scene.time.end) + " s at most");
     line("estimated time",

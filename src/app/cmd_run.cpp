@@ -49,7 +49,7 @@ ExitCode exit_code(const RunResult& result, bool all_drawn) {
 RunOptions run_options(int threads, FrameWriter* frames, ProgressReporter& progress) {
     RunOptions run_with;
     run_with.threads = threads;
-    if (frames != nullptr) run_with.on_frame = [frames](const Frame& frame) { frames->add(frame); };
+    if (frames != nullptr) run_with.on_frame = [frames](Frame frame) { frames->add(std::move(frame)); };
     run_with.on_progress = [&progress](const Progress& now) { progress.show(now); };
     run_with.stop_requested = [] { return stop_signal() != 0; };
     return run_with;

@@ -29,19 +29,75 @@ std::string list_file(const std::string& folder) {
 
 }  // namespace
 
-void FrameWriter::add(const Frame& frame) {
+FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata)
+    : folder_(std::move(folder)), metadata_(std::move(metadata)), thread_([this] { serve(); }) {}
+
+FrameWriter::~FrameWriter() {
+    {
+        const std::lock_guard lock(mutex_);
+        closed_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void FrameWriter::add(Frame frame) {
     const Stopwatch watch;
-    std::map<std::string, std::string> time = metadata_;
-    time["TIME_S"] = shortest_text(frame.time);
-    gis::write_geotiff(frame_file(folder_, "depth", times_.size()), frame.depth,
-                       {"depth", "Flow depth at one instant, vertical", "m", time});
-    gis::write_geotiff(frame_file(folder_, "velocity", times_.size()), frame.velocity,
-                       {"velocity", "Flow speed at one instant, along the bed", "m/s", time});
-    times_.push_back(frame.time);
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return failure_ || waiting_.size() < k_most_waiting; });
+    throw_failure();
+    const double time = frame.time;
+    waiting_.push_back({times_.size(), std::move(frame)});
+    times_.push_back(time);
+    lock.unlock();
+    changed_.notify_all();
     seconds_ += watch.seconds();
 }
 
-void FrameWriter::finish() const {
+void FrameWriter::write(const Job& job) const {
+    std::map<std::string, std::string> time = metadata_;
+    time["TIME_S"] = shortest_text(job.frame.time);
+    gis::write_geotiff(frame_file(folder_, "depth", job.index), job.frame.depth,
+                       {"depth", "Flow depth at one instant, vertical", "m", time});
+    gis::write_geotiff(frame_file(folder_, "velocity", job.index), job.frame.velocity,
+                       {"velocity", "Flow speed at one instant, along the bed", "m/s", time});
+}
+
+void FrameWriter::serve() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [&] { return closed_ || !waiting_.empty(); });
+        if (waiting_.empty()) return;
+        const Job& job = waiting_.front();  // a deque's elements stay where they are
+        lock.unlock();
+        std::exception_ptr failure;
+        try {
+            write(job);
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        lock.lock();
+        waiting_.pop_front();
+        if (failure) {
+            failure_ = failure;
+            waiting_.clear();
+        }
+        changed_.notify_all();
+        if (failure) return;
+    }
+}
+
+// With the lock held.
+void FrameWriter::throw_failure() {
+    if (failure_) std::rethrow_exception(failure_);
+}
+
+void FrameWriter::finish() {
+    {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return failure_ || waiting_.empty(); });
+        throw_failure();
+    }
     std::string text = "index,time_s\n";
     for (std::size_t i = 0; i < times_.size(); ++i)
         text += std::to_string(i) + "," + shortest_text(times_[i]) + "\n";

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <condition_variable>
+#include <deque>
+#include <exception>
 #include <map>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/raster.h"
@@ -10,24 +15,45 @@
 
 namespace frana::app {
 
-/// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif and frames.csv (index, time_s). They are written
-/// while a run goes on, so that memory holds one at a time.
+/// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif and frames.csv (index, time_s). A thread of its own
+/// writes them while the run goes on; at most two wait, so that a slow disk holds the run back and not the memory.
 class FrameWriter {
   public:
     /// `metadata` goes into every raster.
-    explicit FrameWriter(std::string folder, std::map<std::string, std::string> metadata)
-        : folder_(std::move(folder)), metadata_(std::move(metadata)) {}
-    /// Throws Error(environment).
-    void add(const Frame& frame);
-    void finish() const;
-    [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< wall time spent here
+    FrameWriter(std::string folder, std::map<std::string, std::string> metadata);
+    /// Writes what was added, if nothing has failed.
+    ~FrameWriter();
+    FrameWriter(const FrameWriter&) = delete;
+    FrameWriter& operator=(const FrameWriter&) = delete;
+
+    /// Throws Error(environment) when an earlier frame could not be written.
+    void add(Frame frame);
+    /// Waits for the last frame and lists all. Throws Error(environment).
+    void finish();
+    [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< wall time that add() held the run back
     [[nodiscard]] int count() const noexcept { return static_cast<int>(times_.size()); }
 
   private:
+    struct Job {
+        std::size_t index;
+        Frame frame;
+    };
+    static constexpr std::size_t k_most_waiting = 2;
+
+    void write(const Job& job) const;
+    void serve();
+    void throw_failure();
+
     std::string folder_;
     std::map<std::string, std::string> metadata_;
     std::vector<double> times_;
     double seconds_ = 0;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<Job> waiting_;     // the first is being written
+    std::exception_ptr failure_;  // the first; nothing is written after it
+    bool closed_ = false;
+    std::thread thread_;
 };
 
 struct StoredFrame {

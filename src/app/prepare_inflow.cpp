@@ -94,7 +94,7 @@ double length_of(const Polyline& line) {
 }
 
 /// The hydrograph's file for a line: the scene's own, or the one that the line's column names.
-std::string file_for(const SceneReading& reading, const gis::LineFeature& feature, std::size_t number) {
+std::string file_for(const SceneReading& reading, const gis::LineInput& feature, std::size_t number) {
     const std::string& given = *reading.scene.inflow.hydrograph;
     const std::string k_attribute = "attribute:";
     if (given.rfind(k_attribute, 0) != 0) return given;
@@ -149,7 +149,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
     const InflowSpec& spec = reading.scene.inflow;
     if (!spec.line || !spec.hydrograph) return inflows;
     try {
-        const gis::LineLayer layer =
+        const gis::LineInputLayer layer =
             gis::read_lines(*spec.line, target_crs(reading, ground), reading.where("inflow.line"));
         log.note("inflow " + *spec.line + ": " + std::to_string(layer.features.size()) + " lines in " +
                  layer.crs_label);
@@ -160,7 +160,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             return inflows;
         }
         for (std::size_t i = 0; i < layer.features.size(); ++i) {
-            const gis::LineFeature& feature = layer.features[i];
+            const gis::LineInput& feature = layer.features[i];
             Inflow inflow;
             inflow.line = feature.line;
             if (spec.direction) inflow.azimuth = *spec.direction * std::numbers::pi / 180;

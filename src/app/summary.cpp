@@ -45,6 +45,8 @@ void write_cost(JsonWriter& json, const RunResult& result, const SummaryFacts& f
     json.integer("particle_steps", result.particle_steps);
     json.number("particle_steps_per_second",
                 facts.wall.engine > 0 ? static_cast<double>(result.particle_steps) / facts.wall.engine : 0);
+    json.integer("bytes_per_particle", result.bytes_per_particle);
+    json.integer("bytes_per_node", result.bytes_per_node);
     json.integer("peak_memory_bytes", facts.peak_memory_bytes);
 }
 

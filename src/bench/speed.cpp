@@ -5,19 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 #include <set>
 
 #include "bench/memory_bandwidth.h"
 #include "bench/setup.h"
+#include "bench/speed_report.h"
+#include "mpm/vector/kernels.h"
 
 namespace frana::bench {
 namespace {
 
 // As many steps for each number of threads, so that the ends can be compared.
 std::int64_t steps_for(double particles, bool quick) {
-    const double particle_steps = quick ? 3e6 : 1e7;  // some seconds on one core
-    return std::clamp<std::int64_t>(std::llround(particle_steps / particles), 5, 300);
+    const double particle_steps = quick ? 1e7 : 3e7;  // some seconds on one core
+    return std::clamp<std::int64_t>(std::llround(particle_steps / particles), 10, 100);
 }
 
 struct Measured {
@@ -31,9 +33,12 @@ Measured measure(const Setup& setup, const std::string& name, int threads, std::
     for (int i = 0; i < k_warm_up; ++i) flow.advance(1e9);
     const std::int64_t before = flow.particle_steps();
     const auto begin = std::chrono::steady_clock::now();
-    for (std::int64_t i = 0; i < steps; ++i) flow.advance(1e9);
     Measured measured;
     SpeedRow& row = measured.row;
+    for (std::int64_t i = 0; i < steps; ++i) {
+        const auto report = flow.advance(1e9);
+        for (std::size_t s = 0; s < row.stages.size(); ++s) row.stages[s] += report.seconds[s];
+    }
     row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     row.case_name = name;
     row.particles = static_cast<std::int64_t>(setup.seeds.size());
@@ -45,20 +50,54 @@ Measured measure(const Setup& setup, const std::string& name, int threads, std::
     return measured;
 }
 
-double free_memory() {
-    return static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+// The sheet after ten steps with the fast kernels and with the plain ones.
+double difference_from_plain(bool mud) {
+    const Setup setup = speed_sheet(4000, mud);
+    const auto depth = [&](Kernels kernels) {
+        Flow flow(setup.bed, setup.seeds, setup.material, setup.numerics, 1, std::nullopt, {}, {}, kernels);
+        for (int i = 0; i < 10; ++i) flow.advance(1e9);
+        return flow.nodal_fields().depth;
+    };
+    const Raster fast = depth(Kernels::fastest), plain = depth(Kernels::plain);
+    double difference = 0, greatest = 0;
+    for (std::size_t i = 0; i < plain.values.size(); ++i) {
+        difference = std::max(difference, std::abs(fast.values[i] - plain.values[i]));
+        greatest = std::max(greatest, plain.values[i]);
+    }
+    return difference / greatest;
 }
 
-std::string line_of(const SpeedRow& row) {
-    char line[200];
-    std::snprintf(line, sizeof line,
-                  "%-6s %9lld particles %3d threads  %8.3g M particle-steps/s  %4.0f bytes  "
-                  "%5.1f %% of memory bandwidth  %lld steps in %.2f s%s",
-                  row.case_name.c_str(), static_cast<long long>(row.particles), row.threads,
-                  row.particle_steps_per_second / 1e6, row.bytes_per_particle,
-                  100 * row.fraction_of_memory_bandwidth, static_cast<long long>(row.steps), row.seconds,
-                  row.same_bits ? "" : "  NOT THE SAME BITS AS ONE THREAD");
-    return line;
+// Terms are added one after another to a frictionless slide.
+std::vector<TermRow> measure_terms(double particles, std::int64_t steps) {
+    Setup setup = speed_sheet(particles, false);
+    const Material full = setup.material;
+    setup.material.friction_coefficient = 0;
+    setup.material.turbulence = std::numeric_limits<double>::infinity();
+    setup.numerics.slope_correction = SlopeCorrection::none;
+    setup.numerics.well_balanced = false;
+    std::vector<TermRow> rows;
+    const auto add = [&](const char* term) {
+        const SpeedRow row = measure(setup, term, 1, steps).row;
+        rows.push_back({term, 1e9 / row.particle_steps_per_second, row.bytes_per_particle});
+    };
+    add("pressure and slope, splitting and merging, maxima");
+    setup.numerics.well_balanced = true;
+    add("reference level per node");
+    setup.numerics.slope_correction = SlopeCorrection::normal;
+    add("slope correction");
+    setup.material.friction_coefficient = full.friction_coefficient;
+    add("Coulomb friction, held at rest");
+    setup.material.turbulence = full.turbulence;
+    add("turbulent friction");
+    setup.material.viscosity = 1000;
+    add("in-plane viscosity");
+    setup.material.yield_stress = 500;
+    add("in-plane yield stress");
+    return rows;
+}
+
+double free_memory() {
+    return static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 std::vector<double> usual_sizes(bool quick, std::vector<std::string>& notes) {
@@ -78,18 +117,19 @@ std::vector<double> usual_sizes(bool quick, std::vector<std::string>& notes) {
 }  // namespace
 
 Setup speed_sheet(double particles, bool mud) {
-    constexpr double k_cell_size = 5, k_slope_deg = 20;
+    constexpr double k_cell_size = 5, k_slope_deg = 20, k_speed = 12;
     const auto side = static_cast<std::int64_t>(std::lround(std::sqrt(particles / 4)));
-    constexpr std::int64_t k_margin = 10;  // cells of free ground round the sheet
+    // Cells of free ground round the sheet, and before it: room for some 100 steps at less than half a cell each.
+    constexpr std::int64_t k_margin = 10, k_path = 50;
     Setup setup;
-    const GridSpec grid = plain_grid(side + 2 * k_margin, side + 2 * k_margin, k_cell_size);
+    const GridSpec grid = plain_grid(side + 2 * k_margin + k_path, side + 2 * k_margin, k_cell_size);
     const double gradient = std::tan(k_slope_deg * k_degree);
     setup.bed = sample_raster(grid, [&](Point p) {
         return (grid.east() - p.x) * gradient + 2 * std::sin(0.02 * p.x) * std::sin(0.03 * p.y);
     });
     const double low = k_margin * k_cell_size, high = low + static_cast<double>(side) * k_cell_size;
     setup.seeds = fill_lattice(grid, 2, 0, [&](Point p) {
-        return Seed{p.x > low && p.x < high && p.y > low && p.y < high ? 3.0 : 0};
+        return Seed{p.x > low && p.x < high && p.y > low && p.y < high ? 3.0 : 0, k_speed, 0};
     });
     setup.material = dry_friction(12);
     setup.material.density = 2000;
@@ -104,6 +144,9 @@ Setup speed_sheet(double particles, bool mud) {
 
 SpeedResult run_speed(const SpeedOptions& options) {
     SpeedResult result;
+    result.kernels = vector_kernels() ? "AVX2 and FMA" : "plain";
+    for (const bool mud : {false, true})
+        result.difference_from_plain = std::max(result.difference_from_plain, difference_from_plain(mud));
     for (const int threads : std::set<int>{1, options.threads})
         result.bandwidth.emplace_back(threads, memory_bandwidth(threads));
     std::vector<double> sizes = options.sizes;
@@ -116,44 +159,19 @@ SpeedResult run_speed(const SpeedOptions& options) {
                 const std::int64_t steps = options.steps > 0 ? options.steps : steps_for(size, options.quick);
                 Measured measured = measure(setup, mud ? "mud" : "slide", threads, steps);
                 SpeedRow& row = measured.row;
-                constexpr double k_times_moved = 3;  // read twice, written once
-                row.fraction_of_memory_bandwidth =
-                    k_times_moved * row.bytes_per_particle * row.particle_steps_per_second / bandwidth;
+                for (std::size_t s = 0; s < voellmy_bingham::k_stages; ++s)
+                    row.bytes_moved += bytes_moved(static_cast<voellmy_bingham::Stage>(s), mud);
+                row.fraction_of_memory_bandwidth = row.bytes_moved * row.particle_steps_per_second / bandwidth;
                 if (!first) first = measured.depth;
                 row.same_bits = first->values == measured.depth.values;
-                if (options.report) options.report(line_of(row));
+                if (options.report) options.report(speed_line(row));
                 result.rows.push_back(row);
             }
         }
     }
+    const double terms_size = std::min(sizes.back(), 1e5);
+    result.terms = measure_terms(terms_size, options.steps > 0 ? options.steps : steps_for(terms_size, options.quick));
     return result;
-}
-
-std::string speed_csv(const SpeedResult& result) {
-    std::string out =
-        "case,particles,threads,particle_steps_per_second,bytes_per_particle,"
-        "fraction_of_memory_bandwidth\n";
-    for (const SpeedRow& row : result.rows) {
-        char line[160];
-        std::snprintf(line, sizeof line, "%s,%lld,%d,%.6g,%g,%.4g\n", row.case_name.c_str(),
-                      static_cast<long long>(row.particles), row.threads, row.particle_steps_per_second,
-                      row.bytes_per_particle, row.fraction_of_memory_bandwidth);
-        out += line;
-    }
-    return out;
-}
-
-std::string speed_table(const SpeedResult& result) {
-    std::string out;
-    for (const auto& [threads, bandwidth] : result.bandwidth) {
-        char line[96];
-        std::snprintf(line, sizeof line, "memory bandwidth, %d thread%s: %.1f GB/s\n", threads,
-                      threads == 1 ? "" : "s", bandwidth / 1e9);
-        out += line;
-    }
-    for (const SpeedRow& row : result.rows) out += line_of(row) + "\n";
-    for (const std::string& note : result.notes) out += note + "\n";
-    return out;
 }
 
 }  // namespace frana::bench

@@ -47,6 +47,15 @@ void node_references(const NodeRange& range, NodeGrid& nodes) {
         if (!(sums[n].area > 0)) return;
         if (i == 0 || j == 0 || i == stride - 1 || j == rows - 1) return;  // outermost ghosts: never read
         NodeLevel& level = levels[n];
+        double least = sums[n].area;
+        for (std::int64_t b = -1; b <= 1; ++b) {
+            const NodeSums* row = sums + n + b * stride;
+            least = std::min(least, std::min(row[-1].area, std::min(row[0].area, row[1].area)));
+        }
+        if (least * inverse_dx2 >= k_filled_share) {  // filled all round, as most nodes are
+            level.support = 1;
+            return;
+        }
         double support = 1;
         for (std::int64_t b = -1; b <= 1; ++b) {
             for (std::int64_t a = -1; a <= 1; ++a) {

@@ -14,6 +14,8 @@ struct Maxima {
     ZeroArray<double> speed;           ///< along the bed [m/s]
     ZeroArray<double> arrival_plus_1;  ///< first time reached, plus one so that zero means never [s]
 
+    static constexpr std::size_t k_bytes = 3 * sizeof(double);  ///< a node
+
     Maxima() = default;
     explicit Maxima(std::size_t size) : depth(size), speed(size), arrival_plus_1(size) {}
 

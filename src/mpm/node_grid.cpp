@@ -39,7 +39,8 @@ void extend_into_gaps(std::vector<double>& bed, std::int64_t stride, std::int64_
 }  // namespace
 
 NodeGrid::NodeGrid(const Raster& terrain)
-    : bed(static_cast<std::size_t>((terrain.grid.columns + 2 * k_ghost) * (terrain.grid.rows + 2 * k_ghost))),
+    // One element more than nodes: the fast kernels read rows of three nodes four at a time.
+    : bed(static_cast<std::size_t>((terrain.grid.columns + 2 * k_ghost) * (terrain.grid.rows + 2 * k_ghost) + 1)),
       columns_(terrain.grid.columns),
       rows_(terrain.grid.rows),
       cell_size_(terrain.grid.cell_size) {

@@ -31,6 +31,10 @@ inline constexpr double k_front_shear = 0.7;
 /// A particle this many times deeper than its cells' mean depth is not compressed further.
 inline constexpr double k_tower = 2;
 
+/// Share of a cell from which it counts as full when material converges. Rounding must not decide about a lattice that
+/// fills its cells exactly.
+inline constexpr double k_full_share = 1 - 1e-9;
+
 /// How velocity comes back from the nodes (paper, equations 33-34).
 struct PicTransfer {
     static constexpr bool affine = false, increment = false;
@@ -98,7 +102,7 @@ double shock_compression(const Stencil<Shape>& s, const NodeSums* sums, std::int
 
 /// A particle does not enter a wall's cell: it goes as far along the wall as either axis allows. Its cell then keeps it a
 /// whole cell away from the nodes behind a wall one cell thick.
-inline void slide_along_walls(const NodeGrid& nodes, double x, double y, double& px, double& py) noexcept {
+[[gnu::always_inline]] inline void slide_along_walls(const NodeGrid& nodes, double x, double y, double& px, double& py) noexcept {
     const double inverse_dx = 1 / nodes.cell_size();
     const auto wall = [&](double a, double b) {
         return a >= 0 && a < nodes.width() && b >= 0 && b < nodes.height() &&
@@ -230,7 +234,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         // particle gets much deeper than the cells round it, however long it is pressed into a corner.
         if constexpr (Relaxed) {
             const bool tower = volume[p] * share * cell_area > k_tower * area[p] * cell_depth;
-            if (growth < 1 && (share < 1 || tower)) growth = 1;
+            if (growth < 1 && (share < k_full_share || tower)) growth = 1;
         }
         double new_area = area[p] * growth;
         if constexpr (Relaxed && Transfer::affine) {  // Q <- F Q F^T, F = I + dt grad v

@@ -128,32 +128,24 @@ class ParticleSet {
             if (mask_.has(static_cast<Field>(f))) arrays_[f][i] = r[f];
         }
     }
-    /// Copies all fields of from's particles [begin, end) to this set, from position `to` on.
-    void copy_range(const ParticleSet& from, std::size_t begin, std::size_t end, std::size_t to) {
-        for (std::size_t f = 0; f < k_fields; ++f) {
-            if (!mask_.has(static_cast<Field>(f))) continue;
-            std::copy(from.arrays_[f].begin() + static_cast<std::ptrdiff_t>(begin),
-                      from.arrays_[f].begin() + static_cast<std::ptrdiff_t>(end),
-                      arrays_[f].begin() + static_cast<std::ptrdiff_t>(to));
-        }
-    }
     void push_back(const ParticleRow& r) {
         resize(size_ + 1);
         set_row(size_ - 1, r);
     }
-    /// Moves particle p to target[p] and keeps `kept` of them; a target of size() or more drops the particle.
-    void permute(const std::vector<std::size_t>& target, std::size_t kept, ThreadPool& pool) {
-        const auto move_field = [&](std::size_t f) {
-            if (!mask_.has(static_cast<Field>(f))) return;
-            std::vector<double> moved(kept);
-            const std::vector<double>& from = arrays_[f];
-            for (std::size_t p = 0; p < size_; ++p) {
-                if (target[p] < size_) moved[target[p]] = from[p];
-            }
-            arrays_[f].swap(moved);
-        };
-        pool.for_each(k_fields, move_field);
-        size_ = kept;
+    /// Makes all particles anew, `size` of them, field by field in `tasks` parts side by side:
+    /// fill(field, from, to, part) writes its part of `to`, the field's new array, from the old one. One spare array
+    /// serves all fields and the next call.
+    template <class Fill>
+    void rebuild(std::size_t size, std::size_t tasks, const Fill& fill, ThreadPool& pool) {
+        for (std::size_t f = 0; f < k_fields; ++f) {
+            if (!mask_.has(static_cast<Field>(f))) continue;
+            spare_.resize(size);
+            const double* const from = arrays_[f].data();
+            double* const to = spare_.data();
+            pool.for_each(tasks, [&](std::size_t part) { fill(static_cast<Field>(f), from, to, part); });
+            arrays_[f].swap(spare_);
+        }
+        size_ = size;
     }
     /// A row with every field at its initial value.
     static ParticleRow initial_row() {
@@ -166,6 +158,7 @@ class ParticleSet {
     FieldMask mask_;
     std::size_t size_ = 0;
     std::array<std::vector<double>, k_fields> arrays_;
+    std::vector<double> spare_;
 };
 
 /// Shorthand for ParticleRow access.

@@ -2,6 +2,7 @@
 #include "particles/resample.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -38,7 +39,25 @@ double extent(const ParticleRow& r) {
     return std::sqrt(shape_of(r).largest());
 }
 
-// Two particles as one. The covariance of a uniform box of extents Q is Q / 12.
+// What merging looks at.
+struct Outline {
+    double x, y, volume;
+    Symmetric shape;
+
+    explicit Outline(const ParticleRow& r)
+        : x(get(r, Field::x)), y(get(r, Field::y)), volume(get(r, Field::volume)), shape(shape_of(r)) {}
+};
+
+// Shape of two particles as one. The covariance of a uniform box of extents Q is Q / 12.
+Symmetric merged_shape(const Outline& a, const Outline& b) {
+    const double wa = a.volume / (a.volume + b.volume), wb = 1 - wa;
+    const double dx = a.x - b.x, dy = a.y - b.y, apart = 12 * wa * wb;
+    return {wa * a.shape.xx + wb * b.shape.xx + apart * dx * dx,
+            wa * a.shape.xy + wb * b.shape.xy + apart * dx * dy,
+            wa * a.shape.yy + wb * b.shape.yy + apart * dy * dy};
+}
+
+// Two particles as one.
 ParticleRow merged(const ParticleRow& a, const ParticleRow& b) {
     ParticleRow r = a;
     const double va = get(a, Field::volume), vb = get(b, Field::volume), volume = va + vb;
@@ -49,149 +68,186 @@ ParticleRow merged(const ParticleRow& a, const ParticleRow& b) {
     }
     get(r, Field::volume) = volume;
     get(r, Field::area) = get(a, Field::area) + get(b, Field::area);
-    const double dx = get(a, Field::x) - get(b, Field::x), dy = get(a, Field::y) - get(b, Field::y);
-    const Symmetric qa = shape_of(a), qb = shape_of(b);
-    const double apart = 12 * wa * wb;
-    set_shape(r, {wa * qa.xx + wb * qb.xx + apart * dx * dx, wa * qa.xy + wb * qb.xy + apart * dx * dy,
-                  wa * qa.yy + wb * qb.yy + apart * dy * dy});
+    set_shape(r, merged_shape(Outline(a), Outline(b)));
     return r;
 }
 
+// What resampling does to a tile: the numbers, within the tile, of the particles that go, ascending, and those that
+// come instead.
+struct TileChange {
+    std::vector<std::size_t> gone;
+    std::vector<ParticleRow> come;
+    ResampleCounts counts;
+};
+
 class TileResampler {
   public:
-    TileResampler(const ResampleLimits& limits, const TileGrid& grid) : limits_(limits), grid_(grid) {}
+    TileResampler(const ResampleLimits& limits, const TileGrid& grid, const ParticleSet& particles,
+                  const ParticleTile& tile)
+        : limits_(limits),
+          ghost_(grid.ghost),
+          stride_(grid.columns + 2 * grid.ghost),
+          inverse_dx_(1 / grid.cell_size),
+          particles_(particles),
+          begin_(tile.begin),
+          size_(tile.end - tile.begin) {}
 
-    // Whether anything must be done, without copying a particle.
-    [[nodiscard]] bool needed(const ParticleSet& particles, const ParticleTile& tile) {
-        count_cells(particles[Field::x], particles[Field::y], tile.begin, tile.end);
-        const double limit = limits_.split_extent * limits_.cell_size;
-        for (std::size_t p = tile.begin; p < tile.end; ++p) {
-            const int in_cell = counts_[cell_of(particles[Field::x][p], particles[Field::y][p])];
-            if (in_cell > limits_.max_per_cell) return true;
-            if (in_cell >= limits_.split_below) continue;
-            const Symmetric q{particles[Field::q_xx][p], particles[Field::q_xy][p],
-                              particles[Field::q_yy][p]};
-            if (q.largest() > limit * limit &&
-                particles[Field::volume][p] > limits_.minimum_depth * particles[Field::area][p]) {
-                return true;
+    TileChange operator()() {
+        split();
+        for (const int count : counts_) {
+            if (count > limits_.max_per_cell) {
+                merge();
+                break;
             }
         }
-        return false;
-    }
-
-    std::vector<ParticleRow> operator()(const ParticleSet& particles, const ParticleTile& tile,
-                                        ResampleCounts& counts) {
-        std::vector<ParticleRow> rows;
-        rows.reserve(2 * (tile.end - tile.begin));
-        for (std::size_t p = tile.begin; p < tile.end; ++p) rows.push_back(particles.row(p));
-        split(rows, counts);
-        merge(rows, counts);
-        return rows;
+        std::sort(change_.gone.begin(), change_.gone.end());
+        return std::move(change_);
     }
 
   private:
+    static constexpr std::size_t k_cells = k_tile * k_tile;
+
     // Cell within the tile; halves that fall just outside count for the nearest cell of the tile.
     [[nodiscard]] std::size_t cell_of(double x, double y) const {
-        const auto i = static_cast<std::int64_t>(x / grid_.cell_size) + grid_.ghost;
-        const auto j = static_cast<std::int64_t>(y / grid_.cell_size) + grid_.ghost;
+        const auto i = static_cast<std::uint64_t>(static_cast<std::int64_t>(x * inverse_dx_) + ghost_);
+        const auto j = static_cast<std::uint64_t>(static_cast<std::int64_t>(y * inverse_dx_) + ghost_);
         return static_cast<std::size_t>((j % k_tile) * k_tile + i % k_tile);
     }
     [[nodiscard]] bool in_wall(double x, double y) const {
         if (limits_.marks == nullptr) return false;
-        const auto i = static_cast<std::int64_t>(x / grid_.cell_size) + grid_.ghost;
-        const auto j = static_cast<std::int64_t>(y / grid_.cell_size) + grid_.ghost;
-        return limits_.marks[j * (grid_.columns + 2 * grid_.ghost) + i] == limits_.wall_mark;
+        const auto i = static_cast<std::int64_t>(x * inverse_dx_) + ghost_;
+        const auto j = static_cast<std::int64_t>(y * inverse_dx_) + ghost_;
+        return limits_.marks[j * stride_ + i] == limits_.wall_mark;
     }
-    void count_cells(const double* x, const double* y, std::size_t begin, std::size_t end) {
-        counts_.assign(static_cast<std::size_t>(k_tile * k_tile), 0);
-        for (std::size_t p = begin; p < end; ++p) ++counts_[cell_of(x[p], y[p])];
+    // Particles of the tile are numbered on through those that come.
+    [[nodiscard]] ParticleRow row(std::size_t i) const {
+        return i < size_ ? particles_.row(begin_ + i) : change_.come[i - size_];
     }
 
-    void split(std::vector<ParticleRow>& rows, ResampleCounts& counts) {
+    void split() {
+        const double *x = particles_[Field::x] + begin_, *y = particles_[Field::y] + begin_;
+        const double *q_xx = particles_[Field::q_xx] + begin_, *q_xy = particles_[Field::q_xy] + begin_;
+        const double *q_yy = particles_[Field::q_yy] + begin_;
+        const double *volume = particles_[Field::volume] + begin_, *area = particles_[Field::area] + begin_;
         const double limit = limits_.split_extent * limits_.cell_size;
-        counts_.assign(static_cast<std::size_t>(k_tile * k_tile), 0);
-        for (const ParticleRow& r : rows) ++counts_[cell_of(get(r, Field::x), get(r, Field::y))];
-        const std::size_t before = rows.size();
-        for (std::size_t p = 0; p < before; ++p) {
-            ParticleRow& r = rows[p];
-            if (extent(r) <= limit || get(r, Field::volume) <= limits_.minimum_depth * get(r, Field::area))
-                continue;
-            // Counted before any of this pass's splits, so that the outcome does not depend on the particles' order.
-            const int in_cell = counts_[cell_of(get(r, Field::x), get(r, Field::y))];
-            if (in_cell >= limits_.split_below) continue;
-            const Point axis = shape_of(r).axis();
-            // Halves go at most half a cell away, which the sort's drift budget has room for.
-            const double quarter = std::min(0.25 * extent(r), k_split_reach * limits_.cell_size),
-                         ox = quarter * axis.x, oy = quarter * axis.y;
-            const double x = get(r, Field::x), y = get(r, Field::y);
-            const auto inside = [&](double a, double b) {
-                return a > 0 && a < limits_.width && b > 0 && b < limits_.height && !in_wall(a, b);
-            };
-            if (!inside(x + ox, y + oy) || !inside(x - ox, y - oy)) continue;
-            const double du = get(r, Field::c_xx) * ox + get(r, Field::c_xy) * oy;
-            const double dv = get(r, Field::c_yx) * ox + get(r, Field::c_yy) * oy;
-            get(r, Field::volume) *= 0.5;
-            get(r, Field::area) *= 0.5;
-            // Half the extent along the axis, the same across it.
-            const Symmetric q = shape_of(r);
-            const double along = 0.75 * q.largest();
-            set_shape(r, {q.xx - along * axis.x * axis.x, q.xy - along * axis.x * axis.y,
-                          q.yy - along * axis.y * axis.y});
-            ParticleRow other = r;
-            get(r, Field::x) = x - ox;
-            get(r, Field::y) = y - oy;
-            get(r, Field::u) -= du;
-            get(r, Field::v) -= dv;
-            get(other, Field::x) = x + ox;
-            get(other, Field::y) = y + oy;
-            get(other, Field::u) += du;
-            get(other, Field::v) += dv;
-            rows.push_back(other);
-            ++counts.split;
+        for (std::size_t p = 0; p < size_; ++p) ++counts_[cell_of(x[p], y[p])];
+        // Counted before any of this pass's splits, so that the outcome does not depend on the particles' order.
+        const std::array<int, k_cells> before = counts_;
+        for (std::size_t p = 0; p < size_; ++p) {
+            if (!(Symmetric{q_xx[p], q_xy[p], q_yy[p]}.largest() > limit * limit)) continue;
+            if (volume[p] <= limits_.minimum_depth * area[p]) continue;
+            if (before[cell_of(x[p], y[p])] < limits_.split_below) split_one(p);
         }
     }
 
-    void merge(std::vector<ParticleRow>& rows, ResampleCounts& counts) {
-        std::vector<std::vector<std::size_t>> cells(static_cast<std::size_t>(k_tile * k_tile));
-        for (std::size_t p = 0; p < rows.size(); ++p) {
-            cells[cell_of(get(rows[p], Field::x), get(rows[p], Field::y))].push_back(p);
+    void split_one(std::size_t p) {
+        ParticleRow r = row(p);
+        const Symmetric q = shape_of(r);
+        const Point axis = q.axis();
+        // Halves go at most half a cell away, which the sort's drift budget has room for.
+        const double quarter = std::min(0.25 * extent(r), k_split_reach * limits_.cell_size),
+                     ox = quarter * axis.x, oy = quarter * axis.y;
+        const double x = get(r, Field::x), y = get(r, Field::y);
+        const auto inside = [&](double a, double b) {
+            return a > 0 && a < limits_.width && b > 0 && b < limits_.height && !in_wall(a, b);
+        };
+        if (!inside(x + ox, y + oy) || !inside(x - ox, y - oy)) return;
+        const double du = get(r, Field::c_xx) * ox + get(r, Field::c_xy) * oy;
+        const double dv = get(r, Field::c_yx) * ox + get(r, Field::c_yy) * oy;
+        get(r, Field::volume) *= 0.5;
+        get(r, Field::area) *= 0.5;
+        // Half the extent along the axis, the same across it.
+        const double along = 0.75 * q.largest();
+        set_shape(r, {q.xx - along * axis.x * axis.x, q.xy - along * axis.x * axis.y,
+                      q.yy - along * axis.y * axis.y});
+        --counts_[cell_of(x, y)];
+        for (const double side : {-1.0, 1.0}) {
+            ParticleRow half = r;
+            get(half, Field::x) += side * ox;
+            get(half, Field::y) += side * oy;
+            get(half, Field::u) += side * du;
+            get(half, Field::v) += side * dv;
+            ++counts_[cell_of(get(half, Field::x), get(half, Field::y))];
+            change_.come.push_back(half);
         }
-        std::vector<std::uint8_t> gone(rows.size(), 0);
+        change_.gone.push_back(p);
+        ++change_.counts.split;
+    }
+
+    void merge() {
+        // Members of the cells that hold too many, in their order.
+        std::array<std::vector<std::size_t>, k_cells> cells;
+        const auto sort_in = [&](std::size_t i, double x, double y) {
+            const std::size_t cell = cell_of(x, y);
+            if (counts_[cell] > limits_.max_per_cell) cells[cell].push_back(i);
+        };
+        std::size_t next_gone = 0;
+        for (std::size_t p = 0; p < size_; ++p) {
+            if (next_gone < change_.gone.size() && change_.gone[next_gone] == p) {
+                ++next_gone;
+            } else {
+                sort_in(p, particles_[Field::x][begin_ + p], particles_[Field::y][begin_ + p]);
+            }
+        }
+        for (std::size_t i = 0; i < change_.come.size(); ++i)
+            sort_in(size_ + i, get(change_.come[i], Field::x), get(change_.come[i], Field::y));
+
+        std::vector<std::uint8_t> unwanted(change_.come.size(), 0);
+        const auto drop = [&](std::size_t i) {
+            if (i < size_) {
+                change_.gone.push_back(i);
+            } else {
+                unwanted[i - size_] = 1;
+            }
+        };
         const double limit = limits_.merge_extent * limits_.cell_size;
+        std::vector<Outline> outlines;
         for (auto& cell : cells) {
+            outlines.clear();
+            for (const std::size_t i : cell) outlines.emplace_back(row(i));
             while (static_cast<int>(cell.size()) > limits_.max_per_cell) {
                 // The pair whose union is shortest: it blurs least.
-                double best = limit;
+                double best = limit * limit;
                 std::size_t best_a = 0, best_b = 0;
                 for (std::size_t a = 0; a < cell.size(); ++a) {
                     for (std::size_t b = a + 1; b < cell.size(); ++b) {
-                        const double length = extent(merged(rows[cell[a]], rows[cell[b]]));
-                        if (length < best) {
-                            best = length;
+                        const Symmetric shape = merged_shape(outlines[a], outlines[b]);
+                        if (0.5 * (shape.xx + shape.yy) >= best) continue;  // the largest is no less than the mean
+                        const double length2 = shape.largest();
+                        if (length2 < best) {
+                            best = length2;
                             best_a = a;
                             best_b = b;
                         }
                     }
                 }
                 if (best_b == 0) break;
-                rows[cell[best_a]] = merged(rows[cell[best_a]], rows[cell[best_b]]);
-                gone[cell[best_b]] = 1;
+                const ParticleRow both = merged(row(cell[best_a]), row(cell[best_b]));
+                drop(cell[best_a]);
+                drop(cell[best_b]);
+                cell[best_a] = size_ + change_.come.size();
+                outlines[best_a] = Outline(both);
+                change_.come.push_back(both);
+                unwanted.push_back(0);
                 cell.erase(cell.begin() + static_cast<std::ptrdiff_t>(best_b));
-                ++counts.merged;
+                outlines.erase(outlines.begin() + static_cast<std::ptrdiff_t>(best_b));
+                ++change_.counts.merged;
             }
         }
         std::size_t kept = 0;
-        for (std::size_t p = 0; p < rows.size(); ++p) {
-            if (gone[p]) continue;
-            if (kept != p) rows[kept] = rows[p];
-            ++kept;
+        for (std::size_t i = 0; i < change_.come.size(); ++i) {
+            if (unwanted[i] == 0) change_.come[kept++] = change_.come[i];
         }
-        rows.resize(kept);
+        change_.come.resize(kept);
     }
 
     const ResampleLimits& limits_;
-    const TileGrid& grid_;
-    std::vector<int> counts_;
+    const std::int64_t ghost_, stride_;
+    const double inverse_dx_;
+    const ParticleSet& particles_;
+    const std::size_t begin_, size_;
+    std::array<int, k_cells> counts_{};  // particles in each cell as they would be after the change so far
+    TileChange change_;
 };
 
 }  // namespace
@@ -199,38 +255,34 @@ class TileResampler {
 ResampleCounts resample(ParticleSet& particles, TileOrder& order, const ResampleLimits& limits,
                         ThreadPool& pool) {
     const auto& tiles = order.tiles();
-    std::vector<std::vector<ParticleRow>> changed(tiles.size());
-    std::vector<std::uint8_t> needs(tiles.size(), 0);
-    std::vector<ResampleCounts> counts(tiles.size());
+    std::vector<TileChange> changes(tiles.size());
     pool.for_each(tiles.size(), [&](std::size_t t) {
-        TileResampler tile(limits, order.grid());
-        needs[t] = tile.needed(particles, tiles[t]);
-        if (needs[t]) changed[t] = tile(particles, tiles[t], counts[t]);
+        changes[t] = TileResampler(limits, order.grid(), particles, tiles[t])();
     });
     ResampleCounts total;
-    for (const ResampleCounts& c : counts) {
-        total.split += c.split;
-        total.merged += c.merged;
-    }
-    if (total.split == 0 && total.merged == 0) return total;
-
     std::vector<std::size_t> sizes(tiles.size()), begins(tiles.size());
     std::size_t n = 0;
     for (std::size_t t = 0; t < tiles.size(); ++t) {
-        sizes[t] = needs[t] ? changed[t].size() : tiles[t].end - tiles[t].begin;
+        total.split += changes[t].counts.split;
+        total.merged += changes[t].counts.merged;
+        sizes[t] = tiles[t].end - tiles[t].begin - changes[t].gone.size() + changes[t].come.size();
         begins[t] = n;
         n += sizes[t];
     }
-    ParticleSet next(particles.mask());
-    next.resize(n);
-    pool.for_each(tiles.size(), [&](std::size_t t) {
-        if (needs[t]) {
-            for (std::size_t i = 0; i < sizes[t]; ++i) next.set_row(begins[t] + i, changed[t][i]);
-        } else {
-            next.copy_range(particles, tiles[t].begin, tiles[t].end, begins[t]);
-        }
-    });
-    particles = std::move(next);
+    if (total.split == 0 && total.merged == 0) return total;
+
+    particles.rebuild(n, tiles.size(),
+                      [&](Field field, const double* from, double* to, std::size_t t) {
+                          double* next = to + begins[t];
+                          std::size_t p = tiles[t].begin;
+                          for (const std::size_t gone : changes[t].gone) {
+                              next = std::copy(from + p, from + tiles[t].begin + gone, next);
+                              p = tiles[t].begin + gone + 1;
+                          }
+                          next = std::copy(from + p, from + tiles[t].end, next);
+                          for (const ParticleRow& row : changes[t].come) *next++ = get(row, field);
+                      },
+                      pool);
     order.set_counts(sizes);
     return total;
 }

@@ -6,45 +6,87 @@
 namespace frana {
 
 void TileOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool) {
+    // Blocks are counted side by side and placed one after another, tile by tile: a stable counting sort whose result
+    // does not depend on the blocks, let alone on the threads.
+    constexpr std::size_t k_smallest_block = 16384, k_most_blocks = 64;
     const std::size_t n = particles.size();
+    const std::size_t block = std::max(k_smallest_block, (n + k_most_blocks - 1) / k_most_blocks);
     const double* x = particles[Field::x];
     const double* y = particles[Field::y];
     keys_.resize(n);
-    pool.for_blocks(n, 8192, [&](std::size_t begin, std::size_t end) {
+    source_.resize(n);
+    blocks_.resize((n + block - 1) / block);
+    pool.for_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::int32_t>& met = blocks_[begin / block].met;
+        met.clear();
         for (std::size_t p = begin; p < end; ++p) {
-            keys_[p] = keep.empty() || keep[p] ? tile_of(x[p], y[p]) : -1;
+            const std::int32_t key = keep.empty() || keep[p] ? static_cast<std::int32_t>(tile_of(x[p], y[p])) : -1;
+            keys_[p] = key;
+            if (key >= 0 && (met.empty() || met.back() != key)) met.push_back(key);
         }
     });
-
-    // Counting sort over the tiles met; their numbers are few, so the count array spans only [lowest,
-    // highest].
-    std::int64_t lowest = grid_.tiles_x() * grid_.tiles_y(), highest = -1;
-    for (const std::int64_t key : keys_) {
-        if (key < 0) continue;
-        lowest = std::min(lowest, key);
-        highest = std::max(highest, key);
-    }
-    std::vector<std::size_t> start(highest >= lowest ? static_cast<std::size_t>(highest - lowest + 2) : 1, 0);
-    for (const std::int64_t key : keys_) {
-        if (key >= 0) ++start[static_cast<std::size_t>(key - lowest + 1)];
-    }
-    tiles_.clear();
-    for (std::size_t t = 1; t < start.size(); ++t) {
-        if (start[t] > 0) {
-            tiles_.push_back(
-                {start[t - 1], start[t - 1] + start[t], lowest + static_cast<std::int64_t>(t) - 1});
+    list_tiles();
+    pool.for_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t>& places = blocks_[begin / block].places;
+        places.assign(tiles_.size(), 0);
+        for (std::size_t p = begin; p < end; ++p) {
+            if (keys_[p] >= 0) ++places[static_cast<std::size_t>(rank_[static_cast<std::size_t>(keys_[p])] - 1)];
         }
-        start[t] += start[t - 1];
+    });
+    place_blocks();
+    const std::size_t kept = tiles_.empty() ? 0 : tiles_.back().end;
+    pool.for_blocks(n, block, [&](std::size_t begin, std::size_t end) {
+        Block& b = blocks_[begin / block];
+        b.in_order = true;
+        for (std::size_t p = begin; p < end; ++p) {
+            if (keys_[p] < 0) continue;
+            const std::uint32_t to =
+                b.places[static_cast<std::size_t>(rank_[static_cast<std::size_t>(keys_[p])] - 1)]++;
+            source_[to] = static_cast<std::uint32_t>(p);
+            b.in_order = b.in_order && to == p;
+        }
+    });
+    const bool in_order = std::all_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.in_order; });
+    if (kept != n || !in_order) {
+        particles.rebuild(kept, (kept + block - 1) / block,
+                          [&](Field, const double* from, double* to, std::size_t part) {
+                              const std::size_t end = std::min(kept, (part + 1) * block);
+                              for (std::size_t i = part * block; i < end; ++i) to[i] = from[source_[i]];
+                          },
+                          pool);
     }
-    const std::size_t kept = start.back();
-    target_.resize(n);
-    bool in_order = kept == n;
-    for (std::size_t p = 0; p < n; ++p) {
-        target_[p] = keys_[p] < 0 ? n : start[static_cast<std::size_t>(keys_[p] - lowest)]++;
-        in_order = in_order && target_[p] == p;
+    index_tiles(particles, pool);
+}
+
+// The tiles that any block met, in ascending order, and their ranks.
+void TileOrder::list_tiles() {
+    for (const ParticleTile& tile : tiles_) rank_[static_cast<std::size_t>(tile.tile)] = 0;
+    tiles_.clear();
+    for (const Block& block : blocks_) {
+        for (const std::int32_t tile : block.met) {
+            if (rank_[static_cast<std::size_t>(tile)] != 0) continue;
+            rank_[static_cast<std::size_t>(tile)] = 1;
+            tiles_.push_back({0, 0, tile});
+        }
     }
-    if (!in_order) particles.permute(target_, kept, pool);
-    index_tiles(particles);
+    std::sort(tiles_.begin(), tiles_.end(),
+              [](const ParticleTile& a, const ParticleTile& b) { return a.tile < b.tile; });
+    std::int32_t rank = 0;
+    for (const ParticleTile& tile : tiles_) rank_[static_cast<std::size_t>(tile.tile)] = ++rank;
+}
+
+// Turns the blocks' counts into places, and sets the tiles' runs.
+void TileOrder::place_blocks() {
+    std::uint32_t place = 0;
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        tiles_[t].begin = place;
+        for (Block& block : blocks_) {
+            const std::uint32_t count = block.places[t];
+            block.places[t] = place;
+            place += count;
+        }
+        tiles_[t].end = place;
+    }
 }
 
 void TileOrder::set_counts(const std::vector<std::size_t>& counts) {
@@ -56,9 +98,7 @@ void TileOrder::set_counts(const std::vector<std::size_t>& counts) {
     }
 }
 
-void TileOrder::index_tiles(const ParticleSet& particles) {
-    for (auto& colour : colours_) colour.clear();
-    node_tiles_.clear();
+void TileOrder::index_tiles(const ParticleSet& particles, ThreadPool& pool) {
     const double* x = particles[Field::x];
     const double* y = particles[Field::y];
     // One cell more than the drift for the stencil, one for rounding.
@@ -68,16 +108,24 @@ void TileOrder::index_tiles(const ParticleSet& particles) {
             static_cast<std::int64_t>(position / grid_.cell_size + static_cast<double>(grid_.ghost));
         return std::clamp<std::int64_t>(cell / k_tile, 0, count - 1);
     };
+    struct Reach {
+        std::int64_t x0, x1, y0, y1;
+    };
+    std::vector<Reach> reached(tiles_.size());
+    pool.for_each(tiles_.size(), [&](std::size_t t) {
+        const auto [west, east] = std::minmax_element(x + tiles_[t].begin, x + tiles_[t].end);
+        const auto [south, north] = std::minmax_element(y + tiles_[t].begin, y + tiles_[t].end);
+        reached[t] = {tile_at(std::max(*west - reach, 0.0), grid_.tiles_x()), tile_at(*east + reach, grid_.tiles_x()),
+                      tile_at(std::max(*south - reach, 0.0), grid_.tiles_y()),
+                      tile_at(*north + reach, grid_.tiles_y())};
+    });
+    for (auto& colour : colours_) colour.clear();
+    node_tiles_.clear();
     for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
-        const ParticleTile& tile = tiles_[t];
-        const std::int64_t tx = tile.tile % grid_.tiles_x(), ty = tile.tile / grid_.tiles_x();
+        const std::int64_t tx = tiles_[t].tile % grid_.tiles_x(), ty = tiles_[t].tile / grid_.tiles_x();
         colours_[static_cast<std::size_t>((ty & 1) * 2 + (tx & 1))].push_back(t);
-        const auto [west, east] = std::minmax_element(x + tile.begin, x + tile.end);
-        const auto [south, north] = std::minmax_element(y + tile.begin, y + tile.end);
-        const std::int64_t x1 = tile_at(*east + reach, grid_.tiles_x()),
-                           y1 = tile_at(*north + reach, grid_.tiles_y());
-        for (std::int64_t b = tile_at(std::max(*south - reach, 0.0), grid_.tiles_y()); b <= y1; ++b) {
-            for (std::int64_t a = tile_at(std::max(*west - reach, 0.0), grid_.tiles_x()); a <= x1; ++a) {
+        for (std::int64_t b = reached[t].y0; b <= reached[t].y1; ++b) {
+            for (std::int64_t a = reached[t].x0; a <= reached[t].x1; ++a) {
                 node_tiles_.push_back(b * grid_.tiles_x() + a);
             }
         }

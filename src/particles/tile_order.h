@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/thread_pool.h"
+#include "core/zero_array.h"
 #include "particles/particle_set.h"
 
 namespace frana {
@@ -39,9 +40,10 @@ struct TileGrid {
 /// order.
 class TileOrder {
   public:
-    explicit TileOrder(TileGrid grid) : grid_(grid) {}
+    explicit TileOrder(TileGrid grid)
+        : grid_(grid), rank_(static_cast<std::size_t>(grid.tiles_x() * grid.tiles_y())) {}
 
-    /// Sorts the particles by tile (stable) and drops those for which `keep` is 0.
+    /// Sorts the particles by tile (stable) and drops those for which `keep` is 0. At most 2^32 particles.
     /// @param keep one byte a particle, or empty to keep all
     void sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool);
     /// Rebuilds the tile runs for particles that are sorted by tile already, with these counts per run of
@@ -65,14 +67,25 @@ class TileOrder {
     }
 
   private:
-    void index_tiles(const ParticleSet& particles);
+    // What one block of particles, as they lay before the sort, adds to each tile.
+    struct Block {
+        std::vector<std::int32_t> met;      // tiles, in the order met, each at least once
+        std::vector<std::uint32_t> places;  // by rank of the tile: first a count, then where the next goes
+        bool in_order = true;
+    };
+
+    void list_tiles();
+    void place_blocks();
+    void index_tiles(const ParticleSet& particles, ThreadPool& pool);
 
     TileGrid grid_;
     std::vector<ParticleTile> tiles_;
     std::array<std::vector<std::uint32_t>, 4> colours_;
     std::vector<std::int64_t> node_tiles_;
-    std::vector<std::int64_t> keys_;
-    std::vector<std::size_t> target_;
+    ZeroArray<std::int32_t> rank_;     // of each tile of the grid among those met, plus one; 0 elsewhere
+    std::vector<std::int32_t> keys_;   // tile of each particle, -1 for those dropped
+    std::vector<std::uint32_t> source_;  // where the particle at each place comes from
+    std::vector<Block> blocks_;
 };
 
 }  // namespace frana

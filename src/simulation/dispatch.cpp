@@ -6,6 +6,7 @@
 
 #include "mpm/particles_to_nodes.h"
 #include "mpm/pressure.h"
+#include "mpm/vector/kernels.h"
 #include "simulation/dispatch_bed.h"
 
 namespace frana {
@@ -77,6 +78,26 @@ void choose_scheme(Transfer transfer, PlaneStressLaw law, Stages& stages) {
     }
 }
 
+// The fast ones know no stress but Bingham's.
+template <bool Stress>
+ParticleReport fast_nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
+                                             const StressLaws& stress, const NodeGrid& nodes,
+                                             ParticleSet& particles) {
+    const VectorKernels& kernels = *vector_kernels();
+    const auto kernel = Stress ? kernels.nodes_to_particles_with_stress : kernels.nodes_to_particles;
+    return kernel(tile, update, stress.bingham, nodes, particles);
+}
+
+// The default scheme's sweeps over particles, for what this processor can do.
+void use_vector_kernels(const VectorKernels& kernels, PlaneStressLaw law, Stages& stages) {
+    const bool stress = law != PlaneStressLaw::none;
+    stages.particles_to_nodes =
+        stages.references ? kernels.particles_and_levels_to_nodes : kernels.particles_to_nodes;
+    stages.pressure_to_nodes = stress ? kernels.pressure_and_stress_to_nodes : kernels.pressure_to_nodes;
+    if (law == PlaneStressLaw::none) stages.nodes_to_particles = fast_nodes_to_particles_stage<false>;
+    if (law == PlaneStressLaw::bingham) stages.nodes_to_particles = fast_nodes_to_particles_stage<true>;
+}
+
 }  // namespace
 
 Transfer transfer_of(const Numerics& numerics) {
@@ -84,7 +105,7 @@ Transfer transfer_of(const Numerics& numerics) {
 }
 
 Stages choose_stages(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
-                     const Numerics& numerics) {
+                     const Numerics& numerics, Kernels kernels) {
     Stages stages;
     stages.fields = k_basic_fields;
     const Transfer transfer = transfer_of(numerics);
@@ -99,6 +120,9 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
     }
     choose_node_stages(material, numerics, sums_friction(material, zones, entrainment, numerics), stages);
     choose_exchange(entrainment, numerics, stages);
+    const VectorKernels* fast = kernels == Kernels::fastest ? vector_kernels() : nullptr;
+    if (fast && numerics.scheme == Scheme::standard && transfer == Transfer::apic)
+        use_vector_kernels(*fast, stress_law(material), stages);
     return stages;
 }
 

@@ -7,9 +7,14 @@
 
 namespace frana {
 
+/// Which kernels sweep over the particles: the fastest that the processor runs, or the plain ones that say what the
+/// fast ones compute.
+enum class Kernels { fastest, plain };
+
 /// Where names become types: the stages that a scene asks for. The bed's are chosen in dispatch_bed.cpp.
 voellmy_bingham::Stages choose_stages(const Material& material, const MaterialZones& zones,
-                                      const Entrainment& entrainment, const Numerics& numerics);
+                                      const Entrainment& entrainment, const Numerics& numerics,
+                                      Kernels kernels = Kernels::fastest);
 
 /// The laws with their parameters, in the engine's units.
 /// @param gravity normal to the ground plane: numerics.gravity, or that of a tilted frame [m/s2]

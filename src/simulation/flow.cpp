@@ -93,11 +93,11 @@ ZeroArray<BedLayer> bed_layers(const Entrainment& entrainment, const MaterialZon
 
 Flow::Flow(const Raster& bed, const ParticleSet& particles, const Material& material,
            const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt,
-           const MaterialZones& zones, const Entrainment& entrainment)
+           const MaterialZones& zones, const Entrainment& entrainment, Kernels kernels)
     : grid_(bed.grid),
       numerics_(numerics),
       pool_(threads),
-      stages_(choose_stages(material, zones, entrainment, numerics)),
+      stages_(choose_stages(material, zones, entrainment, numerics, kernels)),
       state_(initial_state(bed, with_fields(particles, stages_.fields))),
       laws_(make_laws(material, zones, entrainment, numerics, state_.nodes,
                       tilt ? tilt->normal : numerics.gravity)),
@@ -127,7 +127,7 @@ void Flow::add_particles(const ParticleSet& particles) {
     if (particles.size() == 0) return;
     append(particles, state_.particles);
     voellmy_bingham::prepare(state_, laws_, pool_);
-    gather_on_nodes(state_, laws_, stages_, pool_);
+    gather();
     make_room(particles, state_.nodes, state_.particles);
     voellmy_bingham::prepare(state_, laws_, pool_);  // what is deeper is faster
 }
@@ -150,6 +150,12 @@ void Flow::advance_to(double time) {
         if (state_.time == before || time - state_.time < 1e-12 * time) state_.time = time;
     }
     synchronise();
+}
+
+std::size_t Flow::bytes_per_node() const noexcept {
+    const std::size_t level = state_.nodes.levels.size() != 0 ? sizeof(NodeLevel) : 0;
+    const std::size_t solid = state_.nodes.any_solid() ? 1 : 0;
+    return sizeof(double) + sizeof(NodeSums) + level + solid + Maxima::k_bytes;
 }
 
 double Flow::volume() const {
@@ -175,22 +181,36 @@ double Flow::stable_step() const {
                               state_.diffusivity);
 }
 
+template <class Visit>
+void Flow::for_each_reached_cell(const Visit& visit) const {
+    for (const std::int64_t tile : state_.order.node_tiles()) {
+        const NodeRange range(tile, state_.order.grid(), state_.nodes);
+        range.for_each(state_.nodes.stride(), [&](std::size_t node, std::int64_t i, std::int64_t j) {
+            const std::int64_t column = i - k_ghost, row = grid_.rows - 1 - (j - k_ghost);
+            if (column >= 0 && column < grid_.columns && row >= 0 && row < grid_.rows) visit(row, column, node);
+        });
+    }
+}
+
+void Flow::gather() {
+    voellmy_bingham::StageSeconds not_asked_for{};
+    voellmy_bingham::StageWatch watch(not_asked_for);
+    gather_on_nodes(state_, laws_, stages_, pool_, watch);
+}
+
 Flow::NodalFields Flow::nodal_fields() {
-    gather_on_nodes(state_, laws_, stages_, pool_);
+    gather();
     NodalFields fields{Raster(grid_), Raster(grid_), Raster(grid_)};
     const double inverse_area = 1 / grid_.cell_area();
-    for (std::int64_t row = 0; row < grid_.rows; ++row) {
-        for (std::int64_t column = 0; column < grid_.columns; ++column) {
-            const std::size_t node = state_.nodes.index(column, grid_.rows - 1 - row);
-            const NodeSums& s = state_.nodes.sums[node];
-            if (!(s.mass > 0)) continue;
-            const double support = stages_.references ? state_.nodes.levels[node].support : 0;
-            const double depth = shown_depth(s.mass, s.area, support, inverse_area);
-            fields.depth.at(row, column) = depth;
-            fields.momentum_x.at(row, column) = depth * s.px / s.mass;
-            fields.momentum_y.at(row, column) = depth * s.py / s.mass;
-        }
-    }
+    for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t node) {
+        const NodeSums& s = state_.nodes.sums[node];
+        if (!(s.mass > 0)) return;
+        const double support = stages_.references ? state_.nodes.levels[node].support : 0;
+        const double depth = shown_depth(s.mass, s.area, support, inverse_area);
+        fields.depth.at(row, column) = depth;
+        fields.momentum_x.at(row, column) = depth * s.px / s.mass;
+        fields.momentum_y.at(row, column) = depth * s.py / s.mass;
+    });
     return fields;
 }
 
@@ -199,37 +219,31 @@ Flow::Snapshot Flow::snapshot() {
     Snapshot shot{Raster(grid_, k_no_data), Raster(grid_, k_no_data)};
     const std::vector<double>& bed = state_.nodes.bed;
     const bool metric = numerics_.slope_correction != SlopeCorrection::none;
-    for (std::int64_t row = 0; row < grid_.rows; ++row) {
-        for (std::int64_t column = 0; column < grid_.columns; ++column) {
-            const std::size_t c = shot.depth.index(row, column);
-            const double depth = fields.depth.values[c];
-            if (depth < laws_.minimum_depth) continue;
-            const double u = fields.momentum_x.values[c] / depth, v = fields.momentum_y.values[c] / depth;
-            double climb = 0;
-            if (metric) {
-                const std::int64_t j = grid_.rows - 1 - row;
-                const NodeGrid& n = state_.nodes;
-                climb = (u * (bed[n.index(column + 1, j)] - bed[n.index(column - 1, j)]) +
-                         v * (bed[n.index(column, j + 1)] - bed[n.index(column, j - 1)])) /
-                        (2 * grid_.cell_size);
-            }
-            shot.depth.values[c] = depth;
-            shot.speed.values[c] = std::sqrt(u * u + v * v + climb * climb);
+    for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t) {
+        const std::size_t c = shot.depth.index(row, column);
+        const double depth = fields.depth.values[c];
+        if (depth < laws_.minimum_depth) return;
+        const double u = fields.momentum_x.values[c] / depth, v = fields.momentum_y.values[c] / depth;
+        double climb = 0;
+        if (metric) {
+            const std::int64_t j = grid_.rows - 1 - row;
+            const NodeGrid& n = state_.nodes;
+            climb = (u * (bed[n.index(column + 1, j)] - bed[n.index(column - 1, j)]) +
+                     v * (bed[n.index(column, j + 1)] - bed[n.index(column, j - 1)])) /
+                    (2 * grid_.cell_size);
         }
-    }
+        shot.depth.values[c] = depth;
+        shot.speed.values[c] = std::sqrt(u * u + v * v + climb * climb);
+    });
     return shot;
 }
 
 void Flow::see_present() {
     const Snapshot shot = snapshot();
-    for (std::int64_t row = 0; row < grid_.rows; ++row) {
-        for (std::int64_t column = 0; column < grid_.columns; ++column) {
-            const double depth = shot.depth.at(row, column);
-            if (std::isnan(depth)) continue;
-            maxima_.see(state_.nodes.index(column, grid_.rows - 1 - row), depth, shot.speed.at(row, column),
-                        state_.time);
-        }
-    }
+    for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t node) {
+        const double depth = shot.depth.at(row, column);
+        if (!std::isnan(depth)) maxima_.see(node, depth, shot.speed.at(row, column), state_.time);
+    });
 }
 
 Raster Flow::layer_depth(double BedLayer::*depth) const {

@@ -8,6 +8,7 @@
 #include "models/voellmy_bingham/step.h"
 #include "mpm/maxima.h"
 #include "mpm/node_tiles.h"
+#include "simulation/dispatch.h"
 #include "simulation/scene.h"
 
 namespace frana {
@@ -23,11 +24,12 @@ struct TiltedGravity {
 class Flow {
   public:
     /// @param bed elevation [m], NaN where there is none; its grid gives cell size and extent
+    /// @param kernels plain: without the processor's vector instructions, for comparison
     /// @param particles in local metres; fields the scheme needs are added with their initial values
     /// @param zones rasters on the bed's grid
     Flow(const Raster& bed, const ParticleSet& particles, const Material& material, const Numerics& numerics,
          int threads, std::optional<TiltedGravity> tilt = std::nullopt, const MaterialZones& zones = {},
-         const Entrainment& entrainment = {});
+         const Entrainment& entrainment = {}, Kernels kernels = Kernels::fastest);
 
     /// Marks where walls stand: 1 in a raster on the same grid.
     void add_walls(const Raster& walls);
@@ -44,6 +46,10 @@ class Flow {
 
     [[nodiscard]] double time() const noexcept { return state_.time; }
     [[nodiscard]] const ParticleSet& particles() const noexcept { return state_.particles; }
+    /// Tiles of nodes that the particles can touch: what a step clears and updates.
+    [[nodiscard]] std::size_t reached_tiles() const noexcept { return state_.order.node_tiles().size(); }
+    /// Bytes that a node of the map takes once it was touched.
+    [[nodiscard]] std::size_t bytes_per_node() const noexcept;
     [[nodiscard]] const NodeGrid& nodes() const noexcept { return state_.nodes; }
     /// Calls visit(index) for every node of the terrain that may hold material, as the last step left it.
     template <class Visit>
@@ -105,7 +111,11 @@ class Flow {
     [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
 
   private:
+    void gather();
     [[nodiscard]] Raster layer_depth(double BedLayer::*depth) const;
+    // Calls visit(row, column, node) for the cells that particles can touch, tile by tile.
+    template <class Visit>
+    void for_each_reached_cell(const Visit& visit) const;
 
     GridSpec grid_;
     Numerics numerics_;

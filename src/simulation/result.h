@@ -42,7 +42,7 @@ struct Progress {
 
 struct RunOptions {
     int threads = 1;
-    std::function<void(const Frame&)> on_frame;  ///< called at time 0, at every frame interval and at the end
+    std::function<void(Frame)> on_frame;  ///< called at time 0, at every frame interval and at the end
     std::function<void(const Progress&)> on_progress;  ///< called every step; must be cheap
     std::function<bool()> stop_requested;              ///< polled every step
 };
@@ -118,6 +118,7 @@ struct RunResult {
     StopReason stop_reason = StopReason::end_time;
     std::int64_t particles_initial = 0, particles_final = 0, particles_peak = 0;
     std::int64_t particle_steps = 0;
+    std::int64_t bytes_per_particle = 0, bytes_per_node = 0;  ///< of the engine's fields
     double engine_seconds = 0;  ///< wall time inside the engine, without on_frame
     double volume_initial = 0, volume_final = 0, volume_left = 0;  ///< [m3]
     double volume_entered = 0;  ///< all that was ever inside: initial, released later, flowed in [m3]
@@ -139,6 +140,7 @@ struct RunEstimate {
     double volume = 0;              ///< released [m3]
     double inflow = 0;              ///< through lines until the end [m3]
     std::int64_t memory_bytes = 0;  ///< engine and rasters
+    std::int64_t bytes_per_particle = 0, bytes_per_node = 0;
     double first_step_seconds = 0;  ///< stable step at the start [s]
     double wall_seconds = 0;        ///< rough
     std::vector<std::string> terms;

@@ -265,6 +265,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     result.simulated_seconds = flow.time();
     result.particles_final = static_cast<std::int64_t>(flow.particles().size());
     result.particle_steps = flow.particle_steps();
+    result.bytes_per_particle = static_cast<std::int64_t>(flow.particles().bytes_per_particle());
+    result.bytes_per_node = static_cast<std::int64_t>(flow.bytes_per_node() + flow.bed_bytes_per_node());
     result.volume_final = flow.volume();
     result.volume_left = flow.volume_left();
     if (!arrivals.done()) result.notes.emplace_back("the run ended before everything had failed or flowed in");
@@ -301,11 +303,10 @@ RunEstimate estimate(const Scene& scene, int threads) {
     // as all.
     const std::int64_t cells = scene.grid.cell_count();
     constexpr std::int64_t k_rasters = 10;
-    constexpr std::int64_t k_node_bytes = sizeof(NodeSums) + sizeof(NodeLevel) + 4 * sizeof(double);
-    const auto bed_bytes = static_cast<std::int64_t>(flow.bed_bytes_per_node());
-    e.memory_bytes =
-        cells * (bed_bytes + k_rasters * static_cast<std::int64_t>(sizeof(double)) + k_node_bytes) +
-        3 * e.particles * static_cast<std::int64_t>(flow.particles().bytes_per_particle());
+    e.bytes_per_particle = static_cast<std::int64_t>(flow.particles().bytes_per_particle());
+    e.bytes_per_node = static_cast<std::int64_t>(flow.bytes_per_node() + flow.bed_bytes_per_node());
+    e.memory_bytes = cells * (k_rasters * static_cast<std::int64_t>(sizeof(double)) + e.bytes_per_node) +
+                     3 * e.particles * e.bytes_per_particle;
     // Time of the first steps, for as many steps as the end time would take at the first step's length.
     constexpr int k_trial_steps = 3;
     const auto begin = std::chrono::steady_clock::now();

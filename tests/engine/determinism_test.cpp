@@ -9,8 +9,13 @@
 namespace frana::test {
 namespace {
 
-// A flow that spreads, splits, merges, meets a slope and leaves through an edge.
-Flow::NodalFields end_state(int threads, std::size_t& particles) {
+struct EndState {
+    Flow::NodalFields nodes;
+    ParticleSet particles;
+};
+
+// A flow that spreads, splits, merges, meets a slope and leaves through an edge; with stress in the plane or without.
+EndState end_state(int threads, bool mud) {
     const GridSpec grid = bench::plain_grid(120, 90, 2);
     const Raster bed =
         bench::sample_raster(grid, [](Point p) { return 0.3 * (240 - p.x) + 2 * std::sin(0.1 * p.y); });
@@ -18,30 +23,41 @@ Flow::NodalFields end_state(int threads, std::size_t& particles) {
         grid, 2, 0.5, [](Point p) { return bench::Seed{8 - 0.2 * std::hypot(p.x - 60, p.y - 80)}; });
     Material material = dry_friction(10);
     material.turbulence = 500;
-    material.viscosity = 500;
-    material.yield_stress = 50;
+    if (mud) {
+        material.viscosity = 500;
+        material.yield_stress = 50;
+    }
     Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open),
               threads);
     flow.advance_to(12);
-    particles = flow.particles().size();
-    return flow.nodal_fields();
+    return {flow.nodal_fields(), flow.particles()};
 }
 
-TEST(Determinism, SameBitsForAnyNumberOfThreads) {
-    std::size_t count = 0;
-    const Flow::NodalFields one = end_state(1, count);
+class Determinism : public testing::TestWithParam<bool> {};
+
+TEST_P(Determinism, SameBitsForAnyNumberOfThreads) {
+    const EndState one = end_state(1, GetParam());
     for (const int threads : {1, 2, 3, 7}) {
-        std::size_t n = 0;
-        const Flow::NodalFields many = end_state(threads, n);
-        EXPECT_EQ(n, count);
+        const EndState many = end_state(threads, GetParam());
         const auto same = [](const Raster& a, const Raster& b) {
             return std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(double)) == 0;
         };
-        EXPECT_TRUE(same(one.depth, many.depth)) << threads << " threads";
-        EXPECT_TRUE(same(one.momentum_x, many.momentum_x)) << threads << " threads";
-        EXPECT_TRUE(same(one.momentum_y, many.momentum_y)) << threads << " threads";
+        EXPECT_TRUE(same(one.nodes.depth, many.nodes.depth)) << threads << " threads";
+        EXPECT_TRUE(same(one.nodes.momentum_x, many.nodes.momentum_x)) << threads << " threads";
+        EXPECT_TRUE(same(one.nodes.momentum_y, many.nodes.momentum_y)) << threads << " threads";
+        ASSERT_EQ(one.particles.size(), many.particles.size());
+        for (std::size_t f = 0; f < k_fields; ++f) {
+            const auto field = static_cast<Field>(f);
+            if (!one.particles.mask().has(field)) continue;
+            const std::size_t bytes = one.particles.size() * sizeof(double);
+            EXPECT_EQ(std::memcmp(one.particles[field], many.particles[field], bytes), 0)
+                << k_field_table[f].name << ", " << threads << " threads";
+        }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Flows, Determinism, testing::Bool(),
+                         [](const auto& tested) { return tested.param ? "Mud" : "Slide"; });
 
 }  // namespace
 }  // namespace frana::test

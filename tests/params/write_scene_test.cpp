@@ -13,7 +13,7 @@ TEST_F(WriteScene, ReadingItBackGivesTheSameScene) {
     const SceneReading first = read(
         "[terrain]\ndtm = dtm.tif\ncell-size = 2.5\nbounds = 1 2.25, 3 4e3\n[release]\nperimeter = "
         "a.gpkg|layer=x\n"
-        "thickness = difference:pre.tif,post.tif\nthickness-direction = normal\ndtm-contains-release = "
+        "thickness = raster:thick.tif\nthickness-direction = normal\ndtm-contains-release = "
         "on\n[material]\n"
         "preset = bindo\nfriction-coefficient = 0.1\nturbulence = off\n[numerics]\nwell-balanced = off\ncfl "
         "= 0.3\n"

@@ -6,6 +6,7 @@
 
 #include "models/voellmy_bingham/bed_friction.h"
 #include "mpm/bed_exchange.h"
+#include "models/voellmy_bingham/stage_times.h"
 #include "mpm/node_grid.h"
 #include "mpm/nodes_to_particles.h"
 #include "mpm/update_nodes.h"
@@ -78,6 +79,7 @@ struct StepReport {
     NodeReport nodes;
     ParticleReport particles;
     ResampleCounts resampled;
+    StageSeconds seconds{};  ///< what each stage took
 };
 
 }  // namespace frana::voellmy_bingham

@@ -17,18 +17,18 @@ constexpr double k_long_shape = 1;
 constexpr int k_sort_pause = 3;
 
 // Runs a stage over all particle tiles, colour after colour: tiles of one colour share no node.
-template <class Stage>
-void for_tiles_by_colour(const TileOrder& order, ThreadPool& pool, const Stage& stage) {
+template <class Task>
+void for_tiles_by_colour(const TileOrder& order, ThreadPool& pool, const Task& task) {
     for (const auto& colour : order.colours()) {
-        pool.for_each(colour.size(), [&](std::size_t i) { stage(order.tiles()[colour[i]]); });
+        pool.for_each(colour.size(), [&](std::size_t i) { task(order.tiles()[colour[i]]); });
     }
 }
 
-template <class Stage>
-void for_node_tiles(const State& state, ThreadPool& pool, const Stage& stage) {
+template <class Task>
+void for_node_tiles(const State& state, ThreadPool& pool, const Task& task) {
     const auto& tiles = state.order.node_tiles();
     pool.for_each(tiles.size(),
-                  [&](std::size_t t) { stage(t, NodeRange(tiles[t], state.order.grid(), state.nodes)); });
+                  [&](std::size_t t) { task(t, NodeRange(tiles[t], state.order.grid(), state.nodes)); });
 }
 
 // Sorts by tile, dropping what has left, and forgets the nodes that no particle can touch any more: their old
@@ -106,19 +106,21 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
     if (laws.wall) mirror_bed(state.nodes);
 }
 
-void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, ThreadPool& pool) {
+void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, ThreadPool& pool, StageWatch& watch) {
     for_node_tiles(state, pool,
                    [&](std::size_t, const NodeRange& range) { clear_nodes(range, state.nodes); });
     for_tiles_by_colour(state.order, pool, [&](const ParticleTile& tile) {
         stages.particles_to_nodes(tile, state.particles, state.nodes);
     });
     if (laws.wall) mirror_sums(state.nodes);
+    watch.ends(Stage::particles_to_nodes);
     if (stages.references) {
         for_node_tiles(state, pool,
                        [&](std::size_t, const NodeRange& range) { mean_levels(range, state.nodes); });
         for_node_tiles(state, pool,
                        [&](std::size_t, const NodeRange& range) { node_references(range, state.nodes); });
         if (laws.wall) mirror_levels(state.nodes);
+        watch.ends(Stage::levels);
     }
 }
 
@@ -128,15 +130,17 @@ namespace {
 StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, double kick, double drift,
                           Maxima& maxima, ThreadPool& pool) {
     StepReport report;
+    StageWatch watch(report.seconds);
     report.dt = drift;
 
     // Particles to nodes: mass, momentum, area, reference levels; then the force of pressure, slope and
     // stress.
-    gather_on_nodes(state, laws, stages, pool);
+    gather_on_nodes(state, laws, stages, pool, watch);
     for_tiles_by_colour(state.order, pool, [&](const ParticleTile& tile) {
         stages.pressure_to_nodes(tile, state.particles, laws.gravity, state.nodes);
     });
     if (laws.wall) fold_forces(state.nodes);
+    watch.ends(Stage::pressure);
 
     // Nodes: gravity along the bed, friction as a cap, maxima. Holding looks at neighbours, so it comes
     // first.
@@ -167,6 +171,7 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
     // Only while positions move: velocities alone take nothing from the bed.
     const bool exchanges = stages.exchange_at_nodes != nullptr && drift > 0;
     if (exchanges) exchange_with_bed(state, laws, stages, drift, pool);
+    watch.ends(Stage::nodes);
 
     // Nodes to particles: velocity, position, depth, stress.
     const ParticleUpdate particle_update{drift, laws.gravity * laws.stress.wave_factor, laws.resample.minimum_depth,
@@ -179,6 +184,7 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
     });
     for (const ParticleReport& r : particle_reports) report.particles.merge(r);
     if (exchanges) slow_down(state, pool);
+    watch.ends(Stage::nodes_to_particles);
     return report;
 }
 
@@ -191,6 +197,7 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
         std::min(stable_step(dx, laws.cfl, state.wave_speed, laws.gravity, state.diffusivity), dt_limit);
     const double lag = stages.leapfrog ? 0.5 * dt : 0;
     StepReport report = kick_and_drift(state, laws, stages, state.velocity_lag + dt - lag, dt, maxima, pool);
+    StageWatch watch(report.seconds);
 
     // Order and number of particles; the next step's bounds.
     state.time += dt;
@@ -204,9 +211,11 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
                            state.since_sort >= k_sort_pause;
     if (report.particles.outside > 0 || stretched || state.drift + moved > k_drift_limit) {
         sort_particles(state, report.particles.outside > 0, pool);
+        watch.ends(Stage::sort);
         if (stages.resamples) {
             report.resampled = resample(state.particles, state.order, laws.resample, pool);
             if (report.resampled.split > 0) state.drift = k_split_reach;
+            watch.ends(Stage::resample);
         }
     }
     return report;

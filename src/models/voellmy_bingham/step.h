@@ -22,6 +22,7 @@ void synchronise(State& state, const Laws& laws, const Stages& stages, Maxima& m
 
 /// Mass, momentum, area and reference levels on the nodes for the particles as they are now, without moving
 /// anything.
-void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, ThreadPool& pool);
+void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, ThreadPool& pool,
+                     StageWatch& watch);
 
 }  // namespace frana::voellmy_bingham

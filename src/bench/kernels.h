@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace frana::bench {
+
+/// One kernel on one tile of a moving sheet: 1024 particles, 4 a cell, over uneven ground.
+struct KernelCase {
+    std::string name;           ///< what it does, and "plain" or "fast"
+    std::function<void()> run;  ///< once over all particles; may be repeated
+};
+inline constexpr int k_kernel_particles = 1024;
+
+/// The particle sweeps of the default scheme, plain and, where the processor can, fast.
+std::vector<KernelCase> kernel_cases();
+
+}  // namespace frana::bench

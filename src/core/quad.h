@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+namespace frana {
+
+// Four doubles that are computed with at once: one 256-bit register where the instruction set has them, two of
+// 128 bits elsewhere (SSE2, NEON). The type lives in an unnamed namespace: sources that are compiled for different
+// instruction sets must not share a single function, or the linker might keep the wrong one.
+namespace {
+
+#define FRANA_INLINE inline __attribute__((always_inline))
+
+struct Quad {
+    using Lanes [[gnu::vector_size(32)]] = double;
+    using Mask [[gnu::vector_size(32)]] = long long;
+    Lanes v;
+
+    Quad() = default;
+    FRANA_INLINE Quad(double s) : v{s, s, s, s} {}
+    FRANA_INLINE Quad(double a, double b, double c, double d) : v{a, b, c, d} {}
+    FRANA_INLINE explicit Quad(Lanes lanes) : v(lanes) {}
+
+    static FRANA_INLINE Quad load(const double* from) {
+        Quad q;
+        std::memcpy(&q.v, from, sizeof q.v);
+        return q;
+    }
+    FRANA_INLINE void store(double* to) const { std::memcpy(to, &v, sizeof v); }
+    FRANA_INLINE double operator[](int lane) const { return v[lane]; }
+
+    friend FRANA_INLINE Quad operator+(Quad a, Quad b) { return Quad(a.v + b.v); }
+    friend FRANA_INLINE Quad operator-(Quad a, Quad b) { return Quad(a.v - b.v); }
+    friend FRANA_INLINE Quad operator*(Quad a, Quad b) { return Quad(a.v * b.v); }
+    friend FRANA_INLINE Quad operator/(Quad a, Quad b) { return Quad(a.v / b.v); }
+    friend FRANA_INLINE Quad operator-(Quad a) { return Quad(-a.v); }
+    FRANA_INLINE Quad& operator+=(Quad b) { return *this = *this + b; }
+    friend FRANA_INLINE Mask operator<(Quad a, Quad b) { return a.v < b.v; }
+    friend FRANA_INLINE Mask operator>(Quad a, Quad b) { return a.v > b.v; }
+    friend FRANA_INLINE Mask operator>=(Quad a, Quad b) { return a.v >= b.v; }
+};
+
+FRANA_INLINE Quad select(Quad::Mask where, Quad a, Quad b) {
+    return Quad(where ? a.v : b.v);
+}
+// As std::max and std::min: the first where the two cannot be ordered.
+FRANA_INLINE Quad max(Quad a, Quad b) {
+    return select(a < b, b, a);
+}
+FRANA_INLINE Quad min(Quad a, Quad b) {
+    return select(b < a, b, a);
+}
+FRANA_INLINE Quad abs(Quad a) {
+    return max(a, -a);
+}
+FRANA_INLINE Quad sqrt(Quad a) {
+    return {__builtin_sqrt(a[0]), __builtin_sqrt(a[1]), __builtin_sqrt(a[2]), __builtin_sqrt(a[3])};
+}
+/// How often a mask was true, for sums of masks (true is -1).
+FRANA_INLINE long long count(Quad::Mask m) {
+    return -(m[0] + m[1] + m[2] + m[3]);
+}
+FRANA_INLINE Quad::Mask first_lanes(std::size_t n) {
+    const Quad::Mask lane{0, 1, 2, 3};
+    const auto limit = static_cast<long long>(n);
+    return lane < Quad::Mask{limit, limit, limit, limit};
+}
+/// The greatest lane; the sum of all lanes, always in the same order.
+FRANA_INLINE double greatest(Quad a) {
+    double r = a[0];
+    for (int i = 1; i < 4; ++i) r = r < a[i] ? a[i] : r;
+    return r;
+}
+FRANA_INLINE double sum(Quad a) {
+    return (a[0] + a[2]) + (a[1] + a[3]);
+}
+/// The sum of all lanes, in every lane.
+FRANA_INLINE Quad sum_everywhere(Quad a) {
+    const Quad halves = a + Quad(__builtin_shuffle(a.v, Quad::Mask{2, 3, 0, 1}));
+    return halves + Quad(__builtin_shuffle(halves.v, Quad::Mask{1, 0, 3, 2}));
+}
+/// Rows become columns.
+FRANA_INLINE void transpose(Quad& a, Quad& b, Quad& c, Quad& d) {
+    const auto ab_even = __builtin_shuffle(a.v, b.v, Quad::Mask{0, 4, 2, 6});
+    const auto ab_odd = __builtin_shuffle(a.v, b.v, Quad::Mask{1, 5, 3, 7});
+    const auto cd_even = __builtin_shuffle(c.v, d.v, Quad::Mask{0, 4, 2, 6});
+    const auto cd_odd = __builtin_shuffle(c.v, d.v, Quad::Mask{1, 5, 3, 7});
+    a.v = __builtin_shuffle(ab_even, cd_even, Quad::Mask{0, 1, 4, 5});
+    b.v = __builtin_shuffle(ab_odd, cd_odd, Quad::Mask{0, 1, 4, 5});
+    c.v = __builtin_shuffle(ab_even, cd_even, Quad::Mask{2, 3, 6, 7});
+    d.v = __builtin_shuffle(ab_odd, cd_odd, Quad::Mask{2, 3, 6, 7});
+}
+
+/// The first n (1 to 4) of four values; the others repeat the first. Stores the first n only.
+FRANA_INLINE Quad load_some(const double* from, std::size_t n) {
+    if (n == 4) return Quad::load(from);
+    Quad q(from[0]);
+    for (std::size_t i = 1; i < n; ++i) q.v[i] = from[i];
+    return q;
+}
+FRANA_INLINE void store_some(Quad q, double* to, std::size_t n) {
+    if (n == 4) return q.store(to);
+    for (std::size_t i = 0; i < n; ++i) to[i] = q.v[i];
+}
+
+}  // namespace
+}  // namespace frana

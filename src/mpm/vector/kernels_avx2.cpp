@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compiled for AVX2 and FMA on x86-64 (see CMakeLists.txt); called only where the processor has both. Everything but
+// the last function belongs to this source alone, so that no other part of the program can come to run its code.
+#include "mpm/vector/kernels.h"
+#if defined(__AVX2__) && defined(__FMA__)
+#include "mpm/vector/nodes_to_particles.h"
+#include "mpm/vector/particles_to_nodes.h"
+#include "mpm/vector/pressure.h"
+#endif
+
+namespace frana {
+
+#if defined(__AVX2__) && defined(__FMA__)
+
+namespace {
+
+template <bool Stress>
+ParticleReport vector_nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
+                                               const BinghamStress& stress, const NodeGrid& nodes,
+                                               ParticleSet& particles) {
+    if constexpr (Stress) {
+        return vector_nodes_to_particles(tile, update, stress, nodes, particles);
+    } else {
+        return vector_nodes_to_particles(tile, update, NoStress{}, nodes, particles);
+    }
+}
+
+constexpr VectorKernels k_kernels{vector_particles_to_nodes<false>,      vector_particles_to_nodes<true>,
+                                  vector_pressure_to_nodes<false>,       vector_pressure_to_nodes<true>,
+                                  vector_nodes_to_particles_stage<false>, vector_nodes_to_particles_stage<true>};
+
+}  // namespace
+
+const VectorKernels* compiled_vector_kernels() {
+    return &k_kernels;
+}
+
+#else
+
+const VectorKernels* compiled_vector_kernels() {
+    return nullptr;
+}
+
+#endif
+
+}  // namespace frana

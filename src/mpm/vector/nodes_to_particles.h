@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mpm/nodes_to_particles.h"
+#include "mpm/vector/chunk_stencil.h"
+#include "mpm/vector/stress_bingham.h"
+
+namespace frana {
+namespace {
+
+/// What four particles gather from their nodes; each quad holds one quantity of the four.
+struct ChunkGather {
+    Quad cell_depth, u, v, share, support;
+    Quad u_x, u_y, v_x, v_y;      // gradient of the nodal velocity
+    Quad m_xx, m_xy, m_yx, m_yy;  // its first moments
+    Quad bend, change;            // of the nodal velocity along the axes, see shock_compression
+
+    /// Each node is one quad {mass, u, v, share}, and its support. Sums along rows first: five sums of weights in two
+    /// directions then take 14 multiplications a row instead of 27.
+    FRANA_INLINE ChunkGather(Quad px, Quad py, const GridScale& grid, const NodeSums* sums) {
+        const ChunkAxis ax(px, grid), ay(py, grid);
+        std::size_t first[4];
+        first_nodes(ax, ay, grid.stride, first);
+        alignas(32) double weight_x[3][4], slope_x[3][4], moment_x[3][4];
+        alignas(32) double weight_y[3][4], slope_y[3][4], moment_y[3][4];
+        store(ax, px, grid, weight_x, slope_x, moment_x);
+        store(ay, py, grid, weight_y, slope_y, moment_y);
+        Quad value[4], by_x[4], by_y[4], along_x[4], along_y[4], bends[4], changes[4];
+        alignas(32) double held[4];
+        for (std::size_t k = 0; k < 4; ++k) {
+            const NodeSums* row = sums + first[k];  // lanes that repeat the first particle do so here too
+            Quad value_k = 0.0, by_x_k = 0.0, by_y_k = 0.0, along_x_k = 0.0, along_y_k = 0.0;
+            Quad columns[3] = {0.0, 0.0, 0.0}, rows[3];
+            double held_k = 0;
+            for (int b = 0; b < 3; ++b, row += grid.stride) {
+                const Quad west = Quad::load(&row[0].mass), middle = Quad::load(&row[1].mass),
+                           east = Quad::load(&row[2].mass);
+                const Quad w = weight_x[0][k] * west + weight_x[1][k] * middle + weight_x[2][k] * east;
+                const Quad g = slope_x[0][k] * west + slope_x[1][k] * middle + slope_x[2][k] * east;
+                const Quad m = moment_x[0][k] * west + moment_x[1][k] * middle + moment_x[2][k] * east;
+                rows[b] = w;
+                columns[0] += weight_y[b][k] * west;
+                columns[1] += weight_y[b][k] * middle;
+                columns[2] += weight_y[b][k] * east;
+                value_k += weight_y[b][k] * w;
+                by_x_k += weight_y[b][k] * g;
+                by_y_k += slope_y[b][k] * w;
+                along_x_k += weight_y[b][k] * m;
+                along_y_k += moment_y[b][k] * w;
+                held_k += weight_y[b][k] * (weight_x[0][k] * row[0].support + weight_x[1][k] * row[1].support +
+                                            weight_x[2][k] * row[2].support);
+            }
+            value[k] = value_k;
+            by_x[k] = by_x_k;
+            by_y[k] = by_y_k;
+            along_x[k] = along_x_k;
+            along_y[k] = along_y_k;
+            held[k] = held_k;
+            // u from column to column, v from row to row, in their own lanes.
+            const Quad::Mask is_v{0, 0, -1, 0};
+            const Quad low = select(is_v, rows[0], columns[0]), mean = select(is_v, rows[1], columns[1]),
+                       high = select(is_v, rows[2], columns[2]);
+            bends[k] = abs(low - 2 * mean + high);
+            changes[k] = abs(mean - low) + abs(high - mean);
+        }
+        for (Quad* rows : {value, by_x, by_y, along_x, along_y, bends, changes})
+            transpose(rows[0], rows[1], rows[2], rows[3]);
+        cell_depth = value[0];
+        u = value[1];
+        v = value[2];
+        share = value[3];
+        support = Quad::load(held);
+        u_x = by_x[1];
+        v_x = by_x[2];
+        u_y = by_y[1];
+        v_y = by_y[2];
+        m_xx = along_x[1];
+        m_yx = along_x[2];
+        m_xy = along_y[1];
+        m_yy = along_y[2];
+        bend = bends[1] + bends[2];
+        change = changes[1] + changes[2];
+    }
+
+  private:
+    static FRANA_INLINE void store(const ChunkAxis& axis, Quad position, const GridScale& grid, double (&weight)[3][4],
+                                   double (&slope)[3][4], double (&moment)[3][4]) {
+        Quad w[3], g[3];
+        axis.weights(w);
+        axis.slopes(grid.inverse_dx, g);
+        const Quad to_first = axis.to_first(position, grid.dx);
+        for (int a = 0; a < 3; ++a) {
+            w[a].store(weight[a]);
+            g[a].store(slope[a]);
+            (w[a] * (to_first + a * grid.dx)).store(moment[a]);
+        }
+    }
+};
+
+/// nodes_to_particles<QuadraticSplineShape, ApicTransfer, Stress, true>, four particles at a time.
+template <class Stress>
+ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const ParticleUpdate& k, const Stress& stress,
+                                         const NodeGrid& nodes, ParticleSet& particles) {
+    double *const x = particles[Field::x], *const y = particles[Field::y];
+    double *const u = particles[Field::u], *const v = particles[Field::v];
+    const double* const volume = particles[Field::volume];
+    double* const area = particles[Field::area];
+    double *const c_xx = particles[Field::c_xx], *const c_xy = particles[Field::c_xy];
+    double *const c_yx = particles[Field::c_yx], *const c_yy = particles[Field::c_yy];
+    double* const compression = particles[Field::compression];
+    double *const s_xx = particles[Field::s_xx], *const s_xy = particles[Field::s_xy];
+    double* const s_yy = particles[Field::s_yy];
+    double *const q_xx = particles[Field::q_xx], *const q_xy = particles[Field::q_xy];
+    double* const q_yy = particles[Field::q_yy];
+    const GridScale grid(nodes);
+    const double courant = k.dt * grid.inverse_dx, cell_area = grid.dx * grid.dx;
+    const double largest_claim = k_largest_claim * cell_area;
+    const double width = nodes.width(), height = nodes.height(), margin = 1e-9 * grid.dx;
+    const NodeSums* const sums = nodes.sums.data();
+    ParticleReport report;
+    Quad wave_speed = 0.0, greatest_speed = 0.0, diffusivity = 0.0, front_squared = 0.0, longest = 0.0;
+    Quad kinetic = 0.0, inside_volume = 0.0;
+    Quad::Mask clamped{}, non_finite{}, outside{};  // counted downwards: true is -1
+
+    for (std::size_t p = tile.begin; p < tile.end; p += 4) {
+        const std::size_t n = tile.end - p < 4 ? tile.end - p : 4;
+        const Quad::Mask real = first_lanes(n);
+        const Quad old_x = load_some(x + p, n), old_y = load_some(y + p, n);
+        const Quad mass = load_some(volume + p, n), old_area = load_some(area + p, n);
+        const ChunkGather g(old_x, old_y, grid, sums);
+
+        const double d = 4 * grid.inverse_dx * grid.inverse_dx;  // inverse of the spline's second moment
+        {
+            const Quad xx = d * g.m_xx, xy = d * g.m_xy, yx = d * g.m_yx, yy = d * g.m_yy;
+            const Quad free = (1 - g.support) * grid.dx * sqrt(xx * xx + xy * xy + yx * yx + yy * yy);
+            const Quad bound = k_front_shear * sqrt(k.gravity * mass / old_area);
+            const Quad fit = select(free > bound, bound / free, 1.0);
+            store_some(fit * xx, c_xx + p, n);
+            store_some(fit * xy, c_xy + p, n);
+            store_some(fit * yx, c_yx + p, n);
+            store_some(fit * yy, c_yy + p, n);
+        }
+        store_some(g.u, u + p, n);
+        store_some(g.v, v + p, n);
+
+        const Quad div = g.u_x + g.v_y;
+        store_some(select((div < 0) & (g.change > 0), -div * g.bend / g.change, 0.0), compression + p, n);
+        const Quad determinant = 1 + k.dt * div + k.dt * k.dt * (g.u_x * g.v_y - g.u_y * g.v_x);
+        const Quad::Mask sound = determinant > k_least_growth;
+        clamped += ~sound & real;
+        Quad growth = select(sound, determinant, k_least_growth);
+        const Quad::Mask tower = mass * g.share * cell_area > k_tower * old_area * g.cell_depth;
+        growth = select((growth < 1) & ((g.share < k_full_share) | tower), 1.0, growth);
+        Quad new_area = old_area * growth;
+        {  // Q <- F Q F^T, F = I + dt grad v
+            const Quad old_xx = load_some(q_xx + p, n), old_xy = load_some(q_xy + p, n),
+                       old_yy = load_some(q_yy + p, n);
+            const Quad fxx = 1 + k.dt * g.u_x, fxy = k.dt * g.u_y, fyx = k.dt * g.v_x, fyy = 1 + k.dt * g.v_y;
+            const Quad axx = fxx * old_xx + fxy * old_xy, axy = fxx * old_xy + fxy * old_yy;
+            const Quad ayx = fyx * old_xx + fyy * old_xy, ayy = fyx * old_xy + fyy * old_yy;
+            const Quad xx = axx * fxx + axy * fxy, xy = axx * fyx + axy * fyy, yy = ayx * fyx + ayy * fyy;
+            const Quad trace = xx + yy;
+            longest = select(real & (mass > k.film * old_area), max(longest, trace), longest);
+            const Quad fit = min(1.0, largest_claim / trace);
+            store_some(fit * xx, q_xx + p, n);
+            store_some(fit * xy, q_xy + p, n);
+            store_some(fit * yy, q_yy + p, n);
+        }
+        const Quad speed2 = g.u * g.u + g.v * g.v, speed = sqrt(speed2);
+        const Quad beta = min(k_relaxation_limit, k_relaxation_gain * speed * courant);
+        const Quad relaxed = new_area * (1 + beta * (1 / g.share - 1));
+        new_area = select((g.share > 1) | (g.support > 0.999), relaxed, new_area);
+        new_area = min(new_area, max(old_area, largest_claim));
+        store_some(new_area, area + p, n);
+        const Quad depth = mass / new_area;
+        if constexpr (Stress::active) {
+            const QuadStress t = bingham_stress(stress, g.u_x, 0.5 * (g.u_y + g.v_x), g.v_y, g.u, g.v, depth);
+            store_some(t.xx, s_xx + p, n);
+            store_some(t.xy, s_xy + p, n);
+            store_some(t.yy, s_yy + p, n);
+            diffusivity = max(diffusivity, t.diffusivity);
+        }
+        Quad px = old_x + k.dt * g.u, py = old_y + k.dt * g.v;
+        if (k.wall) {
+            px = min(max(px, margin), width - margin);
+            py = min(max(py, margin), height - margin);
+        }
+        if (nodes.any_solid()) {
+            for (std::size_t i = 0; i < n; ++i) {
+                const auto l = static_cast<int>(i);
+                double along_x = px[l], along_y = py[l];
+                slide_along_walls(nodes, old_x[l], old_y[l], along_x, along_y);
+                px.v[l] = along_x;
+                py.v[l] = along_y;
+            }
+        }
+        const Quad wave = speed + sqrt(k.gravity * depth);
+        const Quad::Mask finite = (wave < 1e9) & (abs(px) < 1e12) & (abs(py) < 1e12);
+        store_some(select(finite, px, old_x), x + p, n);
+        store_some(select(finite, py, old_y), y + p, n);
+        const Quad::Mask inside = finite & real & (px >= 0.0) & (px < width) & (py >= 0.0) & (py < height);
+        non_finite += ~finite & real;
+        outside += finite & ~inside & real;
+        if (nodes.any_solid()) {
+            for (std::size_t i = 0; i < n; ++i) {
+                const auto l = static_cast<int>(i);
+                if (inside[l] && nodes.is_gap(static_cast<std::int64_t>(px[l] * grid.inverse_dx),
+                                              static_cast<std::int64_t>(py[l] * grid.inverse_dx))) {
+                    ++report.no_data;
+                }
+            }
+        }
+        const Quad ox = px - k.origin.x, oy = py - k.origin.y;
+        wave_speed = select(inside, max(wave_speed, wave), wave_speed);
+        greatest_speed = select(inside, max(greatest_speed, speed), greatest_speed);
+        front_squared = select(inside, max(front_squared, ox * ox + oy * oy), front_squared);
+        kinetic += select(inside, 0.5 * mass * speed2, 0.0);
+        inside_volume += select(inside, mass, 0.0);
+    }
+    report.clamped = count(clamped);
+    report.non_finite = count(non_finite);
+    report.outside = count(outside);
+    report.wave_speed = greatest(wave_speed);
+    report.speed = greatest(greatest_speed);
+    report.diffusivity = greatest(diffusivity);
+    report.front_squared = greatest(front_squared);
+    report.longest = greatest(longest);
+    report.kinetic = sum(kinetic);
+    report.volume = sum(inside_volume);
+    return report;
+}
+
+}  // namespace
+}  // namespace frana

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mpm/vector/chunk_stencil.h"
+#include "particles/particle_set.h"
+#include "particles/tile_order.h"
+
+namespace frana {
+namespace {
+
+/// particles_to_nodes<QuadraticSplineShape, true, Levels>, four particles at a time: weights and what each brings
+/// are worked out side by side; then each particle adds two quads to each of its nine nodes,
+///     {mass, px, py, area}  and, if Levels,  {area_bed, fx, fy, support}.
+template <bool Levels>
+void vector_particles_to_nodes(const ParticleTile& tile, const ParticleSet& particles, NodeGrid& nodes) {
+    const double *const x = particles[Field::x], *const y = particles[Field::y];
+    const double *const u = particles[Field::u], *const v = particles[Field::v];
+    const double *const volume = particles[Field::volume], *const area = particles[Field::area];
+    const double *const c_xx = particles[Field::c_xx], *const c_xy = particles[Field::c_xy];
+    const double *const c_yx = particles[Field::c_yx], *const c_yy = particles[Field::c_yy];
+    const GridScale grid(nodes);
+    NodeSums* const sums = nodes.sums.data();
+    const double* const bed = nodes.bed.data();
+
+    for (std::size_t p = tile.begin; p < tile.end; p += 4) {
+        const std::size_t n = tile.end - p < 4 ? tile.end - p : 4;
+        const Quad px = load_some(x + p, n), py = load_some(y + p, n);
+        const ChunkAxis ax(px, grid), ay(py, grid);
+        std::size_t first[4];
+        first_nodes(ax, ay, grid.stride, first);
+        alignas(32) double weight[9][4];
+        {
+            Quad wx[3], wy[3];
+            ax.weights(wx);
+            ay.weights(wy);
+            for (int b = 0; b < 3; ++b) {
+                for (int a = 0; a < 3; ++a) (wx[a] * wy[b]).store(weight[3 * b + a]);
+            }
+        }
+        const Quad mass = load_some(volume + p, n), claim = load_some(area + p, n);
+        const Quad cxx = load_some(c_xx + p, n), cxy = load_some(c_xy + p, n);
+        const Quad cyx = load_some(c_yx + p, n), cyy = load_some(c_yy + p, n);
+        const Quad to_x = ax.to_first(px, grid.dx), to_y = ay.to_first(py, grid.dx);
+        // Rows: what a particle brings to its first node, and what each column and row adds to that.
+        Quad at_first[4] = {mass, mass * (load_some(u + p, n) + cxx * to_x + cxy * to_y),
+                            mass * (load_some(v + p, n) + cyx * to_x + cyy * to_y), claim};
+        Quad by_column[4] = {0.0, mass * cxx * grid.dx, mass * cyx * grid.dx, 0.0};
+        Quad by_row[4] = {0.0, mass * cxy * grid.dx, mass * cyy * grid.dx, 0.0};
+        transpose(at_first[0], at_first[1], at_first[2], at_first[3]);
+        transpose(by_column[0], by_column[1], by_column[2], by_column[3]);
+        transpose(by_row[0], by_row[1], by_row[2], by_row[3]);
+        alignas(32) double depth[4] = {};
+        if constexpr (Levels) (mass / claim).store(depth);
+
+        for (std::size_t k = 0; k < n; ++k) {
+            double* const node = &sums[first[k]].mass;
+            const double* const ground = bed + first[k];
+            const std::int64_t stride = grid.stride;
+            double z = 0;
+            if constexpr (Levels) {
+                for (int b = 0; b < 3; ++b) {
+                    const double* r = ground + b * stride;
+                    z += (weight[3 * b][k] * r[0] + weight[3 * b + 1][k] * r[1]) + weight[3 * b + 2][k] * r[2];
+                }
+            }
+            const double a_k = area[p + k], d_k = depth[k];
+            const Quad claim_level{a_k, 0, a_k * d_k, 0}, claim_square{0, a_k, a_k, 0}, surface{0, 0, d_k, 0};
+            Quad row_brings = at_first[k];
+            for (int b = 0; b < 3; ++b) {
+                double* const row = node + 8 * b * stride;
+                Quad brings = row_brings;
+                for (int a = 0; a < 3; ++a) {
+                    const Quad w(weight[3 * b + a][k]);
+                    (Quad::load(row + 8 * a) + w * brings).store(row + 8 * a);
+                    if constexpr (Levels) {
+                        // area {t, t^2, (t + depth)^2, 0} for the bed's height t over the node's own
+                        const Quad above(z - ground[b * stride + a]);
+                        const Quad level = (claim_level + claim_square * above) * (above + surface);
+                        (Quad::load(row + 8 * a + 4) + w * level).store(row + 8 * a + 4);
+                    }
+                    brings += by_column[k];
+                }
+                row_brings += by_row[k];
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace frana

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fast kernels against the plain templates that say what they compute, on random particles over a random bed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "cases.h"
+#include "mpm/levels.h"
+#include "mpm/node_tiles.h"
+#include "mpm/particles_to_nodes.h"
+#include "mpm/pressure.h"
+#include "mpm/update_nodes.h"
+#include "mpm/vector/kernels.h"
+
+namespace frana::test {
+namespace {
+
+using Shape = QuadraticSplineShape;
+
+// A sum of at most a few dozen terms, each rounded to 1.1e-16 of the largest, in another order and with joined
+// multiply-adds.
+constexpr double k_rounding = 1e-13;
+
+constexpr double k_cell = 2.5;
+constexpr FieldMask k_all_fields =
+    k_basic_fields | k_affine_fields | k_shape_fields | k_stress_fields | FieldMask{Field::compression};
+
+// A rough bed with a pond, an edge and cells without terrain.
+Raster rough_bed(std::mt19937& random) {
+    std::uniform_real_distribution<double> noise(-0.3, 0.3);
+    Raster bed = bench::sample_raster(bench::plain_grid(45, 40, k_cell), [&](Point p) {
+        return 0.3 * p.x + 2 * std::sin(0.1 * p.x) * std::cos(0.07 * p.y) + noise(random);
+    });
+    bed.at(3, 5) = bed.at(20, 22) = k_no_data;
+    return bed;
+}
+
+// Particles of one tile, drifted by up to three cells, some at the grid's very edge.
+ParticleSet random_particles(std::size_t count, double low, double high, std::mt19937& random) {
+    std::uniform_real_distribution<double> place(low * k_cell, high * k_cell), unit(0, 1), sign(-1, 1);
+    ParticleSet particles(k_all_fields);
+    for (std::size_t i = 0; i < count; ++i) {
+        ParticleRow r = ParticleSet::initial_row();
+        get(r, Field::x) = place(random);
+        get(r, Field::y) = place(random);
+        get(r, Field::u) = 10 * sign(random);
+        get(r, Field::v) = 10 * sign(random);
+        get(r, Field::area) = (0.05 + 3 * unit(random)) * k_cell * k_cell;
+        get(r, Field::volume) = get(r, Field::area) * std::pow(10.0, -4 + 5 * unit(random));
+        for (const Field f : {Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy, Field::compression})
+            get(r, f) = 2 * sign(random);
+        for (const Field f : {Field::s_xx, Field::s_xy, Field::s_yy}) get(r, f) = 5 * sign(random);
+        get(r, Field::q_xx) = (0.2 + unit(random)) * k_cell * k_cell;
+        get(r, Field::q_yy) = (0.2 + unit(random)) * k_cell * k_cell;
+        get(r, Field::q_xy) = 0.1 * sign(random) * k_cell * k_cell;
+        particles.push_back(r);
+    }
+    return particles;
+}
+
+struct Fields {
+    NodeGrid nodes;
+    explicit Fields(const Raster& bed) : nodes(bed) { nodes.allocate_levels(); }
+};
+
+template <class Visit>
+void for_all_nodes(NodeGrid& nodes, const Visit& visit) {
+    const TileGrid tiles{nodes.columns(), nodes.rows(), k_ghost, nodes.cell_size()};
+    for (std::int64_t t = 0; t < tiles.tiles_x() * tiles.tiles_y(); ++t) visit(NodeRange(t, tiles, nodes));
+}
+
+void work_out_levels(NodeGrid& nodes) {
+    for_all_nodes(nodes, [&](const NodeRange& range) { mean_levels(range, nodes); });
+    for_all_nodes(nodes, [&](const NodeRange& range) { node_references(range, nodes); });
+}
+
+// Every double of the nodes' records, against the largest of its kind.
+void expect_same_nodes(const NodeGrid& plain, const NodeGrid& fast) {
+    constexpr std::size_t k_lanes = sizeof(NodeSums) / sizeof(double);
+    for (std::size_t lane = 0; lane < k_lanes; ++lane) {
+        double largest = 0;
+        for (std::size_t i = 0; i < plain.sums.size(); ++i)
+            largest = std::max(largest, std::abs((&plain.sums[i].mass)[lane]));
+        for (std::size_t i = 0; i < plain.sums.size(); ++i) {
+            ASSERT_NEAR((&plain.sums[i].mass)[lane], (&fast.sums[i].mass)[lane], k_rounding * largest)
+                << "lane " << lane << ", node " << i;
+        }
+    }
+}
+
+void expect_same_particles(const ParticleSet& plain, const ParticleSet& fast) {
+    for (std::size_t f = 0; f < k_fields; ++f) {
+        const double *a = plain[static_cast<Field>(f)], *b = fast[static_cast<Field>(f)];
+        double largest = 0;
+        for (std::size_t p = 0; p < plain.size(); ++p) largest = std::max(largest, std::abs(a[p]));
+        for (std::size_t p = 0; p < plain.size(); ++p) {
+            ASSERT_NEAR(a[p], b[p], k_rounding * largest) << k_field_table[f].name << " of particle " << p;
+        }
+    }
+}
+
+class VectorKernelsTest : public testing::TestWithParam<std::size_t> {
+  protected:
+    void SetUp() override {
+        if (!vector_kernels()) GTEST_SKIP() << "this processor has no AVX2 and FMA: the plain kernels run";
+    }
+    std::mt19937 random_{20240517};
+    Raster bed_ = rough_bed(random_);
+};
+
+template <bool Levels>
+void compare_gather(const Raster& bed, const ParticleSet& particles, const ParticleTile& tile) {
+    Fields plain(bed), fast(bed);
+    const VectorKernels& kernels = *vector_kernels();
+    particles_to_nodes<Shape, true, Levels>(tile, particles, plain.nodes);
+    (Levels ? kernels.particles_and_levels_to_nodes : kernels.particles_to_nodes)(tile, particles, fast.nodes);
+    expect_same_nodes(plain.nodes, fast.nodes);
+}
+
+TEST_P(VectorKernelsTest, ParticlesToNodes) {
+    const ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
+    compare_gather<true>(bed_, particles, {1, 1 + GetParam(), 0});
+    compare_gather<false>(bed_, particles, {1, 1 + GetParam(), 0});
+}
+
+template <bool Stress>
+void compare_pressure(const Raster& bed, const ParticleSet& particles, const ParticleTile& tile) {
+    Fields plain(bed), fast(bed);
+    const VectorKernels& kernels = *vector_kernels();
+    for (Fields* fields : {&plain, &fast}) {
+        particles_to_nodes<Shape, true, true>(tile, particles, fields->nodes);
+        work_out_levels(fields->nodes);
+    }
+    pressure_to_nodes<Shape, true, Stress>(tile, particles, 9.81, plain.nodes);
+    (Stress ? kernels.pressure_and_stress_to_nodes : kernels.pressure_to_nodes)(tile, particles, 9.81, fast.nodes);
+    expect_same_nodes(plain.nodes, fast.nodes);
+}
+
+TEST_P(VectorKernelsTest, PressureToNodes) {
+    const ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
+    compare_pressure<false>(bed_, particles, {1, 1 + GetParam(), 0});
+    compare_pressure<true>(bed_, particles, {1, 1 + GetParam(), 0});
+}
+
+// Particles that reach over more nodes than a local copy holds, and over the whole grid with its edges.
+TEST_P(VectorKernelsTest, PressureToNodesOfParticlesFarApart) {
+    const ParticleSet particles = random_particles(GetParam(), 0, 40, random_);
+    compare_pressure<false>(bed_, particles, {0, GetParam(), 0});
+}
+
+template <class Stress>
+void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile& tile, const Stress& stress,
+                    bool wall) {
+    Fields fields(bed);
+    NodeGrid& nodes = fields.nodes;
+    particles_to_nodes<Shape, true, true>(tile, particles, nodes);
+    work_out_levels(nodes);
+    pressure_to_nodes<Shape, true, false>(tile, particles, 9.81, nodes);
+    const double dt = 0.05;
+    const VoellmyFriction frictionless;
+    for_all_nodes(nodes, [&](const NodeRange& range) {
+        update_nodes<NormalSlope>(range, {dt, 9.81, 0, 0, 0.01}, UniformFriction{frictionless}, nodes,
+                                  [](std::size_t, double, double) {});
+    });
+    for (std::size_t i = 0; i < nodes.sums.size(); ++i) {  // velocities of a flow that can be stepped
+        nodes.sums[i].px = 20 * std::tanh(nodes.sums[i].px / 20);
+        nodes.sums[i].py = 20 * std::tanh(nodes.sums[i].py / 20);
+    }
+    ParticleSet fast = particles;
+    const ParticleUpdate update{dt, 9.81, 1e-3, wall, {10, 20}};
+    const VectorKernels& kernels = *vector_kernels();
+    const ParticleReport a =
+        nodes_to_particles<Shape, ApicTransfer, Stress, true>(tile, update, stress, nodes, particles);
+    ParticleReport b;
+    if constexpr (Stress::active) {
+        b = kernels.nodes_to_particles_with_stress(tile, update, stress, nodes, fast);
+    } else {
+        b = kernels.nodes_to_particles(tile, update, {}, nodes, fast);
+    }
+    expect_same_particles(particles, fast);
+    EXPECT_NEAR(a.wave_speed, b.wave_speed, k_rounding * a.wave_speed);
+    EXPECT_NEAR(a.speed, b.speed, k_rounding * a.speed);
+    EXPECT_NEAR(a.diffusivity, b.diffusivity, k_rounding * a.diffusivity);
+    EXPECT_NEAR(a.front_squared, b.front_squared, k_rounding * a.front_squared);
+    EXPECT_NEAR(a.kinetic, b.kinetic, k_rounding * a.kinetic);
+    EXPECT_NEAR(a.volume, b.volume, k_rounding * a.volume);
+    EXPECT_NEAR(a.longest, b.longest, k_rounding * a.longest);
+    EXPECT_EQ(a.outside, b.outside);
+    EXPECT_EQ(a.non_finite, b.non_finite);
+    EXPECT_EQ(a.no_data, b.no_data);
+    EXPECT_EQ(a.clamped, b.clamped);
+}
+
+TEST_P(VectorKernelsTest, NodesToParticles) {
+    const ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
+    const ParticleTile tile{1, 1 + GetParam(), 0};
+    compare_update(bed_, particles, tile, NoStress{}, false);
+    for (const bool exact : {false, true})
+        compare_update(bed_, particles, tile, BinghamStress{0.5, 0.25, 0.01, exact}, false);
+    compare_update(bed_, particles, tile, BinghamStress{0.5, 0, 0.01, true}, false);
+    compare_update(bed_, particles, tile, BinghamStress{0, 0.25, 0.01, true}, false);
+}
+
+// Some leave, some come to rest on cells without terrain, some are kept in by walls.
+TEST_P(VectorKernelsTest, NodesToParticlesAtTheEdge) {
+    const ParticleSet particles = random_particles(GetParam(), 0, 40, random_);
+    compare_update(bed_, particles, {0, GetParam(), 0}, NoStress{}, false);
+    compare_update(bed_, particles, {0, GetParam(), 0}, NoStress{}, true);
+}
+
+INSTANTIATE_TEST_SUITE_P(Counts, VectorKernelsTest, testing::Values(1, 2, 3, 4, 5, 1023),
+                         testing::PrintToStringParamName());
+
+}  // namespace
+}  // namespace frana::test
