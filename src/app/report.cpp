@@ -32,7 +32,8 @@ th, td { text-align: left; vertical-align: top; padding: .2rem .5rem; border-bot
   overflow-wrap: anywhere; }
 td.n { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 table.keys { table-layout: fixed; } table.keys th { width: 22%; } table.keys th:nth-child(2) { width: 27%; }
-table.keys th:nth-child(3) { width: 9%; } table.keys th:nth-child(4) { width: 11%; } table.keys th:last-child { width: auto; }
+table.keys th:nth-child(3) { width: 9%; } table.keys th:nth-child(4) { width: 11%; }
+table.keys th:last-child { width: auto; }
 tr.given td { font-weight: bold; } tr.given td:last-child { font-weight: normal; } figure { margin: 0; }
  .small { font-size: .8rem; color: #444; }
 .warning { border-left: .4rem solid #d55e00; background: #fdf1e7; padding: .4rem .8rem; margin: .4rem 0; }

@@ -100,9 +100,11 @@ double shock_compression(const Stencil<Shape>& s, const NodeSums* sums, std::int
     return change > 0 ? -divergence * bend / change : 0;
 }
 
-/// A particle does not enter a wall's cell: it goes as far along the wall as either axis allows. Its cell then keeps it a
-/// whole cell away from the nodes behind a wall one cell thick.
-[[gnu::always_inline]] inline void slide_along_walls(const NodeGrid& nodes, double x, double y, double& px, double& py) noexcept {
+/// A particle does not enter a wall's cell: it goes as far along the wall as either axis allows. Its cell then keeps it
+/// a whole cell away from the nodes behind a wall one cell thick. Always inlined: the fast sweeps, compiled for another
+/// instruction set, must share no function with the rest.
+[[gnu::always_inline]] inline void slide_along_walls(const NodeGrid& nodes, double x, double y, double& px,
+                                                     double& py) noexcept {
     const double inverse_dx = 1 / nodes.cell_size();
     const auto wall = [&](double a, double b) {
         return a >= 0 && a < nodes.width() && b >= 0 && b < nodes.height() &&

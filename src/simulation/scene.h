@@ -144,7 +144,8 @@ struct ReleaseArea {
     bool normal_to_bed = false;              ///< thickness measured normal to the bed; false: vertically
     double start = 0;                        ///< when it fails [s]; until then its ground lies still
     double speed = 0;                        ///< at the start, along the bed [m/s]
-    std::optional<double> azimuth{};  ///< of that speed, clockwise from the grid's north [rad]; none: down the mean slope
+    /// Of that speed, clockwise from the grid's north [rad]; none: down the mean slope.
+    std::optional<double> azimuth{};
 };
 
 /// Discharge and velocity at one time; linear between times, nothing before the first and after the last.

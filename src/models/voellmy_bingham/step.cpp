@@ -11,8 +11,9 @@
 namespace frana::voellmy_bingham {
 namespace {
 
-// Particles whose shape has a trace above this many cells' areas wait no longer for the next sort to be split (a front
-// that does tears: the error of the dry dam break is a third smaller so), but sorts come at least this many steps apart.
+// Particles whose shape has a trace above this many cells' areas wait no longer for the next sort to be split (a
+// front that does tears: the error of the dry dam break is a third smaller so), but sorts come at least this many
+// steps apart.
 constexpr double k_long_shape = 1;
 constexpr int k_sort_pause = 3;
 

@@ -11,9 +11,10 @@ namespace frana::voellmy_bingham {
 /// whenever particles were added or the bed changed between steps.
 void prepare(State& state, const Laws& laws, ThreadPool& pool);
 
-/// One time step of at most `dt_limit`, folding what the nodes saw into `maxima`. With Stages::leapfrog forces at time t carry the
-/// velocities from the middle of the step before to the middle of this one, and those carry the positions from t to
-/// t + dt, so that both are of second order (Verlet 1967); otherwise velocities go to t + dt first, as in the paper.
+/// One time step of at most `dt_limit`, folding what the nodes saw into `maxima`. With Stages::leapfrog forces at
+/// time t carry the velocities from the middle of the step before to the middle of this one, and those carry the
+/// positions from t to t + dt, so that both are of second order (Verlet 1967); otherwise velocities go to t + dt
+/// first, as in the paper.
 StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_limit, Maxima& maxima,
                 ThreadPool& pool);
 
