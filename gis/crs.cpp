@@ -56,6 +56,13 @@ bool axes_run_east_and_north(const OGRSpatialReference& crs) {
 
 }  // namespace
 
+std::string layer_crs(const OGRSpatialReference* crs) {
+    if (!crs || !(crs->IsProjected() || crs->IsGeographic() || crs->IsCompound())) return {};
+    // GeoPackage's name for "not known", which it dresses up as degrees.
+    if (std::string(crs->GetName()).rfind("Undefined", 0) == 0) return {};
+    return wkt2(*crs);
+}
+
 std::string crs_from_user(const std::string& text, const std::string& where) {
     const GdalSession session;
     const auto fault = [&](const std::string& what) {

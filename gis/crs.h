@@ -5,11 +5,16 @@
 
 #include "core/grid_spec.h"
 
+class OGRSpatialReference;
+
 namespace frana::gis {
 
 /// WKT2:2019 of what a user wrote: "EPSG:32632", a PROJ string, WKT of any age. `where` names the file and
 /// key for the message. Throws Error(input).
 std::string crs_from_user(const std::string& text, const std::string& where);
+
+/// WKT2:2019 of a vector layer's CRS; "" where it has none, or one that places nothing on the Earth.
+std::string layer_crs(const OGRSpatialReference* crs);
 
 /// For people: "EPSG:32632 (WGS 84 / UTM zone 32N)", or the bare name where no authority is known; "local"
 /// for "".

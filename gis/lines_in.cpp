@@ -18,17 +18,6 @@ Error fault(const std::string& where, const std::string& what, const std::string
     return {ErrorKind::input, Problem{what, where, value, "", remedy}};
 }
 
-std::string crs_of(const OGRLayer& layer) {
-    const OGRSpatialReference* crs = const_cast<OGRLayer&>(layer).GetSpatialRef();
-    if (!crs || std::string(crs->GetName()).rfind("Undefined", 0) == 0) return {};
-    const char* const options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
-    char* text = nullptr;
-    const bool good = crs->exportToWkt(&text, options) == OGRERR_NONE;
-    std::string wkt = good && text ? text : "";
-    CPLFree(text);
-    return wkt;
-}
-
 /// The line of a feature; parts that join are put together.
 Polyline line_of(const OGRFeature& feature, const std::string& where) {
     const std::string name = "feature " + std::to_string(feature.GetFID());
@@ -74,7 +63,7 @@ LineInputLayer read_lines(const std::string& path, const std::string& target_crs
                         "Name one: FILE|layer=NAME");
         layer = dataset->GetLayer(0);
     }
-    const std::string crs = crs_of(*layer);
+    const std::string crs = layer_crs(layer->GetSpatialRef());
     if (crs.empty() && !target_crs_wkt.empty())
         throw fault(place, "the file names no coordinate reference system", "",
                     "Assign one (ogr2ogr -a_srs EPSG:...), or use terrain.crs = local throughout");

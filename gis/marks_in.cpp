@@ -13,16 +13,6 @@
 namespace frana::gis {
 namespace {
 
-std::string wkt_of(const OGRSpatialReference* crs) {
-    if (!crs || std::string(crs->GetName()).rfind("Undefined", 0) == 0) return {};
-    const char* const options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
-    char* text = nullptr;
-    const bool good = crs->exportToWkt(&text, options) == OGRERR_NONE;
-    std::string wkt = good && text ? text : "";
-    CPLFree(text);
-    return wkt;
-}
-
 std::string name_of(const OGRFeature& feature) {
     for (const char* field : {"name", "NAME", "Name", "id"}) {
         const int index = feature.GetFieldIndex(field);
@@ -105,7 +95,7 @@ Marks read_marks(const std::string& path, const std::string& target_crs_wkt, con
     for (OGRLayer* layer : dataset->GetLayers()) {
         if (!wanted.empty() && wanted != layer->GetName()) continue;
         found = true;
-        if (crs.empty()) crs = wkt_of(layer->GetSpatialRef());
+        if (crs.empty()) crs = layer_crs(layer->GetSpatialRef());
         for (const auto& feature : *layer) {
             const OGRGeometry* geometry = feature->GetGeometryRef();
             if (!geometry) continue;

@@ -127,19 +127,6 @@ void filter(OGRLayer& layer, const Source& source, const std::string& condition)
                 "Its attributes: " + attribute_names(layer));
 }
 
-std::string crs_of(OGRLayer& layer) {
-    const OGRSpatialReference* crs = layer.GetSpatialRef();
-    if (!crs || !(crs->IsProjected() || crs->IsGeographic() || crs->IsCompound())) return {};
-    // GeoPackage's name for "not known", which it dresses up as degrees.
-    if (std::string(crs->GetName()).rfind("Undefined", 0) == 0) return {};
-    const char* const options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
-    char* text = nullptr;
-    const bool good = crs->exportToWkt(&text, options) == OGRERR_NONE;
-    std::string wkt = good && text ? text : "";
-    CPLFree(text);
-    return wkt;
-}
-
 void take_attributes(const OGRFeature& from, PolygonFeature& feature) {
     const OGRFeatureDefn& fields = *from.GetDefnRef();
     for (int i = 0; i < fields.GetFieldCount(); ++i) {
@@ -298,7 +285,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     OGRLayer& layer = choose_layer(*dataset, source);
     check_attribute_table(*dataset, layer, source);
     if (!choice.filter.empty()) filter(layer, source, choice.filter);
-    const std::string crs = choice.crs.empty() ? crs_of(layer) : choice.crs;
+    const std::string crs = choice.crs.empty() ? layer_crs(layer.GetSpatialRef()) : choice.crs;
     if (crs.empty() && !target_crs_wkt.empty()) {
         throw fault(
             source, "the file names no coordinate reference system", "",

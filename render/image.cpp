@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "core/error.h"
-#include "render/file_aside.h"
+#include "core/file_aside.h"
 #include "render/vtk_errors.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"

@@ -17,7 +17,7 @@ extern "C" {
 #include <utility>
 
 #include "core/error.h"
-#include "render/file_aside.h"
+#include "core/file_aside.h"
 #include "render/gif_palette.h"
 
 namespace frana::render {

@@ -40,7 +40,6 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
                                                   reading.where("release.thickness-crs"));
                 info.crs_label = gis::crs_name(info.crs_wkt);
             }
-            release.thickness_files.push_back(info);
             if (ground == nullptr) continue;
             const bool local = ground->terrain.grid.crs_wkt.empty();
             if (!local && info.crs_wkt.empty()) {

@@ -23,8 +23,7 @@ struct RasterUse {
 struct ReleaseInput {
     std::vector<ReleaseArea> areas;
     std::optional<gis::PolygonLayer> perimeter;    ///< none: outlined by the thickness raster
-    std::vector<gis::RasterInfo> thickness_files;  ///< rasters that gave the thickness
-    std::vector<RasterUse> thickness_uses;         ///< one for each of them
+    std::vector<RasterUse> thickness_uses;         ///< rasters that gave the thickness
     std::optional<double> file_volume_m3;          ///< of the thickness raster, see match_file_volume
     double area_m2 = 0;                            ///< of the outlines, in map view
 };

@@ -7,6 +7,7 @@
 #include "analysis/trace.h"
 #include "app/number_text.h"
 #include "app/svg_chart.h"
+#include "app/transform_report.h"
 #include "params/scene_parameters.h"
 #include "params/write_scene.h"
 #include "simulation/simulation.h"
@@ -89,12 +90,9 @@ std::string curve_chart(const std::vector<ComparisonFigures>& curve) {
     return svg_chart({"depth threshold [m]", "score", {jaccard, hit, alarm}, true});
 }
 
-std::string accuracy(const gis::TransformInfo& transform) {
-    if (transform.operation.empty() || transform.operation == "none") return "none needed";
-    return transform.operation +
-           (transform.accuracy_m < 0 ? "; accuracy unknown"
-                                     : "; accuracy " + figure(transform.accuracy_m, 3) + " m") +
-           (transform.needs_missing_grid ? " (a better one needs a grid file that is not installed)" : "");
+std::string operation(const gis::TransformInfo& transform) {
+    const std::string text = transform_text(transform);
+    return text == "none" ? "none needed" : text + "; accuracy " + accuracy_text(transform);
 }
 
 }  // namespace
@@ -117,13 +115,15 @@ std::string results_table(const ReportInput& input) {
 }
 
 std::string budget_table(const RunResult& r) {
-    const double missing = r.volume_final + r.volume_left - r.volume_initial;
-    return Table()
-        .number("Released", grouped(r.volume_initial), "m³")
-        .number("Inside at the end", grouped(r.volume_final), "m³")
+    Table table;
+    table.number("Released, at the start and later", grouped(r.volume_entered - r.volume_inflow), "m³");
+    if (r.volume_inflow > 0) table.number("Flowed in", grouped(r.volume_inflow), "m³");
+    if (r.exchanges)
+        table.number("Eroded from the bed", grouped(r.volume_eroded), "m³")
+            .number("Deposited on the bed", grouped(r.volume_deposited), "m³");
+    return table.number("Inside at the end", grouped(r.volume_final), "m³")
         .number("Left the computed ground", grouped(r.volume_left), "m³")
-        .number("Error of the budget",
-                figure(r.volume_initial > 0 ? std::abs(missing) / r.volume_initial : 0, 2), "of the release")
+        .number("Error of the budget", figure(relative_volume_error(r), 2), "of all that came in")
         .html();
 }
 
@@ -242,16 +242,17 @@ std::string inputs_table(const Prepared& p) {
     Table table({"input", "file", "CRS", "operation to the working CRS"});
     const gis::RasterInfo& dtm = p.ground.file;
     table.row({"Terrain (" + p.ground.resampling_used + ")", dtm.path,
-               dtm.crs_wkt.empty() ? "none" : dtm.crs_label, accuracy(p.ground.transform)});
+               dtm.crs_wkt.empty() ? "none" : dtm.crs_label, operation(p.ground.transform)});
     if (p.release.perimeter && p.spec.release.perimeter)
         table.row({"Release", *p.spec.release.perimeter, p.release.perimeter->crs_label,
-                   accuracy(p.release.perimeter->transform)});
-    for (const gis::RasterInfo& file : p.release.thickness_files)
-        table.row({"Release thickness", file.path, file.crs_wkt.empty() ? "none" : file.crs_label, ""});
+                   operation(p.release.perimeter->transform)});
+    for (const RasterUse& use : p.release.thickness_uses)
+        table.row({"Release thickness (" + use.resampling + ")", use.file.path,
+                   use.file.crs_wkt.empty() ? "none" : use.file.crs_label, operation(use.transform)});
     if (p.scar && p.spec.scar.perimeter)
-        table.row({"Scar", *p.spec.scar.perimeter, p.scar->crs_label, accuracy(p.scar->transform)});
+        table.row({"Scar", *p.spec.scar.perimeter, p.scar->crs_label, operation(p.scar->transform)});
     for (const ExtraInput::File& file : p.extra.files)
-        table.row({file.what, file.path, file.crs_label, accuracy(file.transform)});
+        table.row({file.what, file.path, file.crs_label, operation(file.transform)});
     return "<p>Working CRS: " + html_escaped(p.ground.crs_label) + "; extent " +
            html_escaped(extent_text(p.scene.grid.bounds())) + "; " + grouped(p.ground.nodata_cells) +
            " cells without elevation" +

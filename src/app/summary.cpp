@@ -19,12 +19,6 @@ double maximum_or_zero(const Raster& raster) {
     return std::isnan(largest) ? 0 : largest;
 }
 
-double relative_volume_error(const RunResult& result) {
-    const double taken = result.volume_entered + result.volume_eroded;
-    if (taken == 0) return 0;
-    return std::abs(result.volume_final + result.volume_left + result.volume_deposited - taken) / taken;
-}
-
 void write_grid_and_particles(JsonWriter& json, const RunResult& result) {
     const GridSpec& grid = result.max_depth.grid;
     json.begin_object("grid").integer("columns", grid.columns).integer("rows", grid.rows);

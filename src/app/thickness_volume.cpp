@@ -55,10 +55,10 @@ std::optional<GridSpec> own_grid(const gis::RasterInfo& file, const GridSpec& wo
 }  // namespace
 
 void match_file_volume(ReleaseInput& release, const GridSpec& working_grid) {
-    if (release.thickness_files.size() != 1 || release.areas.empty()) return;
+    if (release.thickness_uses.size() != 1 || release.areas.empty()) return;
     const ReleaseArea& first = release.areas.front();
     if (!first.thickness_raster || first.normal_to_bed) return;
-    const gis::RasterInfo& file = release.thickness_files.front();
+    const gis::RasterInfo& file = release.thickness_uses.front().file;
     const std::optional<GridSpec> grid = own_grid(file, working_grid);
     if (!grid) return;
     const Raster own = gis::read_raster_on(file.path, *grid, grid->crs_wkt, gis::Resampling::nearest).raster;

@@ -36,12 +36,12 @@ struct Marks {
     double cell_size, mean_depth_error;
 };
 
-CaseFigures run_channel(double cell_size, Scheme scheme, double right, std::optional<Marks> marks) {
+CaseFigures run_channel(double cell_size, Scheme scheme, double right, double jitter, std::optional<Marks> marks) {
     Setup setup;
     const GridSpec grid =
         plain_grid(std::llround(k_length / cell_size), std::llround(k_width / cell_size), cell_size);
     setup.bed = Raster(grid, 0.0);
-    setup.seeds = fill_lattice(grid, 2, 0, [&](Point p) { return Seed{p.x < k_dam ? k_left : right}; });
+    setup.seeds = fill_lattice(grid, 2, jitter, [&](Point p) { return Seed{p.x < k_dam ? k_left : right}; });
     setup.material = water();
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
     TimedFlow run(setup);
@@ -66,9 +66,17 @@ CaseFigures run_channel(double cell_size, Scheme scheme, double right, std::opti
     return figures;
 }
 
-AccuracyCase channel_case(const char* name, const char* what, double right, std::optional<Marks> marks) {
+constexpr double k_jitter = 0.8;  // of the irregular cases, see fill_lattice
+
+AccuracyCase channel_case(const char* name, const char* what, double right, std::optional<Marks> marks = {}) {
     return {name, what, {10, 5, 2.5, 1.25, 0.625}, false, [right, marks](double cell_size, Scheme scheme) {
-                return run_channel(cell_size, scheme, right, marks);
+                return run_channel(cell_size, scheme, right, 0, marks);
+            }};
+}
+
+AccuracyCase irregular_case(const char* name, const char* what, double right) {
+    return {name, what, {10, 5, 2.5, 1.25}, false, [right](double cell_size, Scheme scheme) {
+                return run_channel(cell_size, scheme, right, k_jitter, {});
             }};
 }
 
@@ -76,8 +84,11 @@ AccuracyCase channel_case(const char* name, const char* what, double right, std:
 
 std::vector<AccuracyCase> channel_dam_breaks() {
     return {channel_case("stoker", "dam break, 10 m over 2 m of water, 20 s", 2, Marks{2.5, 0.015}),
-            channel_case("stoker-weak", "dam break, 10 m over 5 m of water, 20 s", 5, {}),
-            channel_case("ritter", "dam break, 10 m over dry ground, 20 s", 0, Marks{2.5, 0.0105})};
+            irregular_case("stoker-irregular", "the same with irregular particles", 2),
+            channel_case("stoker-weak", "dam break, 10 m over 5 m of water, 20 s", 5),
+            irregular_case("stoker-weak-irregular", "the same with irregular particles", 5),
+            channel_case("ritter", "dam break, 10 m over dry ground, 20 s", 0, Marks{2.5, 0.0105}),
+            irregular_case("ritter-irregular", "the same with irregular particles", 0)};
 }
 
 }  // namespace frana::bench

@@ -122,6 +122,12 @@ Raster pressure_kpa(const Raster& speed, double density) {
 
 }  // namespace
 
+double relative_volume_error(const RunResult& result) {
+    const double taken = result.volume_entered + result.volume_eroded;
+    if (taken == 0) return 0;
+    return std::abs(result.volume_final + result.volume_left + result.volume_deposited - taken) / taken;
+}
+
 const char* describe(StopReason reason) {
     switch (reason) {
         case StopReason::end_time:

@@ -54,7 +54,7 @@ TEST(WritePng, AFullDiskIsReportedAndLeavesTheOldFile) {
     write_png(path, Image(4, 4));
     const auto size = std::filesystem::file_size(path);
     // The file aside is made to be the device that is always full.
-    std::filesystem::create_symlink("/dev/full", path + ".partial" + std::to_string(getpid()));
+    std::filesystem::create_symlink("/dev/full", folder.file("a.partial" + std::to_string(getpid()) + ".png"));
     EXPECT_THROW(write_png(path, Image(400, 400)), Error);
     EXPECT_EQ(std::filesystem::file_size(path), size);
     EXPECT_EQ(folder.count(), 1U);
