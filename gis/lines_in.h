@@ -18,7 +18,9 @@ struct LineInput {
 
 struct LineInputLayer {
     std::vector<LineInput> features;  ///< in the target CRS
-    std::string crs_label;              ///< of the file, for people
+    std::string crs_wkt;              ///< of the file; empty: none
+    std::string crs_label;            ///< of the file, for people
+    Bounds own_bounds;                ///< in the file's CRS
     TransformInfo transform;
 };
 

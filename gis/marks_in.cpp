@@ -4,11 +4,10 @@
 #include <ogrsf_frmts.h>
 
 #include <cmath>
-#include <filesystem>
 
-#include "core/error.h"
 #include "gis/crs.h"
 #include "gis/gdal_session.h"
+#include "gis/vector_source.h"
 
 namespace frana::gis {
 namespace {
@@ -67,6 +66,7 @@ void transform_places(Marks& marks, const std::string& from, const std::string& 
                std::max(box.north, p.y)};
     });
     if (box.west > box.east) return;
+    marks.own_bounds = box;
     const CrsTransform transform(from, to, box);
     marks.transform = transform.info();
     each([&](Point& p) { p = transform(p); });
@@ -75,25 +75,17 @@ void transform_places(Marks& marks, const std::string& from, const std::string& 
 }  // namespace
 
 Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
-    constexpr const char* k_mark = "|layer=";
     const GdalSession session;
-    const std::size_t bar = path.find(k_mark);
-    const std::string file = path.substr(0, bar);
-    const std::string wanted = bar == std::string::npos ? "" : path.substr(bar + std::string(k_mark).size());
+    const VectorSource source = vector_source(path, where);
     const auto fault = [&](const std::string& what, const std::string& value, const std::string& remedy) {
-        return Error(ErrorKind::input, Problem{what, where + ": " + path, value, "", remedy});
+        return vector_fault(source, what, value, remedy);
     };
-    const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
-    if (!dataset) {
-        throw fault(std::filesystem::exists(file) ? "the file is not a vector file that can be read"
-                                                  : "the file does not exist",
-                    "", "Give points or lines in any format that OGR reads");
-    }
+    const GDALDatasetUniquePtr dataset = open_vector(source);
     Marks marks;
     std::string crs;
-    bool found = wanted.empty();
+    bool found = source.layer.empty();
     for (OGRLayer* layer : dataset->GetLayers()) {
-        if (!wanted.empty() && wanted != layer->GetName()) continue;
+        if (!source.layer.empty() && source.layer != layer->GetName()) continue;
         found = true;
         if (crs.empty()) crs = layer_crs(layer->GetSpatialRef());
         for (const auto& feature : *layer) {
@@ -103,10 +95,11 @@ Marks read_marks(const std::string& path, const std::string& target_crs_wkt, con
             take(*straight, name_of(*feature), marks);
         }
     }
-    if (!found) throw fault("the file has no such layer", wanted, "Name one of its layers");
+    if (!found) throw fault("the file has no such layer", source.layer, "Name one of its layers");
     if (session.failed()) throw fault("the file is damaged: " + session.last_message(), "", "Export it anew");
     if (marks.points.empty() && marks.lines.empty() && marks.polygons == 0)
         throw fault("the file holds no point and no line", "", "Draw at least one");
+    marks.crs_wkt = crs;
     marks.crs_label = crs.empty() ? "none" : crs_name(crs);
     if (crs.empty() && !target_crs_wkt.empty()) {
         throw fault("the file names no coordinate reference system", "",

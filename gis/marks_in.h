@@ -24,7 +24,9 @@ struct Marks {
     std::vector<NamedLine> lines;
     std::vector<NamedPoint> points;
     std::int64_t polygons = 0;  ///< how many features are areas; they are not read
+    std::string crs_wkt;        ///< of the file; empty: none
     std::string crs_label;      ///< of the file, for people
+    Bounds own_bounds;          ///< in the file's CRS; of points and lines
     TransformInfo transform;
 };
 

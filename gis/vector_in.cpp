@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gis/vector_in.h"
 
-#include <cpl_conv.h>
-#include <cpl_vsi.h>
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "gis/gdal_session.h"
 #include "gis/outline_check.h"
 #include "gis/polygon_geometry.h"
+#include "gis/vector_source.h"
 
 namespace frana::gis {
 namespace {
@@ -25,106 +24,10 @@ constexpr double k_overlap_share = 1e-3;  // less comes from digitising neighbou
 
 constexpr std::size_t k_most_problems = 10;  // a layer of lines would fill the screen
 
-struct Source {
-    std::string file;
-    std::string layer;  // empty: the only one with areas
-    std::string where;  // file and key, for messages
-};
-
-Source split(const std::string& path, const std::string& where) {
-    constexpr const char* k_mark = "|layer=";
-    const std::string prefix = where.empty() ? "" : where + ": ";
-    const std::size_t mark = path.find(k_mark);
-    if (mark == std::string::npos) return {path, "", prefix + path};
-    return {path.substr(0, mark), path.substr(mark + std::string(k_mark).size()), prefix + path};
-}
-
-Error fault(const Source& source, const std::string& what, const std::string& value,
-            const std::string& remedy) {
-    return {ErrorKind::input, Problem{what, source.where, value, "", remedy}};
-}
-
-GDALDatasetUniquePtr open(const Source& source) {
-    const GdalSession session;
-    GDALDatasetUniquePtr dataset(
-        GDALDataset::Open(source.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
-    if (dataset) return dataset;
-    VSIStatBufL status;
-    if (VSIStatL(source.file.c_str(), &status) != 0) {
-        throw fault(source, "the file does not exist", "",
-                    "Check the path; it is relative to the scene file");
-    }
-    throw fault(
-        source, "the file is not a vector file that can be read: " + session.last_message(), "",
-        "Give a shapefile (with its .shx and .dbf), GeoPackage, GeoJSON or another file that OGR reads");
-}
-
-std::string layer_names(GDALDataset& dataset) {
-    std::string names;
-    for (OGRLayer* layer : dataset.GetLayers()) {
-        names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
-    }
-    return names;
-}
-
 /// A layer that can hold areas: closed lines count, points do not.
 bool may_hold_areas(OGRLayer& layer) {
     const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
     return type != wkbNone && type != wkbPoint && type != wkbMultiPoint;
-}
-
-/// GDAL reads a shapefile with a damaged .dbf as one without attributes.
-void check_attribute_table(GDALDataset& dataset, OGRLayer& layer, const Source& source) {
-    if (std::string(dataset.GetDriverName()) != "ESRI Shapefile" || layer.GetLayerDefn()->GetFieldCount() > 0)
-        return;
-    const std::string table = CPLResetExtension(source.file.c_str(), "dbf");
-    VSIStatBufL status;
-    if (VSIStatL(table.c_str(), &status) == 0)
-        throw fault(source, "the attribute table is damaged", table,
-                    "Export the shapefile anew, or remove the .dbf");
-}
-
-OGRLayer& choose_layer(GDALDataset& dataset, const Source& source) {
-    if (!source.layer.empty()) {
-        if (OGRLayer* layer = dataset.GetLayerByName(source.layer.c_str())) return *layer;
-        throw fault(source, "the file has no such layer", source.layer,
-                    "Its layers: " + layer_names(dataset));
-    }
-    OGRLayer* found = nullptr;
-    for (OGRLayer* layer : dataset.GetLayers()) {
-        if (!may_hold_areas(*layer)) continue;
-        if (found) {
-            throw fault(source, "the file holds several layers", layer_names(dataset),
-                        "Name one: \"" + source.file + "|layer=" + found->GetName() + "\"");
-        }
-        found = layer;
-    }
-    if (!found)
-        throw fault(source, "the file holds no layer with areas", layer_names(dataset), "Give polygons");
-    return *found;
-}
-
-std::string attribute_names(OGRLayer& layer) {
-    std::string names;
-    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
-    for (int i = 0; i < fields.GetFieldCount(); ++i)
-        names += (names.empty() ? "" : ", ") + std::string(fields.GetFieldDefn(i)->GetNameRef());
-    return names.empty() ? "it has none" : names;
-}
-
-void filter(OGRLayer& layer, const Source& source, const std::string& condition) {
-    const GdalSession session;
-    // Some drivers see a fault only when the first feature is asked for.
-    if (layer.SetAttributeFilter(condition.c_str()) == OGRERR_NONE) {
-        const OGRFeatureUniquePtr first(layer.GetNextFeature());
-        if (first) return;
-    }
-    if (session.failed()) {
-        throw fault(source, "the filter is not understood: " + session.last_message(), condition,
-                    "A condition as in SQL on its attributes: " + attribute_names(layer));
-    }
-    throw fault(source, "no feature satisfies the filter", condition,
-                "Its attributes: " + attribute_names(layer));
 }
 
 void take_attributes(const OGRFeature& from, PolygonFeature& feature) {
@@ -142,7 +45,7 @@ void take_attributes(const OGRFeature& from, PolygonFeature& feature) {
 }
 
 /// One feature in its own CRS; adds to `problems` what keeps it from being used.
-PolygonFeature read_feature(const OGRFeature& from, const Source& source, Problems& problems,
+PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, Problems& problems,
                             std::vector<std::string>& warnings) {
     PolygonFeature feature;
     const std::string name = "feature " + std::to_string(from.GetFID());
@@ -220,7 +123,7 @@ Bounds bounds_of(const std::vector<PolygonFeature>& features) {
     return bounds(all);
 }
 
-std::vector<PolygonFeature> read_features(OGRLayer& layer, const Source& source,
+std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& source,
                                           std::vector<std::string>& warnings) {
     Problems problems;
     std::vector<PolygonFeature> features;
@@ -239,14 +142,14 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const Source& source,
         problems.add(
             Problem{std::to_string(untold) + " more features have problems", source.where, "", "", ""});
     problems.throw_if_any();
-    if (seen == 0) throw fault(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
+    if (seen == 0) throw vector_fault(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
     if (features.empty())
-        throw fault(source, "the layer holds no polygon", layer.GetName(), "Draw at least one");
+        throw vector_fault(source, "the layer holds no polygon", layer.GetName(), "Draw at least one");
     return features;
 }
 
 /// Ground that lies in two features: what that means, the caller knows.
-bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const Source& source,
+bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorSource& source,
                       std::vector<std::string>& warnings) {
     bool any = false;
     std::vector<Bounds> boxes;
@@ -275,19 +178,19 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const Source&
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt,
                            const std::string& where, const LayerChoice& choice) {
     const GdalSession session;
-    Source source = split(path, where);
+    VectorSource source = vector_source(path, where);
     if (!choice.name.empty() && !source.layer.empty() && source.layer != choice.name) {
-        throw fault(source, "two layers are named", source.layer + ", " + choice.name,
-                    "Keep \"|layer=\" in the path or the key, not both");
+        throw vector_fault(source, "two layers are named", source.layer + ", " + choice.name,
+                           "Keep \"|layer=\" in the path or the key, not both");
     }
     if (!choice.name.empty()) source.layer = choice.name;
-    const GDALDatasetUniquePtr dataset = open(source);
-    OGRLayer& layer = choose_layer(*dataset, source);
+    const GDALDatasetUniquePtr dataset = open_vector(source);
+    OGRLayer& layer = choose_layer(*dataset, source, may_hold_areas, "areas");
     check_attribute_table(*dataset, layer, source);
-    if (!choice.filter.empty()) filter(layer, source, choice.filter);
+    if (!choice.filter.empty()) filter_features(layer, source, choice.filter);
     const std::string crs = choice.crs.empty() ? layer_crs(layer.GetSpatialRef()) : choice.crs;
     if (crs.empty() && !target_crs_wkt.empty()) {
-        throw fault(
+        throw vector_fault(
             source, "the file names no coordinate reference system", "",
             "Say which one it is in (perimeter-crs = EPSG:...), add a .prj file, or use terrain.crs = local "
             "throughout");
@@ -298,16 +201,16 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     read.crs_label = crs.empty() ? "none" : crs_name(crs);
     read.features = read_features(layer, source, read.warnings);
     if (session.failed())
-        throw fault(source, "the file is damaged: " + session.last_message(), "", "Export it anew");
+        throw vector_fault(source, "the file is damaged: " + session.last_message(), "", "Export it anew");
     const Bounds own = bounds_of(read.features);
     if (!target_crs_wkt.empty() && !plausible(crs, own)) {
-        throw fault(source, "the coordinates are no degrees though the file's CRS is in degrees",
-                    shortest_text(own.west) + ", " + shortest_text(own.south),
-                    "Correct the .prj: " + read.crs_label);
+        throw vector_fault(source, "the coordinates are no degrees though the file's CRS is in degrees",
+                           shortest_text(own.west) + ", " + shortest_text(own.south),
+                           "Correct the .prj: " + read.crs_label);
     }
     if (const auto place = long_way_round(read.features, target_crs_wkt.empty() ? 0 : longitude_turn(crs))) {
-        throw fault(source, "an edge goes round the Earth the long way", *place,
-                    "Split the outline at the antimeridian, or count its longitudes on beyond 180");
+        throw vector_fault(source, "an edge goes round the Earth the long way", *place,
+                           "Split the outline at the antimeridian, or count its longitudes on beyond 180");
     }
     const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt, own);
     read.transform = transform.info();
@@ -319,8 +222,8 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
             for (Polygon& part : feature.parts) part = transformed(part, transform, tolerance);
         }
     } catch (const Error& error) {
-        throw fault(source, error.problems().front().what, error.problems().front().value,
-                    error.problems().front().remedy);
+        throw vector_fault(source, error.problems().front().what, error.problems().front().value,
+                           error.problems().front().remedy);
     }
     read.bounds = bounds_of(read.features);
     read.overlap = warn_of_overlaps(read.features, source, read.warnings);

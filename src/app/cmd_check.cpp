@@ -79,6 +79,13 @@ void print_site(const Scene& scene) {
                     grouped(std::count(scene.walls->values.begin(), scene.walls->values.end(), 1.0)).c_str());
 }
 
+/// Of the fullest moment, as far as a trial foresees it.
+std::int64_t memory_bytes(const RunEstimate& expected, const std::optional<TimeEstimate>& trial) {
+    const std::int64_t more = trial ? trial->particles_peak - expected.particles : 0;
+    return expected.memory_bytes +
+           RunEstimate::k_particle_copies * std::max<std::int64_t>(more, 0) * expected.bytes_per_particle;
+}
+
 void print_run(const Prepared& prepared, const RunEstimate& expected,
                const std::optional<TimeEstimate>& trial, int threads) {
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
@@ -115,7 +122,7 @@ int cmd_check(const Arguments& arguments) {
     const RunEstimate expected = estimate(prepared.scene, threads);
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
     std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
-    std::printf("\n%s", input_table(prepared, expected.memory_bytes).c_str());
+    std::printf("\n%s", input_table(prepared, memory_bytes(expected, trial)).c_str());
     print_site(prepared.scene);
     print_run(prepared, expected, trial, threads);
     std::fflush(stdout);

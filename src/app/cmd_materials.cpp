@@ -16,14 +16,13 @@ int cmd_materials(const Arguments& arguments) {
         "",
         {}};
     if (!parse_arguments(form, arguments)) return static_cast<int>(ExitCode::done);
-    std::cout << "Each preset is a starting point, not a calibrated truth: fit its values to a known event "
-                 "of the same "
-                 "kind and place.\n\n";
     bool first = true;
     for (const MaterialPreset& preset : material_presets(materials_directory())) {
         if (!first) std::cout << '\n';
         first = false;
-        std::cout << preset.name << '\n';
+        std::cout << preset.name << '\n'
+                  << "  A starting point, not a calibrated truth: fit it to a known event of the same kind and "
+                     "place.\n";
         for (const std::string& line : preset.comments) std::cout << "  # " << line << '\n';
         for (const IniEntry& entry : preset.entries)
             std::cout << "  " << entry.name << " = " << entry.value << '\n';

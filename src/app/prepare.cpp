@@ -91,6 +91,22 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     return chosen;
 }
 
+/// Every file of a scene, in the order of its sections.
+std::vector<UsedFile> used_files(const SceneSpec& spec, const TerrainInput& ground, const ReleaseInput& release,
+                                 const std::vector<UsedFile>& site, const std::optional<gis::PolygonLayer>& scar,
+                                 const std::vector<UsedFile>& extra) {
+    std::vector<UsedFile> files{
+        used_raster("DTM", ground.file, ground.transform, ground.resampling_used, ground.nodata_cells)};
+    if (release.perimeter)
+        files.push_back(used_polygons("Release perimeter", *spec.release.perimeter, *release.perimeter));
+    for (const RasterUse& use : release.thickness_uses)
+        files.push_back(used_raster("Release thickness", use.file, use.transform, use.resampling, use.nodata_cells));
+    files.insert(files.end(), site.begin(), site.end());
+    if (scar) files.push_back(used_polygons("Scar", *spec.scar.perimeter, *scar));
+    files.insert(files.end(), extra.begin(), extra.end());
+    return files;
+}
+
 /// What only seeding finds: a wall on the release, a velocity without direction, an inflow over ground without data.
 void refuse_what_cannot_start(const Scene& scene) {
     const bool in_motion = std::any_of(scene.release.begin(), scene.release.end(),
@@ -105,10 +121,11 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     Problems problems = reading.problems;
     std::optional<TerrainInput> ground = prepare_terrain(reading, log, problems);
     const TerrainInput* known_ground = ground ? &*ground : nullptr;
-    std::optional<Raster> walls = prepare_obstacles(reading, ground ? &*ground : nullptr, log, problems);
+    std::vector<UsedFile> site;
+    std::optional<Raster> walls = prepare_obstacles(reading, ground ? &*ground : nullptr, site, log, problems);
     ReleaseInput release = prepare_release(reading, known_ground, log, problems);
-    std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, log, problems);
-    MaterialZones zones = prepare_zones(reading, known_ground, log, problems);
+    std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, site, log, problems);
+    MaterialZones zones = prepare_zones(reading, known_ground, site, log, problems);
     std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, log, problems);
     ExtraInput extra;
     if (ground) extra = prepare_extra(reading, ground->terrain.grid, log, problems);
@@ -143,6 +160,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
             grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
     }
     prepared.resolved = resolved_choices(reading.scene, *ground, grid);
+    prepared.files = used_files(reading.scene, *ground, release, site, scar, extra.files);
     prepared.ground = std::move(*ground);
     prepared.release = std::move(release);
     prepared.scar = std::move(scar);

@@ -4,10 +4,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/prepare_release.h"
 #include "app/prepare_terrain.h"
 #include "app/survey_input.h"
+#include "app/used_file.h"
 #include "simulation/scene.h"
 
 namespace frana::app {
@@ -19,7 +21,8 @@ struct Prepared {
     TerrainInput ground;   ///< its raster has moved into the scene
     ReleaseInput release;  ///< its areas have moved into the scene
     std::optional<gis::PolygonLayer> scar;
-    ExtraInput extra;            ///< its recording has moved into the scene
+    ExtraInput extra;             ///< its recording has moved into the scene
+    std::vector<UsedFile> files;  ///< everything that was read
     double convergence_deg = 0;  ///< true north from grid north at the grid's centre, clockwise
     std::map<std::string, std::string> resolved;  ///< what frana chose for keys left to it
 };

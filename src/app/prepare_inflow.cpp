@@ -8,6 +8,7 @@
 
 #include "app/layer_values.h"
 #include "app/number_text.h"
+#include "app/transform_report.h"
 #include "core/json.h"
 #include "gis/lines_in.h"
 #include "gis/table_in.h"
@@ -86,6 +87,8 @@ std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const 
     return rows;
 }
 
+}  // namespace
+
 double length_of(const Polyline& line) {
     double sum = 0;
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
@@ -93,8 +96,7 @@ double length_of(const Polyline& line) {
     return sum;
 }
 
-/// The hydrograph's file for a line: the scene's own, or the one that the line's column names.
-std::string file_for(const SceneReading& reading, const gis::LineInput& feature, std::size_t number) {
+std::string hydrograph_file(const SceneReading& reading, const gis::LineInput& feature, std::size_t number) {
     const std::string& given = *reading.scene.inflow.hydrograph;
     const std::string k_attribute = "attribute:";
     if (given.rfind(k_attribute, 0) != 0) return given;
@@ -107,8 +109,6 @@ std::string file_for(const SceneReading& reading, const gis::LineInput& feature,
     const std::size_t slash = reading.scene.file.find_last_of('/');
     return absolute_path(found->second, reading.scene.file.substr(0, slash));
 }
-
-}  // namespace
 
 std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std::string& where, double gravity,
                                              double line_length) {
@@ -143,8 +143,8 @@ std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std:
     return points;
 }
 
-std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground, RunLog& log,
-                                   Problems& problems) {
+std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground,
+                                   std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     std::vector<Inflow> inflows;
     const InflowSpec& spec = reading.scene.inflow;
     if (!spec.line || !spec.hydrograph) return inflows;
@@ -153,6 +153,9 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             gis::read_lines(*spec.line, target_crs(reading, ground), reading.where("inflow.line"));
         log.note("inflow " + *spec.line + ": " + std::to_string(layer.features.size()) + " lines in " +
                  layer.crs_label);
+        files.push_back(used_lines("Inflow line", *spec.line, layer));
+        if (ground != nullptr)
+            report_transform("inflow line", layer.transform, ground->terrain.grid.cell_size, log);
         if (layer.features.size() > 1 && spec.hydrograph->rfind("attribute:", 0) != 0) {
             problems.add({"the layer holds several lines for one hydrograph", reading.where("inflow.line"),
                           std::to_string(layer.features.size()) + " lines", "1",
@@ -163,11 +166,13 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             const gis::LineInput& feature = layer.features[i];
             Inflow inflow;
             inflow.line = feature.line;
+            UsedFile hydrograph;
+            hydrograph.role = "Hydrograph";
             if (spec.direction) inflow.azimuth = *spec.direction * std::numbers::pi / 180;
             const double length = ground != nullptr ? length_of(feature.line) : 1;
             try {
-                inflow.hydrograph = read_hydrograph(file_for(reading, feature, i + 1),
-                                                    reading.where("inflow.hydrograph"),
+                hydrograph.path = hydrograph_file(reading, feature, i + 1);
+                inflow.hydrograph = read_hydrograph(hydrograph.path, reading.where("inflow.hydrograph"),
                                                     reading.scene.numerics.gravity, length);
             } catch (const Error& error) {
                 problems.add(error);
@@ -179,6 +184,9 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             log.note("line " + std::to_string(i + 1) + ": " + figure(length, 4) + " m, from " +
                      shortest_text(inflow.hydrograph.front().time) + " s to " +
                      shortest_text(inflow.hydrograph.back().time) + " s");
+            hydrograph.content = "from " + shortest_text(inflow.hydrograph.front().time) + "\nto " +
+                                 shortest_text(inflow.hydrograph.back().time) + " s";
+            files.push_back(std::move(hydrograph));
             inflows.push_back(std::move(inflow));
         }
     } catch (const Error& error) {

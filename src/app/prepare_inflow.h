@@ -4,14 +4,22 @@
 #include <vector>
 
 #include "app/prepare_terrain.h"
+#include "app/used_file.h"
+#include "gis/lines_in.h"
 #include "simulation/scene.h"
 
 namespace frana::app {
 
 /// What [inflow] says: each line with its hydrograph. Adds every fault to `problems`; without a ground (null)
-/// files are only checked.
-std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground, RunLog& log,
-                                   Problems& problems);
+/// files are only checked. Adds what was read to `files`.
+std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground,
+                                   std::vector<UsedFile>& files, RunLog& log, Problems& problems);
+
+/// The length of a line [m].
+double length_of(const Polyline& line);
+
+/// The hydrograph's file for a line: the scene's own, or the one that the line's column names. Throws Error(input).
+std::string hydrograph_file(const SceneReading& reading, const gis::LineInput& feature, std::size_t number);
 
 /// A hydrograph from a CSV with the columns time, discharge or volume (cumulative), and velocity; names may carry a
 /// unit after an underscore or in brackets (time_s, discharge_m3s). Without a velocity material crosses the line at

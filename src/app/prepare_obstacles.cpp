@@ -6,6 +6,7 @@
 
 #include "app/layer_values.h"
 #include "app/number_text.h"
+#include "app/transform_report.h"
 #include "gis/footprint.h"
 #include "gis/vector_in.h"
 
@@ -16,11 +17,13 @@ namespace {
 constexpr double k_widened = 1.5;
 
 std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const std::string& key,
-                                            const std::string& file, const TerrainInput* ground, RunLog& log,
-                                            Problems& problems) {
+                                            const std::string& file, const TerrainInput* ground,
+                                            std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     gis::PolygonLayer layer = gis::read_polygons(file, target_crs(reading, ground), reading.where(key));
     log.note(key + " " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
     for (const std::string& warning : layer.warnings) log.warn(key + ": " + warning);
+    files.push_back(used_polygons(key == "terrain.walls" ? "Walls" : "Obstacles", file, layer));
+    if (ground != nullptr) report_transform(key, layer.transform, ground->terrain.grid.cell_size, log);
     if (ground == nullptr || !lies_on_ground(reading, key, layer.bounds, *ground, false, problems))
         return std::nullopt;
     return layer;
@@ -45,10 +48,11 @@ void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, co
     }
 }
 
-void raise_ground(const SceneReading& reading, TerrainInput* ground, RunLog& log, Problems& problems) {
+void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector<UsedFile>& files, RunLog& log,
+                  Problems& problems) {
     const TerrainSpec& spec = reading.scene.terrain;
     const std::string key = "terrain.obstacles";
-    const auto layer = read_layer(reading, key, *spec.obstacles, ground, log, problems);
+    const auto layer = read_layer(reading, key, *spec.obstacles, ground, files, log, problems);
     if (!layer || !spec.obstacle_height) return;
     Raster height(ground->terrain.grid);
     for (std::size_t f = 0; f < layer->features.size(); ++f) {
@@ -67,19 +71,19 @@ void raise_ground(const SceneReading& reading, TerrainInput* ground, RunLog& log
 
 }  // namespace
 
-std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInput* ground, RunLog& log,
-                                        Problems& problems) {
+std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInput* ground,
+                                        std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     const TerrainSpec& spec = reading.scene.terrain;
     std::optional<Raster> walls;
     try {
-        if (spec.obstacles) raise_ground(reading, ground, log, problems);
+        if (spec.obstacles) raise_ground(reading, ground, files, log, problems);
     } catch (const Error& error) {
         problems.add(error);
     }
     try {
         if (!spec.walls) return walls;
         const std::string key = "terrain.walls";
-        const auto layer = read_layer(reading, key, *spec.walls, ground, log, problems);
+        const auto layer = read_layer(reading, key, *spec.walls, ground, files, log, problems);
         if (!layer) return walls;
         walls.emplace(ground->terrain.grid);
         for (std::size_t f = 0; f < layer->features.size(); ++f)

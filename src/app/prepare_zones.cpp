@@ -9,6 +9,7 @@
 
 #include "app/layer_values.h"
 #include "app/number_text.h"
+#include "app/transform_report.h"
 #include "gis/footprint.h"
 #include "gis/raster_in.h"
 #include "gis/vector_in.h"
@@ -150,19 +151,21 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
 }
 
 void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground, std::vector<Quantity>& list,
-                        MaterialZones& zones, RunLog& log, Problems& problems) {
+                        MaterialZones& zones, std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     const std::string key = "terrain.friction-zones", file = *reading.scene.terrain.friction_zones;
     const gis::PolygonLayer layer = gis::read_polygons(file, target_crs(reading, ground), reading.where(key));
     log.note("zones " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
     for (const std::string& warning : layer.warnings) log.warn("zones: " + warning);
+    files.push_back(used_polygons("Zones", file, layer));
     name_columns(reading, layer, list, log, problems);
     if (ground == nullptr) return;
+    report_transform("zones", layer.transform, ground->terrain.grid.cell_size, log);
     if (lies_on_ground(reading, key, layer.bounds, *ground, reading.scene.zones.beyond_dtm == "clip", problems))
         burn(reading, layer, ground->terrain.grid, list, zones, log, problems);
 }
 
 void read_raster_zone(const SceneReading& reading, const TerrainInput* ground, const Quantity& quantity,
-                      MaterialZones& zones, RunLog& log, Problems& problems) {
+                      MaterialZones& zones, std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     const std::string where = reading.where(quantity.key), file = quantity.source->name;
     const gis::RasterInfo info = gis::inspect_raster(file, where);
     if (ground == nullptr) return;
@@ -174,6 +177,9 @@ void read_raster_zone(const SceneReading& reading, const TerrainInput* ground, c
     }
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic, "metre");
     for (const std::string& warning : read.warnings) log.warn(quantity.key + ": " + warning);
+    report_transform(quantity.key, read.transform, grid.cell_size, log);
+    files.push_back(used_raster("Zones: " + quantity.key, info, read.transform, read.resampling_used,
+                                read.nodata_cells));
     if (read.nodata_cells >= grid.cell_count()) {
         problems.add({"has no value anywhere on the working grid", where, file, "",
                       "Check its place and coordinate reference system"});
@@ -196,20 +202,20 @@ void read_raster_zone(const SceneReading& reading, const TerrainInput* ground, c
 
 }  // namespace
 
-MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, RunLog& log,
-                            Problems& problems) {
+MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files,
+                            RunLog& log, Problems& problems) {
     MaterialZones zones;
     std::vector<Quantity> list = quantities(reading.scene.zones);
     try {
         if (reading.scene.terrain.friction_zones)
-            read_polygon_zones(reading, ground, list, zones, log, problems);
+            read_polygon_zones(reading, ground, list, zones, files, log, problems);
     } catch (const Error& error) {
         problems.add(error);
     }
     for (const Quantity& quantity : list) {
         if (!quantity.source || quantity.source->kind != SourceSpec::Kind::raster) continue;
         try {
-            read_raster_zone(reading, ground, quantity, zones, log, problems);
+            read_raster_zone(reading, ground, quantity, zones, files, log, problems);
         } catch (const Error& error) {
             problems.add(error);
         }

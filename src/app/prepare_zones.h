@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "app/prepare_terrain.h"
+#include "app/used_file.h"
 #include "simulation/scene.h"
 
 namespace frana::app {
@@ -9,9 +12,9 @@ namespace frana::app {
 /// Reads what [zones] and terrain.friction-zones say onto the working grid: polygons by their cells' centres, the
 /// later feature where two overlap, then rasters. Reports overlaps, gaps inside the zones and what share of the
 /// grid keeps the material's own value. Adds every fault to `problems`; without a ground (null) files are only
-/// checked.
-MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, RunLog& log,
-                            Problems& problems);
+/// checked. Adds what was read to `files`.
+MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files,
+                            RunLog& log, Problems& problems);
 
 /// Zones of something that the scene's laws never read are a mistake: told as problems.
 void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Problems& problems);

@@ -239,20 +239,11 @@ std::string comparison_tables(const Comparison& c) {
 }
 
 std::string inputs_table(const Prepared& p) {
-    Table table({"input", "file", "CRS", "operation to the working CRS"});
-    const gis::RasterInfo& dtm = p.ground.file;
-    table.row({"Terrain (" + p.ground.resampling_used + ")", dtm.path,
-               dtm.crs_wkt.empty() ? "none" : dtm.crs_label, operation(p.ground.transform)});
-    if (p.release.perimeter && p.spec.release.perimeter)
-        table.row({"Release", *p.spec.release.perimeter, p.release.perimeter->crs_label,
-                   operation(p.release.perimeter->transform)});
-    for (const RasterUse& use : p.release.thickness_uses)
-        table.row({"Release thickness (" + use.resampling + ")", use.file.path,
-                   use.file.crs_wkt.empty() ? "none" : use.file.crs_label, operation(use.transform)});
-    if (p.scar && p.spec.scar.perimeter)
-        table.row({"Scar", *p.spec.scar.perimeter, p.scar->crs_label, operation(p.scar->transform)});
-    for (const ExtraInput::File& file : p.extra.files)
-        table.row({file.what, file.path, file.crs_label, operation(file.transform)});
+    Table table({"input", "file", "content", "CRS", "operation to the working CRS"});
+    for (const UsedFile& file : p.files) {
+        table.row({file.role + (file.resampling.empty() ? "" : " (" + file.resampling + ")"), file.path,
+                   file.content, file.crs_label, file.crs_label.empty() ? "" : operation(file.transform)});
+    }
     return "<p>Working CRS: " + html_escaped(p.ground.crs_label) + "; extent " +
            html_escaped(extent_text(p.scene.grid.bounds())) + "; " + grouped(p.ground.nodata_cells) +
            " cells without elevation" +

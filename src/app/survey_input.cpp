@@ -119,25 +119,26 @@ void add_surveyed(const std::string& file, const std::string& crs_wkt, const std
     survey.front_label = file;
 }
 
-void add_deposit(const std::string& file, const GridSpec& grid, const std::string& where, RunLog& log,
-                 Survey& survey) {
+UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::string& where, RunLog& log,
+                     Survey& survey) {
     survey.deposit_label = file;
-    bool raster = true;
+    std::optional<gis::RasterInfo> info;
     try {
-        gis::inspect_raster(file, where);
+        info = gis::inspect_raster(file, where);
     } catch (const Error&) {
-        raster = false;
+        info.reset();  // polygons, then
     }
-    if (!raster) {
+    if (!info) {
         const gis::PolygonLayer layer = gis::read_polygons(file, grid.crs_wkt, where);
         for (const std::string& warning : layer.warnings) log.warn("deposit: " + warning);
         survey.deposit = parts_of(layer.features);
-        return;
+        return used_polygons("Surveyed deposit", file, layer);
     }
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic);
     for (const std::string& warning : read.warnings) log.warn("deposit: " + warning);
     log.note("elevation change brought onto the grid: " + read.resampling_used);
     survey.elevation_change = std::move(read.raster);
+    return used_raster("Surveyed elevation change", *info, read.transform, read.resampling_used, read.nodata_cells);
 }
 
 ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunLog& log, Problems& problems) {
@@ -145,7 +146,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunL
     ExtraInput extra;
     const auto keep = [&](const std::string& what, const std::optional<std::string>& file,
                           const std::optional<gis::Marks>& marks) {
-        if (marks) extra.files.push_back({what, *file, marks->crs_label, marks->transform});
+        if (marks) extra.files.push_back(used_marks(what, *file, *marks));
     };
     const std::string gauges_key = "output.gauges", sections_key = "output.cross-sections",
                       profiles_key = "output.profiles", front_key = "scar.front",
@@ -185,7 +186,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunL
     if (const auto& front = reading.scene.scar.front) {
         attempt([&] {
             const gis::Marks marks = gis::read_marks(*front, grid.crs_wkt, reading.where(front_key));
-            extra.files.push_back({"Surveyed front", *front, marks.crs_label, marks.transform});
+            extra.files.push_back(used_marks("Surveyed front", *front, marks));
             add_surveyed(*front, grid.crs_wkt, reading.where(front_key), log, extra.survey);
             if (!extra.survey.scar.empty()) {
                 problems.add({"is an area", reading.where(front_key), *front, "open lines or points",
@@ -194,7 +195,9 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunL
         });
     }
     if (const auto& deposit = reading.scene.scar.deposit)
-        attempt([&] { add_deposit(*deposit, grid, reading.where(deposit_key), log, extra.survey); });
+        attempt([&] {
+            extra.files.push_back(add_deposit(*deposit, grid, reading.where(deposit_key), log, extra.survey));
+        });
     return extra;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/run_log.h"
+#include "app/used_file.h"
 #include "core/error.h"
 #include "gis/marks_in.h"
 #include "gis/raster_in.h"
@@ -39,7 +40,7 @@ void add_surveyed(const std::string& file, const std::string& crs_wkt, const std
                   Survey& survey);
 
 /// Adds a deposit: polygons, or a raster of elevation change. Throws Error(input).
-void add_deposit(const std::string& file, const GridSpec& grid, const std::string& where, RunLog& log,
+UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::string& where, RunLog& log,
                  Survey& survey);
 
 /// The parts of all features of a layer.
@@ -51,12 +52,7 @@ struct ExtraInput {
     Recording recording;
     std::vector<gis::NamedLine> profiles;
     Survey survey;  ///< without the scar, which is read with the release
-    /// For the check and the report: what each file is, its path, its CRS and the operation.
-    struct File {
-        std::string what, path, crs_label;
-        gis::TransformInfo transform;
-    };
-    std::vector<File> files;
+    std::vector<UsedFile> files;
 };
 
 /// Reads them for a working grid. Adds every fault to `problems`, among them places outside the grid.

@@ -129,6 +129,16 @@ void check_rest(const SceneSpec& scene, const std::set<std::string>& given, cons
         problems.add({"is given without a pore pressure", file + ": material.pore-dissipation-time", "", "",
                       "Set material.pore-pressure-ratio, or remove it"});
     }
+    // One clock for all particles: what joins later would come with pore pressure that has already gone.
+    const auto& start = scene.release.start;
+    const bool fails_late = start && (start->kind != SourceSpec::Kind::number || start->number > 0);
+    if (scene.material.pore_dissipation_time && (fails_late || scene.inflow.line)) {
+        problems.add({std::string("counts from the start of the run, but ") +
+                          (fails_late ? "areas fail later (release.start)" : "material flows in later (inflow.line)"),
+                      file + ": material.pore-dissipation-time",
+                      shortest_text(*scene.material.pore_dissipation_time) + " s", "",
+                      "Remove it (the pore pressure then stays), or compute each failure in a run of its own"});
+    }
     if (scene.numerics.curvature && slope_correction(scene.numerics) == "none") {
         problems.add({"needs a slope correction", file + ": numerics.curvature", "on", "off",
                       "Set numerics.slope-correction = normal or surface, or remove the key"});

@@ -139,8 +139,9 @@ struct RunEstimate {
     std::int64_t particles = 0;
     double volume = 0;              ///< released [m3]
     double inflow = 0;              ///< through lines until the end [m3]
-    std::int64_t memory_bytes = 0;  ///< engine and rasters
+    std::int64_t memory_bytes = 0;  ///< engine and rasters, with the particles of the start
     std::int64_t bytes_per_particle = 0, bytes_per_node = 0;
+    static constexpr std::int64_t k_particle_copies = 3;  ///< while they are put into order
     double first_step_seconds = 0;  ///< stable step at the start [s]
     double wall_seconds = 0;        ///< rough
     std::vector<std::string> terms;

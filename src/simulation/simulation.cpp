@@ -312,7 +312,7 @@ RunEstimate estimate(const Scene& scene, int threads) {
     e.bytes_per_particle = static_cast<std::int64_t>(flow.particles().bytes_per_particle());
     e.bytes_per_node = static_cast<std::int64_t>(flow.bytes_per_node() + flow.bed_bytes_per_node());
     e.memory_bytes = cells * (k_rasters * static_cast<std::int64_t>(sizeof(double)) + e.bytes_per_node) +
-                     3 * e.particles * e.bytes_per_particle;
+                     RunEstimate::k_particle_copies * e.particles * e.bytes_per_particle;
     // Time of the first steps, for as many steps as the end time would take at the first step's length.
     constexpr int k_trial_steps = 3;
     const auto begin = std::chrono::steady_clock::now();

@@ -41,6 +41,9 @@ TEST_F(Command, ParamsAndMaterials) {
     EXPECT_EQ(materials.exit_code, 0);
     EXPECT_NE(materials.out.find("bindo\n"), std::string::npos);
     EXPECT_NE(materials.out.find("material.density = 1291"), std::string::npos);
+    for (const std::string preset : {"bindo", "debris-flow", "earthflow", "lahar", "mudflow", "rock-avalanche",
+                                     "snow-avalanche", "snow-slab"})
+        EXPECT_NE(materials.out.find(preset + "\n  A starting point"), std::string::npos) << preset;
 }
 
 TEST_F(Command, CheckPrintsWhatWouldRunAndWritesNothing) {

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/vector_source.h"
+
+#include <cpl_conv.h>
+#include <cpl_vsi.h>
+
+#include "gis/gdal_session.h"
+
+namespace frana::gis {
+namespace {
+
+std::string layer_names(GDALDataset& dataset) {
+    std::string names;
+    for (OGRLayer* layer : dataset.GetLayers()) {
+        names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
+    }
+    return names;
+}
+
+std::string attribute_names(OGRLayer& layer) {
+    std::string names;
+    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
+    for (int i = 0; i < fields.GetFieldCount(); ++i)
+        names += (names.empty() ? "" : ", ") + std::string(fields.GetFieldDefn(i)->GetNameRef());
+    return names.empty() ? "it has none" : names;
+}
+
+}  // namespace
+
+VectorSource vector_source(const std::string& path, const std::string& where) {
+    constexpr const char* k_mark = "|layer=";
+    const std::string prefix = where.empty() ? "" : where + ": ";
+    const std::size_t mark = path.find(k_mark);
+    if (mark == std::string::npos) return {path, "", prefix + path};
+    return {path.substr(0, mark), path.substr(mark + std::string(k_mark).size()), prefix + path};
+}
+
+Error vector_fault(const VectorSource& source, const std::string& what, const std::string& value,
+                   const std::string& remedy) {
+    return {ErrorKind::input, Problem{what, source.where, value, "", remedy}};
+}
+
+GDALDatasetUniquePtr open_vector(const VectorSource& source) {
+    const GdalSession session;
+    GDALDatasetUniquePtr dataset(
+        GDALDataset::Open(source.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+    if (dataset) return dataset;
+    VSIStatBufL status;
+    if (VSIStatL(source.file.c_str(), &status) != 0) {
+        throw vector_fault(source, "the file does not exist", "",
+                           "Check the path; it is relative to the scene file");
+    }
+    throw vector_fault(
+        source, "the file is not a vector file that can be read: " + session.last_message(), "",
+        "Give a shapefile (with its .shx and .dbf), GeoPackage, GeoJSON or another file that OGR reads");
+}
+
+OGRLayer& choose_layer(GDALDataset& dataset, const VectorSource& source, const LayerTest& suits,
+                       const std::string& wanted) {
+    if (!source.layer.empty()) {
+        if (OGRLayer* layer = dataset.GetLayerByName(source.layer.c_str())) return *layer;
+        throw vector_fault(source, "the file has no such layer", source.layer,
+                           "Its layers: " + layer_names(dataset));
+    }
+    OGRLayer* found = nullptr;
+    for (OGRLayer* layer : dataset.GetLayers()) {
+        if (!suits(*layer)) continue;
+        if (found) {
+            throw vector_fault(source, "the file holds several layers", layer_names(dataset),
+                               "Name one: \"" + source.file + "|layer=" + found->GetName() + "\"");
+        }
+        found = layer;
+    }
+    if (!found)
+        throw vector_fault(source, "the file holds no layer with " + wanted, layer_names(dataset),
+                           "Give " + wanted);
+    return *found;
+}
+
+void check_attribute_table(GDALDataset& dataset, OGRLayer& layer, const VectorSource& source) {
+    if (std::string(dataset.GetDriverName()) != "ESRI Shapefile" || layer.GetLayerDefn()->GetFieldCount() > 0)
+        return;
+    const std::string table = CPLResetExtension(source.file.c_str(), "dbf");
+    VSIStatBufL status;
+    if (VSIStatL(table.c_str(), &status) == 0)
+        throw vector_fault(source, "the attribute table is damaged", table,
+                           "Export the shapefile anew, or remove the .dbf");
+}
+
+void filter_features(OGRLayer& layer, const VectorSource& source, const std::string& condition) {
+    const GdalSession session;
+    // Some drivers see a fault only when the first feature is asked for.
+    if (layer.SetAttributeFilter(condition.c_str()) == OGRERR_NONE) {
+        const OGRFeatureUniquePtr first(layer.GetNextFeature());
+        if (first) return;
+    }
+    if (session.failed()) {
+        throw vector_fault(source, "the filter is not understood: " + session.last_message(), condition,
+                           "A condition as in SQL on its attributes: " + attribute_names(layer));
+    }
+    throw vector_fault(source, "no feature satisfies the filter", condition,
+                       "Its attributes: " + attribute_names(layer));
+}
+
+}  // namespace frana::gis
