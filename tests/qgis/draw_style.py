@@ -122,6 +122,8 @@ def main(name, result):
         print("%s, %s: %d cells coloured, %d wrong" % (name, style, coloured, len(wrong)))
         assert coloured > 0, "no cell has a colour"
         assert not wrong, "\n".join(wrong[:10])
+    with open(os.path.join(result, name + ".verdict"), "w") as verdict:  # for judge.py
+        verdict.write("good")
     # Layers that outlive QGIS's own clean-up crash it; everything is said and written by now.
     sys.stdout.flush()
     os._exit(0)

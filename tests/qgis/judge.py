@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs draw_style.py NAME RESULT and goes by what it drew: judge.py NAME RESULT.
+
+QGIS may crash or hang while it leaves, when every picture is drawn and compared. So the drawing has a time limit, and
+the verdict that it writes at the end counts, not how it left."""
+import os
+import subprocess
+import sys
+
+LIMIT = 120  # seconds for the two pictures, which take about two
+SKIPPED = 77
+
+
+def judge(name, result):
+    verdict = os.path.join(result, name + ".verdict")
+    if os.path.exists(verdict):
+        os.remove(verdict)
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "draw_style.py")
+    try:
+        code = subprocess.run([sys.executable, script, name, result], timeout=LIMIT).returncode
+    except subprocess.TimeoutExpired:
+        code = "none, ended after %d s" % LIMIT
+    if code == SKIPPED:
+        return SKIPPED
+    if not os.path.exists(verdict):
+        print("no verdict; exit code", code)
+        return 1
+    if code != 0:
+        print("the pictures are good; QGIS left with exit code", code)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(judge(*sys.argv[1:]))
