@@ -6,6 +6,8 @@
 
 #include <mutex>
 
+#include "gis/network.h"
+
 namespace frana::gis {
 namespace {
 
@@ -18,7 +20,10 @@ void CPL_STDCALL keep(CPLErr kind, CPLErrorNum, const char* message) {
 
 GdalSession::GdalSession() {
     static std::once_flag once;
-    std::call_once(once, [] { GDALAllRegister(); });
+    std::call_once(once, [] {
+        GDALAllRegister();
+        if (!network_allowed()) shut_network();
+    });
     CPLPushErrorHandlerEx(keep, this);
 }
 

@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "gis/crs.h"
 #include "gis/gdal_session.h"
+#include "gis/network.h"
 #include "gis/vertical_unit.h"
 
 namespace frana::gis {
@@ -26,6 +27,7 @@ namespace {
 
 GdalDataset open(const std::string& path, const std::string& where) {
     const GdalSession session;
+    if (const auto remedy = network_remedy(path)) refuse("the file is read over the network", where, path, *remedy);
     GdalDataset dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                    nullptr, nullptr, nullptr));
     if (dataset) return dataset;

@@ -6,12 +6,15 @@
 
 #include "core/error.h"
 #include "gis/gdal_session.h"
+#include "gis/network.h"
 
 namespace frana::gis {
 
 Table read_table(const std::string& path, const std::string& where) {
     const GdalSession session;
     const std::string place = where + ": " + path;
+    if (const auto remedy = network_remedy(path))
+        throw Error(ErrorKind::input, Problem{"the file is read over the network", place, "", "", *remedy});
     VSIStatBufL status;
     if (VSIStatL(path.c_str(), &status) != 0) {
         throw Error(ErrorKind::input, Problem{"the file does not exist", place, "", "",

@@ -5,6 +5,7 @@
 #include <cpl_vsi.h>
 
 #include "gis/gdal_session.h"
+#include "gis/network.h"
 
 namespace frana::gis {
 namespace {
@@ -42,6 +43,8 @@ Error vector_fault(const VectorSource& source, const std::string& what, const st
 
 GDALDatasetUniquePtr open_vector(const VectorSource& source) {
     const GdalSession session;
+    if (const auto remedy = network_remedy(source.file))
+        throw vector_fault(source, "the file is read over the network", "", *remedy);
     GDALDatasetUniquePtr dataset(
         GDALDataset::Open(source.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
     if (dataset) return dataset;

@@ -14,6 +14,9 @@ namespace {
 // Naming a few cells shows where to look; naming all would bury the message.
 constexpr int k_cells_named = 5;
 
+// The largest known ones are some hundred metres thick.
+constexpr double k_most_thickness = 2000;
+
 /// Count of the covered cells that satisfy a test, and the first few by row, column and coordinates.
 struct CellList {
     std::int64_t count = 0;
@@ -95,6 +98,32 @@ void check_thickness_raster(const SceneReading& reading, const Raster& thickness
     }
 }
 
+/// More than any landslide is thick: a raster of elevations, nodata that no file declares, a volume in other units.
+void check_greatest(const SceneReading& reading, const ReleaseInput& release, const MultiPolygon& outlines,
+                    const Raster& cover, Problems& problems) {
+    const auto refuse_over = [&](double thickness, const std::string& key) {
+        if (thickness <= k_most_thickness) return;
+        problems.add({"the release would be thicker than any landslide", reading.where(key),
+                      figure(thickness, 6) + " m", "at most " + figure(k_most_thickness) + " m",
+                      "Check the unit, the sign and the nodata value of what gives it"});
+    };
+    double greatest = 0, mean = 0;
+    for (const ReleaseArea& release_area : release.areas) {
+        if (release_area.thickness_raster) {
+            const std::vector<double>& values = release_area.thickness_raster->values;
+            for (std::size_t i = 0; i < values.size(); ++i)
+                if (cover.values[i] != 0 && values[i] > greatest) greatest = values[i];
+        } else {
+            greatest = std::max(greatest, release_area.thickness);
+        }
+        if (release_area.volume) mean = std::max(mean, *release_area.volume / area(release_area.outline));
+    }
+    const auto& volume = reading.scene.release.volume;
+    if (volume && volume->kind == SourceSpec::Kind::number) mean = std::max(mean, volume->number / area(outlines));
+    refuse_over(greatest, "release.thickness");
+    refuse_over(mean, "release.volume");
+}
+
 /// Polygons that overlap release their thickness twice.
 void check_overlap(const ReleaseInput& release, const GridSpec& grid, RunLog& log) {
     if (release.areas.size() < 2) return;
@@ -125,6 +154,7 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
     for (const ReleaseArea& area : release.areas)
         if (area.thickness_raster)
             check_thickness_raster(reading, *area.thickness_raster, cover, log, problems);
+    check_greatest(reading, release, outlines, cover, problems);
     check_overlap(release, ground.terrain.grid, log);
 }
 

@@ -3,11 +3,14 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "app/commands.h"
+#include "app/library_versions.h"
 #include "app/signals.h"
 #include "app/version.h"
 #include "core/error.h"
+#include "gis/network.h"
 #include "params/nearest_name.h"
 
 namespace frana::app {
@@ -30,7 +33,9 @@ constexpr const char* k_help =
     "                           frana measured: errors against exact solutions, hard cases, throughput\n"
     "\n"
     "  frana COMMAND --help     more about a command\n"
-    "  frana --version\n"
+    "  frana --version          its version and its libraries'\n"
+    "  frana COMMAND --allow-network ...\n"
+    "                           inputs may be URLs, databases and map services\n"
     "\n"
     "Exit codes: 0 done; 2 usage, configuration or input data wrong; 3 numerical failure; 4 environment "
     "(disk,\n"
@@ -50,7 +55,9 @@ constexpr Command k_commands[] = {{"run", cmd_run},
                                   {"converge", cmd_converge},
                                   {"bench", cmd_bench}};
 
-int dispatch(const Arguments& words) {
+int dispatch(Arguments words) {
+    // Whoever starts the program decides this, never a scene.
+    if (std::erase(words, "--allow-network") > 0) gis::allow_network();
     if (words.empty()) {
         std::cerr << k_help;
         return static_cast<int>(ExitCode::input);
@@ -61,7 +68,7 @@ int dispatch(const Arguments& words) {
         return static_cast<int>(ExitCode::done);
     }
     if (name == "--version") {
-        std::cout << k_program << ' ' << k_version << '\n';
+        std::cout << k_program << ' ' << k_version << '\n' << library_versions();
         return static_cast<int>(ExitCode::done);
     }
     std::vector<std::string> names;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/prepare_terrain.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,6 +23,8 @@ namespace {
 constexpr double k_large = 1e7;
 // A grid of this many cells already takes 3 GB for each of its rasters.
 constexpr double k_most_cells = 4e8;
+// Terrain, bed, release and five results as real numbers of 8 bytes, two more while files are written.
+constexpr double k_bytes_per_cell = 80;
 // terrain.nodata-policy = fill bridges holes, it does not invent ground: farther than this, cells stay empty.
 constexpr double k_fill_distance_cells = 50;
 
@@ -51,8 +56,25 @@ gis::Resampling resampling_of(const std::string& name) {
     return gis::Resampling::automatic;
 }
 
+/// What this program may use: the machine's memory, or less where a limit is set.
+double memory_bytes() {
+    const double machine = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+    rlimit limit{};
+    const bool limited = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    return limited ? std::min(machine, static_cast<double>(limit.rlim_cur)) : machine;
+}
+
 void check_size(const SceneReading& reading, const GridSpec& grid) {
     const double cells = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
+    const double needed = cells * k_bytes_per_cell;
+    if (needed > memory_bytes()) {
+        throw Error(ErrorKind::input,
+                    Problem{"a run on the working grid of " + grouped(cells) + " cells takes at least " +
+                                bytes_text(needed) + " of memory",
+                            reading.where("terrain.cell-size"), shortest_text(grid.cell_size) + " m",
+                            bytes_text(memory_bytes()) + ", which there are",
+                            "Choose larger cells or a part of the DTM with terrain.bounds"});
+    }
     if (cells <= k_most_cells) return;
     throw Error(ErrorKind::input,
                 Problem{"the working grid would have " + grouped(cells) + " cells",

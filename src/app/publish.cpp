@@ -26,6 +26,8 @@
 namespace frana::app {
 namespace {
 
+constexpr double k_shown_share = 0.05;  // by which a raster's volume may miss the flow's without a word
+
 std::string title_of(const SceneSpec& spec) {
     return spec.output.title.value_or(scene_name(spec));
 }
@@ -189,6 +191,13 @@ void warn_of_trouble(const Finished& run, RunLog& log) {
         result.series.back().max_speed > k_moving_speed) {
         log.warn("the flow still moves at " + figure(result.series.back().max_speed, 3) +
                  " m/s when time.end is reached: final depth and run-out are not those of the deposit");
+    }
+    const double shown = shown_volume(result);
+    if (std::abs(shown - result.volume_final) > k_shown_share * result.volume_final) {
+        log.warn("the depths of final_depth.tif add up to " + grouped(shown) + " m3, the flow holds " +
+                 grouped(result.volume_final) +
+                 " m3: where particles crowd, in gullies narrower than a few cells, depths are shown too small. Choose "
+                 "smaller cells, or take deposit volumes from summary.json");
     }
     if (result.volume_left > 0) {
         log.warn(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/result_directory.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -44,6 +46,18 @@ bool is_result(const fs::path& directory) {
 bool is_inside(const fs::path& path, const fs::path& directory) {
     const fs::path relative = path.lexically_relative(directory);
     return !relative.empty() && *relative.begin() != "..";
+}
+
+/// Locks a folder for as long as the descriptor that is returned stays open; the system lets go of it when the
+/// program ends, however it ends. -1, with errno, where somebody else holds it.
+int lock(const std::string& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return -1;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+    const int reason = errno;
+    ::close(descriptor);
+    errno = reason;
+    return -1;
 }
 
 /// Names in a result directory that frana itself writes; everything else there is the user's.
@@ -132,9 +146,30 @@ ResultDirectory::ResultDirectory(std::string directory, bool overwrite)
     const mode_t mask = ::umask(0);
     ::umask(mask);
     fs::permissions(aside_, static_cast<fs::perms>(0777 & ~mask), failure);
+    lock_ = lock(aside_);
+    refuse_a_second_run();
+}
+
+void ResultDirectory::refuse_a_second_run() const {
+    const fs::path own(aside_);
+    const std::string beginning = fs::path(directory_).filename().string() + ".partial-";
+    std::error_code failure;
+    for (const fs::directory_entry& entry : fs::directory_iterator(own.parent_path(), failure)) {
+        if (entry.path() == own || entry.path().filename().string().rfind(beginning, 0) != 0) continue;
+        const int other = lock(entry.path().string());
+        if (other >= 0) {
+            ::close(other);  // left behind by a run that was killed
+        } else if (errno == EWOULDBLOCK) {
+            fs::remove_all(own, failure);  // the destructor does not come
+            ::close(lock_);
+            throw Error(ErrorKind::input, Problem{"another run is writing this result now", directory_, "", "",
+                                                  "Wait for it, or choose another folder with --out"});
+        }
+    }
 }
 
 ResultDirectory::~ResultDirectory() {
+    if (lock_ >= 0) ::close(lock_);
     std::error_code ignored;
     if (!published_) fs::remove_all(aside_, ignored);
 }

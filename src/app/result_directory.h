@@ -19,7 +19,8 @@ void check_result_directory(const std::string& directory, bool overwrite,
 /// older result as it was.
 class ResultDirectory {
   public:
-    /// Creates the sibling. Throws Error(environment).
+    /// Creates the sibling and holds a lock on it. Throws Error(environment), and Error(input) where another run is
+    /// writing the same result.
     ResultDirectory(std::string directory, bool overwrite);
     /// Removes the sibling unless it was published.
     ~ResultDirectory();
@@ -35,10 +36,13 @@ class ResultDirectory {
     void publish();
 
   private:
+    void refuse_a_second_run() const;
+
     std::string directory_;
     std::string aside_;
     bool overwrite_;
     bool published_ = false;
+    int lock_ = -1;  ///< descriptor of the locked sibling
 };
 
 }  // namespace frana::app

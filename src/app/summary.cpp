@@ -49,7 +49,8 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
         .number("initial_m3", result.volume_initial)
         .number("entered_m3", result.volume_entered)
         .number("inflow_m3", result.volume_inflow)
-        .number("final_m3", result.volume_final);
+        .number("final_m3", result.volume_final)
+        .number("final_depth_raster_m3", shown_volume(result));
     json.number("left_domain_m3", result.volume_left);
     if (result.exchanges)
         json.number("eroded_m3", result.volume_eroded).number("deposited_m3", result.volume_deposited);
@@ -87,6 +88,12 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
 }
 
 }  // namespace
+
+double shown_volume(const RunResult& result) {
+    double sum = 0;
+    for (const double depth : result.final_depth.values) sum += std::isnan(depth) ? 0 : depth;
+    return sum * result.final_depth.grid.cell_area();
+}
 
 std::string stop_word(StopReason reason) {
     switch (reason) {

@@ -37,6 +37,10 @@ TEST_F(Command, ParamsAndMaterials) {
     EXPECT_NE(frana({"params"}).out.find("# friction-angle = "), std::string::npos);
     EXPECT_NE(frana({"params", "--json"}).out.find("\"material.friction-angle\""), std::string::npos);
     EXPECT_NE(frana({"params", "--markdown"}).out.find("| `friction-angle` |"), std::string::npos);
+    const Outcome version = frana({"--version"});
+    EXPECT_EQ(version.exit_code, 0);
+    for (const std::string library : {"frana ", "\nGDAL ", "\nGEOS ", "\nPROJ ", "\nVTK ", "\nFFmpeg ", "\nBoost "})
+        EXPECT_NE(version.out.find(library), std::string::npos) << library;
     const Outcome materials = frana({"materials"});
     EXPECT_EQ(materials.exit_code, 0);
     EXPECT_NE(materials.out.find("bindo\n"), std::string::npos);

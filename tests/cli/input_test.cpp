@@ -5,6 +5,7 @@
 #include <ogr_spatialref.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "gis/gdal_session.h"
 #include "gis/raster_in.h"
@@ -294,6 +295,26 @@ TEST_F(Input, OfAHugeDtmOnlyWhatIsNeededIsRead) {
     EXPECT_LT(grid.west, k_west + 20);
     EXPECT_GT(grid.west, k_west - 150);
     expect_words(read_text(path("result/log.txt")), {"the DTM is large", "terrain.bounds overrides"});
+    // At 40 m/s the line stands 81.6 m higher: up the slope, against 0.3 + 0.291, it ends 138 m farther away.
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "fast", "--quiet", "--set", "time.end=0.1", "--set",
+                     "terrain.dtm=huge.tif", "--set", "material.friction-angle=20", "--set", "release.velocity=40"})
+                  .exit_code,
+              0);
+    const double farther = grid.west - gis::read_result_raster(path("fast/dtm.tif")).grid.west;
+    EXPECT_NEAR(farther, 40 * 40 / (2 * 9.81) / (0.3 + 0.8 * std::tan(20 * std::numbers::pi / 180)), 15);
+    // What flows in up the slope, 100 m from the release, needs its own ground.
+    write("line.geojson",
+          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+          R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":[[)" +
+              std::to_string(k_west - 300) + "," + std::to_string(k_south + 60) + "],[" +
+              std::to_string(k_west - 300) + "," + std::to_string(k_south + 90) + "]]}}]}");
+    write("flood.csv", "time,discharge,velocity\n0,10,2\n5,10,2\n");
+    write_scene(k_numbers_only + "[inflow]\nline = line.geojson\nhydrograph = flood.csv\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "inflow", "--quiet", "--set", "time.end=0.1", "--set",
+                     "terrain.dtm=huge.tif", "--set", "material.friction-angle=20"})
+                  .exit_code,
+              0);
+    EXPECT_LT(gis::read_result_raster(path("inflow/dtm.tif")).grid.west, k_west - 300);
 }
 
 }  // namespace

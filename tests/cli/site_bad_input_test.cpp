@@ -27,6 +27,8 @@ TEST_P(BadSite, IsRefusedInOneMessageWithNothingWritten) {
     write("line.geojson", inflow + "[[527030,5094060],[527030,5094090]]}}]}");
     write("far_line.geojson", inflow + "[[527030,5094060],[527030,5094990]]}}]}");
     write_dtm([](int, int) { return 1.0; }, true, "one.asc");
+    write_dtm([](int, int) { return -0.5; }, true, "hole.asc");
+    write_dtm([](int, int) { return 9999.0; }, true, "high.asc");
     write("good.csv", "time,discharge,velocity\n0,10,2\n5,10,2\n");
     write("back.csv", "time,discharge,velocity\n0,10,2\n5,10,2\n4,10,2\n");
     write("words.csv", "time,discharge,velocity\n0,10,2\n5,ten,2\n");
@@ -67,6 +69,9 @@ INSTANTIATE_TEST_SUITE_P(
         SiteFault{"zone_value_out_of_range",
                   "[zones]\nfriction-angle = raster:dtm.asc\n",
                   {"zones.friction-angle", "least value", "out of range", "0 to 60"}},
+        SiteFault{"erodible_layer_below_zero",
+                  "[entrainment]\nerosion = growth\ngrowth-rate = 0.01\n[zones]\nerodible-depth = raster:hole.asc\n",
+                  {"zones.erodible-depth", "least value", "-0.5", "out of range"}},
         SiteFault{"zone_column_without_layer",
                   "[zones]\nturbulence = attribute:xi\n",
                   {"zones.turbulence", "needs terrain.friction-zones"}},
@@ -88,6 +93,18 @@ INSTANTIATE_TEST_SUITE_P(
         SiteFault{"slip_surface_above_the_dtm",
                   "[release]\nslip-depth = 5\n",
                   {"release.dtm-contains-release", "slip-surface", "Set it to on"}, "release.thickness=slip-surface"},
+        SiteFault{"thicker_than_any_landslide",
+                  "",
+                  {"release.thickness", "thicker than any landslide", "at most 2000 m"}, "release.thickness=1e308"},
+        SiteFault{"elevations_for_thicknesses",
+                  "",
+                  {"release.thickness", "thicker than any landslide", "9999"}, "release.thickness=raster:high.asc"},
+        SiteFault{"volume_that_no_outline_holds",
+                  "[release]\nvolume = 1e12\n",
+                  {"release.volume", "thicker than any landslide"}},
+        SiteFault{"more_cells_than_memory",
+                  "",
+                  {"terrain.cell-size", "450 000 000 cells", "0.01 m"}, "terrain.cell-size=0.01"},
         SiteFault{"slip_surface_without_depth",
                   "[release]\ndtm-contains-release = on\n",
                   {"needs its depth", "release.slip-depth"}, "release.thickness=slip-surface"},

@@ -98,6 +98,62 @@ TEST_F(Site, ZonesByRasterHaveTheirDefaultOutside) {
     EXPECT_LT(summary("horizontal_m"), 0.8 * reach);
 }
 
+TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleGround) {
+    run_with("");
+    const double fastest = maximum(result("max_velocity"));
+    // Drag without end below the release: v^2 = xi h (sin - mu cos) stays under 1 m2/s2 for 4 m of depth.
+    write_features("zones", {{box(70, 0, 300, 150), R"("xi": 0.5)"}});
+    run_with("[terrain]\nfriction-zones = zones.geojson\n[material]\nturbulence = 1e6\n", "drag");
+    EXPECT_LT(maximum(result("max_velocity", "drag")), 0.9 * fastest);
+    // Cohesion holds 2 m of 2000 kg/m3 where it exceeds its weight along the slope, about 20 kPa.
+    write_features("zones", {{box(0, 0, 300, 150), R"("cohesion": 60000)"}});
+    run_with("[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = voellmy, cohesion\n"
+             "cohesion = 0\n", "held");
+    EXPECT_EQ(summary("max_velocity_ms", "held"), 0);
+    // What can be eroded comes from a raster: none up to 100 m, 0.5 m beyond.
+    write_dtm([](int, int column) { return column >= 20 ? 0.5 : 0.0; }, true, "layer.asc");
+    run_with("[entrainment]\nerosion = growth\ngrowth-rate = 0.05\n[zones]\nerodible-depth = raster:layer.asc\n",
+             "eroded");
+    EXPECT_GT(summary("eroded_m3", "eroded"), 1);
+    EXPECT_LT(summary("relative_error", "eroded"), 1e-12);
+    const Raster eroded = result("eroded_depth", "eroded");
+    for (std::int64_t r = 0; r < eroded.grid.rows; ++r)
+        for (std::int64_t c = 0; c < eroded.grid.columns; ++c) {
+            // A node stands at a cell's corner: half a cell of the layer's edge lies on the other side.
+            const double depth = eroded.at(r, c);
+            if (c < 19) EXPECT_FALSE(depth > 0) << r << ", " << c;
+            EXPECT_FALSE(depth > 0.5 + 1e-6) << r << ", " << c;
+        }
+}
+
+TEST_F(Site, EveryFileIsInTheTableOfTheCheckAndInTheReport) {
+    write_features("zones", {{box(75, 0, 300, 150), R"("phi": 30)"}});
+    write_features("dam", {{box(200, 0, 215, 150), R"("h": 5)"}});
+    write_features("house", {{box(240, 40, 255, 60), ""}});
+    write_features("line", {{{{30, 100}, {30, 130}}, ""}}, "LineString");
+    write("flood.csv", "time_s,discharge_m3s,velocity_ms\n0,10,2\n3,10,2\n");
+    write_features("tongue", {{box(80, 40, 150, 110), ""}});
+    const std::string lines =
+        "[terrain]\nfriction-zones = zones.geojson\nobstacles = dam.geojson\nobstacle-height = attribute:h\n"
+        "walls = house.geojson\n[inflow]\nline = line.geojson\nhydrograph = flood.csv\n"
+        "[scar]\ndeposit = tongue.geojson\n";
+    write_scene(lines + k_numbers_only);
+    const Outcome check = frana({"check", "scene.ini"});
+    ASSERT_EQ(check.exit_code, 0) << check.err;
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "out", "--quiet", "--set", "time.end=0.5", "--set",
+                     "output.report=on"})
+                  .exit_code,
+              0);
+    const std::string report = read_text(path("out/report.html"));
+    for (const std::string words :
+         {"DTM", "dtm.asc", "Release perimeter", "Zones", "zones.geojson", "Obstacles", "dam.geojson", "Walls",
+          "house.geojson", "Inflow line", "line.geojson", "Hydrograph", "flood.csv", "Surveyed deposit",
+          "tongue.geojson", "WGS 84 / UTM zone 32N", "1 polygon", "1 line"}) {
+        EXPECT_NE(check.out.find(words), std::string::npos) << words << " in " << check.out;
+        EXPECT_NE(report.find(words), std::string::npos) << words;
+    }
+}
+
 TEST_F(Site, ObstaclesRaiseTheBedAndHoldTheFlow) {
     run_with("");
     const double reach = summary("horizontal_m");

@@ -79,6 +79,14 @@ TEST(BedLaws, Cohesion) {
     expect_block(m, [](double, double) { return 0.1 * k_normal + 1000 / k_density; });
 }
 
+TEST(BedLaws, SurfacePressure) {
+    Material m = material_of({BedTerm::coulomb, BedTerm::turbulence});
+    m.friction_coefficient = 0.1;
+    m.turbulence = 300;
+    m.surface_pressure = 6000;
+    expect_block(m, [](double s, double) { return 0.1 * (k_normal + 6000 / k_density) + k_normal * s * s / 300; });
+}
+
 TEST(BedLaws, RammsYield) {
     Material m = material_of({BedTerm::coulomb, BedTerm::ramms_yield});
     m.friction_coefficient = 0.1;

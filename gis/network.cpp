@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/network.h"
+
+#include <cpl_conv.h>
+#include <cpl_vsi_virtual.h>
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <cerrno>
+
+namespace frana::gis {
+namespace {
+
+bool allowed = false;
+
+constexpr const char* k_file_systems[] = {"/vsicurl",  "/vsicurl_streaming",  "/vsis3",   "/vsis3_streaming",
+                                          "/vsigs",    "/vsigs_streaming",    "/vsiaz",   "/vsiaz_streaming",
+                                          "/vsiadls",  "/vsioss",             "/vsioss_streaming",
+                                          "/vsiswift", "/vsiswift_streaming", "/vsihdfs", "/vsiwebhdfs"};
+
+constexpr const char* k_drivers[] = {
+    "AmigoCloud", "Carto", "Cloudant", "CouchDB", "CSW", "DAAS", "DODS", "EEDA", "EEDAI", "Elasticsearch",
+    "GMLAS", "HANA", "HTTP", "MongoDB", "MongoDBv3", "MSSQLSpatial", "MySQL", "NGW", "OAPIF", "OCI", "ODBC",
+    "OGCAPI", "PLMOSAIC", "PLSCENES", "PostGISRaster", "PostgreSQL", "Rasdaman", "STACIT", "STACTA", "WCS",
+    "WFS", "WMS", "WMTS"};
+
+/// Holds nothing: stands where a file system of the network was.
+class NoFiles : public VSIFilesystemHandler {
+  public:
+    VSIVirtualHandle* Open(const char*, const char*, bool, CSLConstList) override {
+        errno = ENOENT;
+        return nullptr;
+    }
+    int Stat(const char*, VSIStatBufL*, int) override {
+        errno = ENOENT;
+        return -1;
+    }
+};
+
+bool names_network(const std::string& path) {
+    const auto holds = [&](const std::string& part) { return path.find(part) != std::string::npos; };
+    if (holds("://") || std::any_of(std::begin(k_file_systems), std::end(k_file_systems),
+                                    [&](const char* name) { return holds(std::string(name) + "/"); }))
+        return true;
+    const std::string driver = path.substr(0, path.find(':'));
+    return driver.size() < path.size() &&
+           (EQUAL(driver.c_str(), "PG") || std::any_of(std::begin(k_drivers), std::end(k_drivers), [&](const char* name) {
+                return EQUAL(driver.c_str(), name);
+            }));
+}
+
+}  // namespace
+
+void allow_network() {
+    allowed = true;
+}
+
+bool network_allowed() {
+    return allowed;
+}
+
+std::optional<std::string> network_remedy(const std::string& path) {
+    if (allowed || !names_network(path)) return std::nullopt;
+    return "Copy it to this machine, or start frana with --allow-network";
+}
+
+void shut_network() {
+    for (const char* name : k_file_systems) {
+        // Both "/vsicurl/" and "/vsicurl?", which carries options. GDAL keeps the handlers until the program ends.
+        VSIFileManager::InstallHandler(std::string(name) + "/", new NoFiles);
+        VSIFileManager::InstallHandler(std::string(name) + "?", new NoFiles);
+    }
+    for (const char* name : k_drivers) {
+        if (GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(name))
+            GetGDALDriverManager()->DeregisterDriver(driver);
+    }
+    // A GML file may name a schema anywhere.
+    CPLSetConfigOption("GML_DOWNLOAD_SCHEMA", "NO");
+}
+
+}  // namespace frana::gis
