@@ -79,10 +79,13 @@ void print_site(const Scene& scene) {
                     grouped(std::count(scene.walls->values.begin(), scene.walls->values.end(), 1.0)).c_str());
 }
 
+// What a run of the least scene takes with its libraries, reading, writing and drawing; measured.
+constexpr std::int64_t k_program_bytes = 280'000'000;
+
 /// Of the fullest moment, as far as a trial foresees it.
 std::int64_t memory_bytes(const RunEstimate& expected, const std::optional<TimeEstimate>& trial) {
     const std::int64_t more = trial ? trial->particles_peak - expected.particles : 0;
-    return expected.memory_bytes +
+    return k_program_bytes + expected.memory_bytes +
            RunEstimate::k_particle_copies * std::max<std::int64_t>(more, 0) * expected.bytes_per_particle;
 }
 

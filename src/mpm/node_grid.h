@@ -35,14 +35,18 @@ struct NodeLevel {
 /// Share of a cell from which it counts as filled (specification 4, item 4).
 inline constexpr double k_filled_share = 0.6;
 
+/// Share of a cell from which its particles lie on top of each other rather than unevenly side by side.
+inline constexpr double k_crowded_share = 1.1;
+
 /// Depth that a node shows [m]: the mean depth of its particles where it is filled, itself and all round,
 /// free of the unevenness of their arrangement; volume over cell area at fronts and films, where the cell is
-/// only partly covered.
+/// only partly covered. Particles that crowd, as in narrow gullies, claim more than the cell has: they cover it once.
 inline double shown_depth(double mass, double area, double support, double inverse_cell_area) noexcept {
     const double by_volume = mass * inverse_cell_area;
     if (!(area > 0)) return by_volume;
     const double share = area * inverse_cell_area / k_filled_share;
-    return by_volume + support * (share < 1 ? share : 1) * (mass / area - by_volume);
+    const double most = k_crowded_share / inverse_cell_area;
+    return by_volume + support * (share < 1 ? share : 1) * (mass / (area < most ? area : most) - by_volume);
 }
 
 /// The background grid: one node at each cell centre of the terrain, rows from the south, with ghost nodes
