@@ -13,16 +13,28 @@ namespace {
 
 bool allowed = false;
 
-constexpr const char* k_file_systems[] = {"/vsicurl",  "/vsicurl_streaming",  "/vsis3",   "/vsis3_streaming",
-                                          "/vsigs",    "/vsigs_streaming",    "/vsiaz",   "/vsiaz_streaming",
-                                          "/vsiadls",  "/vsioss",             "/vsioss_streaming",
-                                          "/vsiswift", "/vsiswift_streaming", "/vsihdfs", "/vsiwebhdfs"};
+constexpr const char* k_file_systems[] = {"/vsicurl",
+                                          "/vsicurl_streaming",
+                                          "/vsis3",
+                                          "/vsis3_streaming",
+                                          "/vsigs",
+                                          "/vsigs_streaming",
+                                          "/vsiaz",
+                                          "/vsiaz_streaming",
+                                          "/vsiadls",
+                                          "/vsioss",
+                                          "/vsioss_streaming",
+                                          "/vsiswift",
+                                          "/vsiswift_streaming",
+                                          "/vsihdfs",
+                                          "/vsiwebhdfs"};
 
 constexpr const char* k_drivers[] = {
-    "AmigoCloud", "Carto", "Cloudant", "CouchDB", "CSW", "DAAS", "DODS", "EEDA", "EEDAI", "Elasticsearch",
-    "GMLAS", "HANA", "HTTP", "MongoDB", "MongoDBv3", "MSSQLSpatial", "MySQL", "NGW", "OAPIF", "OCI", "ODBC",
-    "OGCAPI", "PLMOSAIC", "PLSCENES", "PostGISRaster", "PostgreSQL", "Rasdaman", "STACIT", "STACTA", "WCS",
-    "WFS", "WMS", "WMTS"};
+    "AmigoCloud", "Carto",        "Cloudant",      "CouchDB",       "CSW",        "DAAS",     "DODS",
+    "EEDA",       "EEDAI",        "Elasticsearch", "GMLAS",         "HANA",       "HTTP",     "MongoDB",
+    "MongoDBv3",  "MSSQLSpatial", "MySQL",         "NGW",           "OAPIF",      "OCI",      "ODBC",
+    "OGCAPI",     "PLMOSAIC",     "PLSCENES",      "PostGISRaster", "PostgreSQL", "Rasdaman", "STACIT",
+    "STACTA",     "WCS",          "WFS",           "WMS",           "WMTS"};
 
 /// Holds nothing: stands where a file system of the network was.
 class NoFiles : public VSIFilesystemHandler {
@@ -44,9 +56,9 @@ bool names_network(const std::string& path) {
         return true;
     const std::string driver = path.substr(0, path.find(':'));
     return driver.size() < path.size() &&
-           (EQUAL(driver.c_str(), "PG") || std::any_of(std::begin(k_drivers), std::end(k_drivers), [&](const char* name) {
-                return EQUAL(driver.c_str(), name);
-            }));
+           (EQUAL(driver.c_str(), "PG") ||
+            std::any_of(std::begin(k_drivers), std::end(k_drivers),
+                        [&](const char* name) { return EQUAL(driver.c_str(), name); }));
 }
 
 }  // namespace
@@ -66,7 +78,8 @@ std::optional<std::string> network_remedy(const std::string& path) {
 
 void shut_network() {
     for (const char* name : k_file_systems) {
-        // Both "/vsicurl/" and "/vsicurl?", which carries options. GDAL keeps the handlers until the program ends.
+        // Both "/vsicurl/" and "/vsicurl?", which carries options. GDAL keeps the handlers until the program
+        // ends.
         VSIFileManager::InstallHandler(std::string(name) + "/", new NoFiles);
         VSIFileManager::InstallHandler(std::string(name) + "?", new NoFiles);
     }

@@ -28,15 +28,16 @@ GDALDatasetUniquePtr open_vector(const VectorSource& source);
 
 using LayerTest = std::function<bool(OGRLayer&)>;
 
-/// The layer that the source names, or the only one that suits; `wanted` says of what ("areas"). Throws Error(input)
-/// with the names there are.
+/// The layer that the source names, or the only one that suits; `wanted` says of what ("areas"). Throws
+/// Error(input) with the names there are.
 OGRLayer& choose_layer(GDALDataset& dataset, const VectorSource& source, const LayerTest& suits,
                        const std::string& wanted);
 
 /// GDAL reads a shapefile with a damaged .dbf as one without attributes: Error(input) instead.
 void check_attribute_table(GDALDataset& dataset, OGRLayer& layer, const VectorSource& source);
 
-/// Keeps the features that satisfy an SQL condition on the attributes. Throws Error(input): not understood, or none.
+/// Keeps the features that satisfy an SQL condition on the attributes. Throws Error(input): not understood,
+/// or none.
 void filter_features(OGRLayer& layer, const VectorSource& source, const std::string& condition);
 
 }  // namespace frana::gis

@@ -68,21 +68,22 @@ std::optional<Origin> release_origin(const SceneReading& reading, const std::str
     const double gravity = reading.scene.numerics.gravity;
     Origin origin{{}, thickness_bound(release)};
     const auto& velocity = release.velocity;
-    if (velocity && velocity->kind == SourceSpec::Kind::number) origin.head += velocity_head(velocity->number, gravity);
+    if (velocity && velocity->kind == SourceSpec::Kind::number)
+        origin.head += velocity_head(velocity->number, gravity);
     if (!release.perimeter) {
         if (!release.thickness || release.thickness->kind != ThicknessSpec::Kind::raster) return std::nullopt;
         return if_readable([&] {
             const gis::RasterInfo file =
                 gis::inspect_raster(release.thickness->raster, reading.where("release.thickness"));
-            origin.extent = gis::CrsTransform(crs.empty() ? "" : file.crs_wkt, crs, file.bounds).around(file.bounds);
+            origin.extent =
+                gis::CrsTransform(crs.empty() ? "" : file.crs_wkt, crs, file.bounds).around(file.bounds);
             return origin;
         });
     }
     return if_readable([&] {
         const std::string key = "release.perimeter";
-        const gis::PolygonLayer layer =
-            gis::read_polygons(*release.perimeter, crs, reading.where(key),
-                               layer_choice(reading, release.perimeter_layer, key));
+        const gis::PolygonLayer layer = gis::read_polygons(
+            *release.perimeter, crs, reading.where(key), layer_choice(reading, release.perimeter_layer, key));
         origin.extent = layer.bounds;
         if (velocity && velocity->kind == SourceSpec::Kind::attribute) {
             double fastest = 0;
@@ -145,7 +146,8 @@ std::vector<Bounds> layers_to_hold(const SceneReading& reading, const std::strin
                               const LayerSpec& layer = {}) {
         if (!file) return;
         const auto box = if_readable([&] {
-            return gis::read_polygons(*file, crs, reading.where(key), layer_choice(reading, layer, key)).bounds;
+            return gis::read_polygons(*file, crs, reading.where(key), layer_choice(reading, layer, key))
+                .bounds;
         });
         if (box) boxes.push_back(*box);
     };
@@ -170,9 +172,11 @@ std::vector<Bounds> layers_to_hold(const SceneReading& reading, const std::strin
 
 /// The least friction that the energy line may count on; 0 where places differ.
 double sure_friction(const SceneSpec& scene) {
-    const bool by_place = scene.terrain.friction_zones || scene.zones.friction_angle || scene.zones.friction_coefficient;
+    const bool by_place =
+        scene.terrain.friction_zones || scene.zones.friction_angle || scene.zones.friction_coefficient;
     if (by_place || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
-    return k_caution * friction_coefficient(scene.material) * (1 - scene.material.pore_pressure_ratio.value_or(0));
+    return k_caution * friction_coefficient(scene.material) *
+           (1 - scene.material.pore_pressure_ratio.value_or(0));
 }
 
 }  // namespace
@@ -196,7 +200,8 @@ std::optional<Bounds> flow_window(const SceneReading& reading, const gis::Raster
     for (Origin& origin : *origins) {
         needed = united(needed, origin.extent);
         double top = -HUGE_VAL;
-        for (const gis::ElevationSample& s : sample(widened(origin.extent, 2 * cell))) top = std::max(top, s.elevation);
+        for (const gis::ElevationSample& s : sample(widened(origin.extent, 2 * cell)))
+            top = std::max(top, s.elevation);
         if (!std::isfinite(top)) return std::nullopt;  // it lies outside the DTM: reported later
         origin.head += top;                            // now above sea level
     }

@@ -24,7 +24,8 @@ void add(TextTable& table, const UsedFile& file) {
     const std::string name = file.role + "\n" + std::filesystem::path(file.path).filename().string() +
                              (file.layer.empty() ? "" : "\nlayer " + file.layer);
     const bool placed = !file.crs_label.empty();  // a table of numbers lies nowhere
-    table.add({name, file.crs_label, placed ? corners(file.bounds, file.degrees) : "", file.content, file.nodata,
+    table.add({name, file.crs_label, placed ? corners(file.bounds, file.degrees) : "", file.content,
+               file.nodata,
                placed ? transform_text(file.transform) +
                             (file.resampling.empty() ? "" : "\nresampling: " + file.resampling)
                       : "",

@@ -10,7 +10,8 @@ namespace frana::app {
 
 std::string library_versions() {
     const std::string boost = std::to_string(BOOST_VERSION / 100000) + "." +
-                              std::to_string(BOOST_VERSION / 100 % 1000) + "." + std::to_string(BOOST_VERSION % 100);
+                              std::to_string(BOOST_VERSION / 100 % 1000) + "." +
+                              std::to_string(BOOST_VERSION % 100);
     return gis::library_versions() + render::library_versions() + "Boost " + boost + "\nbuilt with " +
            FRANA_COMPILER + "\n";
 }

@@ -35,7 +35,9 @@ class Listener {
     Listener(const Listener&) = delete;
     Listener& operator=(const Listener&) = delete;
 
-    [[nodiscard]] std::string place() const { return "127.0.0.1:" + std::to_string(ntohs(address_.sin_port)); }
+    [[nodiscard]] std::string place() const {
+        return "127.0.0.1:" + std::to_string(ntohs(address_.sin_port));
+    }
     /// Takes every call that came, and ends it.
     [[nodiscard]] int calls() const {
         int count = 0;
@@ -57,14 +59,15 @@ using Guard = TinyScene;
 TEST_F(Guard, NothingIsReadOverTheNetworkUnlessAllowed) {
     const Listener listener;
     const std::string url = "http://" + listener.place() + "/a";
-    const std::vector<std::string> keys{"terrain.dtm=" + url + ".tif",
-                                        "terrain.dtm=/vsicurl/" + url + ".tif",
-                                        "terrain.dtm=/vsizip//vsicurl/" + url + ".zip/a.tif",
-                                        "terrain.dtm=WCS:" + url,
-                                        "release.perimeter=" + url + ".geojson",
-                                        "release.perimeter=WFS:" + url,
-                                        "release.perimeter=PG:host=127.0.0.1 port=" + listener.place().substr(10),
-                                        "release.thickness=raster:/vsicurl_streaming/" + url + ".tif"};
+    const std::vector<std::string> keys{
+        "terrain.dtm=" + url + ".tif",
+        "terrain.dtm=/vsicurl/" + url + ".tif",
+        "terrain.dtm=/vsizip//vsicurl/" + url + ".zip/a.tif",
+        "terrain.dtm=WCS:" + url,
+        "release.perimeter=" + url + ".geojson",
+        "release.perimeter=WFS:" + url,
+        "release.perimeter=PG:host=127.0.0.1 port=" + listener.place().substr(10),
+        "release.thickness=raster:/vsicurl_streaming/" + url + ".tif"};
     for (const std::string& key : keys) {
         const Outcome outcome = frana({"check", "scene.ini", "--set", key});
         EXPECT_EQ(outcome.exit_code, 2) << key;
@@ -77,10 +80,12 @@ TEST_F(Guard, NothingIsReadOverTheNetworkUnlessAllowed) {
                          std::to_string(k_west) + ",5,0," + std::to_string(k_south + 150) +
                          ",0,-5</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\"><SimpleSource>"
                          "<SourceFilename>/vsicurl/" +
-                         url + ".tif</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand>"
-                               "</VRTDataset>");
-    write("map.xml", "<GDAL_WMS><Service name=\"TMS\"><ServerUrl>" + url +
-                         "</ServerUrl></Service><DataWindow><UpperLeftX>0</UpperLeftX></DataWindow></GDAL_WMS>");
+                         url +
+                         ".tif</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand>"
+                         "</VRTDataset>");
+    write("map.xml",
+          "<GDAL_WMS><Service name=\"TMS\"><ServerUrl>" + url +
+              "</ServerUrl></Service><DataWindow><UpperLeftX>0</UpperLeftX></DataWindow></GDAL_WMS>");
     for (const std::string file : {"far.vrt", "map.xml"}) {
         EXPECT_EQ(frana({"check", "scene.ini", "--set", "terrain.dtm=" + file}).exit_code, 2) << file;
         EXPECT_EQ(listener.calls(), 0) << file;
@@ -115,7 +120,8 @@ bool locked(const fs::path& folder, int& descriptor) {
 
 TEST_F(Guard, TwoRunsDoNotWriteOneResult) {
     write_scene(k_numbers_only);
-    const std::vector<std::string> run{"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1"};
+    const std::vector<std::string> run{"run",     "scene.ini", "--out",       "result",
+                                       "--quiet", "--set",     "time.end=0.1"};
     const fs::path aside = folder_ / "result.partial-OTHER1";
     fs::create_directory(aside);
     int descriptor = -1;
@@ -136,8 +142,8 @@ TEST_F(Guard, ARunHoldsItsLockWhileItComputes) {
     Outcome outcome{};
     std::atomic<bool> ended = false;
     std::thread running([&] {
-        outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=100000", "--set",
-                         "terrain.cell-size=1"},
+        outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=100000",
+                         "--set", "terrain.cell-size=1"},
                         2000);
         ended = true;
     });

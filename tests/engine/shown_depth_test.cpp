@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The depth that rasters show of a cell: free of the particles' unevenness, and never far from the volume it holds.
+// The depth that rasters show of a cell: free of the particles' unevenness, and never far from the volume it
+// holds.
 #include <gtest/gtest.h>
 
 #include "mpm/node_grid.h"

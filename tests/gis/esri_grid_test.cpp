@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ESRI binary grid, a folder of .adf files, which GDAL reads but does not write: put together here byte by byte.
+// The ESRI binary grid, a folder of .adf files, which GDAL reads but does not write: put together here byte
+// by byte.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,15 +49,16 @@ class BigEndian {
 };
 
 float ground(int row, int column) {
-    return row == 9 && column == 7 ? k_esri_nodata : 1000.25F + 2 * static_cast<float>(column) + static_cast<float>(row);
+    return row == 9 && column == 7 ? k_esri_nodata
+                                   : 1000.25F + 2 * static_cast<float>(column) + static_cast<float>(row);
 }
 
 void write_grid(const std::string& folder) {
     std::filesystem::create_directory(folder);
     BigEndian header;
-    header.put<std::uint64_t>(0x47524944312E3200).put<std::int64_t>(0);       // "GRID1.2"
-    header.put<std::int32_t>(2).put<std::int32_t>(1).zeros_to(256);           // real numbers, not compressed
-    header.put(k_cell).put(k_cell).put(0.0).put(0.0);                         // cells, reference
+    header.put<std::uint64_t>(0x47524944312E3200).put<std::int64_t>(0);  // "GRID1.2"
+    header.put<std::int32_t>(2).put<std::int32_t>(1).zeros_to(256);      // real numbers, not compressed
+    header.put(k_cell).put(k_cell).put(0.0).put(0.0);                    // cells, reference
     header.put<std::int32_t>(1).put<std::int32_t>(k_blocks).put<std::int32_t>(k_columns);
     header.put<std::int32_t>(1).put<std::int32_t>(k_block_rows).zeros_to(308);
     header.write(folder + "/hdr.adf");
@@ -81,9 +83,10 @@ void write_grid(const std::string& folder) {
     // Both name their length in shorts at byte 24.
     data.put_at(24, static_cast<std::int32_t>(data.size() / 2)).write(folder + "/w001001.adf");
     index.put_at(24, static_cast<std::int32_t>(index.size() / 2)).write(folder + "/w001001x.adf");
-    std::ofstream(folder + "/prj.adf") << "Projection    UTM\nZone          32\nDatum         WGS84\nZunits        NO\n"
-                                          "Units         METERS\nSpheroid      WGS84\nXshift        0.0\n"
-                                          "Yshift        0.0\nParameters\n";
+    std::ofstream(folder + "/prj.adf")
+        << "Projection    UTM\nZone          32\nDatum         WGS84\nZunits        NO\n"
+           "Units         METERS\nSpheroid      WGS84\nXshift        0.0\n"
+           "Yshift        0.0\nParameters\n";
 }
 
 TEST(EsriGrid, AFolderOfAdfFilesIsARaster) {
