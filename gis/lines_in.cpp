@@ -61,10 +61,15 @@ LineInputLayer read_lines(const std::string& path, const std::string& target_crs
         throw vector_fault(source, "the file is damaged: " + session.last_message(), "", "Export it anew");
     if (read.features.empty()) throw vector_fault(source, "the layer is empty", layer.GetName(), "Draw a line");
     read.own_bounds = bounds(all);
-    const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt, read.own_bounds);
-    read.transform = transform.info();
-    for (LineInput& feature : read.features) {
-        for (Point& point : feature.line) point = transform(point);
+    try {
+        const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt, read.own_bounds);
+        read.transform = transform.info();
+        for (LineInput& feature : read.features) {
+            for (Point& point : feature.line) point = transform(point);
+        }
+    } catch (const Error& error) {
+        throw vector_fault(source, error.problems().front().what, error.problems().front().value,
+                           error.problems().front().remedy);
     }
     return read;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene must not make frana do: reach into the network, or write a result that another run is writing.
+// What a scene must not make frana do: reach into the network, take the machine's memory, or write a result that
+// another run is writing.
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -110,6 +111,36 @@ TEST_F(Guard, TheNetworkIsReachedWhereItIsAllowed) {
     }
     asking.join();
     EXPECT_GT(calls, 0);
+}
+
+TEST_F(Guard, ValuesThatNoSceneMeansAreRefusedInOnePass) {
+    const std::vector<std::string> values{"terrain.cell-size=1e-6",
+                                          "terrain.bounds=nan 0 1 1",
+                                          "release.thickness=nan",
+                                          "release.volume=1e300",
+                                          "release.velocity=inf",
+                                          "material.density=-1e308",
+                                          "material.turbulence=nan",
+                                          "material.viscosity=1e308",
+                                          "material.friction-angle=-inf",
+                                          "numerics.cfl=inf",
+                                          "numerics.particles-per-cell=99999999999999999999",
+                                          "numerics.minimum-depth=1e-320",
+                                          "time.end=1e308",
+                                          "time.frame-interval=",
+                                          "output.map-size=4000000000x4000000000"};
+    std::vector<std::string> arguments{"run", "scene.ini"};
+    for (const std::string& value : values) arguments.insert(arguments.end(), {"--set", value});
+    const std::vector<std::string> before = files();
+    const Outcome outcome = frana(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    for (const std::string& value : values) {
+        const std::string key = value.substr(0, value.find('='));
+        EXPECT_NE(outcome.err.find("--set " + key + ": "), std::string::npos) << key << " in " << outcome.err;
+    }
+    // Nothing of that size was tried: what the program takes with its libraries.
+    EXPECT_LT(outcome.peak_memory_bytes, 300e6);
+    EXPECT_EQ(files(), before);
 }
 
 /// Tries the lock that a run holds on the folder in which it works.
