@@ -38,7 +38,7 @@ std::string input_table(const Prepared& prepared, std::int64_t memory_bytes) {
     TextTable table({{"Input", 24},
                      {"CRS", 22},
                      {"Extent (west south, east north)", 24},
-                     {"Content", 22},
+                     {"Resolution, content", 22},
                      {"No data", 14},
                      {"Operation to the working CRS", 34},
                      {"Accuracy", 8}});

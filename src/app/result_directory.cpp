@@ -49,11 +49,11 @@ bool is_inside(const fs::path& path, const fs::path& directory) {
 }
 
 /// Locks a folder for as long as the descriptor that is returned stays open; the system lets go of it when the
-/// program ends, however it ends. -1, with errno, where somebody else holds it.
-int lock(const std::string& folder) {
+/// program ends, however it ends. -1, with errno, where somebody else holds it; `wait`: until nobody does.
+int lock(const std::string& folder, bool wait) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return -1;
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+    if (::flock(descriptor, wait ? LOCK_EX : LOCK_EX | LOCK_NB) == 0) return descriptor;
     const int reason = errno;
     ::close(descriptor);
     errno = reason;
@@ -146,7 +146,7 @@ ResultDirectory::ResultDirectory(std::string directory, bool overwrite)
     const mode_t mask = ::umask(0);
     ::umask(mask);
     fs::permissions(aside_, static_cast<fs::perms>(0777 & ~mask), failure);
-    lock_ = lock(aside_);
+    lock_ = lock(aside_, true);  // another run's look at it takes a moment
     refuse_a_second_run();
 }
 
@@ -156,7 +156,7 @@ void ResultDirectory::refuse_a_second_run() const {
     std::error_code failure;
     for (const fs::directory_entry& entry : fs::directory_iterator(own.parent_path(), failure)) {
         if (entry.path() == own || entry.path().filename().string().rfind(beginning, 0) != 0) continue;
-        const int other = lock(entry.path().string());
+        const int other = lock(entry.path().string(), false);
         if (other >= 0) {
             ::close(other);  // left behind by a run that was killed
         } else if (errno == EWOULDBLOCK) {

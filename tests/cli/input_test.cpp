@@ -194,7 +194,7 @@ TEST_F(Input, AFilterChoosesFeatures) {
     const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=two.geojson", "--set",
                                    "release.perimeter-filter=kind = 'release'"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    expect_words(outcome.out, {"1 polygons", "1 000 m2"});
+    expect_words(outcome.out, {"1 polygon", "1 000 m2"});
     const Outcome wrong = frana({"check", "scene.ini", "--set", "release.perimeter=two.geojson", "--set",
                                  "release.perimeter-filter=sort = 'release'"});
     EXPECT_EQ(wrong.exit_code, 2);
