@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gis/gdal_session.h"
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
 
@@ -39,6 +40,14 @@ std::string GdalSession::last_message() const {
 void GdalSession::forget() {
     messages_.clear();
     last_error_.clear();
+}
+
+NoSideFiles::NoSideFiles() {
+    CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO");
+}
+
+NoSideFiles::~NoSideFiles() {
+    CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", nullptr);
 }
 
 }  // namespace frana::gis

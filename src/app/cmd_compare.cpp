@@ -120,7 +120,7 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
     write_comparison(comparison, simulated.input, folder);
     if (comparison.figures) {
         simulated.source.scar = simulated.input.survey.scar;
-        draw_comparison(comparison, simulated.source, (fs::path(folder) / "comparison.png").string());
+        draw_comparison(comparison, simulated.source, (fs::path(folder) / "comparison").string());
     }
     return comparison;
 }
@@ -147,7 +147,7 @@ int cmd_compare(const Arguments& arguments) {
     Ranking ranking;
     for (const std::string& operand : operands) {
         Simulated simulated = read_simulated(operand, threshold);
-        if (size) simulated.source.size = *size;
+        if (size) simulated.source.style.size = *size;
         for (const auto& scar : surveyed) {
             simulated.input.survey = read_survey(scar, deposit, simulated.input.depth.grid, log);
             if (!several) {
