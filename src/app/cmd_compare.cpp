@@ -85,6 +85,7 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
         input.depth = foreign_depth(operand);
         simulated.name = fs::path(operand).stem().string();
         simulated.source.title = simulated.name;
+        simulated.source.foreign = true;
         simulated.source.crs_label = gis::crs_name(input.depth.grid.crs_wkt);
         input.depth_label = operand;
     }

@@ -46,7 +46,7 @@ CommandForm render_form() {
         "exaggeration", text(), "factor of heights in views (default: 1)")(
         "plain", "views: white behind the terrain")("dtm", text(), "terrain under a RASTER")(
         "unit", text(), "of the values of a RASTER, where the file does not say")(
-        "out", text(), "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
+        "above", text(), "draw the values of a RASTER above this one only")("out", text(), "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
     return form;
 }
 
@@ -168,7 +168,7 @@ void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool vie
 
 void render_result(const Values& values, const Request& request, Problems& problems) {
     const ResultReader result((values)["operand"].as<std::string>());
-    for (const char* option : {"dtm", "unit"}) {
+    for (const char* option : {"dtm", "unit", "above"}) {
         if (values.count(option) > 0)
             problems.add({"goes with a RASTER, not with a result", std::string("--") + option, "", "", ""});
     }
@@ -216,8 +216,11 @@ void render_raster(const Values& values, const Request& request, Problems& probl
         problems.add({"needs a terrain", "--view", "3d", "", "Name it: --dtm RASTER"});
     MapStyle style;
     read_style(values, style, problems);
+    const auto limit = text_option(values, "above");
+    const auto above = limit ? number_from_text(*limit) : std::nullopt;
+    if (limit && !above) problems.add({"is not a number", "--above", *limit, "", ""});
     problems.throw_if_any();
-    ForeignMap map = read_foreign_map(file, text_option(values, "dtm"), text_option(values, "unit"));
+    ForeignMap map = read_foreign_map(file, text_option(values, "dtm"), text_option(values, "unit"), above);
     map.source.style = style;
     map.source.title = text_option(values, "title").value_or(map.source.title);
     if (!style.background.empty())

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/foreign_map.h"
 
-#include <algorithm>
+#include <cmath>
 
+#include "app/number_text.h"
 #include "core/error.h"
 #include "gis/crs.h"
 #include "gis/raster_in.h"
@@ -23,10 +24,15 @@ Raster terrain_for(const Raster& layer, const std::string& dtm) {
 }  // namespace
 
 ForeignMap read_foreign_map(const std::string& file, const std::optional<std::string>& dtm,
-                            const std::optional<std::string>& unit) {
+                            const std::optional<std::string>& unit, const std::optional<double>& above) {
     ForeignMap map;
     map.layer = read_map_layer(file, true);
     if (map.layer.unit.empty()) map.layer.unit = unit.value_or("");
+    if (above) {
+        for (double& value : map.layer.values.values)
+            if (!(value > *above)) value = k_no_data;
+        map.layer.notes.push_back("Only above " + figure(*above) + " " + map.layer.unit);
+    }
     const GridSpec& grid = map.layer.values.grid;
     MapSource& source = map.source;
     if (dtm) {
@@ -39,6 +45,7 @@ ForeignMap read_foreign_map(const std::string& file, const std::optional<std::st
         }
     }
     source.title = map.layer.name;
+    source.foreign = true;
     source.crs_label = gis::crs_name(grid.crs_wkt);
     if (!grid.crs_wkt.empty()) {
         source.convergence_deg = gis::meridian_convergence_deg(

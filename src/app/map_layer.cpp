@@ -95,6 +95,8 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
         for (const gis::NamedClass& one : text.classes)
             layer.categories.push_back({static_cast<double>(one.value), one.label, one.colour});
         layer.notes = class_areas(layer);
+        if (kind == "hazard")  // a map travels without its log
+            layer.notes.insert(layer.notes.begin(), {"Intensity of one scenario,", "not a degree of danger"});
     }
     return layer;
 }

@@ -56,6 +56,7 @@ struct MapSource {
     MultiPolygon release;
     MultiPolygon scar;                   ///< empty: none
     std::vector<render::Outline> marks;  ///< zones, gauges, sections, profiles
+    bool foreign = false;                ///< another program computed it
     MapStyle style;
 };
 

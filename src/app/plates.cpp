@@ -121,8 +121,6 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
 
     if (!result.has("comparison.tif")) return files;
     MapLayer comparison = result.map_layer("comparison");
-    MapSource figures = source;
-    figures.notes.clear();
     const std::vector<NamedChart> charts = result_charts(result, source);
     render::Plate last{source.title + ": profile and comparison with the scar", source.subtitle, source.crs_label, 2, {}};
     if (!charts.empty() && charts.front().name.starts_with("profile")) {
@@ -133,7 +131,7 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
             return render::draw_curves(chart, w, h);
         });
     }
-    last.parts.push_back([&](int w, int h) { return lean_map(figures, comparison, "hits, false alarms, misses", w, h); });
+    last.parts.push_back([&](int w, int h) { return lean_map(source, comparison, "hits, false alarms, misses", w, h); });
     write("comparison", last);
     return files;
 }

@@ -8,6 +8,8 @@
 
 #include "analysis/trace.h"
 #include "app/error_estimate.h"
+#include "app/layers.h"
+#include "app/number_text.h"
 #include "core/error.h"
 #include "core/json.h"
 #include "gis/crs.h"
@@ -16,6 +18,7 @@
 #include "gis/vector_in.h"
 #include "params/ini_file.h"
 #include "params/scene_spec.h"
+#include "params/value_text.h"
 
 namespace frana::app {
 namespace {
@@ -49,6 +52,23 @@ SeriesEnds read_series_ends(const std::string& path) {
         ends.last = row;
     }
     return ends;
+}
+
+/// The scores that a comparison's map shows, from the file that frana wrote; where it is missing, none.
+void add_figures(const std::string& path, std::vector<std::string>& notes) {
+    std::ifstream file(path);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto add = [&](const std::string& key, const std::string& before, const std::string& after) {
+        const auto place = text.find("\"" + key + "\":");  // the first is that of the area
+        if (place == std::string::npos) return;
+        const auto from = text.find(':', place) + 1;
+        const auto value = number_from_text(trimmed(text.substr(from, text.find_first_of(",}", from) - from)));
+        if (value) notes.push_back(before + " " + figure(*value, 3) + after);
+    };
+    add("threshold_m", "Threshold", " m");
+    add("area_difference_percent", "Area difference", " %");
+    add("jaccard", "Jaccard", "");
+    add("dice", "Dice", "");
 }
 
 }  // namespace
@@ -141,7 +161,11 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         if (has("max_" + kind + ".tif")) layer.classes = read_map_layer(path("max_" + kind + ".tif")).classes;
         return layer;
     }
-    if (has(name + ".tif")) return read_map_layer(path(name + ".tif"));
+    if (has(name + ".tif")) {
+        MapLayer layer = read_map_layer(path(name + ".tif"));
+        if (name == "comparison") add_figures(path("comparison.json"), layer.notes);
+        return layer;
+    }
     const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
     if (name == "uncertainty" && fs::exists(study)) return read_map_layer(study);
     std::string known = joined(drawable(), ", ");
