@@ -19,7 +19,12 @@ void CPL_STDCALL keep(CPLErr kind, CPLErrorNum, const char* message) {
 
 GdalSession::GdalSession() {
     static std::once_flag once;
-    std::call_once(once, [] { GDALAllRegister(); });
+    std::call_once(once, [] {
+        GDALAllRegister();
+        // Tiles are unpacked and warped side by side; the values are the same. Who set it otherwise meant it.
+        if (CPLGetConfigOption("GDAL_NUM_THREADS", nullptr) == nullptr)
+            CPLSetConfigOption("GDAL_NUM_THREADS", "ALL_CPUS");
+    });
     CPLPushErrorHandlerEx(keep, this);
 }
 

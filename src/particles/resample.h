@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/grid_spec.h"
 #include "core/thread_pool.h"
@@ -17,9 +18,9 @@ inline constexpr double k_split_reach = 0.5;
 struct ResampleLimits {
     double cell_size = 1;
     double split_extent = 0.7;   ///< in cells: a particle longer than this becomes two along its longer axis
-    double merge_extent = 0.65;  ///< in cells: two particles merge only if the result is not longer
-    int split_below = 4;  ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
-    int max_per_cell = 12;         ///< more than this in a cell: pairs merge
+    double merge_extent = 0.9;   ///< in cells: two particles merge only if the result is not longer
+    int split_below = 3;  ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
+    int max_per_cell = 8;          ///< more than this in a cell: pairs merge
     double minimum_depth = 0.001;  ///< thinner particles are not split [m]
     double width = 0, height = 0;  ///< of the terrain [m]: no half is put outside
     const std::uint8_t* marks = nullptr;  ///< of the padded nodes; none: no walls
@@ -33,7 +34,8 @@ struct ResampleCounts {
 /// Splits and merges tile by tile, in the particles' order. Volume, area and momentum are conserved; a merged
 /// pair loses the kinetic energy of its relative motion only. Needs c_* and q_*; particles must be sorted and
 /// stay sorted.
+/// @param left_alone one byte a tile: not 0 where nothing splits or merges; or empty
 ResampleCounts resample(ParticleSet& particles, TileOrder& order, const ResampleLimits& limits,
-                        ThreadPool& pool);
+                        const std::vector<std::uint8_t>& left_alone, ThreadPool& pool);
 
 }  // namespace frana
