@@ -99,9 +99,10 @@ MapPage::MapPage(const MapSpec& spec, bool for_frames) {
 void MapPage::arrange(const MapSpec& spec, bool for_frames) {
     const PageBox page{0, 0, static_cast<double>(spec.width), static_cast<double>(spec.height)};
     const LegendContent content{spec.legend_title, spec.unit, &scale_, &spec.outlines, &spec.side_notes};
+    constexpr double k_last_density = 0.66;
     // Letters are made smaller until the legend fits above scale bar and arrow.
     double lacking = 0;
-    for (const double density : {1.0, 0.88, 0.77, 0.66}) {
+    for (const double density : {1.0, 0.88, 0.77, k_last_density}) {
         const PageStyle style(spec.width, spec.height, density);
         Sheet sheet(spec.width, spec.height);
         layout_ = MapLayout{};
@@ -142,8 +143,10 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames) {
         layout_.window = frame_.window;
         layout_.metres_per_pixel = frame_.metres_per_pixel();
 
-        const Column column{page.right - style.margin - column_width, static_cast<double>(frame_.top),
-                            column_width, static_cast<double>(frame_.top + frame_.height)};
+        // On the last try the legend begins beside the coordinates above the frame, where there is a little more room.
+        const double column_top = frame_.top - (density == k_last_density ? graticule_band : 0);
+        const Column column{page.right - style.margin - column_width, column_top, column_width,
+                            static_cast<double>(frame_.top + frame_.height)};
         Canvas& canvas = sheet.canvas();
         draw_place_names(sheet, style, frame_, spec.outlines);
         double interval = 0;
