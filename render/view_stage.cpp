@@ -146,8 +146,8 @@ class ViewStage::Scene {
             const TitleResult titles = draw_titles(sheet, style, spec.title, spec.subtitle, for_frames,
                                                    {style.margin, style.margin}, inner);
             subtitle_at_ = titles.subtitle_at;
-            const double foot_top = draw_foot(sheet, style, {spec.source, spec.crs_label, spec.attribution}, style.margin,
-                                              spec.height - style.margin, inner);
+            const double foot_top = draw_foot(sheet, style, {spec.source, spec.crs_label, spec.attribution},
+                                              style.margin, spec.height - style.margin, inner);
             const double column =
                 std::max(0.15 * spec.width, legend_width(content, style, sheet, 0.32 * spec.width));
             layout_.picture = {std::round(style.margin), std::round(titles.bottom + style.gap),

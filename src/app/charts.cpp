@@ -129,15 +129,28 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
     render::CurveChart chart = page(source, "course of the flow", "timeseries.csv");
     chart.across = 2;
     chart.panels = {
-        {"Greatest speed", seconds, "speed [m/s]", {curve("max_speed_ms", "along the bed", k_vermilion)}, true},
+        {"Greatest speed",
+         seconds,
+         "speed [m/s]",
+         {curve("max_speed_ms", "along the bed", k_vermilion)},
+         true},
         {"Greatest depth", seconds, "depth [m]", {curve("max_depth_m", "vertical", k_blue)}, true},
         {"Front", seconds, "distance [m]", {curve("front_distance_m", "farthest particle", k_purple)}, true},
-        {"Covered area", seconds, "area [1000 m\u00B2]", {curve("covered_area_m2", "at the time", k_green, 1e-3)}, true},
-        {"Kinetic energy", seconds, "energy [GJ]", {curve("kinetic_energy_j", "in map view", k_vermilion, 1e-9)}, true},
+        {"Covered area",
+         seconds,
+         "area [1000 m\u00B2]",
+         {curve("covered_area_m2", "at the time", k_green, 1e-3)},
+         true},
+        {"Kinetic energy",
+         seconds,
+         "energy [GJ]",
+         {curve("kinetic_energy_j", "in map view", k_vermilion, 1e-9)},
+         true},
         {"Volume",
          seconds,
          "volume [1000 m\u00B3]",
-         {curve("volume_m3", "inside", k_blue, 1e-3), curve("volume_left_m3", "left the ground", k_vermilion, 1e-3)},
+         {curve("volume_m3", "inside", k_blue, 1e-3),
+          curve("volume_left_m3", "left the ground", k_vermilion, 1e-3)},
          true}};
     return {"timeseries", chart};
 }

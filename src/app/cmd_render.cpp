@@ -29,15 +29,18 @@ CommandForm render_form() {
         "output.map-... and output.view-... keys; options take their place.",
         "RESULT_DIR|RASTER",
         {}};
-    form.options.add_options()("map", texts(),
-                               "raster to draw, for example max_depth; depth@12.5 is the frame nearest to 12.5 s; "
-                               "repeatable (default: all)")("view", text(), "2d (default) or 3d")(
+    form.options.add_options()(
+        "map", texts(),
+        "raster to draw, for example max_depth; depth@12.5 is the frame nearest to 12.5 s; "
+        "repeatable (default: all)")("view", text(), "2d (default) or 3d")(
         "animation", text(),
-        "write the frames as FILE.mp4 or FILE.gif, or as pictures into FOLDER/, instead of maps; --map velocity "
+        "write the frames as FILE.mp4 or FILE.gif, or as pictures into FOLDER/, instead of maps; --map "
+        "velocity "
         "shows speeds")("beside", text(), "film: another result to show beside, with the same colours")(
-        "fly", "film, 3d: the camera glides along the flow")(
-        "charts", "draw the charts of a result instead of maps")(
-        "plates", "draw its plates instead: initial state, snapshots, stresses, profile beside comparison")("size", text(), k_sizes)(
+        "fly", "film, 3d: the camera glides along the flow")("charts",
+                                                             "draw the charts of a result instead of maps")(
+        "plates", "draw its plates instead: initial state, snapshots, stresses, profile beside comparison")(
+        "size", text(), k_sizes)(
         "format", texts(), "png (default), pdf, tif (what is inside the frame, in its place); repeatable")(
         "legend", text(), "classed (default) or continuous")(
         "background", text(), "orthophoto or topographic raster instead of the relief")(
@@ -46,7 +49,9 @@ CommandForm render_form() {
         "exaggeration", text(), "factor of heights in views (default: 1)")(
         "plain", "views: white behind the terrain")("dtm", text(), "terrain under a RASTER")(
         "unit", text(), "of the values of a RASTER, where the file does not say")(
-        "above", text(), "draw the values of a RASTER above this one only")("out", text(), "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
+        "above", text(), "draw the values of a RASTER above this one only")(
+        "out", text(),
+        "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
     return form;
 }
 
@@ -195,7 +200,8 @@ void render_result(const Values& values, const Request& request, Problems& probl
     }
     problems.throw_if_any();
     if (request.film) {
-        render_film(result, source, request, values.count("size") > 0 ? source.style.size : film_size(source.style.size));
+        render_film(result, source, request,
+                    values.count("size") > 0 ? source.style.size : film_size(source.style.size));
     } else if (request.charts || request.plates) {
         const std::string folder = request.out.value_or(result.path(request.charts ? "charts" : "plates"));
         make_folder(folder);

@@ -31,7 +31,8 @@ std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) 
 }
 
 std::string attribution(const MapSource& source) {
-    const std::string own = std::string(source.foreign ? "Drawn with " : "Simulated with ") + k_program + " " + k_version;
+    const std::string own =
+        std::string(source.foreign ? "Drawn with " : "Simulated with ") + k_program + " " + k_version;
     return source.style.attribution.empty() ? own : own + "; " + source.style.attribution;
 }
 

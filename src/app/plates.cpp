@@ -122,7 +122,8 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
     if (!result.has("comparison.tif")) return files;
     MapLayer comparison = result.map_layer("comparison");
     const std::vector<NamedChart> charts = result_charts(result, source);
-    render::Plate last{source.title + ": profile and comparison with the scar", source.subtitle, source.crs_label, 2, {}};
+    render::Plate last{
+        source.title + ": profile and comparison with the scar", source.subtitle, source.crs_label, 2, {}};
     if (!charts.empty() && charts.front().name.starts_with("profile")) {
         last.parts.push_back([&](int w, int h) {
             render::CurveChart chart = charts.front().chart;
@@ -131,7 +132,8 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
             return render::draw_curves(chart, w, h);
         });
     }
-    last.parts.push_back([&](int w, int h) { return lean_map(source, comparison, "hits, false alarms, misses", w, h); });
+    last.parts.push_back(
+        [&](int w, int h) { return lean_map(source, comparison, "hits, false alarms, misses", w, h); });
     write("comparison", last);
     return files;
 }

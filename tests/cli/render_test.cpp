@@ -49,7 +49,8 @@ TEST_F(Render, AnyRasterOfTheResultAndAnyTime) {
     EXPECT_EQ(outcome.out, "result/maps/release.png\nresult/maps/depth_t2.png\n");
     const Outcome all = frana({"render", "result", "--size", "640x480", "--out", "all"});
     ASSERT_EQ(all.exit_code, 0) << all.err;
-    for (const std::string name : {"max_depth", "max_velocity", "final_depth", "arrival_time", "max_pressure", "release"})
+    for (const std::string name :
+         {"max_depth", "max_velocity", "final_depth", "arrival_time", "max_pressure", "release"})
         EXPECT_TRUE(fs::exists(path("all/" + name + ".png"))) << name;
     EXPECT_FALSE(fs::exists(path("all/dtm.png")));
 }
@@ -76,7 +77,8 @@ TEST_F(Render, ChartsAndPlates) {
 }
 
 TEST_F(Render, FilmsBesideEachOtherInFlightAndAsPictures) {
-    const Outcome beside = frana({"render", "result", "--animation", "two.mp4", "--beside", "result", "--size", "1280x480"});
+    const Outcome beside =
+        frana({"render", "result", "--animation", "two.mp4", "--beside", "result", "--size", "1280x480"});
     ASSERT_EQ(beside.exit_code, 0) << beside.err;
     EXPECT_EQ(read_text(path("two.mp4")).substr(4, 4), "ftyp");
     const Outcome flight = frana({"render", "result", "--animation", "flight/", "--view", "3d", "--fly", "--map",
@@ -105,8 +107,8 @@ TEST_F(Render, MistakesAreRefused) {
     EXPECT_EQ(frana({"render", "result", "--animation", "film.avi"}).exit_code, 2);
     EXPECT_FALSE(fs::exists(path("film.avi")));
     // All at once.
-    const Outcome several = frana({"render", "result", "--size", "12", "--legend", "fine", "--format", "bmp", "--camera",
-                                   "up", "--exaggeration", "99", "--background", "none.tif"});
+    const Outcome several = frana({"render", "result", "--size", "12", "--legend", "fine", "--format", "bmp",
+                                   "--camera", "up", "--exaggeration", "99", "--background", "none.tif"});
     EXPECT_EQ(several.exit_code, 2);
     for (const std::string option : {"--size", "--legend", "--format", "--camera", "--exaggeration", "--background"})
         EXPECT_NE(several.err.find(option), std::string::npos) << option << "\n" << several.err;

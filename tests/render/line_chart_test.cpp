@@ -22,8 +22,9 @@ CurveChart chart() {
         depth.push_back({10.0 * i, i > 40 && i < 60 ? k_no_data : 5 + 4 * std::sin(i / 10.0)});
         foot.push_back(0);
     }
-    content.panels = {{"Bed", "distance [m]", "elevation [m]", {{"bed", {90, 70, 50}, bed}}},
-                      {"Depth", "distance [m]", "depth [m]", {{"maximum", {0, 114, 178}, depth, 2, false, foot}}, true}};
+    content.panels = {
+        {"Bed", "distance [m]", "elevation [m]", {{"bed", {90, 70, 50}, bed}}},
+        {"Depth", "distance [m]", "depth [m]", {{"maximum", {0, 114, 178}, depth, 2, false, foot}}, true}};
     return content;
 }
 

@@ -112,7 +112,8 @@ TEST(Places, StandWhereTheyAreWithTheirNames) {
         const auto text = std::find_if(layout.texts.begin(), layout.texts.end(),
                                        [&](const TextBox& box) { return box.text == one.name; });
         ASSERT_NE(text, layout.texts.end()) << one.name;
-        const double away = std::max({text->box.left - x, x - text->box.right, text->box.top - y, y - text->box.bottom});
+        const double away =
+            std::max({text->box.left - x, x - text->box.right, text->box.top - y, y - text->box.bottom});
         EXPECT_LT(away, 2 * layout.font_px) << one.name;
     }
     const auto [x, y] = pixel(layout, {527605, 5094410});  // on the section
