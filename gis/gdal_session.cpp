@@ -50,4 +50,12 @@ void GdalSession::forget() {
     last_error_.clear();
 }
 
+NoSideFiles::NoSideFiles() {
+    CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO");
+}
+
+NoSideFiles::~NoSideFiles() {
+    CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", nullptr);
+}
+
 }  // namespace frana::gis

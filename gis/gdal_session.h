@@ -31,4 +31,13 @@ class GdalSession {
     std::string last_error_;
 };
 
+/// Keeps GDAL from writing .aux.xml beside a file while one lives.
+class NoSideFiles {
+  public:
+    NoSideFiles();
+    ~NoSideFiles();
+    NoSideFiles(const NoSideFiles&) = delete;
+    NoSideFiles& operator=(const NoSideFiles&) = delete;
+};
+
 }  // namespace frana::gis

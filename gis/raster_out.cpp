@@ -31,15 +31,6 @@ constexpr std::uint8_t k_no_class = 0;
                         "", "Check that the folder exists, may be written and has room"});
 }
 
-/// Keeps GDAL from writing .aux.xml beside the file while one lives.
-class NoSideFiles {
-  public:
-    NoSideFiles() { CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO"); }
-    ~NoSideFiles() { CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", nullptr); }
-    NoSideFiles(const NoSideFiles&) = delete;
-    NoSideFiles& operator=(const NoSideFiles&) = delete;
-};
-
 GdalDataset in_memory(const GridSpec& grid, GDALDataType type, double nodata) {
     GdalDataset dataset(GDALCreate(GDALGetDriverByName("MEM"), "", static_cast<int>(grid.columns),
                                    static_cast<int>(grid.rows), 1, type, nullptr));

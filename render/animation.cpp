@@ -72,6 +72,7 @@ class ViewAnimator::Stage {
         check_values(layer, stage_.scale());
         return stage_.draw(&layer, subtitle);
     }
+    void fly(double share) { stage_.fly(share); }
 
   private:
     ViewStage stage_;
@@ -81,6 +82,10 @@ ViewAnimator::ViewAnimator(const ViewSpec& base) : stage_(std::make_unique<Stage
 ViewAnimator::~ViewAnimator() = default;
 ViewAnimator::ViewAnimator(ViewAnimator&&) noexcept = default;
 ViewAnimator& ViewAnimator::operator=(ViewAnimator&&) noexcept = default;
+
+void ViewAnimator::fly(double share) {
+    stage_->fly(share);
+}
 
 Image ViewAnimator::frame(const Raster& layer, const std::string& subtitle) {
     return stage_->frame(layer, subtitle);

@@ -43,6 +43,10 @@ class ViewAnimator {
 
     Image frame(const Raster& layer, const std::string& subtitle);
 
+    /// Brings the camera to its place on a flight along the flow, from the highest part of the base's layer (0) to
+    /// the lowest (1), close to the ground and turning slowly.
+    void fly(double share);
+
   private:
     class Stage;
     std::unique_ptr<Stage> stage_;

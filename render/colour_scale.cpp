@@ -11,6 +11,7 @@ namespace frana::render {
 namespace {
 
 constexpr int k_usual_classes = 8;  // more cannot be told apart in a legend
+constexpr int k_slices = 24;       // between two bounds: steps of less than one part in 150 of the whole scale
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 /// Whether equal classes would put half of all values into the lowest one.
@@ -88,7 +89,9 @@ ColourScale::ColourScale(const ScaleRequest& request) {
     const bool unseen = request.for_unseen_values && given;
     const bool open_below = range.least < bounds.front() || (unseen && bounds.front() > 0);
     const bool open_above = range.greatest > bounds.back() || unseen;
-    set_bounds(bounds, open_below, open_above, palette(request.palette));
+    bounds_ = bounds;
+    if (request.continuous) slices_ = k_slices;
+    set_bounds(open_below, open_above, palette(request.palette));
 }
 
 void ColourScale::set_categories(const std::vector<ClassLabel>& categories) {
@@ -98,14 +101,20 @@ void ColourScale::set_categories(const std::vector<ClassLabel>& categories) {
     }
 }
 
-void ColourScale::set_bounds(const std::vector<double>& bounds, bool open_below, bool open_above,
-                             const Palette& palette) {
-    if (open_below) classes_.push_back({-k_infinity, bounds.front(), "< " + number(bounds.front()), {}});
-    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
-        classes_.push_back(
-            {bounds[i], bounds[i + 1], number(bounds[i]) + " \u2013 " + number(bounds[i + 1]), {}});
+void ColourScale::set_bounds(bool open_below, bool open_above, const Palette& palette) {
+    const double first = bounds_.front(), end = bounds_.back();
+    if (open_below) classes_.push_back({-k_infinity, first, "< " + number(first), {}});
+    for (std::size_t i = 0; i + 1 < bounds_.size(); ++i) {
+        const double lower = bounds_[i], upper = bounds_[i + 1];
+        if (slices_ == 1) {
+            classes_.push_back({lower, upper, number(lower) + " \u2013 " + number(upper), {}});
+            continue;
+        }
+        const double thick = (upper - lower) / slices_;
+        for (int k = 0; k < slices_; ++k)
+            classes_.push_back({lower + k * thick, k + 1 == slices_ ? upper : lower + (k + 1) * thick, "", {}});
     }
-    if (open_above) classes_.push_back({bounds.back(), k_infinity, "> " + number(bounds.back()), {}});
+    if (open_above) classes_.push_back({end, k_infinity, "> " + number(end), {}});
     const auto last = static_cast<double>(std::max<std::size_t>(classes_.size() - 1, 1));
     for (std::size_t i = 0; i < classes_.size(); ++i) {
         classes_[i].colour = colour_at(palette, static_cast<double>(i) / last);

@@ -33,6 +33,7 @@ struct ScaleRequest {
     std::string palette;
     std::optional<double> maximum;
     std::vector<double> classes;
+    bool continuous = false;
     std::vector<ClassLabel> categories;
     const Raster* layer = nullptr;
     bool for_unseen_values = false;  ///< values of other rasters will come: classes open at the ends
@@ -50,14 +51,19 @@ class ColourScale {
     [[nodiscard]] const ColourClass* find(double value) const noexcept;
     [[nodiscard]] const std::vector<ColourClass>& classes() const noexcept { return classes_; }
     [[nodiscard]] bool categorical() const noexcept { return categorical_; }
+    /// The bounds that a legend numbers; none of categories.
+    [[nodiscard]] const std::vector<double>& bounds() const noexcept { return bounds_; }
+    /// Of a continuous scale: how many classes, too fine to be told apart, lie between two bounds; else 1.
+    [[nodiscard]] int slices() const noexcept { return slices_; }
 
   private:
     void set_categories(const std::vector<ClassLabel>& categories);
-    void set_bounds(const std::vector<double>& bounds, bool open_below, bool open_above,
-                    const Palette& palette);
+    void set_bounds(bool open_below, bool open_above, const Palette& palette);
 
     std::vector<ColourClass> classes_;
     bool categorical_ = false;
+    std::vector<double> bounds_;
+    int slices_ = 1;
 };
 
 }  // namespace frana::render

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+
+#include "render/map_lines.h"
+#include "render/ticks.h"
 
 namespace frana::render {
 namespace {
@@ -23,6 +27,39 @@ std::string full_title(const LegendContent& content) {
     return content.unit.empty() ? content.title : content.title + " [" + content.unit + "]";
 }
 
+/// Colours that run through, each bound of the scale marked and numbered; open ends are half a swatch high.
+/// Returns the y under them.
+double draw_ramp(const ColourScale& scale, const PageStyle& style, Point corner, Sheet& sheet,
+                 std::vector<LegendEntry>& entries) {
+    const std::vector<ColourClass>& classes = scale.classes();
+    const BoxSize size = swatch(style);
+    PageBox box{corner.x, corner.y, corner.x + size.width, corner.y};
+    const auto mark = [&](double value, const char* sign) {
+        const double y = box.bottom;
+        const std::array<Point, 2> tick{{{box.right, y}, {box.right + style.length(6), y}}};
+        sheet.canvas().line(tick, {style.line(1), k_ink});
+        sheet.text(sign + number(value), {corner.x + text_offset(style), y}, style.label, Across::left,
+                   Upright::middle);
+    };
+    int bounded = 0;
+    box.bottom += std::isinf(classes.back().upper) ? 0 : size.height / 2;
+    const double top = box.bottom;
+    for (auto one = classes.rbegin(); one != classes.rend(); ++one) {
+        const bool open = std::isinf(one->lower) || std::isinf(one->upper);
+        if (!std::isinf(one->upper) && (open || bounded++ % scale.slices() == 0)) {
+            const bool greatest = std::isinf(classes.back().upper) && bounded == 1;
+            mark(one->upper, open ? "< " : greatest ? "> " : "");
+        }
+        box.top = box.bottom;
+        box.bottom += open ? size.height / 2 : size.height / scale.slices();
+        sheet.canvas().fill(box, one->colour);
+        entries.push_back({one->label, one->colour, box, one->lower, one->upper});
+    }
+    if (!std::isinf(classes.front().lower)) mark(classes.front().lower, "");
+    sheet.canvas().frame({box.left, top, box.right, box.bottom}, {style.line(1), k_ink});
+    return box.bottom + size.height / 2;
+}
+
 }  // namespace
 
 std::vector<double> outline_dashes(const Outline& outline, double width_px) {
@@ -33,7 +70,10 @@ std::vector<double> outline_dashes(const Outline& outline, double width_px) {
 double legend_width(const LegendContent& content, const PageStyle& style, const Sheet& sheet, double most) {
     const Lettering& lettering = sheet.lettering();
     double width = 0;
+    for (const double bound : content.scale->bounds())
+        width = std::max(width, text_offset(style) + lettering.width("> " + number(bound), style.label));
     for (const ColourClass& one : content.scale->classes()) {
+        if (content.scale->slices() > 1) break;
         width = std::max(width, text_offset(style) + lettering.width(one.label, style.label));
     }
     for (const Outline& outline : *content.outlines) {
@@ -70,6 +110,10 @@ double draw_legend(const LegendContent& content, const PageStyle& style, Point c
         std::vector<const ColourClass*> order;
         for (const ColourClass& one : classes) order.push_back(&one);
         if (!apart) std::reverse(order.begin(), order.end());
+        if (content.scale->slices() > 1) {
+            order.clear();
+            y = draw_ramp(*content.scale, style, {corner.x, y}, sheet, entries);
+        }
         for (const ColourClass* one : order) {
             const PageBox box{corner.x, y, corner.x + size.width, y + size.height};
             sheet.canvas().fill(box, one->colour);
@@ -85,7 +129,10 @@ double draw_legend(const LegendContent& content, const PageStyle& style, Point c
         const double line = style.line(outline.width_px);
         const std::array<Point, 2> ends{
             {{corner.x, y + size.height / 2}, {corner.x + size.width, y + size.height / 2}}};
-        sheet.canvas().line(ends, {line, outline.colour, 1, outline_dashes(outline, line)});
+        if (!outline.polygons.empty() || !outline.lines.empty())
+            sheet.canvas().line(ends, {line, outline.colour, 1, outline_dashes(outline, line)});
+        else
+            draw_place(sheet.canvas(), style, {corner.x + size.width / 2, y + size.height / 2}, outline.colour);
         labelled(outline.label, size.height);
         y += 0.2 * size.height;
     }

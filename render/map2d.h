@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,17 +11,31 @@
 #include "core/raster.h"
 #include "render/image.h"
 #include "render/map_layout.h"
+#include "render/osmesa_window.h"
 
 namespace frana::render {
 
-/// Polygons drawn as lines over a map, with an entry in its legend.
+/// A place with its name written beside it.
+struct NamedPlace {
+    std::string name;
+    Point place;
+};
+
+/// Outlines of areas, lines and places of one kind, drawn over a map, with an entry in its legend. All in map
+/// coordinates of the map's CRS.
 struct Outline {
     std::string label;
-    MultiPolygon polygons;  ///< map coordinates of the map's CRS
+    MultiPolygon polygons;
     Rgb colour{0, 0, 0};
     double width_px = 2.5;  ///< on a page 1200 pixels high; grows and shrinks with the page
     bool dashed = false;
+    std::vector<Polyline> lines{};      ///< open ones
+    std::vector<NamedPlace> places{};  ///< small triangles; no names in a perspective view
 };
+
+/// Draws what lies under a map: `width` x `height` pixels of the ground inside `window`, opacity 0 where there is
+/// nothing.
+using Background = std::function<LayerImage(const Bounds& window, int width, int height)>;
 
 /// One value of a layer of classes, e.g. 1 "hit".
 struct ClassLabel {
@@ -36,12 +51,14 @@ struct MapSpec {
     std::string legend_title;         ///< "Maximum depth"
     std::string unit;                 ///< "m"; empty: none
     std::string attribution;          ///< small print at the foot
+    std::string source;               ///< the same: file, band and time shown
     const Raster* terrain = nullptr;  ///< hillshade and contour lines; may be absent
     const Raster* layer = nullptr;    ///< coloured cells; NaN is transparent; may be absent
     std::string palette = "depth";    ///< name known to core/colour.h
     std::optional<double>
         maximum;                  ///< end of the colour scale; values above it get an open class of their own
     std::vector<double> classes;  ///< rising class bounds; empty: nice classes up to the maximum
+    bool continuous = false;      ///< colours run through between the bounds
     std::vector<ClassLabel> categories;  ///< not empty: the layer's values are classes, exactly these
     std::vector<Outline> outlines;
     std::vector<std::string> side_notes;  ///< lines of figures beside the map, under the legend
@@ -51,6 +68,10 @@ struct MapSpec {
     int height = 1200;
     std::optional<Bounds> window;  ///< what must be visible; default: flow and outlines with a margin
     bool contours = true;
+    bool inset = false;     ///< a small map of where the window lies in the terrain, where there is room
+    Background background;  ///< instead of the relief; may be absent
+    /// Longitude and latitude in degrees of a map point, for the labels on the upper and right side; may be absent.
+    std::function<Point(Point)> longitude_latitude;
 };
 
 /// Draws a map on a page of width x height pixels: relief, cells in pure legend colours (no smoothing),

@@ -66,6 +66,24 @@ void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain) {
     }
 }
 
+void paint_background(Image& page, const MapFrame& frame, const Background& background) {
+    const LayerImage picture = background(frame.window, frame.width, frame.height);
+    constexpr double k_lighter = 0.18;  // of the way to white
+    for (int row = 0; row < frame.height; ++row) {
+        for (int column = 0; column < frame.width; ++column) {
+            const std::uint8_t* from = picture.rgba.data() + 4 * (static_cast<std::size_t>(row) *
+                                                                      static_cast<std::size_t>(frame.width) +
+                                                                  static_cast<std::size_t>(column));
+            std::uint8_t* to = page.pixel(frame.left + column, frame.top + row);
+            for (int k = 0; k < 3; ++k) {  // colours come multiplied by their opacity
+                const double under = to[k] * (255 - from[3]) / 255.0;
+                const double lit = from[k] + k_lighter * (from[3] - from[k]);
+                to[k] = static_cast<std::uint8_t>(std::lround(under + lit));
+            }
+        }
+    }
+}
+
 std::int64_t paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale) {
     std::int64_t n_coloured = 0;
     for (int row = 0; row < frame.height; ++row) {

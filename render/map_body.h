@@ -3,6 +3,7 @@
 
 #include "render/colour_scale.h"
 #include "render/image.h"
+#include "render/map2d.h"
 #include "render/map_layout.h"
 
 namespace frana::render {
@@ -43,6 +44,9 @@ class ReliefTones {
 
 /// Shaded relief of a terrain; pale grey where there is none.
 void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain);
+
+/// A user's picture of the ground, a little lighter so that lines and colours stand out on it.
+void paint_background(Image& page, const MapFrame& frame, const Background& background);
 
 /// Cells in the pure colours of their classes, each pixel from the cell that holds its centre.
 /// Returns the number of pixels coloured.

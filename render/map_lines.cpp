@@ -39,13 +39,16 @@ bool layer_lies_under(const PageBox& box, const MapFrame& frame, const Raster& l
 class LabelPlaces {
   public:
     LabelPlaces(const PageStyle& style, const MapFrame& frame, const Raster* layer,
-                const std::vector<Outline>& outlines)
+                const std::vector<Outline>& outlines, const Sheet& sheet)
         : style_(style), frame_(frame), layer_(layer) {
+        for (const TextBox& text : sheet.texts()) taken_.push_back(text.box);
         for (const Outline& outline : outlines) {
             for (const Polygon& polygon : outline.polygons) {
-                keep_off(polygon.outer);
-                for (const Ring& hole : polygon.holes) keep_off(hole);
+                keep_off(polygon.outer, true);
+                for (const Ring& hole : polygon.holes) keep_off(hole, true);
             }
+            for (const Polyline& line : outline.lines) keep_off(line, false);
+            for (const NamedPlace& one : outline.places) keep_off({one.place, one.place}, false);
         }
     }
 
@@ -89,9 +92,9 @@ class LabelPlaces {
 
   private:
     /// Small boxes along an outline, as if labels stood there.
-    void keep_off(const Ring& ring) {
+    void keep_off(const Polyline& ring, bool closed) {
         const double step = style_.gap;
-        for (std::size_t i = 0; i < ring.size(); ++i) {
+        for (std::size_t i = 0; i + (closed ? 0 : 1) < ring.size(); ++i) {
             const Point a = frame_.page(ring[i]), b = frame_.page(ring[(i + 1) % ring.size()]);
             const int parts = std::clamp(static_cast<int>(distance(a, b) / step), 1, 1000);
             for (int k = 0; k < parts; ++k) {
@@ -151,7 +154,7 @@ double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame
     label.colour = {60, 50, 38};
     label.halo_px = std::max(1.5, style.length(2.5));
     label.halo = {232, 231, 228};
-    LabelPlaces places(style, frame, layer, outlines);
+    LabelPlaces places(style, frame, layer, outlines, sheet);
     for (const Contour& contour : contours) {
         if (is_index(contour)) places.put(contour.points, number(contour.level), label, sheet);
     }
@@ -166,20 +169,67 @@ void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
             return p.x < box.left - 1e5 || p.x > box.right + 1e5 || p.y < box.top - 1e5 ||
                    p.y > box.bottom + 1e5;
         };
+    const auto stroke = [&](const Polyline& map_line, const LineStyle& line, bool closed) {
+        Polyline points;
+        for (const Point map : map_line) points.push_back(frame.page(map));
+        if (std::none_of(points.begin(), points.end(), far_outside)) sheet.canvas().line(points, line, closed);
+    };
     for (const bool rim : {true, false}) {
         for (const Outline& outline : outlines) {
             const double width = style.line(outline.width_px);
             const LineStyle line = rim ? LineStyle{width + 2 * style.line(1.3), {255, 255, 255}, 0.999, {}}
                                        : LineStyle{width, outline.colour, 1, outline_dashes(outline, width)};
             for (const Polygon& polygon : outline.polygons) {
-                std::vector<const Ring*> rings{&polygon.outer};
-                for (const Ring& hole : polygon.holes) rings.push_back(&hole);
-                for (const Ring* ring : rings) {
-                    Polyline points;
-                    for (const Point map : *ring) points.push_back(frame.page(map));
-                    if (std::any_of(points.begin(), points.end(), far_outside)) continue;
-                    sheet.canvas().line(points, line, true);
-                }
+                stroke(polygon.outer, line, true);
+                for (const Ring& hole : polygon.holes) stroke(hole, line, true);
+            }
+            for (const Polyline& open : outline.lines) stroke(open, line, false);
+            for (const NamedPlace& one : outline.places) {
+                const Point at = frame.page(one.place);
+                if (!rim && !far_outside(at)) draw_place(sheet.canvas(), style, at, outline.colour);
+            }
+        }
+    }
+}
+
+void draw_place(Canvas& canvas, const PageStyle& style, Point at, Rgb colour) {
+    const auto triangle = [&](double reach, Rgb ink) {
+        canvas.fill(std::array<Point, 3>{{{at.x, at.y - reach},
+                                          {at.x + 0.87 * reach, at.y + reach / 2},
+                                          {at.x - 0.87 * reach, at.y + reach / 2}}},
+                    ink);
+    };
+    const double reach = 0.55 * style.label.size_px;
+    triangle(reach + 2 * style.line(1.3), {255, 255, 255});
+    triangle(reach, colour);
+}
+
+void draw_place_names(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
+                      const std::vector<Outline>& outlines) {
+    TextStyle name = style.small;
+    name.colour = k_ink;
+    name.halo_px = std::max(1.5, style.length(2.5));
+    const double away = 0.8 * style.label.size_px;
+    for (const Outline& outline : outlines) {
+        for (const NamedPlace& one : outline.places) {
+            if (one.name.empty()) continue;
+            const Point at = frame.page(one.place);
+            const struct {
+                Point shift;
+                Across across;
+                Upright upright;
+            } tries[] = {{{away, 0}, Across::left, Upright::middle},
+                         {{-away, 0}, Across::right, Upright::middle},
+                         {{0, -away}, Across::centre, Upright::baseline},
+                         {{0, away}, Across::centre, Upright::top}};
+            for (const auto& one_try : tries) {
+                const Point to{at.x + one_try.shift.x, at.y + one_try.shift.y};
+                const PageBox box = sheet.lettering().place(one.name, to, name, one_try.across, one_try.upright).box;
+                const bool taken = std::any_of(sheet.texts().begin(), sheet.texts().end(),
+                                               [&](const TextBox& text) { return text.box.overlaps(box); });
+                if (taken || !box.inside(frame.box())) continue;
+                sheet.text(one.name, to, name, one_try.across, one_try.upright);
+                break;
             }
         }
     }

@@ -20,6 +20,13 @@ double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame
 void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
                    const std::vector<Outline>& outlines);
 
+/// The sign of a place: a triangle on a light rim.
+void draw_place(Canvas& canvas, const PageStyle& style, Point at, Rgb colour);
+
+/// The names of places, beside them where there is room; to be called before the contours, whose labels keep off.
+void draw_place_names(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
+                      const std::vector<Outline>& outlines);
+
 /// Coordinates: ticks and labels along the frame's lower and left side, small crosses inside. The frame
 /// itself is drawn by the caller. `projected`: eastings and northings, otherwise plain metres.
 void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& frame, bool projected);

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 #include "core/error.h"
 #include "render/furniture.h"
+#include "render/graticule.h"
+#include "render/inset.h"
 #include "render/legend.h"
 #include "render/map_lines.h"
 #include "render/map_window.h"
@@ -87,7 +90,8 @@ MapPage::MapPage(const MapSpec& spec, bool for_frames) {
     const bool has_values = spec.layer != nullptr && data_bounds(*spec.layer).has_value();
     if (has_values || for_frames) {
         scale_ =
-            ColourScale({spec.palette, spec.maximum, spec.classes, spec.categories, spec.layer, for_frames});
+            ColourScale({spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer,
+                         for_frames});
     }
     arrange(spec, for_frames);
 }
@@ -95,9 +99,10 @@ MapPage::MapPage(const MapSpec& spec, bool for_frames) {
 void MapPage::arrange(const MapSpec& spec, bool for_frames) {
     const PageBox page{0, 0, static_cast<double>(spec.width), static_cast<double>(spec.height)};
     const LegendContent content{spec.legend_title, spec.unit, &scale_, &spec.outlines, &spec.side_notes};
+    constexpr double k_last_density = 0.66;
     // Letters are made smaller until the legend fits above scale bar and arrow.
     double lacking = 0;
-    for (const double density : {1.0, 0.88, 0.77, 0.66}) {
+    for (const double density : {1.0, 0.88, 0.77, k_last_density}) {
         const PageStyle style(spec.width, spec.height, density);
         Sheet sheet(spec.width, spec.height);
         layout_ = MapLayout{};
@@ -112,23 +117,23 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames) {
         const double column_width =
             std::max(k_least_of_page * page.width(),
                      legend_width(content, style, sheet, k_most_of_page * page.width()));
-        const double tick_band = style.length(8) + 1.75 * style.small.size_px;
+        const double band = tick_band(style), graticule_band = spec.longitude_latitude ? band : 0;
         // The foot's height is known only by setting it; contour and grid remarks join it below, on the final
         // sheet.
         std::string remark;
         const auto foot_parts = [&] {
-            return std::vector<std::string>{spec.crs_label, remark, spec.attribution};
+            return std::vector<std::string>{spec.source, spec.crs_label, remark, spec.attribution};
         };
         if (spec.terrain != nullptr && spec.contours) remark = "contour interval 1000 m";
         Sheet trial(spec.width, spec.height);
         const double foot_top = draw_foot(trial, style, foot_parts(), style.margin,
                                           page.bottom - style.margin, page.width() - 2 * style.margin);
 
-        frame_.left = static_cast<int>(std::lround(style.margin + tick_band));
-        frame_.top = static_cast<int>(std::lround(titles.bottom + style.gap));
-        frame_.width =
-            static_cast<int>(page.right - style.margin - column_width - 1.6 * style.gap) - frame_.left;
-        frame_.height = static_cast<int>(foot_top - tick_band - style.gap / 2) - frame_.top;
+        frame_.left = static_cast<int>(std::lround(style.margin + band));
+        frame_.top = static_cast<int>(std::lround(titles.bottom + style.gap + graticule_band));
+        frame_.width = static_cast<int>(page.right - style.margin - column_width - 1.6 * style.gap - graticule_band) -
+                       frame_.left;
+        frame_.height = static_cast<int>(foot_top - band - style.gap / 2) - frame_.top;
         if (frame_.width < 80 || frame_.height < 60) {
             lacking = 60;
             continue;
@@ -138,9 +143,12 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames) {
         layout_.window = frame_.window;
         layout_.metres_per_pixel = frame_.metres_per_pixel();
 
-        const Column column{page.right - style.margin - column_width, static_cast<double>(frame_.top),
-                            column_width, static_cast<double>(frame_.top + frame_.height)};
+        // On the last try the legend begins beside the coordinates above the frame, where there is a little more room.
+        const double column_top = frame_.top - (density == k_last_density ? graticule_band : 0);
+        const Column column{page.right - style.margin - column_width, column_top, column_width,
+                            static_cast<double>(frame_.top + frame_.height)};
         Canvas& canvas = sheet.canvas();
+        draw_place_names(sheet, style, frame_, spec.outlines);
         double interval = 0;
         if (spec.terrain != nullptr && spec.contours) {
             interval = draw_contours(sheet, style, frame_, *spec.terrain, spec.layer, spec.outlines);
@@ -149,6 +157,7 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames) {
         cover_outside(canvas, page, frame_.box());
         const bool projected = !(spec.layer != nullptr ? spec.layer : spec.terrain)->grid.crs_wkt.empty();
         draw_coordinates(sheet, style, frame_, projected);
+        if (spec.longitude_latitude) draw_graticule(sheet, style, frame_, spec.longitude_latitude);
         canvas.frame(frame_.box(), {style.line(2), k_ink, 1, {}});
         remark = interval > 0 ? "contour interval " + number(interval) + " m" : "";
         draw_foot(sheet, style, foot_parts(), style.margin, page.bottom - style.margin,
@@ -159,6 +168,17 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames) {
         const double arrow_top = draw_orientation(sheet, style, spec, frame_, column, layout_);
         lacking = legend_bottom + style.gap - arrow_top;
         if (lacking > 0) continue;
+        std::optional<MapFrame> inset;
+        if (spec.inset && spec.terrain != nullptr) {
+            inset = inset_frame(spec.terrain->grid.bounds(), frame_.window, style,
+                                {column.left, legend_bottom + style.gap, column.left + column_width,
+                                 arrow_top - style.gap});
+        }
+        if (inset) {
+            inset_ = draw_inset(style, *inset, *spec.terrain, frame_.window);
+            layout_.inset = inset->box();
+            layout_.inset_window = inset->window;
+        }
 
         if (scale_.classes().empty() && spec.layer != nullptr) {
             TextStyle note = style.heading;
@@ -180,7 +200,11 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames) {
                 p[2] = k_no_terrain.b;
             }
         }
-        if (spec.terrain != nullptr) paint_relief(ground_, frame_, *spec.terrain);
+        if (spec.background) {
+            paint_background(ground_, frame_, spec.background);
+        } else if (spec.terrain != nullptr) {
+            paint_relief(ground_, frame_, *spec.terrain);
+        }
         return;
     }
     throw Error(ErrorKind::input,
@@ -194,6 +218,12 @@ Image MapPage::draw(const Raster* layer, const std::string& subtitle) const {
     Image image = ground_;
     if (layer != nullptr) paint_cells(image, frame_, *layer, scale_);
     compose(image, above_);
+    if (layout_.inset) {
+        for (int row = 0; row < inset_.height; ++row) {
+            std::memcpy(image.pixel(static_cast<int>(layout_.inset->left), static_cast<int>(layout_.inset->top) + row),
+                        inset_.pixel(0, row), 3 * static_cast<std::size_t>(inset_.width));
+        }
+    }
     if (!subtitle.empty()) {
         const PageStyle style(image.width, image.height);
         const Lettering lettering;

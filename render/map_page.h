@@ -32,6 +32,7 @@ class MapPage {
     MapLayout layout_;
     Image ground_;      ///< paper and relief
     LayerImage above_;  ///< lines and texts over the layer
+    Image inset_;
     Point subtitle_at_;
 };
 

@@ -26,9 +26,11 @@ struct ViewSpec {
     std::string legend_title;
     std::string unit;
     std::string attribution;
+    std::string source;
     std::string palette = "depth";
     std::optional<double> maximum;
     std::vector<double> classes;
+    bool continuous = false;
     std::vector<ClassLabel> categories;
     const Raster* terrain = nullptr;    ///< needed
     const Raster* layer = nullptr;      ///< draped over it; may be absent
@@ -37,9 +39,11 @@ struct ViewSpec {
     std::vector<std::string> side_notes;
     double vertical_exaggeration = 1;
     double convergence_deg = 0;
+    Background background;  ///< instead of the relief; may be absent
     std::string crs_label;
     int width = 1600;
     int height = 1200;
+    bool sky = true;  ///< behind the terrain; else white
     std::optional<Camera> camera;  ///< default: from the front of the flow, obliquely uphill
 };
 

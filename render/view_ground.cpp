@@ -30,7 +30,7 @@ Bounds shown_part(const Raster& terrain, const Raster* layer) {
 
 }  // namespace
 
-ViewGround::ViewGround(const Raster& terrain, const Raster* layer, double exaggeration)
+ViewGround::ViewGround(const Raster& terrain, const Raster* layer, double exaggeration, const Background& background)
     : exaggeration_(exaggeration) {
     const Bounds part = shown_part(terrain, layer);
     heights_ = raster_window(terrain, part, k_mesh_cells);
@@ -62,6 +62,21 @@ ViewGround::ViewGround(const Raster& terrain, const Raster* layer, double exagge
             const double value = interpolated(shade, map);
             const Rgb colour = std::isnan(value) ? k_no_terrain : tones.colour(value);
             relief_.insert(relief_.end(), {colour.r, colour.g, colour.b});
+        }
+    }
+    if (background) lay(background(box, texture_columns_, texture_rows_));
+}
+
+void ViewGround::lay(const LayerImage& picture) {
+    for (int row = 0; row < texture_rows_; ++row) {
+        const std::size_t to = static_cast<std::size_t>(texture_rows_ - 1 - row) *
+                               static_cast<std::size_t>(texture_columns_);  // the texture begins in the south
+        const std::size_t from = static_cast<std::size_t>(row) * static_cast<std::size_t>(texture_columns_);
+        for (std::size_t column = 0; column < static_cast<std::size_t>(texture_columns_); ++column) {
+            const std::uint8_t* ink = picture.rgba.data() + 4 * (from + column);
+            std::uint8_t* texel = relief_.data() + 3 * (to + column);
+            for (int k = 0; k < 3; ++k)
+                texel[k] = static_cast<std::uint8_t>(ink[k] + texel[k] * (255 - ink[3]) / 255);
         }
     }
 }
@@ -110,7 +125,8 @@ std::vector<std::uint8_t> ViewGround::colours(const Raster* layer, const ColourS
                                                   static_cast<std::size_t>(column));
             // Where the relief is dark the colour is darkened too, but less, to stay the legend's.
             constexpr double k_least_light = 0.88;
-            const double light = std::min(1.0, k_least_light + (1 - k_least_light) * (p[1] - 138) / 90.0);
+            const double light =
+                std::clamp(k_least_light + (1 - k_least_light) * (p[1] - 138) / 90.0, k_least_light, 1.0);
             const auto lit = [light](std::uint8_t v) {
                 return static_cast<std::uint8_t>(std::lround(light * v));
             };

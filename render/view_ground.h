@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/colour_scale.h"
+#include "render/map2d.h"
 #include "render/raster_window.h"
 #include "render/view_camera.h"
 
@@ -12,8 +13,9 @@ namespace frana::render {
 /// The part of the terrain that a view shows, thinned to what the eye resolves, in the scene's coordinates.
 class ViewGround {
   public:
-    /// Round the data of `layer` (null: everything). Throws Error(input) when no terrain lies there.
-    ViewGround(const Raster& terrain, const Raster* layer, double exaggeration);
+    /// Round the data of `layer` (null: everything). `background` lies on the ground instead of the relief. Throws
+    /// Error(input) when no terrain lies there.
+    ViewGround(const Raster& terrain, const Raster* layer, double exaggeration, const Background& background = {});
 
     [[nodiscard]] const Raster& heights() const noexcept { return heights_; }  ///< map coordinates, metres
     [[nodiscard]] double exaggeration() const noexcept { return exaggeration_; }
@@ -34,6 +36,8 @@ class ViewGround {
     [[nodiscard]] int texture_rows() const noexcept { return texture_rows_; }
 
   private:
+    void lay(const LayerImage& picture);
+
     Raster heights_;
     double exaggeration_ = 1;
     Point origin_;     ///< of the scene, in map coordinates

@@ -45,20 +45,28 @@ class ViewScene::Parts {
         VtkErrors errors;
         build_ground();
         build_walls();
-        renderer_->GradientBackgroundOn();
-        renderer_->SetBackground(0.97, 0.975, 0.98);
-        renderer_->SetBackground2(0.80, 0.88, 0.95);
-        vtkCamera* eye = renderer_->GetActiveCamera();
-        eye->SetPosition(camera.position.x, camera.position.y, camera.position.z);
-        eye->SetFocalPoint(camera.target.x, camera.target.y, camera.target.z);
-        eye->SetViewUp(0, 0, 1);
-        eye->SetViewAngle(camera.opening_deg);
+        set_sky(true);
+        set_camera(camera);
         window_.vtk().AddRenderer(renderer_);
         errors.throw_if_any("a view's terrain could not be built");
     }
     ~Parts() { window_.vtk().RemoveRenderer(renderer_); }
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
+
+    void set_sky(bool sky) {
+        renderer_->SetGradientBackground(sky);
+        renderer_->SetBackground(sky ? 0.97 : 1, sky ? 0.975 : 1, sky ? 0.98 : 1);
+        renderer_->SetBackground2(0.80, 0.88, 0.95);
+    }
+
+    void set_camera(const PlacedCamera& camera) {
+        vtkCamera* eye = renderer_->GetActiveCamera();
+        eye->SetPosition(camera.position.x, camera.position.y, camera.position.z);
+        eye->SetFocalPoint(camera.target.x, camera.target.y, camera.target.z);
+        eye->SetViewUp(0, 0, 1);
+        eye->SetViewAngle(camera.opening_deg);
+    }
 
     void set_colours(std::vector<std::uint8_t> colours) {
         vtkNew<vtkImageData> image;
@@ -217,6 +225,12 @@ ViewScene::ViewScene(const ViewGround& ground, const PlacedCamera& camera, int w
     : parts_(std::make_unique<Parts>(ground, camera, width, height)) {}
 ViewScene::~ViewScene() = default;
 
+void ViewScene::set_camera(const PlacedCamera& camera) {
+    parts_->set_camera(camera);
+}
+void ViewScene::set_sky(bool sky) {
+    parts_->set_sky(sky);
+}
 void ViewScene::set_colours(std::vector<std::uint8_t> colours) {
     parts_->set_colours(std::move(colours));
 }

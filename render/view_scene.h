@@ -19,6 +19,9 @@ class ViewScene {
     ViewScene(const ViewScene&) = delete;
     ViewScene& operator=(const ViewScene&) = delete;
 
+    void set_camera(const PlacedCamera& camera);
+    /// A blue sky, or plain white.
+    void set_sky(bool sky);
     /// Colours of the ground, as ViewGround::colours gives them.
     void set_colours(std::vector<std::uint8_t> colours);
     /// Raises the surface by a thickness where it has values; null: the bare ground.

@@ -61,15 +61,18 @@ std::string scale_words(double exaggeration) {
 class ViewStage::Scene {
   public:
     Scene(const ViewSpec& spec, bool for_frames)
-        : ground_(*checked(spec).terrain, spec.layer, spec.vertical_exaggeration),
+        : spec_(spec),
+          for_frames_(for_frames),
+          ground_(*checked(spec).terrain, spec.layer, spec.vertical_exaggeration, spec.background),
           raise_by_layer_(spec.thickness != nullptr && spec.thickness == spec.layer) {
         const bool has_values = spec.layer != nullptr && data_bounds(*spec.layer).has_value();
         if (has_values || for_frames) {
             scale_ = ColourScale(
-                {spec.palette, spec.maximum, spec.classes, spec.categories, spec.layer, for_frames});
+                {spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer, for_frames});
         }
         constexpr std::int64_t k_sample = 4000;
-        const std::vector<ScenePoint> flow = ground_.sample(spec.layer, k_sample);
+        flow_ = ground_.sample(spec.layer, k_sample);
+        const std::vector<ScenePoint>& flow = flow_;
         if (flow.empty()) {
             throw Error(ErrorKind::input, Problem{"a view needs terrain where its layer is", "", "", "",
                                                   "is it the right DTM?"});
@@ -83,7 +86,26 @@ class ViewStage::Scene {
         scene_ = std::make_unique<ViewScene>(ground_, camera, static_cast<int>(picture.width()),
                                              static_cast<int>(picture.height()));
         scene_->set_thickness(spec.thickness);
+        scene_->set_sky(spec.sky);
         add_outlines(spec, camera, flow);
+        first_camera_ = layout_.camera;
+    }
+
+    void fly(double share) {
+        std::sort(flow_.begin(), flow_.end(), [](const ScenePoint& a, const ScenePoint& b) { return a.z > b.z; });
+        constexpr double k_seen = 0.4;  // of the flow at once
+        constexpr double k_turn_deg = 70;
+        const auto count = static_cast<double>(flow_.size());
+        const auto begin = static_cast<std::ptrdiff_t>(std::clamp(share, 0.0, 1.0) * (1 - k_seen) * count);
+        const auto length = std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(k_seen * count));
+        const std::vector<ScenePoint> seen(flow_.begin() + begin,
+                                           flow_.begin() + std::min<std::ptrdiff_t>(begin + length,
+                                                                                    std::ssize(flow_)));
+        layout_.camera = first_camera_;
+        layout_.camera.azimuth_deg = std::fmod(first_camera_.azimuth_deg + k_turn_deg * (share - 0.5) + 360, 360);
+        arrange(spec_, for_frames_, false);
+        const PageBox& picture = layout_.picture;
+        scene_->set_camera(place_camera(layout_.camera, seen, picture.width() / picture.height()));
     }
 
     Image draw(const Raster* layer, const std::string& subtitle) {
@@ -124,8 +146,8 @@ class ViewStage::Scene {
             const TitleResult titles = draw_titles(sheet, style, spec.title, spec.subtitle, for_frames,
                                                    {style.margin, style.margin}, inner);
             subtitle_at_ = titles.subtitle_at;
-            const double foot_top = draw_foot(sheet, style, {spec.crs_label, spec.attribution}, style.margin,
-                                              spec.height - style.margin, inner);
+            const double foot_top = draw_foot(sheet, style, {spec.source, spec.crs_label, spec.attribution},
+                                              style.margin, spec.height - style.margin, inner);
             const double column =
                 std::max(0.15 * spec.width, legend_width(content, style, sheet, 0.32 * spec.width));
             layout_.picture = {std::round(style.margin), std::round(titles.bottom + style.gap),
@@ -194,17 +216,20 @@ class ViewStage::Scene {
         for (const Outline& outline : spec.outlines) {
             const double width = style.line(outline.width_px);
             for (const Polygon& polygon : outline.polygons) {
-                add_ring(polygon.outer, outline, width, metres_per_pixel, cell, spec.thickness);
+                add_line(polygon.outer, true, outline, width, metres_per_pixel, cell, spec.thickness);
                 for (const Ring& hole : polygon.holes)
-                    add_ring(hole, outline, width, metres_per_pixel, cell, spec.thickness);
+                    add_line(hole, true, outline, width, metres_per_pixel, cell, spec.thickness);
+            }
+            for (const Polyline& line : outline.lines) {
+                add_line(line, false, outline, width, metres_per_pixel, cell, spec.thickness);
             }
         }
     }
 
-    void add_ring(const Ring& ring, const Outline& outline, double width, double metres_per_pixel,
-                  double cell, const Raster* thickness) {
+    void add_line(const Polyline& ring, bool is_ring, const Outline& outline, double width,
+                  double metres_per_pixel, double cell, const Raster* thickness) {
         Polyline closed;
-        for (std::size_t i = 0; i <= ring.size(); ++i) {
+        for (std::size_t i = 0; i < ring.size() + (is_ring ? 1 : 0); ++i) {
             const Point to = ring[i % ring.size()];
             if (!closed.empty()) {
                 const Point from = closed.back();
@@ -245,8 +270,12 @@ class ViewStage::Scene {
         }
     }
 
+    ViewSpec spec_;  // its rasters are not looked at after the construction
+    bool for_frames_;
     ColourScale scale_;
     ViewGround ground_;
+    std::vector<ScenePoint> flow_;  // some points of it
+    Camera first_camera_;
     ViewLayout layout_;
     LayerImage above_;
     Point subtitle_at_;
@@ -257,6 +286,10 @@ class ViewStage::Scene {
 ViewStage::ViewStage(const ViewSpec& spec, bool for_frames)
     : scene_(std::make_unique<Scene>(spec, for_frames)) {}
 ViewStage::~ViewStage() = default;
+
+void ViewStage::fly(double share) {
+    scene_->fly(share);
+}
 
 Image ViewStage::draw(const Raster* layer, const std::string& subtitle) {
     return scene_->draw(layer, subtitle);

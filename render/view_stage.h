@@ -20,6 +20,9 @@ class ViewStage {
     /// frames.
     [[nodiscard]] Image draw(const Raster* layer, const std::string& subtitle);
 
+    /// See ViewAnimator::fly; the specification's texts must still be there.
+    void fly(double share);
+
     [[nodiscard]] const ViewLayout& layout() const noexcept;
     [[nodiscard]] const ColourScale& scale() const noexcept;
 

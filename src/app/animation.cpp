@@ -2,35 +2,161 @@
 #include "app/animation.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
+#include <memory>
+#include <type_traits>
 
+#include "analysis/trace.h"
+#include "app/number_text.h"
 #include "gis/raster_in.h"
 #include "render/animation.h"
 #include "render/movie.h"
+#include "render/raster_window.h"
 
 namespace frana::app {
 namespace {
 
-/// About eight seconds of film, at a pace that neither stutters nor flies.
-double frames_per_second(std::size_t frames) {
-    return std::clamp(static_cast<double>(frames) / 8, 4.0, 25.0);
-}
+constexpr double k_film_seconds = 8;  // about: neither stutters nor flies
+constexpr double k_playback = 25;     // frames a second
 
 std::string time_text(double seconds) {
-    char text[40];
-    std::snprintf(text, sizeof text, "t = %.1f s", seconds);
-    return text;
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "t = %.1f s", seconds);
+    return text.data();
+}
+
+/// A film file, or a folder of pictures.
+class FilmOut {
+  public:
+    FilmOut(const std::string& path, Size size, std::size_t frames) : path_(path) {
+        if (path.ends_with('/')) return;
+        // A GIF says how long each picture stays; H.264 players want an even pace.
+        const bool gif = path.ends_with(".gif");
+        const double pace = std::clamp(static_cast<double>(frames) / k_film_seconds, 4.0, k_playback);
+        repeats_ = gif ? 1 : std::max(1, static_cast<int>(std::lround(k_playback / pace)));
+        movie_ = std::make_unique<render::MovieWriter>(path, size.width, size.height, gif ? pace : k_playback);
+        seconds_ = static_cast<double>(frames) * repeats_ / (gif ? pace : k_playback);
+    }
+    [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< of playback; 0: a folder
+    void add(const render::Image& image) {
+        if (!movie_) {
+            std::array<char, 32> name{};
+            std::snprintf(name.data(), name.size(), "frame_%04d.png", count_++);
+            render::write_png(path_ + name.data(), image);
+            return;
+        }
+        for (int k = 0; k < repeats_; ++k) movie_->add(image);
+    }
+    void finish() {
+        if (movie_) movie_->finish();
+    }
+
+  private:
+    std::string path_;
+    std::unique_ptr<render::MovieWriter> movie_;
+    int repeats_ = 1, count_ = 0;
+    double seconds_ = 0;
+};
+
+const std::string& file_of(const StoredFrame& frame, const std::string& quantity) {
+    return quantity == "velocity" ? frame.velocity_file : frame.depth_file;
+}
+
+/// The last frame not later than a time; the first where all are.
+const StoredFrame& frame_at(const std::vector<StoredFrame>& frames, double time) {
+    const auto next = std::upper_bound(frames.begin(), frames.end(), time + 1e-9,
+                                       [](double t, const StoredFrame& one) { return t < one.time; });
+    return next == frames.begin() ? frames.front() : *(next - 1);
+}
+
+std::string pace_words(const FilmSource& film, double seconds) {
+    const double simulated = film.frames.back().time - film.frames.front().time;
+    if (!(seconds > 0) || !(simulated > 0)) return {};
+    return "1 s of film: " + figure(simulated / seconds, 2) + " s";
+}
+
+template <class Spec>
+Spec film_spec(const FilmSource& film, Size size, double seconds);
+
+template <>
+render::MapSpec film_spec(const FilmSource& film, Size size, double seconds) {
+    render::MapSpec spec = map_spec(film.source, film.layer);
+    spec.width = size.width;
+    spec.height = size.height;
+    if (const std::string words = pace_words(film, seconds); !words.empty()) spec.side_notes.push_back(words);
+    return spec;
+}
+
+template <>
+render::ViewSpec film_spec(const FilmSource& film, Size size, double seconds) {
+    render::ViewSpec spec = view_spec(film.source, film.layer);
+    spec.width = size.width;
+    spec.height = size.height;
+    if (const std::string words = pace_words(film, seconds); !words.empty()) spec.side_notes.push_back(words);
+    return spec;
+}
+
+/// One scale and one ground for two results.
+void share(render::MapSpec& a, render::MapSpec& b, const MapLayer& greater) {
+    a.classes = b.classes = greater.classes;
+    const auto left = render::data_bounds(*a.layer), right = render::data_bounds(*b.layer);
+    if (!left || !right) return;
+    Bounds both{std::min(left->west, right->west), std::min(left->south, right->south),
+                std::max(left->east, right->east), std::max(left->north, right->north)};
+    const double margin = 0.14 * std::max(both.width(), both.height());
+    both = {both.west - margin, both.south - margin, both.east + margin, both.north + margin};
+    a.window = b.window = both;
+}
+
+void share(render::ViewSpec& a, render::ViewSpec& b, const MapLayer& greater) {
+    a.classes = b.classes = greater.classes;
+    render::ViewLayout layout;
+    render::draw_view(a, &layout);
+    a.camera = b.camera = layout.camera;
+}
+
+void beside(render::Image& page, const render::Image& part, int left) {
+    for (int row = 0; row < part.height; ++row)
+        std::copy_n(part.pixel(0, row), 3 * static_cast<std::size_t>(part.width), page.pixel(left, row));
 }
 
 template <class Animator, class Spec>
-void film(Spec spec, const std::vector<StoredFrame>& frames, const std::string& path) {
-    spec.subtitle = time_text(0);
-    spec.legend_title = "Depth";
-    Animator animator(spec);
-    render::MovieWriter movie(path, spec.width, spec.height, frames_per_second(frames.size()));
-    for (const StoredFrame& frame : frames)
-        movie.add(animator.frame(gis::read_result_raster(frame.depth_file), time_text(frame.time)));
-    movie.finish();
+void film(const FilmRequest& request, const std::string& path) {
+    const std::vector<StoredFrame>& frames = request.first.frames;
+    FilmOut out(path, request.size, frames.size());
+    const Size half{request.second ? request.size.width / 2 : request.size.width, request.size.height};
+    Spec left = film_spec<Spec>(request.first, half, out.seconds());
+    std::optional<Animator> right;
+    if (request.second) {
+        Spec other = film_spec<Spec>(*request.second, {request.size.width - half.width, half.height}, out.seconds());
+        const bool first_greater = maximum(request.first.layer.values) >= maximum(request.second->layer.values);
+        share(left, other, first_greater ? request.first.layer : request.second->layer);
+        right.emplace(other);
+    }
+    Animator animator(left);
+    [[maybe_unused]] double along = 0;  // from the flight's start to its end
+    for (const StoredFrame& frame : frames) {
+        if constexpr (std::is_same_v<Animator, render::ViewAnimator>) {
+            if (request.fly) animator.fly(along);
+            along += 1 / static_cast<double>(std::max<std::size_t>(1, frames.size() - 1));
+        }
+        const render::Image picture = animator.frame(
+            gis::read_result_raster(file_of(frame, request.first.quantity)), time_text(frame.time));
+        if (!right) {
+            out.add(picture);
+            continue;
+        }
+        render::Image page(request.size.width, request.size.height);
+        beside(page, picture, 0);
+        const StoredFrame& other = frame_at(request.second->frames, frame.time);
+        beside(page, right->frame(gis::read_result_raster(file_of(other, request.second->quantity)),
+                                  time_text(other.time)),
+               half.width);
+        out.add(page);
+    }
+    out.finish();
 }
 
 }  // namespace
@@ -41,14 +167,18 @@ Size film_size(Size map) {
     return {k_widest, std::max(480, map.height * k_widest / map.width)};
 }
 
-void write_animation(const MapSource& source, const Raster& max_depth, const std::vector<StoredFrame>& frames,
-                     bool view_3d, const std::string& path) {
-    Layer layer = layer_named("max_depth");
-    layer.title = "Flow depth";
-    if (view_3d)
-        film<render::ViewAnimator>(view_spec(source, layer, max_depth), frames, path);
+FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {
+    FilmSource film{source, result.map_layer("max_" + quantity), result.frames(), quantity};
+    film.layer.title = quantity == "depth" ? "Flow depth" : "Flow velocity";
+    film.layer.source = "frames/" + quantity + "_*.tif, band 1";
+    return film;
+}
+
+void write_animation(const FilmRequest& request, const std::string& path) {
+    if (request.view_3d)
+        film<render::ViewAnimator, render::ViewSpec>(request, path);
     else
-        film<render::MapAnimator>(map_spec(source, layer, max_depth), frames, path);
+        film<render::MapAnimator, render::MapSpec>(request, path);
 }
 
 }  // namespace frana::app

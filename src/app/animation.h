@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/frame_store.h"
 #include "app/map_source.h"
+#include "app/result_reader.h"
 
 namespace frana::app {
 
@@ -13,9 +15,30 @@ namespace frana::app {
 /// and coding them takes time and memory.
 Size film_size(Size map);
 
-/// Writes the frames of a result as a film (.mp4 or .gif) of the depth, on the map or in perspective, with
-/// the colour scale of the maximum depth throughout. Throws Error.
-void write_animation(const MapSource& source, const Raster& max_depth, const std::vector<StoredFrame>& frames,
-                     bool view_3d, const std::string& path);
+/// What a film shows of one result.
+struct FilmSource {
+    MapSource source;
+    MapLayer layer;  ///< the greatest values over time: they fix the colours and the window
+    std::vector<StoredFrame> frames;
+    std::string quantity;  ///< "depth" or "velocity"
+};
+
+/// Of a result, with its frames of "depth" or "velocity". Throws Error(input) where it has none.
+FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity);
+
+/// Frame by frame what a film shows; 2-D or 3-D, of one result or of two beside each other (with the colours, the
+/// window and the camera of both, and of the second the latest frame that is not later than the first's).
+struct FilmRequest {
+    FilmSource first;
+    std::optional<FilmSource> second;
+    bool view_3d = false;
+    bool fly = false;  ///< 3-D: the camera glides from the flow's top to its front
+    Size size;         ///< of the whole picture
+};
+
+/// Writes the frames of a result as a film: .mp4 at 25 frames a second (a frame of the result is shown longer where
+/// there are few), .gif, or, where `path` ends in '/', PNG files frame_0000.png ... in that folder, which must exist.
+/// Throws Error.
+void write_animation(const FilmRequest& request, const std::string& path);
 
 }  // namespace frana::app

@@ -85,6 +85,7 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
         input.depth = foreign_depth(operand);
         simulated.name = fs::path(operand).stem().string();
         simulated.source.title = simulated.name;
+        simulated.source.foreign = true;
         simulated.source.crs_label = gis::crs_name(input.depth.grid.crs_wkt);
         input.depth_label = operand;
     }
@@ -120,7 +121,7 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
     write_comparison(comparison, simulated.input, folder);
     if (comparison.figures) {
         simulated.source.scar = simulated.input.survey.scar;
-        draw_comparison(comparison, simulated.source, (fs::path(folder) / "comparison.png").string());
+        draw_comparison(comparison, simulated.source, (fs::path(folder) / "comparison").string());
     }
     return comparison;
 }
@@ -147,7 +148,7 @@ int cmd_compare(const Arguments& arguments) {
     Ranking ranking;
     for (const std::string& operand : operands) {
         Simulated simulated = read_simulated(operand, threshold);
-        if (size) simulated.source.size = *size;
+        if (size) simulated.source.style.size = *size;
         for (const auto& scar : surveyed) {
             simulated.input.survey = read_survey(scar, deposit, simulated.input.depth.grid, log);
             if (!several) {

@@ -4,81 +4,234 @@
 #include <iostream>
 
 #include "app/animation.h"
+#include "app/charts.h"
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/foreign_map.h"
+#include "app/plates.h"
 #include "app/result_reader.h"
 #include "core/error.h"
+#include "gis/picture_in.h"
 
 namespace frana::app {
 namespace {
 
+namespace fs = std::filesystem;
+
 CommandForm render_form() {
     namespace options = boost::program_options;
+    const auto text = [] { return options::value<std::string>(); };
+    const auto texts = [] { return options::value<std::vector<std::string>>(); };
     CommandForm form{
-        "frana render RESULT_DIR [options]",
-        "Draws maps of an existing result into RESULT_DIR/maps, or its frames as a film. Prints the files "
-        "it wrote.",
-        "RESULT_DIR",
+        "frana render RESULT_DIR|RASTER [options]",
+        "Draws maps and views of a result, or of any program's raster with --dtm, or the frames of a result as a\n"
+        "film. Nothing is computed anew. Prints the files it wrote. How pictures look comes from the scene's\n"
+        "output.map-... and output.view-... keys; options take their place.",
+        "RESULT_DIR|RASTER",
         {}};
-    form.options.add_options()("map", options::value<std::vector<std::string>>(),
-                               "raster to draw, for example max_depth; repeatable (default: all)")(
-        "view", options::value<std::string>(), "2d (default) or 3d")(
-        "animation", options::value<std::string>(),
-        "write the frames as FILE.mp4 or FILE.gif instead of maps")(
-        "size", options::value<std::string>(), "WIDTHxHEIGHT in pixels (default: 1600x1200, films 1280x960)");
+    form.options.add_options()(
+        "map", texts(),
+        "raster to draw, for example max_depth; depth@12.5 is the frame nearest to 12.5 s; "
+        "repeatable (default: all)")("view", text(), "2d (default) or 3d")(
+        "animation", text(),
+        "write the frames as FILE.mp4 or FILE.gif, or as pictures into FOLDER/, instead of maps; --map "
+        "velocity "
+        "shows speeds")("beside", text(), "film: another result to show beside, with the same colours")(
+        "fly", "film, 3d: the camera glides along the flow")("charts",
+                                                             "draw the charts of a result instead of maps")(
+        "plates", "draw its plates instead: initial state, snapshots, stresses, profile beside comparison")(
+        "size", text(), k_sizes)(
+        "format", texts(), "png (default), pdf, tif (what is inside the frame, in its place); repeatable")(
+        "legend", text(), "classed (default) or continuous")(
+        "background", text(), "orthophoto or topographic raster instead of the relief")(
+        "attribution", text(), "sources of the data and author, at the foot")(
+        "title", text(), "title of the maps")("camera", text(), k_cameras)(
+        "exaggeration", text(), "factor of heights in views (default: 1)")(
+        "plain", "views: white behind the terrain")("dtm", text(), "terrain under a RASTER")(
+        "unit", text(), "of the values of a RASTER, where the file does not say")(
+        "above", text(), "draw the values of a RASTER above this one only")(
+        "out", text(),
+        "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
     return form;
 }
 
-bool wants_3d(const boost::program_options::variables_map& values) {
-    const std::string view = text_option(values, "view").value_or("2d");
-    if (view != "2d" && view != "3d")
-        throw Error(ErrorKind::input, Problem{"is not a view", "--view", view, "2d, 3d", ""});
-    return view == "3d";
+using Values = boost::program_options::variables_map;
+
+Problem not_one_of(const std::string& option, const std::string& value, const std::string& choices) {
+    return {"is not one of the choices", "--" + option, value, choices, ""};
 }
 
-std::vector<Layer> layers_asked_for(const std::vector<std::string>& names, const ResultReader& result) {
-    std::vector<Layer> layers;
-    if (names.empty()) {
-        for (const Layer& layer : result_layers())
-            if (result.has(layer.name + ".tif")) layers.push_back(layer);
-        return layers;
+/// The style with the options in place of its own; adds what is wrong with them.
+void read_style(const Values& values, MapStyle& style, Problems& problems) {
+    const auto given = [&](const std::string& name) { return text_option(values, name); };
+    try {
+        if (const auto size = size_option(values)) style.size = *size;
+    } catch (const Error& error) {
+        problems.add(error);
     }
-    Problems problems;
-    for (const std::string& name : names) {
+    if (const auto formats = text_options(values, "format"); !formats.empty()) {
+        for (const std::string& one : formats) {
+            if (one != "png" && one != "pdf" && one != "tif")
+                problems.add(not_one_of("format", one, "png, pdf, tif"));
+        }
+        style.formats = formats;
+    }
+    if (const auto legend = given("legend")) {
+        if (*legend != "classed" && *legend != "continuous")
+            problems.add(not_one_of("legend", *legend, "classed, continuous"));
+        style.continuous = *legend == "continuous";
+    }
+    if (const auto camera = given("camera")) {
+        const auto place = camera_from_text(*camera);
+        if (!place)
+            problems.add({"is not a camera", "--camera", *camera, k_cameras, "Write for example 210,30,1.5"});
+        else
+            style.camera = render::Camera{place->azimuth, place->elevation, place->zoom};
+    }
+    if (const auto factor = given("exaggeration")) {
+        const auto number = number_from_text(*factor);
+        if (!number || *number < 0.1 || *number > 20)
+            problems.add({"is not a factor of heights", "--exaggeration", *factor, "0.1 to 20", ""});
+        style.exaggeration = number.value_or(1);
+    }
+    if (values.count("plain") > 0) style.sky = false;
+    style.background = given("background").value_or(style.background);
+    style.attribution = given("attribution").value_or(style.attribution);
+}
+
+/// What is asked for, as far as it does not depend on the files.
+struct Request {
+    bool view_3d = false, fly = false, charts = false, plates = false;
+    std::optional<std::string> film, beside, out;
+    std::vector<std::string> maps;
+    std::string film_of = "depth";
+};
+
+Request read_request(const Values& values, Problems& problems) {
+    Request request;
+    const std::string view = text_option(values, "view").value_or("2d");
+    if (view != "2d" && view != "3d") problems.add(not_one_of("view", view, "2d, 3d"));
+    request.view_3d = view == "3d";
+    request.fly = values.count("fly") > 0;
+    request.charts = values.count("charts") > 0;
+    request.plates = values.count("plates") > 0;
+    request.film = text_option(values, "animation");
+    request.beside = text_option(values, "beside");
+    request.out = text_option(values, "out");
+    request.maps = text_options(values, "map");
+    const bool pages = request.charts || request.plates;
+    if (pages && (request.film || request.view_3d || !request.maps.empty() || (request.charts && request.plates))) {
+        problems.add({"goes without --map, --view and --animation, and one at a time",
+                      request.charts ? "--charts" : "--plates", "", "", ""});
+    }
+    if (!request.film) {
+        if (request.beside || request.fly)
+            problems.add({"makes sense with --animation only", request.fly ? "--fly" : "--beside", "", "", ""});
+        return request;
+    }
+    const std::string ending = fs::path(*request.film).extension().string();
+    if (ending != ".mp4" && ending != ".gif" && !request.film->ends_with('/')) {
+        problems.add({"is not a film's name", "--animation", *request.film, "FILE.mp4, FILE.gif, FOLDER/", ""});
+    }
+    if (request.fly && (!request.view_3d || request.beside))
+        problems.add({"needs --view 3d and one result", "--fly", "", "", ""});
+    if (!request.maps.empty()) request.film_of = request.maps.front();
+    if (request.maps.size() > 1 || (request.film_of != "depth" && request.film_of != "velocity"))
+        problems.add({"is not what frames hold", "--map", joined(request.maps, ", "), "depth, velocity", ""});
+    return request;
+}
+
+void make_folder(const std::string& folder) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) {
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), folder, "", "",
+                                                    "Check the rights, or choose another folder: --out"});
+    }
+}
+
+void render_film(const ResultReader& result, const MapSource& source, const Request& request, Size size) {
+    FilmRequest film{film_source(result, source, request.film_of), {}, request.view_3d, request.fly, size};
+    if (request.beside) {
+        const ResultReader other(*request.beside);
+        MapSource second = other.map_source();
+        second.style = source.style;
+        film.second = film_source(other, second, request.film_of);
+    }
+    if (request.film->ends_with('/')) make_folder(*request.film);
+    write_animation(film, *request.film);
+    std::cout << *request.film << '\n';
+}
+
+void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d, const std::string& folder) {
+    make_folder(folder);
+    for (const MapLayer& layer : layers) {
+        const std::string stem = (fs::path(folder) / (layer.name + (view_3d ? "_3d" : ""))).string();
+        for (const std::string& file : draw_layer(source, layer, view_3d, stem)) std::cout << file << '\n';
+    }
+}
+
+void render_result(const Values& values, const Request& request, Problems& problems) {
+    const ResultReader result((values)["operand"].as<std::string>());
+    for (const char* option : {"dtm", "unit", "above"}) {
+        if (values.count(option) > 0)
+            problems.add({"goes with a RASTER, not with a result", std::string("--") + option, "", "", ""});
+    }
+    MapSource source = result.map_source();
+    read_style(values, source.style, problems);
+    source.title = text_option(values, "title").value_or(source.title);
+    const std::string crs = result.raster(result.drawable().front()).grid.crs_wkt;
+    if (!source.style.background.empty()) {
         try {
-            layers.push_back(layer_named(name));
+            gis::check_picture(source.style.background, crs, "--background");
         } catch (const Error& error) {
             problems.add(error);
         }
     }
+    std::vector<MapLayer> layers;
+    if (!request.film && !request.charts && !request.plates) {
+        for (const std::string& name : request.maps.empty() ? result.drawable() : request.maps) {
+            try {
+                layers.push_back(result.map_layer(name));
+            } catch (const Error& error) {
+                problems.add(error);
+            }
+        }
+    }
     problems.throw_if_any();
-    return layers;
+    if (request.film) {
+        render_film(result, source, request,
+                    values.count("size") > 0 ? source.style.size : film_size(source.style.size));
+    } else if (request.charts || request.plates) {
+        const std::string folder = request.out.value_or(result.path(request.charts ? "charts" : "plates"));
+        make_folder(folder);
+        const auto draw_pages = request.charts ? draw_charts : draw_plates;
+        for (const std::string& file : draw_pages(result, source, folder)) std::cout << file << '\n';
+    } else {
+        draw(source, layers, request.view_3d, request.out.value_or(result.path("maps")));
+    }
 }
 
-void render_animation(const ResultReader& result, const MapSource& source, const std::string& file,
-                      bool view_3d) {
-    const std::string ending = std::filesystem::path(file).extension().string();
-    if (ending != ".mp4" && ending != ".gif")
-        throw Error(ErrorKind::input,
-                    Problem{"is not a film's name", "--animation", file, "FILE.mp4, FILE.gif", ""});
-    write_animation(source, result.raster("max_depth"), stored_frames(result.path("frames")), view_3d, file);
-    std::cout << file << '\n';
-}
-
-void render_maps(const ResultReader& result, const MapSource& source, const std::vector<Layer>& layers,
-                 bool view_3d) {
-    std::error_code failure;
-    std::filesystem::create_directories(result.path("maps"), failure);
-    if (failure) {
-        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(),
-                                                    result.path("maps"), "", "", "Check the rights"});
+void render_raster(const Values& values, const Request& request, Problems& problems) {
+    const std::string file = values["operand"].as<std::string>();
+    for (const char* option : {"map", "animation", "charts", "plates"}) {
+        if (values.count(option) > 0)
+            problems.add({"goes with a result, not with a raster", std::string("--") + option, "", "", ""});
     }
-    for (const Layer& layer : layers) {
-        const std::string file = result.path("maps/" + layer.name + (view_3d ? "_3d" : "") + ".png");
-        const Raster values = result.raster(layer.name);
-        draw_layer(source, layer, values, view_3d, file);
-        std::cout << file << '\n';
-    }
+    if (request.view_3d && values.count("dtm") == 0)
+        problems.add({"needs a terrain", "--view", "3d", "", "Name it: --dtm RASTER"});
+    MapStyle style;
+    read_style(values, style, problems);
+    const auto limit = text_option(values, "above");
+    const auto above = limit ? number_from_text(*limit) : std::nullopt;
+    if (limit && !above) problems.add({"is not a number", "--above", *limit, "", ""});
+    problems.throw_if_any();
+    ForeignMap map = read_foreign_map(file, text_option(values, "dtm"), text_option(values, "unit"), above);
+    map.source.style = style;
+    map.source.title = text_option(values, "title").value_or(map.source.title);
+    if (!style.background.empty())
+        gis::check_picture(style.background, map.layer.values.grid.crs_wkt, "--background");
+    draw(map.source, {std::move(map.layer)}, request.view_3d, request.out.value_or("."));
 }
 
 }  // namespace
@@ -86,22 +239,12 @@ void render_maps(const ResultReader& result, const MapSource& source, const std:
 int cmd_render(const Arguments& arguments) {
     const auto values = parse_arguments(render_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
-    const bool view_3d = wants_3d(*values);
-    const auto size = size_option(*values);
-    const auto film = text_option(*values, "animation");
-    const auto names = text_options(*values, "map");
-    if (film && !names.empty()) {
-        throw Error(ErrorKind::input, Problem{"a film shows the depth frames and takes no --map", "--map",
-                                              names.front(), "", "Give one of --map and --animation"});
-    }
-    const ResultReader result((*values)["operand"].as<std::string>());
-    const std::vector<Layer> layers = layers_asked_for(names, result);
-    MapSource source = result.map_source();
-    source.size = size.value_or(film ? film_size(source.size) : source.size);
-    if (film)
-        render_animation(result, source, *film, view_3d);
+    Problems problems;
+    const Request request = read_request(*values, problems);
+    if (fs::is_regular_file((*values)["operand"].as<std::string>()))
+        render_raster(*values, request, problems);
     else
-        render_maps(result, source, layers, view_3d);
+        render_result(*values, request, problems);
     return static_cast<int>(ExitCode::done);
 }
 

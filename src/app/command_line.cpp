@@ -80,9 +80,8 @@ std::optional<Size> size_option(const options::variables_map& values) {
     if (!text) return std::nullopt;
     const auto size = size_from_text(*text);
     if (!size) {
-        throw Error(ErrorKind::input,
-                    Problem{"is not a picture's size", "--size", *text, "WIDTHxHEIGHT, 640x480 to 8000x8000",
-                            "Write for example 1600x1200"});
+        throw Error(ErrorKind::input, Problem{"is not a picture's size", "--size", *text, k_sizes,
+                                              "Write for example 1600x1200 or A4@300"});
     }
     return size;
 }

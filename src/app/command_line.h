@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "params/picture_text.h"
 #include "params/value_text.h"
 
 namespace frana::app {

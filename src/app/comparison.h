@@ -73,8 +73,8 @@ std::string comparison_curve_csv(const Comparison& comparison);
 /// into a folder. Throws Error.
 void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder);
 
-/// comparison.png.
-void draw_comparison(const Comparison& comparison, MapSource source, const std::string& path);
+/// The map of hits, false alarms and misses with the figures beside it: STEM.png, or what the style asks for.
+void draw_comparison(const Comparison& comparison, MapSource source, const std::string& stem);
 
 /// What `compare` found, in one line for the terminal and the log.
 std::string comparison_headline(const Comparison& comparison);

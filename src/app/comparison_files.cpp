@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 
-#include "app/class_map.h"
 #include "app/comparison.h"
+#include "app/map_source.h"
 #include "app/number_text.h"
 #include "app/text_file.h"
 #include "app/version.h"
@@ -152,20 +152,26 @@ void write_comparison(const Comparison& comparison, const ComparisonInput& input
     gis::write_styles(raster, stops, "", gis::StyleKind::exact);
 }
 
-void draw_comparison(const Comparison& comparison, MapSource source, const std::string& path) {
+void draw_comparison(const Comparison& comparison, MapSource source, const std::string& stem) {
     const ComparisonFigures& f = *comparison.figures;
     source.notes = {"Deeper than " + figure(f.threshold_m) + " m counts",
                     "Observed " + grouped(f.observed_area_m2) + " m²",
                     "Simulated " + grouped(f.simulated_area_m2) + " m²",
                     "Area difference " + figure(f.area_difference_percent, 3) + " %",
+                    "Hit " + grouped(f.hit_m2) + " m²",
+                    "False alarm " + grouped(f.false_alarm_m2) + " m²",
+                    "Miss " + grouped(f.miss_m2) + " m²",
                     "Jaccard " + figure(f.jaccard, 3),
                     "Dice " + figure(f.dice, 3)};
     if (comparison.outline)
         source.notes.push_back("Outlines " + figure(comparison.outline->mean_m, 3) + " m apart");
-    std::vector<render::ClassLabel> categories;
+    MapLayer layer;
+    layer.title = "Comparison with the scar";
+    layer.values = comparison.classes;
+    layer.source = "comparison.tif, band 1";
     for (const ClassText& entry : k_classes)
-        categories.push_back({static_cast<double>(entry.kind), entry.label, entry.colour});
-    draw_class_map(source, "comparison with the scar", "Agreement", comparison.classes, categories, path);
+        layer.categories.push_back({static_cast<double>(entry.kind), entry.label, entry.colour});
+    draw_layer(source, layer, false, stem);
 }
 
 }  // namespace frana::app

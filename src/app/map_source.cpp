@@ -1,44 +1,122 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/map_source.h"
 
-#include "analysis/trace.h"
+#include <algorithm>
+#include <memory>
+
 #include "app/number_text.h"
 #include "app/version.h"
+#include "gis/crs.h"
+#include "gis/crs_transform.h"
+#include "gis/picture_in.h"
+#include "gis/picture_out.h"
 
 namespace frana::app {
 namespace {
 
-// Release and scar must be told apart from each other and from every palette: black dashes, bright cyan.
+// Release and scar must be told apart from each other and from every palette: black dashes, bright cyan; a dark red
+// on classes, whose colours are as bright.
 constexpr Rgb k_release_colour{20, 20, 20};
 constexpr Rgb k_scar_colour{0, 160, 220};
+constexpr Rgb k_scar_on_classes{120, 0, 80};
 
-std::vector<render::Outline> outlines_of(const MapSource& source) {
-    std::vector<render::Outline> outlines;
+std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) {
+    std::vector<render::Outline> outlines = source.marks;
     if (!source.release.empty()) outlines.push_back({"Release", source.release, k_release_colour, 2.5, true});
-    if (!source.scar.empty()) outlines.push_back({"Surveyed scar", source.scar, k_scar_colour, 3, false});
+    if (!source.scar.empty()) {
+        outlines.push_back(
+            {"Surveyed scar", source.scar, classes ? k_scar_on_classes : k_scar_colour, 3, false});
+    }
     return outlines;
+}
+
+std::string attribution(const MapSource& source) {
+    const std::string own =
+        std::string(source.foreign ? "Drawn with " : "Simulated with ") + k_program + " " + k_version;
+    return source.style.attribution.empty() ? own : own + "; " + source.style.attribution;
+}
+
+std::string time_words(double seconds) {
+    return "t = " + figure(seconds, 6) + " s";
 }
 
 /// Map and view have the same furniture.
 template <class Spec>
-Spec furnished(const MapSource& source, const Layer& layer, const Raster& values) {
+Spec furnished(const MapSource& source, const MapLayer& layer) {
     Spec spec;
     spec.title = source.title + ": " + layer.title;
-    spec.subtitle = source.subtitle;
+    spec.subtitle = layer.time ? time_words(*layer.time) : source.subtitle;
+    if (layer.time && !source.subtitle.empty()) spec.subtitle += ", " + source.subtitle;
     spec.legend_title = layer.title;
     spec.unit = layer.unit;
-    spec.attribution = std::string("Simulated with ") + k_program + " " + k_version;
+    spec.attribution = attribution(source);
+    spec.source = layer.source;
+    if (layer.time) spec.source += ", " + time_words(*layer.time);
     spec.palette = layer.palette;
-    spec.classes = layer_classes(layer, maximum(values));
-    spec.terrain = &source.terrain;
-    spec.layer = &values;
-    spec.outlines = outlines_of(source);
+    spec.classes = layer.classes;
+    spec.categories = layer.categories;
+    spec.continuous = source.style.continuous && layer.categories.empty();
+    if (source.terrain.grid.columns > 0) spec.terrain = &source.terrain;
+    spec.layer = &layer.values;
+    spec.outlines = outlines_of(source, !layer.categories.empty());
     spec.side_notes = source.notes;
+    spec.side_notes.insert(spec.side_notes.end(), layer.notes.begin(), layer.notes.end());
     spec.convergence_deg = source.convergence_deg;
     spec.crs_label = source.crs_label;
-    spec.width = source.size.width;
-    spec.height = source.size.height;
+    spec.width = source.style.size.width;
+    spec.height = source.style.size.height;
+    if (!source.style.background.empty()) {
+        spec.background = [path = source.style.background, crs = layer.values.grid.crs_wkt](
+                              const Bounds& box, int width, int height) {
+            return render::LayerImage{width, height, gis::warp_picture(path, crs, box, width, height)};
+        };
+    }
     return spec;
+}
+
+gis::PicturePixels pixels(const render::Image& image) {
+    return {image.width, image.height, image.rgb};
+}
+
+/// The page as if the map went on to its rim.
+Bounds ground_of_page(const render::MapLayout& layout) {
+    const double metre = layout.metres_per_pixel;
+    return {layout.window.west - layout.map.left * metre,
+            layout.window.south - (layout.page.bottom - layout.map.bottom) * metre,
+            layout.window.east + (layout.page.right - layout.map.right) * metre,
+            layout.window.north + layout.map.top * metre};
+}
+
+/// What lies inside the map's frame.
+render::Image face_of(const render::Image& page, const render::PageBox& map) {
+    const int left = static_cast<int>(map.left), top = static_cast<int>(map.top);
+    render::Image face(static_cast<int>(map.width()), static_cast<int>(map.height()));
+    for (int row = 0; row < face.height; ++row)
+        std::copy_n(page.pixel(left, top + row), 3 * face.width, face.pixel(0, row));
+    return face;
+}
+
+std::vector<std::string> write_map(const MapSource& source, const MapLayer& layer, const std::string& stem) {
+    const render::MapSpec spec = map_spec(source, layer);
+    render::MapLayout layout;
+    const render::Image image = render::draw_map(spec, &layout);
+    const std::string& crs = layer.values.grid.crs_wkt;
+    std::vector<std::string> files;
+    for (const std::string& format : source.style.formats) {
+        const std::string file = files.emplace_back(stem + "." + format);
+        if (format == "png") {
+            render::write_png(file, image);
+        } else if (format == "pdf") {
+            gis::write_picture_pdf(file, pixels(image), source.style.size.dots_per_inch,
+                                   gis::PicturePlace{ground_of_page(layout), layout.window, crs}, spec.title);
+        } else {
+            const render::Image face = face_of(image, layout.map);
+            gis::write_picture_geotiff(
+                file, pixels(face), layout.window, crs,
+                {{"TITLE", spec.title}, {"SOURCE", spec.source}, {"ATTRIBUTION", spec.attribution}});
+        }
+    }
+    return files;
 }
 
 }  // namespace
@@ -63,19 +141,51 @@ std::vector<std::string> map_notes(const MapFacts& facts) {
     return notes;
 }
 
-render::MapSpec map_spec(const MapSource& source, const Layer& layer, const Raster& values) {
-    return furnished<render::MapSpec>(source, layer, values);
+render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
+    render::MapSpec spec = furnished<render::MapSpec>(source, layer);
+    spec.inset = true;
+    const std::string& crs = layer.values.grid.crs_wkt;
+    if (!crs.empty()) {
+        const auto transform =
+            std::make_shared<const gis::CrsTransform>(crs, gis::crs_from_user("EPSG:4326", "EPSG:4326"));
+        spec.longitude_latitude = [transform](Point map) { return (*transform)(map); };
+    }
+    return spec;
 }
 
-render::ViewSpec view_spec(const MapSource& source, const Layer& layer, const Raster& values) {
-    return furnished<render::ViewSpec>(source, layer, values);
+render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer) {
+    render::ViewSpec spec = furnished<render::ViewSpec>(source, layer);
+    spec.vertical_exaggeration = source.style.exaggeration;
+    spec.camera = source.style.camera;
+    spec.sky = source.style.sky;
+    std::erase_if(spec.outlines,
+                  [](const render::Outline& one) { return one.polygons.empty() && one.lines.empty(); });
+    const std::string& name = layer.name;
+    if (name == "max_depth" || name == "final_depth" || name == "release" || name.starts_with("depth_"))
+        spec.thickness = spec.layer;  // the surface of what flowed
+    return spec;
 }
 
-void draw_layer(const MapSource& source, const Layer& layer, const Raster& values, bool view_3d,
-                const std::string& path) {
-    const render::Image image = view_3d ? render::draw_view(view_spec(source, layer, values))
-                                        : render::draw_map(map_spec(source, layer, values));
-    render::write_png(path, image);
+std::vector<std::string> write_plain_picture(const render::Image& image, const MapStyle& style,
+                                             const std::string& title, const std::string& stem) {
+    std::vector<std::string> files;
+    for (const std::string& format : style.formats) {
+        if (format == "tif") continue;
+        const std::string file = files.emplace_back(stem + "." + format);
+        if (format == "png") {
+            render::write_png(file, image);
+        } else {
+            gis::write_picture_pdf(file, pixels(image), style.size.dots_per_inch, std::nullopt, title);
+        }
+    }
+    return files;
+}
+
+std::vector<std::string> draw_layer(const MapSource& source, const MapLayer& layer, bool view_3d,
+                                    const std::string& stem) {
+    if (!view_3d) return write_map(source, layer, stem);
+    const render::ViewSpec spec = view_spec(source, layer);
+    return write_plain_picture(render::draw_view(spec), source.style, spec.title, stem);
 }
 
 }  // namespace frana::app

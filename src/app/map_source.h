@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/runout.h"
-#include "app/layers.h"
+#include "app/map_layer.h"
 #include "core/geometry.h"
 #include "core/raster.h"
-#include "params/value_text.h"
+#include "params/picture_text.h"
 #include "render/map2d.h"
 #include "render/view3d.h"
 
@@ -32,26 +33,45 @@ std::vector<std::string> map_notes(const MapFacts& facts);
 /// Whether a flow whose fastest part moves so fast must be called moving [m/s].
 inline constexpr double k_moving_speed = 0.1;
 
-/// What all maps of one result share. Made from a run or from a result directory alone.
+/// How pictures are made: the keys output.map-... of a scene, or the options of `frana render`.
+struct MapStyle {
+    Size size{1600, 1200};
+    std::vector<std::string> formats{"png"};  ///< of png, pdf, tif
+    bool continuous = false;                  ///< legend
+    std::string background;                   ///< orthophoto or topographic raster; empty: the relief
+    std::string attribution;                  ///< of data and author, at the foot
+    double exaggeration = 1;                  ///< of heights in views
+    bool sky = true;                          ///< in views; else white
+    std::optional<render::Camera> camera;     ///< of views; none: found from the flow's path
+};
+
+/// What all maps of one result share. Made from a result directory alone.
 struct MapSource {
     std::string title;               ///< the scene's name
     std::string subtitle;            ///< model, scheme, simulated time
     std::vector<std::string> notes;  ///< figures beside the map
     std::string crs_label;
     double convergence_deg = 0;
-    Raster terrain;
+    Raster terrain;  ///< no columns: none
     MultiPolygon release;
-    MultiPolygon scar;  ///< empty: none
-    Size size{1600, 1200};
+    MultiPolygon scar;                   ///< empty: none
+    std::vector<render::Outline> marks;  ///< zones, gauges, sections, profiles
+    bool foreign = false;                ///< another program computed it
+    MapStyle style;
 };
 
-/// A map of one layer. The spec borrows the terrain of `source` and `values`.
-render::MapSpec map_spec(const MapSource& source, const Layer& layer, const Raster& values);
+/// A map of one layer. The spec borrows the terrain of `source` and the values of `layer`.
+render::MapSpec map_spec(const MapSource& source, const MapLayer& layer);
 /// The same in perspective.
-render::ViewSpec view_spec(const MapSource& source, const Layer& layer, const Raster& values);
+render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer);
 
-/// Draws the map NAME ("max_depth") or the view NAME_3d to a PNG. Throws Error.
-void draw_layer(const MapSource& source, const Layer& layer, const Raster& values, bool view_3d,
-                const std::string& path);
+/// Draws the map STEM.png (or .pdf, .tif, as the style asks) or a view, and returns the names of the files. A view is
+/// no GeoTIFF. Throws Error.
+std::vector<std::string> draw_layer(const MapSource& source, const MapLayer& layer, bool view_3d,
+                                    const std::string& stem);
+
+/// Writes a picture that lies nowhere on the ground (a chart, a view) as PNG, and as PDF where the style asks.
+std::vector<std::string> write_plain_picture(const render::Image& image, const MapStyle& style,
+                                             const std::string& title, const std::string& stem);
 
 }  // namespace frana::app

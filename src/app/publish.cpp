@@ -7,6 +7,7 @@
 
 #include "analysis/trace.h"
 #include "app/animation.h"
+#include "app/charts.h"
 #include "app/comparison.h"
 #include "app/number_text.h"
 #include "app/provenance.h"
@@ -15,6 +16,7 @@
 #include "app/publish_rasters.h"
 #include "app/publish_series.h"
 #include "app/report.h"
+#include "app/result_reader.h"
 #include "app/text_file.h"
 #include "app/thickness_volume.h"
 #include "app/timeseries.h"
@@ -32,29 +34,10 @@ std::string title_of(const SceneSpec& spec) {
     return spec.output.title.value_or(scene_name(spec));
 }
 
-MapSource map_source(const Finished& run, const Runout& run_out, double covered_area) {
-    const Prepared& prepared = run.prepared;
-    MapFacts facts;
-    facts.scheme = prepared.spec.numerics.scheme;
-    facts.simulated_seconds = run.result.simulated_seconds;
-    facts.volume = run.result.volume_entered;
-    facts.volume_left = run.result.volume_left;
-    facts.last_speed = run.result.series.empty() ? 0 : run.result.series.back().max_speed;
-    facts.covered_area = covered_area;
-    facts.threshold = prepared.spec.output.trace_threshold;
-    facts.run_out = run_out;
-
-    MapSource source;
-    source.title = title_of(prepared.spec);
-    source.subtitle = map_subtitle(facts);
-    source.notes = map_notes(facts);
-    source.crs_label = prepared.ground.crs_label;
-    source.convergence_deg = prepared.convergence_deg;
-    source.terrain = prepared.scene.terrain;
-    for (const ReleaseArea& area : prepared.scene.release)
-        source.release.insert(source.release.end(), area.outline.begin(), area.outline.end());
-    if (prepared.scar) source.scar = parts_of(prepared.scar->features);
-    source.size = *size_from_text(prepared.spec.output.map_size);
+/// What was written is what is drawn.
+MapSource map_source(const ResultReader& written, const SceneSpec& spec) {
+    MapSource source = written.map_source();
+    source.title = title_of(spec);  // the folder has not its name yet
     return source;
 }
 
@@ -80,31 +63,29 @@ class Drawings {
     bool all_drawn_ = true;
 };
 
-void publish_maps(const Finished& run, const MapSource& source, const ResultDirectory& directory,
-                  Drawings& drawings) {
-    const std::vector<std::string>& asked = run.prepared.spec.output.maps;
+void publish_maps(const std::vector<std::string>& asked, const ResultReader& written, const MapSource& source,
+                  const ResultDirectory& directory, Drawings& drawings) {
     if (asked.front() == "off") return;
     directory.make_folder("maps");
     const std::string ending = "_3d";
-    for (const std::string& name : asked.front() == "on" ? map_names() : asked) {
+    const bool all = asked.front() == "on";
+    for (const std::string& name : all ? map_names() : asked) {
         const bool view_3d = name.ends_with(ending);
-        const Layer layer = layer_named(view_3d ? name.substr(0, name.size() - ending.size()) : name);
-        const std::string file = "maps/" + name + ".png";
-        drawings.attempt(file, [&] {
-            draw_layer(source, layer, run.result.*layer.values, view_3d, directory.path(file));
+        const std::string layer = view_3d ? name.substr(0, name.size() - ending.size()) : name;
+        if (all && !written.has(layer + ".tif")) continue;
+        drawings.attempt("maps/" + name, [&] {
+            draw_layer(source, written.map_layer(layer), view_3d, directory.path("maps/" + name));
         });
     }
 }
 
-void publish_animation(const Finished& run, const MapSource& source, const ResultDirectory& directory,
-                       const FrameWriter& frames, Drawings& drawings) {
+void publish_animation(const Finished& run, const ResultReader& written, const MapSource& source,
+                       const ResultDirectory& directory, const FrameWriter& frames, Drawings& drawings) {
     const OutputSpec& output = run.prepared.spec.output;
     if (output.animation && frames.count() > 0) {
         drawings.attempt("animation.mp4", [&] {
-            MapSource film = source;
-            film.size = film_size(source.size);
-            write_animation(film, run.result.max_depth, stored_frames(directory.path("frames")), false,
-                            directory.path("animation.mp4"));
+            FilmRequest film{film_source(written, source, "depth"), {}, false, false, film_size(source.style.size)};
+            write_animation(film, directory.path("animation.mp4"));
         });
     }
     // The film was made from the frames; without output.frames they have done their work.
@@ -226,6 +207,21 @@ std::optional<Comparison> publish_comparison(const Finished& run, const ResultDi
     }
 }
 
+void draw_everything(const Finished& run, const std::optional<Comparison>& comparison,
+                     const ResultDirectory& directory, const FrameWriter& frames, Drawings& drawings) {
+    const OutputSpec& output = run.prepared.spec.output;
+    const ResultReader written(directory.path(""));
+    const MapSource source = map_source(written, run.prepared.spec);
+    publish_maps(output.maps, written, source, directory, drawings);
+    if (comparison && comparison->figures)
+        drawings.attempt("comparison", [&] { draw_comparison(*comparison, source, directory.path("comparison")); });
+    if (output.charts) {
+        directory.make_folder("charts");
+        drawings.attempt("charts", [&] { draw_charts(written, source, directory.path("charts")); });
+    }
+    publish_animation(run, written, source, directory, frames, drawings);
+}
+
 }  // namespace
 
 bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
@@ -246,27 +242,18 @@ bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter&
     publish_outlines(prepared, result, facts.run_out, directory);
     publish_series(prepared, result, directory);
     publish_profiles(prepared, result, facts.run_out, directory);
-    const HazardResult hazard = publish_hazard(prepared, result, directory);
-    facts.hazard = hazard.areas;
+    facts.hazard = publish_hazard(prepared, result, directory);
     publish_avaframe(prepared, result, directory);
     write_text_file(directory.path("timeseries.csv"), timeseries_csv(result.series));
     write_text_file(directory.path("scene.ini"), echoed_scene(prepared));
     if (frames.count() > 0) frames.finish();
     publish_frame_stacks(prepared, directory);
-    const MapSource source = map_source(run, facts.run_out, facts.covered_area_m2);
     const std::optional<Comparison> comparison = publish_comparison(run, directory, log);
     facts.wall.output = output_watch.seconds() + frames.seconds();
 
     const Stopwatch render_watch;
     Drawings drawings(log);
-    publish_maps(run, source, directory, drawings);
-    if (!hazard.areas.empty() && prepared.spec.output.maps.front() != "off")
-        drawings.attempt("maps/hazard.png",
-                         [&] { draw_hazard(hazard, source, directory.path("maps/hazard.png")); });
-    if (comparison && comparison->figures)
-        drawings.attempt("comparison.png",
-                         [&] { draw_comparison(*comparison, source, directory.path("comparison.png")); });
-    publish_animation(run, source, directory, frames, drawings);
+    draw_everything(run, comparison, directory, frames, drawings);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;

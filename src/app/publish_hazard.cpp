@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/publish_hazard.h"
 
-#include "app/class_map.h"
-#include "app/number_text.h"
 #include "app/provenance.h"
 #include "gis/raster_out.h"
 #include "gis/rasterize.h"
@@ -55,8 +53,8 @@ std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& s
 
 }  // namespace
 
-HazardResult publish_hazard(const Prepared& prepared, const RunResult& result,
-                            const ResultDirectory& directory) {
+std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult& result,
+                                       const ResultDirectory& directory) {
     const HazardSpec& spec = prepared.spec.hazard;
     if (!spec.scheme) return {};
     const std::map<std::string, std::string> origin = provenance(prepared);
@@ -71,24 +69,11 @@ HazardResult publish_hazard(const Prepared& prepared, const RunResult& result,
         *spec.scheme, {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
     // A scheme that does not look at flux or head has none recorded; depth stands in, unread.
     const bool recorded = !result.max_flux.values.empty();
-    Raster classes = hazard_classes(
+    const Raster classes = hazard_classes(
         scheme, {result.max_depth, result.max_velocity, recorded ? result.max_flux : result.max_depth,
                  recorded ? result.max_head : result.max_depth, result.max_pressure, result.final_depth});
     write_raster(classes, scheme, directory.path("hazard.tif"), origin);
-    std::vector<HazardArea> areas =
-        write_zones(classes, scheme, directory.path("hazard_zones.gpkg"), prepared.scene.grid.crs_wkt);
-    return {std::move(areas), std::move(classes)};
-}
-
-void draw_hazard(const HazardResult& hazard, MapSource source, const std::string& path) {
-    std::vector<render::ClassLabel> categories;
-    source.notes.emplace_back("Intensity of one scenario,");
-    source.notes.emplace_back("not a degree of danger");
-    for (const HazardArea& area : hazard.areas) {
-        categories.push_back({static_cast<double>(area.kind.value), area.kind.label, area.kind.colour});
-        source.notes.push_back(area.kind.label + " " + grouped(area.area_m2) + " m\u00b2");
-    }
-    draw_class_map(source, "intensity", "Intensity", hazard.classes, categories, path);
+    return write_zones(classes, scheme, directory.path("hazard_zones.gpkg"), prepared.scene.grid.crs_wkt);
 }
 
 }  // namespace frana::app

@@ -87,9 +87,7 @@ void add_warnings(Page& page, const std::vector<std::string>& warnings) {
 void add_maps(Page& page, const SceneSpec& spec, const ResultDirectory& directory) {
     page.add("<h2 id=\"maps\">Maps</h2>\n");
     bool any = false;
-    std::vector<std::string> names = map_names();
-    names.insert(names.begin(), "hazard");
-    for (const std::string& name : names) {
+    for (const std::string& name : map_names()) {
         const std::string file = directory.path("maps/" + name + ".png");
         if (!fs::exists(file)) continue;
         page.add_picture(file, name);

@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/result_reader.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "analysis/trace.h"
+#include "app/error_estimate.h"
+#include "app/layers.h"
+#include "app/number_text.h"
 #include "core/error.h"
+#include "core/json.h"
 #include "gis/crs.h"
+#include "gis/marks_in.h"
 #include "gis/raster_in.h"
 #include "gis/vector_in.h"
 #include "params/ini_file.h"
 #include "params/scene_spec.h"
+#include "params/value_text.h"
 
 namespace frana::app {
 namespace {
@@ -44,6 +52,23 @@ SeriesEnds read_series_ends(const std::string& path) {
         ends.last = row;
     }
     return ends;
+}
+
+/// The scores that a comparison's map shows, from the file that frana wrote; where it is missing, none.
+void add_figures(const std::string& path, std::vector<std::string>& notes) {
+    std::ifstream file(path);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto add = [&](const std::string& key, const std::string& before, const std::string& after) {
+        const auto place = text.find("\"" + key + "\":");  // the first is that of the area
+        if (place == std::string::npos) return;
+        const auto from = text.find(':', place) + 1;
+        const auto value = number_from_text(trimmed(text.substr(from, text.find_first_of(",}", from) - from)));
+        if (value) notes.push_back(before + " " + figure(*value, 3) + after);
+    };
+    add("threshold_m", "Threshold", " m");
+    add("area_difference_percent", "Area difference", " %");
+    add("jaccard", "Jaccard", "");
+    add("dice", "Dice", "");
 }
 
 }  // namespace
@@ -105,8 +130,11 @@ MapFacts ResultReader::facts() const {
     facts.threshold = scene_number("output.trace-threshold", OutputSpec{}.trace_threshold);
     const SeriesEnds ends = read_series_ends(path("timeseries.csv"));
     facts.simulated_seconds = SeriesEnds::value(ends, ends.last, "time_s");
-    facts.volume = SeriesEnds::value(ends, ends.first, "volume_m3") +
-                   SeriesEnds::value(ends, ends.first, "volume_left_m3");
+    facts.volume = SeriesEnds::value(ends, ends.last, "volume_entered_m3");
+    if (facts.volume == 0) {  // an older result
+        facts.volume = SeriesEnds::value(ends, ends.first, "volume_m3") +
+                       SeriesEnds::value(ends, ends.first, "volume_left_m3");
+    }
     facts.volume_left = SeriesEnds::value(ends, ends.last, "volume_left_m3");
     facts.last_speed = SeriesEnds::value(ends, ends.last, "max_speed_ms");
     const Raster trace = trace_mask(raster("max_depth"), facts.threshold);
@@ -115,20 +143,125 @@ MapFacts ResultReader::facts() const {
     return facts;
 }
 
+MapLayer ResultReader::map_layer(const std::string& name) const {
+    const auto at = name.find('@');
+    const std::string kind = name.substr(0, at);
+    if (at != std::string::npos && (kind == "depth" || kind == "velocity")) {
+        const auto time = number_from_text(name.substr(at + 1));
+        if (!time)
+            throw Error(ErrorKind::input, Problem{"names no time", "--map", name, kind + "@SECONDS", ""});
+        const std::vector<StoredFrame> all = frames();
+        const auto nearest = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+            return std::abs(a.time - *time) < std::abs(b.time - *time);
+        });
+        MapLayer layer = read_map_layer(kind == "depth" ? nearest->depth_file : nearest->velocity_file);
+        layer.source.insert(0, "frames/");
+        layer.name = kind + "_t" + shortest_text(nearest->time);
+        // The greatest values over time give the colours, so that maps of different times compare.
+        if (has("max_" + kind + ".tif")) layer.classes = read_map_layer(path("max_" + kind + ".tif")).classes;
+        return layer;
+    }
+    if (has(name + ".tif")) {
+        MapLayer layer = read_map_layer(path(name + ".tif"));
+        if (name == "comparison") add_figures(path("comparison.json"), layer.notes);
+        return layer;
+    }
+    const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
+    if (name == "uncertainty" && fs::exists(study)) return read_map_layer(study);
+    std::string known = joined(drawable(), ", ");
+    if (has("frames/frames.csv")) known += ", depth@SECONDS, velocity@SECONDS";
+    throw Error(ErrorKind::input, Problem{"is not a raster of this result", "map", name, known, ""});
+}
+
+std::vector<std::string> ResultReader::drawable() const {
+    std::vector<std::string> names;
+    for (const Layer& layer : result_layers())
+        if (has(layer.name + ".tif")) names.push_back(layer.name);
+    std::vector<std::string> others;
+    for (const auto& entry : fs::directory_iterator(directory_)) {
+        const std::string name = entry.path().stem().string();
+        const bool listed = std::find(names.begin(), names.end(), name) != names.end();
+        if (entry.path().extension() == ".tif" && name != "dtm" && name != "bed" && !listed) others.push_back(name);
+    }
+    std::sort(others.begin(), others.end());
+    names.insert(names.end(), others.begin(), others.end());
+    return names;
+}
+
+MapStyle ResultReader::style() const {
+    MapStyle style;
+    if (const auto size = size_from_text(scene_value("output.map-size").value_or(""))) style.size = *size;
+    if (const auto formats = scene_value("output.map-formats")) style.formats = words_of(*formats);
+    style.continuous = scene_value("output.map-legend") == "continuous";
+    style.background = scene_value("output.map-background").value_or("");
+    style.attribution = scene_value("output.map-attribution").value_or("");
+    style.exaggeration = scene_number("output.view-exaggeration", style.exaggeration);
+    style.sky = scene_value("output.view-background") != "plain";
+    if (const auto camera = camera_from_text(scene_value("output.view-camera").value_or("")))
+        style.camera = render::Camera{camera->azimuth, camera->elevation, camera->zoom};
+    return style;
+}
+
+/// Places and lines that the run knew; what has moved away since is left out.
+std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) const {
+    constexpr Rgb k_zones{110, 70, 20}, k_obstacles{90, 90, 90}, k_lines{70, 50, 120}, k_gauges{150, 0, 60};
+    std::vector<render::Outline> all;
+    const auto attempt = [](const auto& read) {
+        try {
+            read();
+        } catch (const Error&) {
+            return;
+        }
+    };
+    const auto areas = [&](const std::string& key, const std::string& label, Rgb colour, bool is_dashed) {
+        const auto file = scene_value(key);
+        if (!file) return;
+        attempt([&] {
+            render::Outline outline{label, {}, colour, 1.8, is_dashed};
+            for (const PolygonFeature& one : gis::read_polygons(*file, crs_wkt, key).features)
+                outline.polygons.insert(outline.polygons.end(), one.parts.begin(), one.parts.end());
+            all.push_back(std::move(outline));
+        });
+    };
+    const auto lines = [&](const std::string& file, const std::string& label, Rgb colour, bool is_dashed) {
+        if (file.empty()) return;
+        attempt([&] {
+            render::Outline outline{label, {}, colour, 2, is_dashed};
+            for (const gis::NamedLine& line : gis::read_marks(file, crs_wkt, label).lines)
+                if (line.name != "flow path") outline.lines.push_back(line.line);
+            if (!outline.lines.empty()) all.push_back(std::move(outline));
+        });
+    };
+    areas("terrain.friction-zones", "Friction zones", k_zones, true);
+    areas("terrain.obstacles", "Obstacles", k_obstacles, false);
+    lines(scene_value("terrain.walls").value_or(""), "Walls", k_obstacles, false);
+    lines(has("profiles.gpkg") ? path("profiles.gpkg") + "|layer=lines" : "", "Profiles", k_lines, true);
+    lines(has("gauges.gpkg") ? path("gauges.gpkg") + "|layer=sections" : "", "Cross-sections", k_lines, false);
+    if (has("gauges.gpkg")) {
+        attempt([&] {
+            render::Outline outline{"Gauges", {}, k_gauges, 2, false};
+            for (const gis::NamedPoint& one :
+                 gis::read_marks(path("gauges.gpkg") + "|layer=gauges", crs_wkt, "gauges").points)
+                outline.places.push_back({one.name, one.place});
+            if (!outline.places.empty()) all.push_back(std::move(outline));
+        });
+    }
+    return all;
+}
+
 MapSource ResultReader::map_source() const {
     MapSource source;
     source.title =
         scene_value("output.title").value_or(fs::absolute(directory_).lexically_normal().filename().string());
-    std::string any;
-    for (const Layer& layer : result_layers())
-        if (any.empty() && has(layer.name + ".tif")) any = layer.name;
-    const GridSpec grid = raster(any).grid;
+    const GridSpec grid = raster(drawable().front()).grid;
     source.crs_label = gis::crs_name(grid.crs_wkt);
     source.convergence_deg = gis::meridian_convergence_deg(
         grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
     if (has("dtm.tif")) source.terrain = raster("dtm");
     source.release = outline("release", grid.crs_wkt);
     source.scar = outline("scar", grid.crs_wkt);
+    source.marks = marks(grid.crs_wkt);
+    source.style = style();
     if (has("timeseries.csv") && has("max_depth.tif") && has("bed.tif") && has("release.tif")) {
         const MapFacts known = facts();
         source.subtitle = map_subtitle(known);

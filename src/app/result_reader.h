@@ -3,7 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "app/frame_store.h"
+#include "app/map_layer.h"
 #include "app/map_source.h"
 
 namespace frana::app {
@@ -24,10 +27,19 @@ class ResultReader {
     /// The same as a number, or a default.
     [[nodiscard]] double scene_number(const std::string& key, double otherwise) const;
 
+    /// NAME.tif as a map shows it; "depth@12.5" and "velocity@12.5" name the frame nearest in time [s];
+    /// "uncertainty" is that of `frana converge` beside the result. Throws Error(input) naming what there is.
+    [[nodiscard]] MapLayer map_layer(const std::string& name) const;
+    /// The rasters that can be drawn, by name; terrain and bed are under all maps and not among them.
+    [[nodiscard]] std::vector<std::string> drawable() const;
+    [[nodiscard]] std::vector<StoredFrame> frames() const { return stored_frames(path("frames")); }
+
     /// Everything maps share; terrain and outlines only where the result has them.
     [[nodiscard]] MapSource map_source() const;
 
   private:
+    [[nodiscard]] MapStyle style() const;
+    [[nodiscard]] std::vector<render::Outline> marks(const std::string& crs_wkt) const;
     [[nodiscard]] MultiPolygon outline(const std::string& layer, const std::string& crs_wkt) const;
     [[nodiscard]] MapFacts facts() const;
 

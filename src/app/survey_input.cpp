@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/survey_input.h"
 
+#include "gis/picture_in.h"
+
 #include <algorithm>
 
 #include "app/number_text.h"
@@ -183,6 +185,9 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunL
             problems.add(error);
         }
     };
+    if (const auto& picture = output.map_background) {
+        attempt([&] { gis::check_picture(*picture, grid.crs_wkt, reading.where("output.map-background")); });
+    }
     if (const auto& front = reading.scene.scar.front) {
         attempt([&] {
             const gis::Marks marks = gis::read_marks(*front, grid.crs_wkt, reading.where(front_key));

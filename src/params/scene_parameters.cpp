@@ -5,6 +5,7 @@
 #include "params/input_parameters.h"
 #include "params/material_parameters.h"
 #include "params/output_parameters.h"
+#include "params/picture_parameters.h"
 #include "params/site_parameters.h"
 
 namespace frana {
@@ -32,19 +33,6 @@ Parameter particles_per_cell_parameter() {
         [](std::int64_t value) { return std::to_string(value); });
     result.limits = "1, 4, 9, 16";
     result.meaning = "Particles that fill one cell of the release at the start.";
-    return result;
-}
-
-Parameter map_size_parameter() {
-    Parameter result =
-        text("output.map-size", FRANA_MEMBER(output.map_size), "text", "Width and height of the maps.");
-    result.unit = "pixels";
-    result.limits = "WIDTHxHEIGHT, 640x480 to 8000x8000";
-    result.read = [](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
-        if (!size_from_text(value)) return Refusal{"is not a picture's size", "Write for example 1600x1200"};
-        scene.output.map_size = value;
-        return std::nullopt;
-    };
     return result;
 }
 
@@ -101,7 +89,7 @@ void add_rest(std::vector<Parameter>& list) {
                         "Result directory; --out overrides it.",
                         "results/NAME beside the scene, NAME being the scene's"));
     list.push_back(word_list("output.maps", FRANA_MEMBER(output.maps), {"on", "off"}, map_names(),
-                             "Maps to draw; on: all."));
+                             "Maps to draw; on: all that the result has."));
     list.push_back(on_off("output.frames", FRANA_MEMBER(output.frames),
                           "Write depth and velocity at the frame interval as GeoTIFFs."));
     list.push_back(on_off("output.animation", FRANA_MEMBER(output.animation), "Write animation.mp4."));
@@ -116,10 +104,7 @@ void add_rest(std::vector<Parameter>& list) {
     list.push_back(number("output.trace-threshold", FRANA_MEMBER(output.trace_threshold), "m",
                           Range{1e-6, 100},
                           "Depth that counts as touched in the outlines, the covered area and the run-out."));
-    list.push_back(map_size_parameter());
-    list.push_back(
-        text("output.title", FRANA_MEMBER(output.title), "text", "Title of the maps.", "the scene's name"));
-
+    add_pictures(list);
     add_extra_output(list);
     add_hazard(list);
 
@@ -168,8 +153,8 @@ std::vector<Section> scene_sections() {
 }
 
 std::vector<std::string> map_names() {
-    return {"max_depth",    "max_velocity", "final_depth",    "arrival_time",
-            "max_pressure", "max_depth_3d", "max_velocity_3d"};
+    return {"max_depth", "max_velocity",    "final_depth",  "arrival_time",   "max_pressure", "hazard",
+            "eroded_depth", "deposited_depth", "max_depth_3d", "max_velocity_3d"};
 }
 
 }  // namespace frana

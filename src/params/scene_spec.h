@@ -131,6 +131,14 @@ struct OutputSpec {
     double checkpoint_interval = 0;
     double trace_threshold = 0.1;
     std::string map_size = "1600x1200";
+    std::vector<std::string> map_formats{"png"};
+    std::string map_legend = "classed";
+    std::optional<std::string> map_background;
+    std::optional<std::string> map_attribution;
+    double view_exaggeration = 1;
+    std::string view_background = "sky";
+    std::optional<std::string> view_camera;
+    bool charts = true;
     std::optional<std::string> title;
     std::string names = "frana";
     bool report = true;

@@ -58,18 +58,6 @@ std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
-std::optional<Size> size_from_text(const std::string& text) {
-    const auto cross = text.find('x');
-    if (cross == std::string::npos) return std::nullopt;
-    const auto width = integer_from_text(text.substr(0, cross)),
-               height = integer_from_text(text.substr(cross + 1));
-    const auto fits = [](std::optional<std::int64_t> side, std::int64_t least) {
-        return side && *side >= least && *side <= 8000;
-    };
-    if (!fits(width, 640) || !fits(height, 480)) return std::nullopt;
-    return Size{static_cast<int>(*width), static_cast<int>(*height)};
-}
-
 std::string joined(const std::vector<std::string>& words, const std::string& separator) {
     std::string text;
     for (const std::string& word : words) {

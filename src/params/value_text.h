@@ -20,13 +20,6 @@ std::optional<bool> boolean_from_text(const std::string& text);
 /// The parts between commas or white space, empty ones left out.
 std::vector<std::string> words_of(const std::string& text);
 
-struct Size {
-    int width = 0;
-    int height = 0;
-};
-/// "1600x1200": a picture's size, from 640x480 to 8000x8000 pixels.
-std::optional<Size> size_from_text(const std::string& text);
-
 std::string joined(const std::vector<std::string>& words, const std::string& separator);
 
 }  // namespace frana

@@ -43,6 +43,61 @@ TEST_F(Render, ViewAndFilm) {
     EXPECT_EQ(read_text(path("film.gif")).substr(0, 3), "GIF");
 }
 
+TEST_F(Render, AnyRasterOfTheResultAndAnyTime) {
+    const Outcome outcome = frana({"render", "result", "--map", "release", "--map", "depth@2.1", "--size", "800x600"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "result/maps/release.png\nresult/maps/depth_t2.png\n");
+    const Outcome all = frana({"render", "result", "--size", "640x480", "--out", "all"});
+    ASSERT_EQ(all.exit_code, 0) << all.err;
+    for (const std::string name :
+         {"max_depth", "max_velocity", "final_depth", "arrival_time", "max_pressure", "release"})
+        EXPECT_TRUE(fs::exists(path("all/" + name + ".png"))) << name;
+    EXPECT_FALSE(fs::exists(path("all/dtm.png")));
+}
+
+TEST_F(Render, PagesAndFormats) {
+    const Outcome outcome = frana({"render", "result", "--map", "max_depth", "--size", "A4", "--format", "png",
+                                   "--format", "pdf", "--format", "tif", "--legend", "continuous", "--attribution",
+                                   "Terrain: survey of 2019", "--out", "page"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(png_size(path("page/max_depth.png")), (std::pair{1754, 1240}));
+    EXPECT_EQ(read_text(path("page/max_depth.pdf")).substr(0, 5), "%PDF-");
+    EXPECT_EQ(read_text(path("page/max_depth.tif")).substr(0, 2), "II");
+}
+
+TEST_F(Render, ChartsAndPlates) {
+    const Outcome charts = frana({"render", "result", "--charts", "--size", "800x600"});
+    ASSERT_EQ(charts.exit_code, 0) << charts.err;
+    EXPECT_NE(charts.out.find("result/charts/profile_flow_path.png"), std::string::npos) << charts.out;
+    EXPECT_NE(charts.out.find("result/charts/timeseries.png"), std::string::npos);
+    const Outcome plates = frana({"render", "result", "--plates", "--size", "1600x1200"});
+    ASSERT_EQ(plates.exit_code, 0) << plates.err;
+    for (const std::string name : {"initial_state", "snapshots", "stresses"})
+        EXPECT_EQ(png_size(path("result/plates/" + name + ".png")), (std::pair{1600, 1200})) << name;
+}
+
+TEST_F(Render, FilmsBesideEachOtherInFlightAndAsPictures) {
+    const Outcome beside =
+        frana({"render", "result", "--animation", "two.mp4", "--beside", "result", "--size", "1280x480"});
+    ASSERT_EQ(beside.exit_code, 0) << beside.err;
+    EXPECT_EQ(read_text(path("two.mp4")).substr(4, 4), "ftyp");
+    const Outcome flight = frana({"render", "result", "--animation", "flight/", "--view", "3d", "--fly", "--map",
+                                  "velocity", "--size", "640x480"});
+    ASSERT_EQ(flight.exit_code, 0) << flight.err;
+    EXPECT_EQ(png_size(path("flight/frame_0000.png")), (std::pair{640, 480}));
+    EXPECT_NE(read_text(path("flight/frame_0000.png")), read_text(path("flight/frame_0004.png")));
+}
+
+TEST_F(Render, RastersOfOtherProgramsOverATerrain) {
+    const Outcome outcome = frana({"render", "result/max_velocity.tif", "--dtm", "dtm.asc", "--size", "800x600",
+                                   "--out", "foreign"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "foreign/max_velocity.png\n");
+    EXPECT_EQ(frana({"render", "result/max_velocity.tif", "--view", "3d"}).exit_code, 2);
+    EXPECT_EQ(frana({"render", "result/max_velocity.tif", "--map", "max_depth"}).exit_code, 2);
+    EXPECT_EQ(frana({"render", "scene.ini"}).exit_code, 2);
+}
+
 TEST_F(Render, MistakesAreRefused) {
     const Outcome unknown = frana({"render", "result", "--map", "depth_max"});
     EXPECT_EQ(unknown.exit_code, 2);
@@ -51,6 +106,15 @@ TEST_F(Render, MistakesAreRefused) {
     EXPECT_EQ(frana({"render", "result", "--size", "12"}).exit_code, 2);
     EXPECT_EQ(frana({"render", "result", "--animation", "film.avi"}).exit_code, 2);
     EXPECT_FALSE(fs::exists(path("film.avi")));
+    // All at once.
+    const Outcome several = frana({"render", "result", "--size", "12", "--legend", "fine", "--format", "bmp",
+                                   "--camera", "up", "--exaggeration", "99", "--background", "none.tif"});
+    EXPECT_EQ(several.exit_code, 2);
+    for (const std::string option : {"--size", "--legend", "--format", "--camera", "--exaggeration", "--background"})
+        EXPECT_NE(several.err.find(option), std::string::npos) << option << "\n" << several.err;
+    EXPECT_EQ(frana({"render", "result", "--fly"}).exit_code, 2);
+    EXPECT_EQ(frana({"render", "result", "--charts", "--map", "max_depth"}).exit_code, 2);
+    EXPECT_EQ(frana({"render", "result", "--map", "depth@soon"}).exit_code, 2);
 }
 
 }  // namespace

@@ -29,12 +29,6 @@ TEST(ValueText, WordsAndSwitches) {
     EXPECT_FALSE(boolean_from_text("maybe"));
 }
 
-TEST(ValueText, PictureSizes) {
-    EXPECT_EQ(size_from_text("1600x1200")->height, 1200);
-    for (const std::string bad : {"1600", "1600x", "x1200", "10x10", "640x400", "1600x1200x3", "99999x400"})
-        EXPECT_FALSE(size_from_text(bad)) << bad;
-}
-
 TEST(Json, EscapesAndNests) {
     JsonWriter json;
     json.begin_object().text("a\"b", "line\nend\\").number("x", 0.1).number("none", 0.0 / 0.0);

@@ -60,6 +60,30 @@ TEST_P(AtSize, MapsAreTidy) {
     EXPECT_FALSE(layout.north_arrow.overlaps(layout.map));
 }
 
+TEST_P(AtSize, MapsWithEverythingAreTidy) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    const auto [width, height] = GetParam();
+    for (const bool continuous : {false, true}) {
+        MapSpec spec = test::crowded_map(ground, layer, width, height);
+        spec.continuous = continuous;
+        MapLayout layout;
+        const Image map = draw_map(spec, &layout);
+        expect_tidy(layout.texts, layout.page, map);
+        EXPECT_GT(layout.map.width() * layout.map.height(), 0.25 * width * height) << "the map itself must stay large";
+        for (const TextBox& text : layout.texts) {
+            EXPECT_TRUE(text.box.inside(layout.map) || !text.box.overlaps(layout.map)) << text.text;
+            EXPECT_FALSE(text.box.overlaps(layout.scale_bar)) << text.text;
+            EXPECT_FALSE(layout.inset && text.box.overlaps(*layout.inset)) << text.text;
+        }
+        if (layout.inset) {
+            EXPECT_TRUE(layout.inset->inside(layout.page));
+            EXPECT_FALSE(layout.inset->overlaps(layout.map));
+            EXPECT_FALSE(layout.inset->overlaps(layout.scale_bar));
+            EXPECT_FALSE(layout.inset->overlaps(layout.north_arrow));
+        }
+    }
+}
+
 TEST_P(AtSize, ViewsAreTidy) {
     const Raster ground = test::terrain(), layer = test::tongue();
     const auto [width, height] = GetParam();
@@ -84,7 +108,9 @@ TEST_P(AtSize, ViewsAreTidy) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, AtSize,
                          testing::Values(std::pair{800, 600}, std::pair{1600, 1200}, std::pair{1280, 720},
-                                         std::pair{640, 480}, std::pair{900, 1200}, std::pair{2400, 1000}),
+                                         std::pair{640, 480}, std::pair{900, 1200}, std::pair{2400, 1000},
+                                         std::pair{1754, 1240}, std::pair{1240, 1754},  // A4 at 150 dpi
+                                         std::pair{3508, 2480}),                        // A4 at 300 dpi
                          [](const auto& size) {
                              return std::to_string(size.param.first) + "x" +
                                     std::to_string(size.param.second);

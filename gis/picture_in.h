@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/grid_spec.h"
+
+namespace frana::gis {
+
+/// Looks whether a file can lie under a map: an orthophoto or a scanned or tiled map in bytes, in one band (grey or
+/// with a colour table) or three and more, with a place on the ground. `crs_wkt` is the map's. `where` names the key.
+/// Throws Error(input).
+void check_picture(const std::string& path, const std::string& crs_wkt, const std::string& where);
+
+/// The part of such a file that lies in `box` of the map's CRS, warped by GDAL to so many pixels: red, green, blue
+/// and opacity of each, row by row from the top, colours multiplied by the opacity; 0 where the file has nothing.
+/// Throws Error(input).
+std::vector<std::uint8_t> warp_picture(const std::string& path, const std::string& crs_wkt, const Bounds& box,
+                                       int width, int height);
+
+}  // namespace frana::gis

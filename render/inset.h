@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "render/map_body.h"
+#include "render/page_style.h"
+
+namespace frana::render {
+
+/// Where a small map of all the terrain stands in the room left for it; none where the room is too small or the
+/// window shows nearly all of the terrain anyway.
+std::optional<MapFrame> inset_frame(const Bounds& terrain, const Bounds& window, const PageStyle& style,
+                                    const PageBox& room);
+
+/// The relief of all the terrain with the map's window as a rectangle in it, framed; of the inset's size.
+Image draw_inset(const PageStyle& style, MapFrame inset, const Raster& terrain, const Bounds& window);
+
+}  // namespace frana::render

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Continuous colours, the inset, places and lines, and a user's picture under the map.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/map2d.h"
+#include "scenes.h"
+
+namespace frana::render {
+namespace {
+
+std::pair<int, int> pixel(const MapLayout& layout, Point map) {
+    return {static_cast<int>(layout.map.left + (map.x - layout.window.west) / layout.metres_per_pixel),
+            static_cast<int>(layout.map.top + (layout.window.north - map.y) / layout.metres_per_pixel)};
+}
+
+TEST(ContinuousLegend, EveryCellHasTheColourOfItsValueInTheRamp) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec spec = test::full_map(ground, layer, 1000, 800);
+    spec.outlines.clear();
+    spec.contours = false;
+    spec.continuous = true;
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    ASSERT_GT(layout.legend.size(), 100U);
+    int seen = 0, cells = 0;
+    for (std::int64_t row = 20; row < 85; ++row) {
+        for (std::int64_t column = 50; column < 70; ++column) {
+            Point at = layer.grid.cell_centre(row, column);
+            at.x += layer.grid.cell_size / 4;
+            at.y += layer.grid.cell_size / 4;
+            const auto entry = std::find_if(layout.legend.begin(), layout.legend.end(), [&](const LegendEntry& one) {
+                return one.lower <= layer.at(row, column) && layer.at(row, column) < one.upper;
+            });
+            ASSERT_NE(entry, layout.legend.end());
+            const auto [x, y] = pixel(layout, at);
+            seen += map.colour(x, y) == entry->colour ? 1 : 0;
+            ++cells;
+        }
+    }
+    EXPECT_GE(seen, cells - 30);  // all but those under a coordinate cross
+    // The ramp has no gap and its colours are on the page, in the order of the values.
+    for (std::size_t i = 1; i < layout.legend.size(); ++i) {
+        EXPECT_DOUBLE_EQ(layout.legend[i].box.top, layout.legend[i - 1].box.bottom);
+        EXPECT_DOUBLE_EQ(layout.legend[i].upper, layout.legend[i - 1].lower);
+    }
+    const LegendEntry& middle = layout.legend[layout.legend.size() / 2];
+    const Rgb inked = map.colour(static_cast<int>((middle.box.left + middle.box.right) / 2),
+                                 static_cast<int>((middle.box.top + middle.box.bottom) / 2));
+    EXPECT_TRUE(test::near(inked, middle.colour, 6));  // a slice is about a pixel high: its neighbours differ by 2
+}
+
+TEST(ContinuousLegend, BoundsAreNumberedAtTheirPlace) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec spec = test::full_map(ground, layer, 1600, 1200);
+    spec.continuous = true;
+    MapLayout layout;
+    draw_map(spec, &layout);
+    for (const char* bound : {"0", "2", "4", "6", "8", "10"}) {
+        const auto text = std::find_if(layout.texts.begin(), layout.texts.end(), [&](const TextBox& one) {
+            return one.text == bound && one.box.left > layout.legend.front().box.right &&
+                   one.box.top < layout.legend.back().box.bottom + 20;
+        });
+        ASSERT_NE(text, layout.texts.end()) << bound;
+        const double middle = (text->box.top + text->box.bottom) / 2;
+        double edge = layout.legend.back().box.bottom;
+        for (const LegendEntry& one : layout.legend)
+            if (std::fabs(one.upper - std::stod(bound)) < 1e-9) edge = one.box.top;
+        EXPECT_NEAR(middle, edge, 1.5) << bound;  // letters' ink is whole pixels
+    }
+}
+
+TEST(Inset, ShowsAllTerrainWithTheWindowInItsPlace) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    const MapSpec spec = test::crowded_map(ground, layer, 1600, 1200);
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    ASSERT_TRUE(layout.inset.has_value());
+    const double metre = layout.inset_window.width() / layout.inset->width();
+    EXPECT_NEAR(layout.inset->width() / layout.inset->height(), ground.grid.bounds().width() /
+                ground.grid.bounds().height(), 0.03);  // whole pixels
+    const auto red = [&](double x, double y) {
+        const Rgb c = map.colour(static_cast<int>(layout.inset->left + (x - layout.inset_window.west) / metre),
+                                 static_cast<int>(layout.inset->top + (layout.inset_window.north - y) / metre));
+        return c.r > 120 && c.g < 110;
+    };
+    const double y = (layout.window.south + layout.window.north) / 2;
+    EXPECT_TRUE(red(layout.window.west, y));
+    EXPECT_TRUE(red(layout.window.east, y));
+    EXPECT_FALSE(red((layout.window.west + layout.window.east) / 2, y));
+}
+
+TEST(Inset, IsLeftOutWhereTheMapShowsNearlyEverything) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec spec = test::crowded_map(ground, layer, 1600, 1200);
+    spec.window = ground.grid.bounds();
+    MapLayout layout;
+    draw_map(spec, &layout);
+    EXPECT_FALSE(layout.inset.has_value());
+}
+
+TEST(Places, StandWhereTheyAreWithTheirNames) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec spec = test::crowded_map(ground, layer, 1600, 1200);
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    for (const NamedPlace& one : spec.outlines[2].places) {
+        const auto [x, y] = pixel(layout, one.place);
+        EXPECT_TRUE(test::near(map.colour(x, y), {150, 0, 60}, 12)) << one.name;
+        const auto text = std::find_if(layout.texts.begin(), layout.texts.end(),
+                                       [&](const TextBox& box) { return box.text == one.name; });
+        ASSERT_NE(text, layout.texts.end()) << one.name;
+        const double away =
+            std::max({text->box.left - x, x - text->box.right, text->box.top - y, y - text->box.bottom});
+        EXPECT_LT(away, 2 * layout.font_px) << one.name;
+    }
+    const auto [x, y] = pixel(layout, {527605, 5094410});  // on the section
+    bool found = false;
+    for (int shift = -2; shift <= 2; ++shift) found = found || test::near(map.colour(x, y + shift), {70, 50, 120}, 25);
+    EXPECT_TRUE(found);
+}
+
+TEST(Background, LiesUnderTheMapInItsPlaceAndTheLayerOverIt) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec spec = test::full_map(ground, layer, 1000, 800);
+    spec.outlines.clear();
+    spec.contours = false;
+    // Green west of 527300, nothing north of 5094900, blue elsewhere.
+    spec.background = [](const Bounds& window, int width, int height) {
+        LayerImage picture{width, height, {}};
+        for (int row = 0; row < height; ++row) {
+            for (int column = 0; column < width; ++column) {
+                const double x = window.west + (column + 0.5) * window.width() / width;
+                const double y = window.north - (row + 0.5) * window.height() / height;
+                const bool there = y < 5094900, west = x < 527300;
+                for (const int v : {0, there && west ? 200 : 0, there && !west ? 200 : 0, there ? 255 : 0})
+                    picture.rgba.push_back(static_cast<std::uint8_t>(v));
+            }
+        }
+        return picture;
+    };
+    spec.window = Bounds{527050, 5094050, 527950, 5094950};
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    const auto at = [&](double x, double y) {
+        const auto [column, row] = pixel(layout, {x, y});
+        return map.colour(column, row);
+    };
+    const Rgb west = at(527277, 5094333), east = at(527323, 5094333), north = at(527277, 5094922);
+    EXPECT_GT(west.g, west.b + 100);
+    EXPECT_GT(east.b, east.g + 100);
+    EXPECT_NEAR(north.r, north.g, 3);  // the paper of no terrain shows through
+    const Rgb flow = at(layer.grid.cell_centre(52, 59).x + 2, layer.grid.cell_centre(52, 59).y + 2);
+    EXPECT_EQ(flow, layout.legend.front().colour);
+}
+
+}  // namespace
+}  // namespace frana::render
