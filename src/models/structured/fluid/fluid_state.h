@@ -57,7 +57,7 @@ struct FluidLaws {
 
 /// Everything of the fluid that changes while it runs.
 struct FluidState {
-    /// No fluid anywhere. `grid` lays tiles over the padded nodes.
+    /// No fluid anywhere.
     FluidState(const NodeGrid& nodes, const FluidLaws& laws);
 
     FluidFields now;  ///< the present; a coupling may change qx and qy of wet cells between steps
@@ -67,11 +67,11 @@ struct FluidState {
     double volume_left = 0;           ///< through open boundaries, into gaps included [m3]
     double volume_into_gaps = 0;      ///< of which into cells without terrain [m3]
 
-    // Kept by step.cpp.
+    // Kept by fluid_step.cpp.
+    std::vector<std::int64_t> touched;  ///< tiles that were ever in `tiles`; ascending
     FluidFields stage, next;              ///< buffers; as `now` outside `tiles`
     ZeroArray<std::uint8_t> wet;          ///< by tile: holds fluid deeper than the dry depth
     std::vector<std::uint8_t> cell_kind;  ///< padded; CellKind
-    bool plain = false;                   ///< every cell of the terrain is fluid: no wall, no gap
     std::vector<double> slope_factor;     ///< padded 1 / (1 + |grad b|^2); empty unless steep
 };
 

@@ -9,8 +9,8 @@
 namespace frana::structured {
 
 /// Adds fluid to cells, in the order given; volume and momentum are added as they are. Between two steps, by one
-/// thread.
-void receive(std::span<const FluidSource> sources, FluidState& state, const FluidLaws& laws);
+/// thread. Returns the depths that it could not add because a wall or a gap stands there [m].
+double receive(std::span<const FluidSource> sources, FluidState& state, const FluidLaws& laws);
 
 /// Longest step the present state allows (section 10) [s]; infinity where nothing is wet:
 ///     dt <= cfl / max[ (|u| + c)/dx + (|v| + c)/dx ],  c = sqrt(g h_u);   dt <= 0.1 dx^2 / nu
@@ -25,8 +25,8 @@ double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLa
 FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid,
                     double dt, ThreadPool& pool);
 
-/// Fluid inside [m3], summed tile by tile.
-double fluid_volume(const FluidState& state, const NodeGrid& nodes);
+/// Fluid inside [m3], summed tile by tile over what was ever wet.
+double fluid_volume(const FluidState& state, const NodeGrid& nodes, ThreadPool& pool);
 
 /// Velocity of a cell [m/s]; zero under the dry depth.
 inline double fluid_velocity(double depth, double discharge, double dry) noexcept {
