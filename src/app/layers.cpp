@@ -63,9 +63,23 @@ std::vector<Layer> result_layers() {
     };
 }
 
+std::vector<Layer> all_layers() {
+    std::vector<Layer> layers = result_layers();
+    layers.push_back({"fluid_velocity", "Velocity of the fluid", "Speed of the free fluid at the end, along the bed",
+                      "m/s", "velocity", false, nullptr});
+    return layers;
+}
+
+const Raster* find_layer(const RunResult& result, const Layer& layer) {
+    if (layer.values != nullptr) return &(result.*layer.values);
+    for (const NamedRaster& raster : result.more)
+        if (raster.name == layer.name) return &raster.values;
+    return nullptr;
+}
+
 Layer layer_named(const std::string& name) {
     std::string known;
-    for (const Layer& layer : result_layers()) {
+    for (const Layer& layer : all_layers()) {
         if (layer.name == name) return layer;
         known += (known.empty() ? "" : ", ") + layer.name;
     }

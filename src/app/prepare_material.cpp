@@ -66,6 +66,12 @@ Material material_of(const MaterialSpec& spec) {
     return material;
 }
 
+std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
+    if (spec.material.model != "structured") return std::nullopt;
+    const StructuredSpec& s = spec.structured;
+    return StructuredMaterial{s.fluid_density, s.manning, s.fluid_viscosity, s.velocity_shape, s.dry_depth};
+}
+
 Entrainment entrainment_of(const EntrainmentSpec& spec) {
     Entrainment e;
     e.erosion = spec.erosion == "shear-stress" ? ErosionLaw::shear_stress

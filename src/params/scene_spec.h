@@ -86,6 +86,16 @@ struct MaterialSpec {
     std::string yield_ratio = "exact";
 };
 
+/// [structured], where material.model = structured.
+struct StructuredSpec {
+    std::optional<std::string> phases;
+    double fluid_density = 1000;
+    double manning = 0.1;
+    double fluid_viscosity = 0;
+    double velocity_shape = 3;
+    double dry_depth = 1e-4;
+};
+
 /// [entrainment], in the units a user writes (degrees, metres per kPa).
 struct EntrainmentSpec {
     std::string erosion = "off";
@@ -163,6 +173,7 @@ struct SceneSpec {
     ReleaseSpec release;
     InflowSpec inflow;
     MaterialSpec material;
+    StructuredSpec structured;
     ZonesSpec zones;
     EntrainmentSpec entrainment;
     NumericsSpec numerics;

@@ -80,6 +80,15 @@ struct Material {
     }
 };
 
+/// What the structured model is made of.
+struct StructuredMaterial {
+    double fluid_density = 1000;   ///< [kg/m3]
+    double manning = 0.1;          ///< n [s/m^(1/3)]
+    double fluid_viscosity = 0;    ///< [Pa s]
+    double velocity_shape = 3;     ///< chi [-]
+    double dry_depth = 1e-4;       ///< [m]
+};
+
 enum class ErosionLaw { none, shear_stress, growth, mechanical };
 
 /// What the flow takes from its bed and leaves on it; src/physics/erosion_*.h and deposition_*.h describe the
@@ -191,6 +200,8 @@ struct Scene {
     std::vector<ReleaseArea> release;
     std::optional<double> release_volume;  ///< of all areas [m3]: their thicknesses are scaled alike to hold it
     std::vector<Inflow> inflows;
+    /// Given: the structured model runs, and material, zones and entrainment are not read.
+    std::optional<StructuredMaterial> structured;
     Material material;
     MaterialZones zones;
     Entrainment entrainment;

@@ -92,9 +92,23 @@ void add_numerics(const Numerics& numerics, Words& words) {
     if (transfer_of(numerics) == Transfer::apic) words.emplace_back("splitting and merging");
 }
 
+Words structured_terms(const Scene& scene) {
+    const StructuredMaterial& m = *scene.structured;
+    Words words{"hydrostatic pressure", "bed slope"};
+    if (scene.numerics.slope_correction != SlopeCorrection::none) words.emplace_back("slope correction: normal");
+    if (m.manning > 0) words.emplace_back("Manning bed resistance");
+    if (m.fluid_viscosity > 0) {
+        words.emplace_back("in-plane viscosity");
+        if (m.velocity_shape > 0) words.emplace_back("viscous shear at the bed");
+    }
+    words.emplace_back("finite volumes, MUSCL with hydrostatic reconstruction, HLL");
+    return words;
+}
+
 }  // namespace
 
 std::vector<std::string> list_terms(const Scene& scene) {
+    if (scene.structured) return structured_terms(scene);
     const Material& material = scene.material;
     const Numerics& numerics = scene.numerics;
     Words words{"hydrostatic pressure", "bed slope"};
