@@ -89,7 +89,7 @@ void print_run(const Prepared& prepared, const RunEstimate& expected,
     line("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                         : "is the bed: the release lies on top of it");
     const std::string node_bytes = std::to_string(expected.bytes_per_node) + " bytes a ";
-    if (prepared.scene.structured) {
+    if (expected.particles == 0) {
         line("fields", node_bytes + "cell");
     } else {
         line("particles",

@@ -45,7 +45,7 @@ Spec furnished(const MapSource& source, const Layer& layer, const Raster& values
 
 std::string map_subtitle(const MapFacts& facts) {
     const std::string model =
-        facts.model == "structured" ? "Structured model, fluid" : "Voellmy-Bingham, scheme " + facts.scheme;
+        facts.model == "structured" ? "Structured model" : "Voellmy-Bingham, scheme " + facts.scheme;
     return model + ", " + figure(facts.simulated_seconds, 3) + " s simulated";
 }
 

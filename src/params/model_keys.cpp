@@ -16,10 +16,43 @@ const std::set<std::string> k_voellmy_bingham_only{"material.preset",        "te
                                                    "numerics.transfer",      "numerics.well-balanced",
                                                    "numerics.curvature"};
 
-void check_structured(const SceneSpec& scene, const std::string& file, Problems& problems) {
+// Keys of [structured] that fluid alone reads too.
+const std::set<std::string> k_fluid_keys{"structured.phases",         "structured.fluid-density", "structured.fluid-viscosity",
+                                         "structured.velocity-shape", "structured.manning",       "structured.dry-depth"};
+
+bool has_solids(const SceneSpec& scene) {
+    return scene.structured.phases == "solids-and-fluid";
+}
+
+void check_solids(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
+                  Problems& problems) {
+    const StructuredSpec& s = scene.structured;
+    for (const char* key : {"structured.cohesion", "structured.internal-friction-angle"}) {
+        if (given.count(key) == 0)
+            problems.add({"is missing", file + ": " + key, "", "", "structured.phases = solids-and-fluid needs it"});
+    }
+    if (!(s.young_modulus < 9 * s.bulk_modulus)) {
+        problems.add({"makes the material unstable", file + ": structured.young-modulus",
+                      shortest_text(s.young_modulus) + " Pa",
+                      "less than 9 times structured.bulk-modulus, " + shortest_text(9 * s.bulk_modulus) + " Pa",
+                      "Lower it or raise the bulk modulus"});
+    }
+    if (scene.numerics.particles_per_cell < 9) {
+        problems.add({"is too few for the neighbour sums of solids", file + ": numerics.particles-per-cell",
+                      std::to_string(scene.numerics.particles_per_cell), "9, 16", "Set it to 9"});
+    }
+    for (const std::string& name : given) {
+        if (name != "release.start" && !in_section(name, "inflow")) continue;
+        problems.add({"is not available in this version with structured.phases = solids-and-fluid", file + ": " + name,
+                      "", "", "Remove it, or set structured.phases = fluid"});
+    }
+}
+
+void check_structured(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
+                      Problems& problems) {
     if (!scene.structured.phases) {
-        problems.add({"is missing", file + ": structured.phases", "", "fluid",
-                      "Set structured.phases = fluid; blocks of solids are not available in this version"});
+        problems.add({"is missing", file + ": structured.phases", "", "fluid, solids-and-fluid",
+                      "Say what the release is"});
     }
     if (scene.numerics.cfl > 0.5) {
         problems.add({"is too long a step for material.model = structured", file + ": numerics.cfl",
@@ -29,12 +62,14 @@ void check_structured(const SceneSpec& scene, const std::string& file, Problems&
         problems.add({"is not a form of material.model = structured", file + ": numerics.slope-correction", "surface",
                       "auto, none, normal", "Choose normal or none"});
     }
+    if (has_solids(scene)) check_solids(scene, given, file, problems);
 }
 
 }  // namespace
 
-bool model_reads(const std::string& model, const std::string& name) {
-    if (model != "structured") return !in_section(name, "structured");
+bool model_reads(const SceneSpec& scene, const std::string& name) {
+    if (scene.material.model != "structured") return !in_section(name, "structured");
+    if (in_section(name, "structured")) return k_fluid_keys.count(name) > 0 || has_solids(scene);
     if (name == "material.model") return true;
     return !in_section(name, "material") && !in_section(name, "zones") && !in_section(name, "entrainment") &&
            k_voellmy_bingham_only.count(name) == 0;
@@ -42,14 +77,18 @@ bool model_reads(const std::string& model, const std::string& name) {
 
 void check_model(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                  Problems& problems) {
-    const std::string& model = scene.material.model;
+    const bool structured = scene.material.model == "structured";
     for (const std::string& name : given) {
         // What a preset brought is not the scene's word: the preset itself is refused.
-        if (model_reads(model, name) || scene.origin_of(name) == Origin::preset) continue;
-        problems.add({"is given, but material.model = " + model + " does not read it", file + ": " + name, "", "",
-                      "Remove it, or choose the other model"});
+        if (model_reads(scene, name) || scene.origin_of(name) == Origin::preset) continue;
+        const bool solids_key = structured && in_section(name, "structured");
+        const std::string reader = solids_key ? "structured.phases = " + scene.structured.phases.value_or("(missing)")
+                                              : "material.model = " + scene.material.model;
+        problems.add({"is given, but " + reader + " does not read it", file + ": " + name, "", "",
+                      solids_key ? "Remove it, or set structured.phases = solids-and-fluid"
+                                 : "Remove it, or choose the other model"});
     }
-    if (model == "structured") check_structured(scene, file, problems);
+    if (structured) check_structured(scene, given, file, problems);
 }
 
 }  // namespace frana

@@ -9,8 +9,8 @@
 
 namespace frana {
 
-/// Whether a model ("voellmy-bingham", "structured") reads a key.
-bool model_reads(const std::string& model, const std::string& name);
+/// Whether the model of a scene reads a key.
+bool model_reads(const SceneSpec& scene, const std::string& name);
 
 /// What a scene says that its model does not read, and what the structured model needs or cannot do.
 /// @param given names that the file or the command line gave  @param file for messages

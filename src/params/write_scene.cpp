@@ -27,7 +27,7 @@ std::string scene_text(const SceneSpec& scene, const std::map<std::string, std::
         scene.file + "\n";
     std::string section;
     for (const Parameter& parameter : scene_parameters()) {
-        if (!model_reads(scene.material.model, parameter.name())) continue;
+        if (!model_reads(scene, parameter.name())) continue;
         if (parameter.section != section) {
             section = parameter.section;
             text += "\n[" + section + "]\n";

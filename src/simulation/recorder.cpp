@@ -79,12 +79,12 @@ Recorder::NodeState Recorder::state_of(const Flow& flow, std::size_t node) const
 }
 
 Recorder::NodeState Recorder::state_of(const StructuredFlow& flow, std::size_t node) const {
-    const structured::FluidFields& now = flow.fluid().now;
+    const StructuredFlow::Column column = flow.column(node);
+    if (!(column.depth > 0)) return {};
     NodeState state;
-    state.depth = state.held = now.depth[node];
-    if (!(state.depth > 0)) return {};
-    state.moved_x = now.qx[node];
-    state.moved_y = now.qy[node];
+    state.depth = state.held = column.depth;
+    state.moved_x = column.qx;
+    state.moved_y = column.qy;
     state.u = state.moved_x / state.depth;
     state.v = state.moved_y / state.depth;
     state.speed = flow.speed(node);

@@ -123,20 +123,26 @@ void note_scaling(const std::vector<ReleasedArea>& areas, std::vector<std::strin
     }
 }
 
-// What a model shows at the end besides depth and the maxima.
+// What a model shows besides depth and speed.
 std::vector<NamedRaster> more_of(const Flow&) {
     return {};
 }
 
 std::vector<NamedRaster> more_of(const StructuredFlow& flow) {
-    return {{"fluid_velocity", flow.snapshot().speed}};
+    return flow.phases();
+}
+
+// Of fluid alone the frame's depth and velocity say it all.
+template <class AnyFlow>
+bool frames_show_more(const AnyFlow& flow) {
+    return flow.particle_count() > 0;
 }
 
 template <class AnyFlow>
 Frame take_frame(AnyFlow& flow, int index) {
     flow.synchronise();
     auto shot = flow.snapshot();
-    return {index, flow.time(), std::move(shot.depth), std::move(shot.speed), {}};
+    return {index, flow.time(), std::move(shot.depth), std::move(shot.speed), frames_show_more(flow) ? more_of(flow) : std::vector<NamedRaster>{}};
 }
 
 // A wall's cell holds nothing, though the nodes there gather a share of what leans against it.
@@ -357,9 +363,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     Release release = make_release(scene);
     Arrivals arrivals(scene, std::exchange(release.later, {}));
     if (scene.structured) {
-        StructuredFlow flow(release.bed_at_start, *scene.structured, scene.numerics, options.threads);
-        if (scene.walls) flow.add_walls(*scene.walls);
-        flow.add_particles(std::exchange(release.particles, ParticleSet()));
+        StructuredFlow flow(release.bed_at_start, scene.walls, *scene.structured, scene.numerics,
+                            std::exchange(release.particles, ParticleSet()), options.threads);
         return run_flow(scene, options, release, arrivals, flow, engine);
     }
     Flow flow(release.bed_at_start, std::exchange(release.particles, ParticleSet()), scene.material, scene.numerics,
@@ -378,9 +383,8 @@ RunEstimate estimate(const Scene& scene, int threads) {
     const Arrivals::Taken rest = arrivals.take(scene.time.end);
     e.inflow = rest.inflow;
     if (scene.structured) {
-        StructuredFlow flow(release.bed, *scene.structured, scene.numerics, threads);
-        if (scene.walls) flow.add_walls(*scene.walls);
-        flow.add_particles(release.particles);
+        StructuredFlow flow(release.bed, scene.walls, *scene.structured, scene.numerics, release.particles, threads);
+        e.particles = flow.particle_count();
         estimate_flow(scene, rest, flow, e);
         return e;
     }

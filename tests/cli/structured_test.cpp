@@ -51,6 +51,33 @@ TEST_F(StructuredScene, WritesTheSameFilesAsTheFirstModel) {
     EXPECT_NEAR(volume, summary_number("result", "final_m3"), 0.02 * 4000);
 }
 
+// Blocks of solids with their water, through the same pipeline: both phases in rasters and frames, nothing lost.
+TEST_F(StructuredScene, RunsSolidsWithTheirFluid) {
+    write_fluid("frame-interval = 1\n[numerics]\nparticles-per-cell = 9\n[output]\nmaps = off\nanimation = off\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2", "--set",
+                                   "structured.phases=solids-and-fluid", "--set", "structured.cohesion=2e3", "--set",
+                                   "structured.internal-friction-angle=28", "--set",
+                                   "structured.bed-friction-angle=12", "--set", "structured.young-modulus=1e6", "--set",
+                                   "structured.bulk-modulus=1e6"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string name : {"solid_depth", "solid_velocity", "solid_fraction", "cohesion_ratio", "strain",
+                                   "fluid_depth", "fluid_velocity", "released_water"}) {
+        EXPECT_TRUE(fs::exists(path("result/" + name + ".tif"))) << name;
+        EXPECT_TRUE(fs::exists(path("result/" + name + ".qml"))) << name;
+    }
+    EXPECT_TRUE(fs::exists(path("result/frames/solid_depth_0002.tif")));
+    EXPECT_GT(summary_number("result", "particle_steps"), 0);
+    EXPECT_NEAR(summary_number("result", "initial_m3"), 4000, 1e-6);
+    EXPECT_LT(summary_number("result", "relative_error"), 1e-12);
+    // Half of the mass is solids: no more of them lies in the raster than there is.
+    const Raster solids = gis::read_result_raster(path("result/solid_depth.tif"));
+    double volume = 0;
+    for (const double d : solids.values) volume += std::isnan(d) ? 0 : d * k_cell * k_cell;
+    EXPECT_NEAR(volume, 2000, 0.02 * 2000);
+    const Raster left = gis::read_result_raster(path("result/cohesion_ratio.tif"));
+    for (const double c : left.values) EXPECT_TRUE(std::isnan(c) || (c >= 0 && c <= 1));
+}
+
 // `frana run` on what a run wrote repeats it to the last bit, with another number of threads.
 TEST_F(StructuredScene, EchoRepeatsTheRun) {
     write_fluid(k_numbers_only);
@@ -127,7 +154,20 @@ TEST_P(StructuredRefuses, ByName) {
 INSTANTIATE_TEST_SUITE_P(
     What, StructuredRefuses,
     ::testing::Values(
-        Refused{"solids", {"structured.phases=solids-and-fluid"}, {"structured.phases", "not available in this version"}},
+        Refused{"solids_without_strength",
+                {"structured.phases=solids-and-fluid"},
+                {"structured.cohesion", "structured.internal-friction-angle", "is missing", "numerics.particles-per-cell"}},
+        Refused{"solids_that_come_later",
+                {"structured.phases=solids-and-fluid", "structured.cohesion=1e4", "structured.internal-friction-angle=30",
+                 "numerics.particles-per-cell=9", "release.start=3"},
+                {"release.start", "not available in this version"}},
+        Refused{"solids_keys_of_fluid_alone",
+                {"structured.cohesion=1e4"},
+                {"structured.cohesion", "structured.phases = fluid does not read it"}},
+        Refused{"stiffness_out_of_bounds",
+                {"structured.phases=solids-and-fluid", "structured.cohesion=1e4", "structured.internal-friction-angle=30",
+                 "numerics.particles-per-cell=9", "structured.bulk-modulus=1e6"},
+                {"structured.young-modulus", "less than 9 times"}},
         Refused{"keys_of_the_other_model",
                 {"material.friction-angle=20", "numerics.scheme=paper", "entrainment.erosion=growth"},
                 {"3 problems", "material.friction-angle", "numerics.scheme", "entrainment.erosion", "does not read it"}},
