@@ -11,6 +11,9 @@ namespace frana::structured {
 
 /// Parameters and laws; const while the run lasts.
 struct Laws {
+    /// @param smoothing_length of the solids' kernel [m]
+    explicit Laws(double smoothing_length) : solid(smoothing_length) {}
+
     SolidLaws solid;
     CouplingLaws coupling;
     FluidLaws fluid;

@@ -8,10 +8,10 @@
 
 namespace frana::structured {
 
-/// What a scene's solids carry: cohesion that can be lost, confined fluid. Without a field nothing is computed for it.
-template <bool Fractures, bool Wet>
+/// What a scene's solids carry: cohesion, which can be lost, and confined fluid. Without a field nothing is computed for it.
+template <bool Cohesive, bool Wet>
 struct SolidKind {
-    static constexpr bool fractures = Fractures, wet = Wet;
+    static constexpr bool cohesive = Cohesive, wet = Wet;
 };
 
 inline constexpr FieldMask k_solid_fields =
@@ -19,16 +19,16 @@ inline constexpr FieldMask k_solid_fields =
     FieldMask{Field::t_xx, Field::t_yy,     Field::t_zz,         Field::t_xy,          Field::e_xx,
               Field::e_yy, Field::e_xy,     Field::friction,     Field::bed_friction,  Field::grain_density,
               Field::push_x, Field::push_y, Field::flatness};
-inline constexpr FieldMask k_fracture_fields{Field::cohesion, Field::cohesion_ratio, Field::damage};
+inline constexpr FieldMask k_cohesion_fields{Field::cohesion, Field::cohesion_ratio, Field::damage};
 inline constexpr FieldMask k_wet_fields{Field::confined, Field::submergence, Field::grain_diameter};
 inline constexpr FieldMask k_release_fields{Field::released, Field::released_x, Field::released_y};
 
 /// The fields of a scene's solids.
-inline constexpr FieldMask solid_fields(bool fractures, bool wet) {
+inline constexpr FieldMask solid_fields(bool cohesive, bool wet) {
     FieldMask fields = k_solid_fields;
-    if (fractures) fields = fields | k_fracture_fields;
+    if (cohesive) fields = fields | k_cohesion_fields;
     if (wet) fields = fields | k_wet_fields;
-    if (fractures && wet) fields = fields | k_release_fields;
+    if (cohesive && wet) fields = fields | k_release_fields;
     return fields;
 }
 
@@ -56,7 +56,7 @@ ColumnState column_state(const SolidLaws& laws, const ParticleSet& particles, st
         confined = particles[Field::confined][p];
         submerged = particles[Field::submergence][p];
     }
-    if constexpr (Kind::fractures) {
+    if constexpr (Kind::cohesive) {
         ratio = particles[Field::cohesion_ratio][p];
         s.cohesion = ratio * particles[Field::cohesion][p];
     }

@@ -62,7 +62,7 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, Particle
         particles[Field::e_xx][p] = strain.xx + dt * l.xx;
         particles[Field::e_yy][p] = strain.yy + dt * l.yy;
         particles[Field::e_xy][p] = strain.xy + dt * l.shear();
-        if constexpr (Kind::fractures) {
+        if constexpr (Kind::cohesive) {
             const double before = particles[Field::cohesion_ratio][p];
             if (laws.fractures && yielded && before > 0) {
                 const double damage = particles[Field::damage][p] + dt * laws.fragmentation.rate(l);

@@ -15,7 +15,7 @@ constexpr double k_least_distance = 1e-9;
 /// L_ab = sum_j A_j (v_j - v_i)_a grad_b W, times the inverse of B = sum_j A_j (x_j - x_i) (x) grad W, which makes it exact
 /// for linear velocities (Randles & Libersky 1996); uncorrected where B is nearly singular.
 void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKernel& kernel, PairWork& w) {
-    constexpr double k_least_determinant = 0.1;
+    constexpr double k_least_determinant = 0.01;  // a corner has some 0.06
     const double length = kernel.length(), scale = kernel.value(0) / (length * length);
     const Quad inverse(1 / length);
     for (std::int64_t column = 0; column < order.columns(); ++column) {

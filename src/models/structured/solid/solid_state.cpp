@@ -45,12 +45,12 @@ void load_work(SolidState& state, ThreadPool& pool) {
 
 }  // namespace
 
-SolidStages choose_solid_stages(bool fractures, bool wet, bool fast) {
-    SolidStages stages = fractures ? (wet ? stages_of<SolidKind<true, true>>() : stages_of<SolidKind<true, false>>())
+SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast) {
+    SolidStages stages = cohesive ? (wet ? stages_of<SolidKind<true, true>>() : stages_of<SolidKind<true, false>>())
                                    : (wet ? stages_of<SolidKind<false, true>>() : stages_of<SolidKind<false, false>>());
-    stages.fields = solid_fields(fractures, wet);
+    stages.fields = solid_fields(cohesive, wet);
     stages.pairs = fast ? &pair_kernels() : &plain_pair_kernels();
-    stages.releases = fractures && wet;
+    stages.releases = cohesive && wet;
     return stages;
 }
 

@@ -44,8 +44,8 @@ struct SolidStages {
     bool releases = false;  ///< confined fluid can become free
 };
 
-/// The stages for solids that can lose cohesion or not, with fluid in the scene or not.
-SolidStages choose_solid_stages(bool fractures, bool wet, bool fast = true);
+/// The stages for solids with cohesion, which they can lose, or without; with fluid in the scene or not.
+SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast = true);
 
 /// Sorts the particles, dropping those beyond the edges, and sets `mean`.
 void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
