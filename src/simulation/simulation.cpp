@@ -14,6 +14,7 @@
 #include "simulation/release.h"
 #include "simulation/step_figures.h"
 #include "simulation/structured_flow.h"
+#include "simulation/structured_laws.h"
 #include "simulation/terms.h"
 
 namespace frana {
@@ -160,7 +161,7 @@ Raster pressure_kpa(const Raster& speed, double density) {
 }
 
 double density_of(const Scene& scene) {
-    return scene.structured ? scene.structured->fluid_density : scene.material.density;
+    return scene.structured ? released_density(*scene.structured) : scene.material.density;
 }
 
 void give_exchanges(const Scene& scene, const Flow& flow, RunResult& result) {

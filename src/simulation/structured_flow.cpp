@@ -93,7 +93,7 @@ StepFigures StructuredFlow::advance(double dt_limit) {
     particle_steps_ += particle_count() * report.substeps;
     StepFigures figures = observe();
     figures.dt = report.dt;
-    figures.kinetic += report.kinetic / material_.fluid_density;
+    figures.kinetic += report.kinetic / released_density(material_);
     figures.non_finite = report.fluid.non_finite + report.solids.non_finite;
     figures.clamped = report.solids.clamped;
     figures.no_data = report.no_data + (state_.fluid && state_.fluid->volume_into_gaps > into_gaps ? 1 : 0);
@@ -142,6 +142,7 @@ StepFigures StructuredFlow::observe() {
     const std::vector<std::int64_t> tiles = shown_tiles();
     std::vector<StepFigures> figures(tiles.size());
     const double dx = grid_.cell_size, area = grid_.cell_area();
+    const double fluid_share = material_.fluid_density / released_density(material_);
     pool_.for_each(tiles.size(), [&](std::size_t t) {
         StepFigures& f = figures[t];
         NodeRange(tiles[t], tiles_, state_.grid)
@@ -149,7 +150,7 @@ StepFigures StructuredFlow::observe() {
                 const double depth = inside(i, j) ? column(cell).depth : 0;
                 if (!(depth >= laws_.fluid.dry)) return;
                 const double fast = speed(cell), fluid_fast = fluid_speed(cell);
-                f.kinetic += 0.5 * fluid_depth(cell) * area * fluid_fast * fluid_fast;
+                f.kinetic += 0.5 * fluid_share * fluid_depth(cell) * area * fluid_fast * fluid_fast;
                 if (fast > moving_speed_) f.moving += depth * area;
                 if (depth < numerics_.minimum_depth) return;
                 ++f.covered;

@@ -54,13 +54,19 @@ bool has_fluid(const StructuredMaterial& material) {
     return !material.solids || material.solid_fraction < 1;
 }
 
+double released_density(const StructuredMaterial& m) {
+    if (!m.solids) return m.fluid_density;
+    return m.solid_fraction * m.grain_density + (1 - m.solid_fraction) * m.fluid_density;
+}
+
 structured::SolidMaterial solid_material(const StructuredMaterial& m) {
     return {m.solid_fraction, m.confined_share, m.cohesion, m.friction, m.bed_friction, m.grain_density,
             m.grain_diameter};
 }
 
 structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& numerics, double cell_size) {
-    structured::Laws laws{structured::SolidLaws(0.5 * cell_size), {}, fluid_laws(m, numerics)};
+    structured::Laws laws(0.5 * cell_size);
+    laws.fluid = fluid_laws(m, numerics);
     laws.gaps_are_walls = numerics.nodata != NodataPolicy::stop;
     structured::SolidLaws& solid = laws.solid;
     solid.gravity = numerics.gravity;

@@ -17,5 +17,7 @@ structured::SolidMaterial solid_material(const StructuredMaterial& material);
 /// Whether solids can lose cohesion, and whether there is or can be fluid.
 bool can_fracture(const StructuredMaterial& material);
 bool has_fluid(const StructuredMaterial& material);
+/// Of what is released, solids and fluid together [kg/m3].
+double released_density(const StructuredMaterial& material);
 
 }  // namespace frana
