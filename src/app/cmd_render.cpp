@@ -39,7 +39,7 @@ bool wants_3d(const boost::program_options::variables_map& values) {
 std::vector<Layer> layers_asked_for(const std::vector<std::string>& names, const ResultReader& result) {
     std::vector<Layer> layers;
     if (names.empty()) {
-        for (const Layer& layer : result_layers())
+        for (const Layer& layer : all_layers())
             if (result.has(layer.name + ".tif")) layers.push_back(layer);
         return layers;
     }

@@ -33,6 +33,7 @@ std::string title_of(const SceneSpec& spec) {
 MapSource map_source(const Finished& run, const Runout& run_out, double covered_area) {
     const Prepared& prepared = run.prepared;
     MapFacts facts;
+    facts.model = prepared.spec.material.model;
     facts.scheme = prepared.spec.numerics.scheme;
     facts.simulated_seconds = run.result.simulated_seconds;
     facts.volume = run.result.volume_entered;
@@ -84,12 +85,15 @@ void publish_maps(const Finished& run, const MapSource& source, const ResultDire
     if (asked.front() == "off") return;
     directory.make_folder("maps");
     const std::string ending = "_3d";
-    for (const std::string& name : asked.front() == "on" ? map_names() : asked) {
+    std::vector<std::string> names = asked.front() == "on" ? map_names() : asked;
+    if (asked.front() == "on")
+        for (const NamedRaster& raster : run.result.more) names.push_back(raster.name);
+    for (const std::string& name : names) {
         const bool view_3d = name.ends_with(ending);
         const Layer layer = layer_named(view_3d ? name.substr(0, name.size() - ending.size()) : name);
         const std::string file = "maps/" + name + ".png";
         drawings.attempt(file, [&] {
-            draw_layer(source, layer, run.result.*layer.values, view_3d, directory.path(file));
+            draw_layer(source, layer, *find_layer(run.result, layer), view_3d, directory.path(file));
         });
     }
 }

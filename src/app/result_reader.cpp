@@ -101,6 +101,7 @@ MultiPolygon ResultReader::outline(const std::string& layer, const std::string& 
 
 MapFacts ResultReader::facts() const {
     MapFacts facts;
+    facts.model = scene_value("material.model").value_or("");
     facts.scheme = scene_value("numerics.scheme").value_or("unknown");
     facts.threshold = scene_number("output.trace-threshold", OutputSpec{}.trace_threshold);
     const SeriesEnds ends = read_series_ends(path("timeseries.csv"));

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 
 namespace frana {
 
@@ -12,6 +13,7 @@ namespace frana {
 namespace {
 
 #define FRANA_INLINE inline __attribute__((always_inline))
+#define FRANA_INLINE_LAMBDA __attribute__((always_inline))
 
 struct Quad {
     using Lanes [[gnu::vector_size(32)]] = double;
@@ -62,6 +64,10 @@ FRANA_INLINE Quad sqrt(Quad a) {
 FRANA_INLINE long long count(Quad::Mask m) {
     return -(m[0] + m[1] + m[2] + m[3]);
 }
+FRANA_INLINE bool any(Quad::Mask m) {
+    const Quad::Mask halves = m | __builtin_shuffle(m, Quad::Mask{2, 3, 0, 1});
+    return (halves[0] | halves[1]) != 0;
+}
 FRANA_INLINE Quad::Mask first_lanes(std::size_t n) {
     const Quad::Mask lane{0, 1, 2, 3};
     const auto limit = static_cast<long long>(n);
@@ -103,6 +109,14 @@ FRANA_INLINE Quad load_some(const double* from, std::size_t n) {
 FRANA_INLINE void store_some(Quad q, double* to, std::size_t n) {
     if (n == 4) return q.store(to);
     for (std::size_t i = 0; i < n; ++i) to[i] = q.v[i];
+}
+
+/// Calls work(p, n) for a run of values, n = 4 at a time and then those that are left; the 4 is known when compiling.
+template <class Work>
+FRANA_INLINE void for_chunks(std::size_t begin, std::size_t end, const Work& work) {
+    std::size_t p = begin;
+    for (; p + 4 <= end; p += 4) work(p, std::integral_constant<std::size_t, 4>{});
+    if (p < end) work(p, end - p);
 }
 
 }  // namespace

@@ -22,8 +22,7 @@ void vector_particles_to_nodes(const ParticleTile& tile, const ParticleSet& part
     NodeSums* const sums = nodes.sums.data();
     const double* const bed = nodes.bed.data();
 
-    for (std::size_t p = tile.begin; p < tile.end; p += 4) {
-        const std::size_t n = tile.end - p < 4 ? tile.end - p : 4;
+    for_chunks(tile.begin, tile.end, [&](std::size_t p, auto n) FRANA_INLINE_LAMBDA {
         const Quad px = load_some(x + p, n), py = load_some(y + p, n);
         const ChunkAxis ax(px, grid), ay(py, grid);
         std::size_t first[4];
@@ -83,7 +82,7 @@ void vector_particles_to_nodes(const ParticleTile& tile, const ParticleSet& part
                 row_brings += by_row[k];
             }
         }
-    }
+    });
 }
 
 }  // namespace

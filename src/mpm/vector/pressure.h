@@ -90,8 +90,7 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
     const Quad shift{-0.5, 0, 0.5, 0}, square{0.5, -1, 0.5, 0}, constant{0, 0.75, 0, 0};
     const Quad linear = Quad{1, -2, 1, 0} * grid.inverse_dx, slope_constant = shift * grid.inverse_dx;
 
-    for (std::size_t p = tile.begin; p < tile.end; p += 4) {
-        const std::size_t n = tile.end - p < 4 ? tile.end - p : 4;
+    for_chunks(tile.begin, tile.end, [&](std::size_t p, auto n) FRANA_INLINE_LAMBDA {
         const ChunkAxis ax(load_some(x + p, n), grid), ay(load_some(y + p, n), grid);
         std::size_t first[4];
         first_nodes(ax, ay, grid.stride, first);
@@ -159,7 +158,7 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
                 force_y.store(local.fy + i);
             }
         }
-    }
+    });
     local.add_forces_to(box, nodes);
 }
 

@@ -134,15 +134,21 @@ FluidState::FluidState(const NodeGrid& nodes, const FluidLaws& laws)
       grid{nodes.columns(), nodes.rows(), k_ghost, nodes.cell_size()},
       stage(nodes.bed.size()),
       next(nodes.bed.size()),
-      wet(static_cast<std::size_t>(grid.tiles_x() * grid.tiles_y())),
-      cell_kind(nodes.bed.size(), laws.wall ? k_wall_cell : k_open_cell) {
+      wet(static_cast<std::size_t>(grid.tiles_x() * grid.tiles_y())) {
+    set_ground(*this, nodes, laws);
+}
+
+void set_ground(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws) {
+    state.cell_kind.assign(nodes.bed.size(), laws.wall ? k_wall_cell : k_open_cell);
     for (std::int64_t j = 0; j < nodes.rows(); ++j) {
         for (std::int64_t i = 0; i < nodes.columns(); ++i) {
             const bool wall = nodes.is_wall(i, j) || (nodes.is_gap(i, j) && !laws.gaps_are_open);
-            cell_kind[nodes.index(i, j)] = wall ? k_wall_cell : nodes.is_gap(i, j) ? k_gap_cell : k_fluid_cell;
+            state.cell_kind[nodes.index(i, j)] = wall                  ? k_wall_cell
+                                                 : nodes.is_gap(i, j) ? k_gap_cell
+                                                                      : k_fluid_cell;
         }
     }
-    if (laws.steep) slope_factor = slope_factors(nodes);
+    if (laws.steep) state.slope_factor = slope_factors(nodes);
 }
 
 double receive(std::span<const FluidSource> sources, FluidState& state, const FluidLaws& laws) {

@@ -8,6 +8,10 @@
 
 namespace frana::structured {
 
+/// Takes walls, gaps and slopes from the nodes; FluidState's constructor does so too. Where a wall rises in water, the
+/// water stays there and does not move.
+void set_ground(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws);
+
 /// Adds fluid to cells, in the order given; volume and momentum are added as they are. Between two steps, by one
 /// thread. Returns the depths that it could not add because a wall or a gap stands there [m].
 double receive(std::span<const FluidSource> sources, FluidState& state, const FluidLaws& laws);
