@@ -12,12 +12,17 @@ namespace {
 // Keeps the particle's own lane finite, whose distance is zero and whose gradient vanishes [smoothing lengths].
 constexpr double k_least_distance = 1e-9;
 
+// Whether no lane is true: a third of the quads of a neighbourhood lie out of reach.
+FRANA_INLINE bool none(Quad::Mask m) {
+    return (m[0] | m[1] | m[2] | m[3]) == 0;
+}
+
 /// L_ab = sum_j A_j (v_j - v_i)_a grad_b W, times the inverse of B = sum_j A_j (x_j - x_i) (x) grad W, which makes it exact
 /// for linear velocities (Randles & Libersky 1996); uncorrected where B is nearly singular.
 void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKernel& kernel, PairWork& w) {
     constexpr double k_least_determinant = 0.01;  // a corner has some 0.06
     const double length = kernel.length(), scale = kernel.value(0) / (length * length);
-    const Quad inverse(1 / length);
+    const Quad inverse(1 / length), reach2(4 * length * length);
     for (std::int64_t column = 0; column < order.columns(); ++column) {
         const ParticleRun own = order.cell(row, column);
         if (own.begin == own.end) continue;
@@ -28,7 +33,9 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
             for (const ParticleRun& run : runs) {
                 for (std::size_t k = run.begin; k < run.end; k += 4) {
                     const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
-                    const Quad q = sqrt(dx * dx + dy * dy) * inverse;
+                    const Quad distance2 = dx * dx + dy * dy;
+                    if (none(distance2 < reach2)) continue;
+                    const Quad q = sqrt(distance2) * inverse;
                     const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
                     const Quad slope = (3.0 * inner * inner - 0.75 * outer * outer) / max(q, k_least_distance);
                     const auto real = first_lanes(run.end - k < 4 ? run.end - k : 4);
@@ -71,7 +78,7 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
     const double length = laws.kernel.length(), full = laws.kernel.value(0);
     const double scale = full / (length * length), at_spacing = laws.kernel.value(laws.spacing) / full;
     const Quad inverse(1 / length), inverse_at_spacing(1 / at_spacing);
-    const Quad smoothing(length);
+    const Quad smoothing(length), reach2(4 * length * length);
     const Quad softening(ArtificialViscosity::k_softening * length * length);
     const Quad linear(0.5 * laws.viscosity.linear), quadratic(laws.viscosity.quadratic);
     Quad least(0.0);
@@ -88,7 +95,9 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
             for (const ParticleRun& run : runs) {
                 for (std::size_t k = run.begin; k < run.end; k += 4) {
                     const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
-                    const Quad distance2 = dx * dx + dy * dy, q = sqrt(distance2) * inverse;
+                    const Quad distance2 = dx * dx + dy * dy;
+                    if (none(distance2 < reach2)) continue;
+                    const Quad q = sqrt(distance2) * inverse;
                     const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
                     const Quad outer2 = outer * outer, inner2 = inner * inner;
                     const Quad f = (0.25 * outer2 * outer - inner2 * inner) * inverse_at_spacing;
