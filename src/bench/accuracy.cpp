@@ -16,6 +16,7 @@
 #include "bench/rotated_dam_break.h"
 #include "bench/similarity.h"
 #include "bench/sliding_block.h"
+#include "bench/solid_cases.h"
 #include "bench/thacker.h"
 #include "bench/voellmy_plane.h"
 
@@ -49,6 +50,7 @@ std::vector<AccuracyCase> accuracy_cases(const std::optional<Raster>& sample_ter
     cases.push_back(sliding_block());
     cases.push_back(conservation());
     append(cases, fluid_cases());
+    append(cases, solid_cases());
     return cases;
 }
 

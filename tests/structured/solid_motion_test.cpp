@@ -70,11 +70,6 @@ TEST(Bar, FundamentalPeriod) {
     EXPECT_NEAR(zeros[1] - zeros[0], 2 * quarter, 0.05 * 2 * quarter);
 }
 
-Raster incline(double slope_deg, std::int64_t columns, std::int64_t rows, double cell) {
-    const GridSpec grid = bench::plain_grid(columns, rows, cell);
-    return bench::sample_raster(grid, [&](Point p) { return (grid.east() - p.x) * std::tan(slope_deg * k_degree); });
-}
-
 // A dry block slides down the plane with g (sin - cos tan phi) along it; as a block.
 TEST(Incline, BlockSlides) {
     ThreadPool pool(1);
