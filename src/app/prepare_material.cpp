@@ -91,7 +91,9 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     m.bulk_modulus = s.bulk_modulus;
     m.critical_strain = s.critical_strain;
     m.damage_by_distortion = s.damage == "equivalent-plastic";
-    m.passive_pressure = s.earth_pressure == "active-passive";
+    m.earth_pressure = s.earth_pressure == "active"           ? StructuredMaterial::EarthPressure::active
+                       : s.earth_pressure == "active-passive" ? StructuredMaterial::EarthPressure::passive
+                                                              : StructuredMaterial::EarthPressure::hydrostatic;
     m.pore_pressure_share = s.pore_pressure_share;
     m.drag_exponent = s.drag_exponent > 1 ? 2 : 1;
     m.richardson_zaki = s.richardson_zaki;

@@ -95,7 +95,7 @@ struct StructuredSpec {
     std::optional<double> cohesion, internal_friction_angle, bed_friction_angle;
     double dilatancy_angle = 0, young_modulus = 12e6, bulk_modulus = 23e6;
     double critical_strain = 0.05;
-    std::string damage = "volumetric", earth_pressure = "active";
+    std::string damage = "volumetric", earth_pressure = "hydrostatic";
     double pore_pressure_share = 0;
     double drag_exponent = 2, richardson_zaki = 2.4;
     std::optional<double> smoothing_velocity, block_size, sound_speed;

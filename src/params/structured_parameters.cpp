@@ -50,8 +50,9 @@ void add_solids(std::vector<Parameter>& list) {
     list.push_back(choice("structured.damage", FRANA_MEMBER(structured.damage), {"volumetric", "equivalent-plastic"},
                           "What counts as that strain: opening, or distortion."));
     list.push_back(choice("structured.earth-pressure", FRANA_MEMBER(structured.earth_pressure),
-                          {"active", "active-passive"},
-                          "Lateral thrust: active everywhere, or passive where broken material is pushed together."));
+                          {"hydrostatic", "active", "active-passive"},
+                          "Lateral thrust of broken material: as a fluid's, Rankine's active one, or passive where it "
+                          "is pushed together. Whole material has Bell's active one."));
     list.push_back(number("structured.pore-pressure-share", FRANA_MEMBER(structured.pore_pressure_share), "",
                           Range{0, 1}, "Share of the confined fluid's pressure that reaches the bed, B."));
     list.push_back(number("structured.artificial-viscosity-linear", FRANA_MEMBER(structured.linear_viscosity), "",

@@ -103,7 +103,7 @@ struct StructuredMaterial {
     double young_modulus = 12e6, bulk_modulus = 23e6;  ///< [Pa]
     double critical_strain = 0.05;     ///< eps_c [-]
     bool damage_by_distortion = false; ///< false: by opening
-    bool passive_pressure = false;     ///< K_p where broken material is pushed together
+    enum class EarthPressure { hydrostatic, active, passive } earth_pressure = EarthPressure::hydrostatic;
     double pore_pressure_share = 0;    ///< B [-]
     int drag_exponent = 2;             ///< j: 1 or 2
     double richardson_zaki = 2.4;      ///< M [-]

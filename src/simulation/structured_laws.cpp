@@ -44,6 +44,18 @@ VirtualMassLaw law_of(StructuredMaterial::VirtualMass law) {
     return VirtualMassLaw::pudasaini_2012;
 }
 
+structured::EarthPressure law_of(StructuredMaterial::EarthPressure law) {
+    switch (law) {
+        case StructuredMaterial::EarthPressure::active:
+            return structured::EarthPressure::active;
+        case StructuredMaterial::EarthPressure::passive:
+            return structured::EarthPressure::passive;
+        case StructuredMaterial::EarthPressure::hydrostatic:
+            break;
+    }
+    return structured::EarthPressure::hydrostatic;
+}
+
 }  // namespace
 
 bool can_fracture(const StructuredMaterial& material) {
@@ -73,8 +85,7 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     solid.steep = laws.fluid.steep;
     solid.elastic = structured::Elasticity::from_young_and_bulk(m.young_modulus, m.bulk_modulus);
     solid.sin_dilatancy = m.sin_dilatancy;
-    solid.earth_pressure =
-        m.passive_pressure ? structured::EarthPressure::active_passive : structured::EarthPressure::active;
+    solid.earth_pressure = law_of(m.earth_pressure);
     solid.basal = {numerics.gravity, has_fluid(m) ? m.fluid_density : 0, m.pore_pressure_share};
     solid.fractures = can_fracture(m);
     solid.fragmentation.critical_strain = m.critical_strain;

@@ -95,8 +95,17 @@ void add_numerics(const Numerics& numerics, Words& words) {
 void add_solids(const StructuredMaterial& m, bool fluid, Words& words) {
     words.emplace_back("elasticity and Drucker-Prager plasticity of solids");
     words.emplace_back("Coulomb bed friction");
-    words.emplace_back(m.passive_pressure ? "lateral earth pressure, active and passive"
-                                          : "lateral earth pressure, active");
+    switch (m.earth_pressure) {
+        case StructuredMaterial::EarthPressure::hydrostatic:
+            words.emplace_back("lateral earth pressure, hydrostatic in broken material");
+            break;
+        case StructuredMaterial::EarthPressure::active:
+            words.emplace_back("lateral earth pressure, active");
+            break;
+        case StructuredMaterial::EarthPressure::passive:
+            words.emplace_back("lateral earth pressure, active and passive");
+            break;
+    }
     if (m.cohesion > 0) words.emplace_back("cohesion that strain destroys");
     if (!fluid) return;
     if (m.cohesion > 0 && m.confined_share > 0) words.emplace_back("release of confined fluid");

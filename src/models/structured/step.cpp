@@ -123,8 +123,10 @@ StepReport step(State& state, const Laws& laws, double dt_limit, ThreadPool& poo
         // Particles take the nodes' push and follow their own waves: strain, stress, damage, neighbours' forces, move.
         pool.for_each(static_cast<std::size_t>(solid.order.rows()), [&](std::size_t row) {
             const auto r = static_cast<std::int64_t>(row);
-            state.stages.nodes_to_solids(solid.order.whole_rows(r, r), laws.solid.pic_share, dt, state.grid,
-                                         solid.nodes, solid.particles);
+            const ParticleRun run = solid.order.whole_rows(r, r);
+            state.stages.nodes_to_solids(run, laws.solid, dt, state.grid, solid.nodes, solid.particles);
+            const double* const area = solid.particles[Field::area];
+            std::copy(area + run.begin, area + run.end, solid.work[PairWork::area] + run.begin);
         });
         const Obstacles obstacles{&state.grid, laws.fluid.wall, laws.gaps_are_walls};
         report.substeps = run_substeps(solid, state.stages, laws.solid, state.grid, obstacles, dt, report.solids, pool);

@@ -29,7 +29,9 @@ Released release_fluid(SolidState& solid, const NodeGrid& grid, const FluidLaws&
         }
         volume = mx = my = 0;
     }
-    receive(sources, fluid, laws);
+    const double refused = receive(sources, fluid, laws) / inverse_area;
+    released.inside -= refused;
+    released.outside += refused;
     return released;
 }
 

@@ -9,7 +9,7 @@ namespace frana::structured {
 /// Volumes of confined fluid set free [m3].
 struct Released {
     double inside = 0;   ///< to the grid
-    double outside = 0;  ///< by particles that have no cell of the terrain near
+    double outside = 0;  ///< where a particle has no cell of the terrain near, or that cell cannot take it
 };
 
 /// Gives the confined fluid that particles have set free to the grid, volume and momentum, and clears their accounts.

@@ -11,7 +11,7 @@ namespace frana::structured {
 struct ArtificialViscosity {
     double linear = 1;     ///< a [-]
     double quadratic = 1;  ///< b [-]
-    double sound = 0;      ///< c [m/s]
+    double sound = 0;      ///< c; of a pair the mean of both, of loose material sqrt(g h) [m/s]
     double length = 1;     ///< l [m]
 
     /// @param approach v_ij.x_ij [m2/s]

@@ -64,13 +64,20 @@ ColumnState column_state(const SolidLaws& laws, const ParticleSet& particles, st
     s.mass = grain_density * solids + laws.basal.fluid_density * confined;
     s.depth = (solids + confined) * inverse_area;
     s.load = laws.basal({solids * inverse_area, confined * inverse_area, s.structured, submerged}, grain_density);
-    const double active = active_coefficient(friction);
-    if (pushed_together && laws.earth_pressure == EarthPressure::active_passive && ratio < k_broken_from) {
-        s.thrust = passive_thrust(1 / active, s.load, s.depth, s.cohesion);
+    const bool broken = ratio < k_broken_from;
+    if (broken && laws.earth_pressure == EarthPressure::hydrostatic) {
+        s.thrust = active_thrust(1, s.load, s.depth, s.cohesion);
+    } else if (broken && pushed_together && laws.earth_pressure == EarthPressure::passive) {
+        s.thrust = passive_thrust(1 / active_coefficient(friction), s.load, s.depth, s.cohesion);
     } else {
-        s.thrust = active_thrust(active, s.load, s.depth, s.cohesion);
+        s.thrust = active_thrust(active_coefficient(friction), s.load, s.depth, s.cohesion);
     }
     return s;
+}
+
+/// Whether a column carries no stress but its earth pressure.
+inline bool flows_freely(const SolidLaws& laws, const ColumnState& column) noexcept {
+    return laws.broken == BrokenMaterial::earth_pressure && !(column.cohesion > 0);
 }
 
 }  // namespace frana::structured

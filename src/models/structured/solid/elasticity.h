@@ -27,13 +27,6 @@ struct Elasticity {
         return {dt * (mean + 2 * shear * (l.xx - third)), dt * (mean + 2 * shear * (l.yy - third)),
                 dt * (mean - 2 * shear * third), dt * 2 * shear * l.shear()};
     }
-    /// The same with the vertical stress unchanged (plane stress): the column thickens freely.
-    [[nodiscard]] Stress increment_free_surface(const VelocityGradient& l, double dt) const noexcept {
-        const double first = bulk - 2 * shear / 3;                            // Lame's lambda
-        const double in_plane = first * 2 * shear / (first + 2 * shear) * l.divergence();
-        return {dt * (in_plane + 2 * shear * l.xx), dt * (in_plane + 2 * shear * l.yy), 0,
-                dt * 2 * shear * l.shear()};
-    }
 };
 
 }  // namespace frana::structured

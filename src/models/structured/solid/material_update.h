@@ -10,8 +10,7 @@ namespace frana::structured {
 
 /// Stress after dt of the velocity gradient l: turned with the material, elastic trial, return to the yield surface of
 /// what the particle carries together with the geostatic stress.
-/// @param broken the column has no cohesion and may thicken freely
-inline Returned next_stress(const SolidLaws& laws, const ColumnState& column, double friction, bool broken,
+inline Returned next_stress(const SolidLaws& laws, const ColumnState& column, double friction,
                             const VelocityGradient& l, double dt, Stress stress) noexcept {
     const auto strength = DruckerPrager::of(friction, column.cohesion);
     Stress geostatic;
@@ -28,13 +27,7 @@ inline Returned next_stress(const SolidLaws& laws, const ColumnState& column, do
             stress = stress - plastic_decrement(laws.elastic, laws.sin_dilatancy, total, multiplier);
         }
     }
-    if (broken) {
-        stress.zz = 0;
-        stress = stress + laws.elastic.increment_free_surface(l, dt);
-    } else {
-        stress = stress + laws.elastic.increment(l, dt);
-    }
-    Returned r = return_to_yield(strength, stress + geostatic);
+    Returned r = return_to_yield(strength, stress + laws.elastic.increment(l, dt) + geostatic);
     r.stress = r.stress - geostatic;
     return r;
 }
@@ -48,11 +41,11 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, Particle
         const VelocityGradient l{w[PairWork::l_xx][p], w[PairWork::l_xy][p], w[PairWork::l_yx][p],
                                  w[PairWork::l_yy][p]};
         ColumnState column = column_state<Kind>(laws, particles, p, l.divergence() < 0);
-        const bool broken = laws.broken == BrokenColumn::free && !(column.cohesion > 0);
+        const bool flows = flows_freely(laws, column);
         const Stress old{particles[Field::t_xx][p], particles[Field::t_yy][p], particles[Field::t_zz][p],
                          particles[Field::t_xy][p]};
         const auto [stress, yielded] =
-            next_stress(laws, column, particles[Field::friction][p], broken, l, dt, old);
+            flows ? Returned{{}, true} : next_stress(laws, column, particles[Field::friction][p], l, dt, old);
         particles[Field::t_xx][p] = stress.xx;
         particles[Field::t_yy][p] = stress.yy;
         particles[Field::t_zz][p] = stress.zz;
@@ -92,6 +85,7 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, Particle
         w[PairWork::r_xx][p] = r.xx;
         w[PairWork::r_yy][p] = r.yy;
         w[PairWork::r_xy][p] = r.xy;
+        w[PairWork::sound][p] = flows ? std::sqrt(laws.gravity * column.depth) : laws.viscosity.sound;
         w[PairWork::resistance][p] = column.load / density * particles[Field::bed_friction][p] *
                                      (laws.steep ? particles[Field::flatness][p] : 1);
     }

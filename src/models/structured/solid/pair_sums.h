@@ -64,16 +64,16 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
     }
 }
 
-/// dv_i/dt = sum_j m_j [ T_i + T_j + F^2 (R_i + R_j) - Pi_ij ] grad_i W,   F = W / W(dp)   (paper, equation 78 with the sign
-/// of Pi restored). The exponent 2 is the whole number next to W(0) / W(dp) = 1.8 of particles two thirds of a
-/// smoothing length apart. Every term is the same for both particles of a pair, so momentum is kept to rounding.
+/// dv_i/dt = sum_j m_j [ T_i + T_j + F^4 (R_i + R_j) - Pi_ij ] grad_i W,   F = W / W(dp)   (paper, equation 78 with the sign
+/// of Pi restored; exponent 4 after Monaghan 2000 and Gray et al. 2001). Every term is the same for both particles of a
+/// pair, so momentum is kept to rounding.
 double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& laws, PairWork& w) {
     const double length = laws.kernel.length(), full = laws.kernel.value(0);
     const double scale = full / (length * length), at_spacing = laws.kernel.value(laws.spacing) / full;
     const Quad inverse(1 / length), inverse_at_spacing(1 / at_spacing);
     const Quad smoothing(length);
     const Quad softening(ArtificialViscosity::k_softening * length * length);
-    const Quad linear(laws.viscosity.linear * laws.viscosity.sound), quadratic(laws.viscosity.quadratic);
+    const Quad linear(0.5 * laws.viscosity.linear), quadratic(laws.viscosity.quadratic);
     Quad least(0.0);
     for (std::int64_t column = 0; column < order.columns(); ++column) {
         const ParticleRun own = order.cell(row, column);
@@ -81,7 +81,7 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
         const auto runs = order.around(row, column);
         for (std::size_t i = own.begin; i < own.end; ++i) {
             const Quad x(w[PairWork::x][i]), y(w[PairWork::y][i]), u(w[PairWork::u][i]), v(w[PairWork::v][i]);
-            const Quad density(w[PairWork::density][i]);
+            const Quad density(w[PairWork::density][i]), sound(w[PairWork::sound][i]);
             const Quad t_xx(w[PairWork::t_xx][i]), t_yy(w[PairWork::t_yy][i]), t_xy(w[PairWork::t_xy][i]);
             const Quad r_xx(w[PairWork::r_xx][i]), r_yy(w[PairWork::r_yy][i]), r_xy(w[PairWork::r_xy][i]);
             Quad a_x(0.0), a_y(0.0);
@@ -91,7 +91,8 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
                     const Quad distance2 = dx * dx + dy * dy, q = sqrt(distance2) * inverse;
                     const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
                     const Quad outer2 = outer * outer, inner2 = inner * inner;
-                    const Quad f = (0.25 * outer2 * outer - inner2 * inner) * inverse_at_spacing, f2 = f * f;
+                    const Quad f = (0.25 * outer2 * outer - inner2 * inner) * inverse_at_spacing;
+                    const Quad f2 = f * f, f4 = f2 * f2;
                     const Quad sum_density = density + Quad::load(w[PairWork::density] + k);
                     const Quad softened = distance2 + softening, distance = max(q, k_least_distance);
                     // One division for all: 1 / (r^2 + ..), 1 / (Sigma_i + Sigma_j) and 1 / q.
@@ -99,18 +100,19 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
                     const Quad approach =
                         min((u - Quad::load(w[PairWork::u] + k)) * dx + (v - Quad::load(w[PairWork::v] + k)) * dy, 0.0);
                     const Quad phi = smoothing * approach * (share * sum_density * distance);
-                    const Quad pi = (quadratic * phi - linear) * phi * (2.0 * share * softened * distance);
+                    const Quad sounds = linear * (sound + Quad::load(w[PairWork::sound] + k));  // twice the mean
+                    const Quad pi = (quadratic * phi - sounds) * phi * (2.0 * share * softened * distance);
                     const Quad slope = (3.0 * inner2 - 0.75 * outer2) * (share * softened * sum_density);
                     const auto real = first_lanes(run.end - k < 4 ? run.end - k : 4);
                     const auto near = real & (q < 2.0);
                     least = min(least, select(near, phi, 0.0));
                     const Quad weight = select(near, slope * Quad::load(w[PairWork::mass] + k), 0.0);
                     const Quad s_xx = t_xx + Quad::load(w[PairWork::t_xx] + k) +
-                                      f2 * (r_xx + Quad::load(w[PairWork::r_xx] + k)) - pi;
+                                      f4 * (r_xx + Quad::load(w[PairWork::r_xx] + k)) - pi;
                     const Quad s_yy = t_yy + Quad::load(w[PairWork::t_yy] + k) +
-                                      f2 * (r_yy + Quad::load(w[PairWork::r_yy] + k)) - pi;
+                                      f4 * (r_yy + Quad::load(w[PairWork::r_yy] + k)) - pi;
                     const Quad s_xy =
-                        t_xy + Quad::load(w[PairWork::t_xy] + k) + f2 * (r_xy + Quad::load(w[PairWork::r_xy] + k));
+                        t_xy + Quad::load(w[PairWork::t_xy] + k) + f4 * (r_xy + Quad::load(w[PairWork::r_xy] + k));
                     a_x += weight * (s_xx * dx + s_xy * dy);
                     a_y += weight * (s_xy * dx + s_yy * dy);
                 }

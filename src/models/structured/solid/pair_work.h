@@ -16,6 +16,7 @@ struct PairWork {
         mass, density,           // of the particle [kg] and of its column [kg/m2]
         t_xx, t_yy, t_xy,        // depth-integrated stress over density squared [m5/(kg s2)]
         r_xx, r_yy, r_xy,        // artificial stress, the same units
+        sound,                   // of the artificial viscosity [m/s]
         a_x, a_y,                // written by accelerations
         resistance,              // of the bed, as a deceleration [m/s2]
         count

@@ -9,16 +9,18 @@
 
 namespace frana::structured {
 
-/// Which earth pressure a column pushes its neighbours with.
+/// Which earth pressure broken material (cohesion ratio under 0.05) pushes its neighbours with; whole material always
+/// with Bell's active one.
 enum class EarthPressure {
-    active,         ///< K_a everywhere
-    active_passive  ///< K_p where broken material (cohesion ratio under 0.05) is pushed together
+    hydrostatic,  ///< K = 1: it comes to rest at the bed's friction angle, as heaps do
+    active,       ///< Rankine's K_a, as the paper: right on a smooth bed; on a rough one it stands too steep
+    passive       ///< K_p where it is pushed together, K_a elsewhere (Pitman & Le 2005)
 };
 
-/// How thick a column is that has lost all cohesion.
-enum class BrokenColumn {
-    free,    ///< it thickens and thins freely: the vertical stress stays the weight's (plane stress)
-    confined ///< no elastic vertical strain, as while it is whole (plane strain)
+/// What stress material carries that has no cohesion left.
+enum class BrokenMaterial {
+    earth_pressure,  ///< none but its earth pressure, as in depth-averaged avalanches; it thickens and thins freely
+    elastic          ///< Drucker-Prager's without vertical strain, as while it is whole: it can not thicken
 };
 
 /// Laws and numbers of the solids; const while they run. Lengths in metres, in map view.
@@ -30,8 +32,8 @@ struct SolidLaws {
     Elasticity elastic;
     double sin_dilatancy = 0;           ///< sin(psi)
     bool strength_of_particle_stress = false;  ///< yield is checked without the geostatic stress
-    BrokenColumn broken = BrokenColumn::free;
-    EarthPressure earth_pressure = EarthPressure::active;
+    BrokenMaterial broken = BrokenMaterial::earth_pressure;
+    EarthPressure earth_pressure = EarthPressure::hydrostatic;
     BasalPressure basal;
     bool fractures = true;  ///< cohesion can be lost
     Fragmentation fragmentation;

@@ -39,7 +39,7 @@ struct SolidStages {
     void (*update_material)(ParticleRun, double dt, const SolidLaws&, ParticleSet&, PairWork&) = nullptr;
     void (*solids_to_nodes)(ParticleRun, const SolidLaws&, const ParticleSet&, const NodeGrid&,
                             SolidNodes&) = nullptr;
-    void (*nodes_to_solids)(ParticleRun, double pic_share, double dt, const NodeGrid&, const SolidNodes&,
+    void (*nodes_to_solids)(ParticleRun, const SolidLaws&, double dt, const NodeGrid&, const SolidNodes&,
                             ParticleSet&) = nullptr;
     bool releases = false;  ///< confined fluid can become free
 };

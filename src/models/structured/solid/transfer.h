@@ -44,15 +44,16 @@ void solids_to_nodes(ParticleRun run, const SolidLaws& laws, const ParticleSet& 
     }
 }
 
-/// What the nodes give back: accelerations as increments (FLIP), so that momentum is kept; the bed's flatness; how far
-/// the pores are filled.
-/// @param pic_share of the difference to the nodes' velocity that is taken over in this step of dt
+/// What the nodes give back over a step of dt: accelerations as increments (FLIP), so that momentum is kept; the bed's
+/// flatness; how far the pores are filled. Columns that flow freely spread until their particles see no neighbours any
+/// more; their area follows the depth that the nodes show, as fast as gravity levels a cell.
 template <class Kind>
-void nodes_to_solids(ParticleRun run, double pic_share, double dt, const NodeGrid& grid, const SolidNodes& nodes,
+void nodes_to_solids(ParticleRun run, const SolidLaws& laws, double dt, const NodeGrid& grid, const SolidNodes& nodes,
                      ParticleSet& particles) {
+    const double pic_share = laws.pic_share;
     for (std::size_t p = run.begin; p < run.end; ++p) {
         const CubicStencil stencil(particles[Field::x][p], particles[Field::y][p], grid, nodes);
-        double ax = 0, ay = 0, flatness = 0, submergence = 0, u = 0, v = 0;
+        double ax = 0, ay = 0, flatness = 0, submergence = 0, u = 0, v = 0, depth = 0;
         for (int b = 0; b < 4; ++b) {
             const std::size_t row = stencil.first + static_cast<std::size_t>(b * grid.stride());
             for (int a = 0; a < 4; ++a) {
@@ -63,6 +64,7 @@ void nodes_to_solids(ParticleRun run, double pic_share, double dt, const NodeGri
                 ay += w * node.ay;
                 flatness += w * node.flatness;
                 submergence += w * node.submergence;
+                depth += w * nodes.depth[n];
                 if (pic_share > 0) {
                     u += w * nodes.u[n];
                     v += w * nodes.v[n];
@@ -77,6 +79,12 @@ void nodes_to_solids(ParticleRun run, double pic_share, double dt, const NodeGri
         particles[Field::push_y][p] = ay;
         particles[Field::flatness][p] = stencil.any ? flatness : 1;
         if constexpr (Kind::wet) particles[Field::submergence][p] = submergence;
+        const ColumnState column = column_state<Kind>(laws, particles, p);
+        if (!(depth > 0) || !flows_freely(laws, column)) continue;
+        const double speed = std::hypot(particles[Field::u][p], particles[Field::v][p]);
+        const double share = std::min(1.0, dt * (speed + std::sqrt(laws.gravity * depth)) / grid.cell_size());
+        double& area = particles[Field::area][p];
+        area += share * (area * column.depth / depth - area);
     }
 }
 
