@@ -11,12 +11,15 @@ packages=(
   libavformat-dev libavcodec-dev libswscale-dev libavutil-dev
   libboost-program-options-dev libgtest-dev
 )
+# Kernels' instructions and times (.ci/kernel_instructions, kernel_benchmark).
+test_packages=(libbenchmark-dev valgrind)
 
 say() { printf '== %s\n' "$*"; }
 
+# install_packages NAME...: those that are missing.
 install_packages() {
   local missing=() name
-  for name in "${packages[@]}"; do
+  for name in "$@"; do
     dpkg-query -W -f='${Status}' "$name" 2>/dev/null | grep -q 'install ok installed' || missing+=("$name")
   done
   if [ ${#missing[@]} -eq 0 ]; then
@@ -57,6 +60,7 @@ run_tests() {
   tests=ON configure_and_build all
   say "running the tests"
   local report=build/test-report.txt status=0
+  .ci/kernel_instructions build
   (cd build && ctest --output-on-failure --parallel 2 --timeout 600) >"$report" 2>&1 || status=$?
   # Everything but the thousand lines that say nothing: failures in full, then what was skipped and why.
   grep -vE '^ +Start +[0-9]+:|^ *[0-9]+/[0-9]+ Test .* Passed +[0-9.]+ sec$' "$report" || true
@@ -76,8 +80,8 @@ run_tests() {
 }
 
 case "${1:-}" in
-  build) install_packages; build ;;
-  demo) install_packages; demo ;;
-  test) install_packages; run_tests ;;
+  build) install_packages "${packages[@]}"; build ;;
+  demo) install_packages "${packages[@]}"; demo ;;
+  test) install_packages "${packages[@]}" "${test_packages[@]}"; run_tests ;;
   *) echo "usage: ./build.sh build | demo | test" >&2; exit 2 ;;
 esac

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gis/gdal_session.h"
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
 
@@ -18,7 +19,12 @@ void CPL_STDCALL keep(CPLErr kind, CPLErrorNum, const char* message) {
 
 GdalSession::GdalSession() {
     static std::once_flag once;
-    std::call_once(once, [] { GDALAllRegister(); });
+    std::call_once(once, [] {
+        GDALAllRegister();
+        // Tiles are unpacked and warped side by side; the values are the same. Who set it otherwise meant it.
+        if (CPLGetConfigOption("GDAL_NUM_THREADS", nullptr) == nullptr)
+            CPLSetConfigOption("GDAL_NUM_THREADS", "ALL_CPUS");
+    });
     CPLPushErrorHandlerEx(keep, this);
 }
 

@@ -13,6 +13,7 @@
 #include "bench/law_costs.h"
 #include "bench/speed.h"
 #include "bench/stability.h"
+#include "bench/time_to_error.h"
 #include "core/error.h"
 #include "gis/raster_in.h"
 #include "render/image.h"
@@ -78,7 +79,8 @@ int bench_accuracy(const boost::program_options::variables_map& values) {
             "lake-dtm is left out: the sample's terrain (sample_data/bindo/dtm.tif) is not beside the "
             "share folder");
     const auto rows = bench::run_accuracy(options);
-    std::cout << bench::accuracy_table(rows) << bench::accuracy_verdict(rows);
+    std::cout << bench::accuracy_table(rows) << bench::accuracy_verdict(rows)
+              << bench::time_to_error_table(rows);
     if (folder) {
         write_text_file((*folder / "accuracy.csv").string(), bench::accuracy_csv(rows));
         render::write_png((*folder / "accuracy.png").string(), accuracy_chart(rows));

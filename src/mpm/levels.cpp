@@ -36,6 +36,12 @@ void mean_levels(const NodeRange& range, NodeGrid& nodes) {
     });
 }
 
+void forget_squares(const NodeRange& range, NodeGrid& nodes) {
+    range.for_each(nodes.stride(), [&](std::size_t n, std::int64_t, std::int64_t) {
+        nodes.sums[n].fx = nodes.sums[n].fy = 0;
+    });
+}
+
 void node_references(const NodeRange& range, NodeGrid& nodes) {
     const NodeSums* sums = nodes.sums.data();
     NodeLevel* levels = nodes.levels.data();

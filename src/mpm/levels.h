@@ -16,6 +16,9 @@ namespace frana {
 /// same.
 void mean_levels(const NodeRange& range, NodeGrid& nodes);
 
+/// Clears for the forces what particles_to_nodes left in fx, fy, where the levels of the step before still hold.
+void forget_squares(const NodeRange& range, NodeGrid& nodes);
+
 /// Each node's support: the least share of any neighbour whose bed lies under the surface, full at 0.6
 /// (specification 4, item 4); needs mean_levels of the whole neighbourhood.
 void node_references(const NodeRange& range, NodeGrid& nodes);

@@ -33,11 +33,13 @@ struct NodeReport {
     double max_speed = 0;      ///< along the bed [m/s]
     std::int64_t covered = 0;  ///< nodes deeper than the minimum
     std::int64_t unsupported = 0;  ///< of those, nodes whose motion over a convex bed lifts them off it
+    bool moves = false;            ///< whether any node moves on
     double moving = 0;             ///< volume that is faster than NodeUpdate::moving_speed [m3]
 
     void merge(const NodeReport& r) noexcept {
         max_depth = std::max(max_depth, r.max_depth);
         max_speed = std::max(max_speed, r.max_speed);
+        moves = moves || r.moves;
         covered += r.covered;
         unsupported += r.unsupported;
         moving += r.moving;
@@ -187,6 +189,7 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
             if constexpr (Slope::curved) report.unsupported += drive.load <= -k.gravity;
             observe(i, cell_depth, seen);
         }
+        report.moves = report.moves || u != 0 || v != 0;
         node.px = u;
         node.py = v;
         node.area *= inverse_area;

@@ -253,10 +253,11 @@ class TileResampler {
 }  // namespace
 
 ResampleCounts resample(ParticleSet& particles, TileOrder& order, const ResampleLimits& limits,
-                        ThreadPool& pool) {
+                        const std::vector<std::uint8_t>& left_alone, ThreadPool& pool) {
     const auto& tiles = order.tiles();
     std::vector<TileChange> changes(tiles.size());
     pool.for_each(tiles.size(), [&](std::size_t t) {
+        if (!left_alone.empty() && left_alone[t] != 0) return;
         changes[t] = TileResampler(limits, order.grid(), particles, tiles[t])();
     });
     ResampleCounts total;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/grid_spec.h"
 #include "core/thread_pool.h"
@@ -33,7 +34,8 @@ struct ResampleCounts {
 /// Splits and merges tile by tile, in the particles' order. Volume, area and momentum are conserved; a merged
 /// pair loses the kinetic energy of its relative motion only. Needs c_* and q_*; particles must be sorted and
 /// stay sorted.
+/// @param left_alone one byte a tile: not 0 where nothing splits or merges; or empty
 ResampleCounts resample(ParticleSet& particles, TileOrder& order, const ResampleLimits& limits,
-                        ThreadPool& pool);
+                        const std::vector<std::uint8_t>& left_alone, ThreadPool& pool);
 
 }  // namespace frana

@@ -108,24 +108,22 @@ void TileOrder::index_tiles(const ParticleSet& particles, ThreadPool& pool) {
             static_cast<std::int64_t>(position / grid_.cell_size + static_cast<double>(grid_.ghost));
         return std::clamp<std::int64_t>(cell / k_tile, 0, count - 1);
     };
-    struct Reach {
-        std::int64_t x0, x1, y0, y1;
-    };
-    std::vector<Reach> reached(tiles_.size());
     pool.for_each(tiles_.size(), [&](std::size_t t) {
-        const auto [west, east] = std::minmax_element(x + tiles_[t].begin, x + tiles_[t].end);
-        const auto [south, north] = std::minmax_element(y + tiles_[t].begin, y + tiles_[t].end);
-        reached[t] = {tile_at(std::max(*west - reach, 0.0), grid_.tiles_x()), tile_at(*east + reach, grid_.tiles_x()),
-                      tile_at(std::max(*south - reach, 0.0), grid_.tiles_y()),
-                      tile_at(*north + reach, grid_.tiles_y())};
+        ParticleTile& tile = tiles_[t];
+        const auto [west, east] = std::minmax_element(x + tile.begin, x + tile.end);
+        const auto [south, north] = std::minmax_element(y + tile.begin, y + tile.end);
+        tile.x0 = tile_at(std::max(*west - reach, 0.0), grid_.tiles_x());
+        tile.x1 = tile_at(*east + reach, grid_.tiles_x());
+        tile.y0 = tile_at(std::max(*south - reach, 0.0), grid_.tiles_y());
+        tile.y1 = tile_at(*north + reach, grid_.tiles_y());
     });
     for (auto& colour : colours_) colour.clear();
     node_tiles_.clear();
     for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
         const std::int64_t tx = tiles_[t].tile % grid_.tiles_x(), ty = tiles_[t].tile / grid_.tiles_x();
         colours_[static_cast<std::size_t>((ty & 1) * 2 + (tx & 1))].push_back(t);
-        for (std::int64_t b = reached[t].y0; b <= reached[t].y1; ++b) {
-            for (std::int64_t a = reached[t].x0; a <= reached[t].x1; ++a) {
+        for (std::int64_t b = tiles_[t].y0; b <= tiles_[t].y1; ++b) {
+            for (std::int64_t a = tiles_[t].x0; a <= tiles_[t].x1; ++a) {
                 node_tiles_.push_back(b * grid_.tiles_x() + a);
             }
         }

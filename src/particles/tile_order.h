@@ -21,6 +21,7 @@ inline constexpr double k_drift_limit = 3;
 struct ParticleTile {
     std::size_t begin = 0, end = 0;
     std::int64_t tile = 0;  ///< row-major number of the tile
+    std::int64_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;  ///< tiles whose nodes they can touch until the next sort
 };
 
 /// Where particles may be: the grid in cells.

@@ -39,7 +39,12 @@ class Flow {
     /// More particles between two steps, in local metres; those outside count as left.
     void add_particles(const ParticleSet& particles);
     /// Takes ground away between two steps: depth in each cell [m], NaN for none.
-    void lower_bed(const Raster& depth) { state_.nodes.lower_bed(depth); }
+    void lower_bed(const Raster& depth) {
+        state_.nodes.lower_bed(depth);
+        state_.active.wake(state_.order);
+    }
+    /// From now on what rests is computed as well, for comparison.
+    void compute_what_rests() noexcept { laws_.skips_rest = false; }
 
     voellmy_bingham::StepReport advance(double dt_limit);
     /// Brings the velocities, which lag half a step, to the present time. Before looking at them.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/accuracy_report.h"
+#include "bench/time_to_error.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -50,6 +51,9 @@ TEST(ErrorInTime, IsStraightInLogarithms) {
     EXPECT_NEAR(error_in_time({{1, 0.1}, {100, 0.001}}, 10), 0.01, 1e-15);
     EXPECT_TRUE(std::isnan(error_in_time({{1, 0.1}, {100, 0.001}}, 0.5)));
     EXPECT_TRUE(std::isnan(error_in_time({{1, 0.1}, {100, 0.001}}, 200)));
+    EXPECT_NEAR(time_to_error({{1, 0.1}, {100, 0.001}}, 0.01), 10, 1e-12);
+    EXPECT_EQ(time_to_error({{1, 0.1}, {100, 0.001}}, 0.2), 1);
+    EXPECT_TRUE(std::isnan(time_to_error({{1, 0.1}, {100, 0.001}}, 1e-4)));
 }
 
 TEST(AccuracyVerdict, NamesTheBetterSchemeWhicheverItIs) {

@@ -116,8 +116,7 @@ TEST_F(StructuredScene, ReceivesWhatComesLater) {
     EXPECT_LT(summary_number("result", "relative_error"), 1e-12);
 }
 
-TEST_F(StructuredScene, RecordsGaugesAndSections) {
-    write("gauge.csv", "name,x,y\nfoot,527150,5094075\n");
+TEST_F(StructuredScene, RecordsSections) {
     write("section.geojson",
           R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
           R"("features":[{"type":"Feature","properties":{"name":"foot"},"geometry":{"type":"LineString","coordinates":)"
@@ -174,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"its_keys_with_the_other_model",
                 {"material.model=voellmy-bingham", "material.friction-angle=20"},
                 {"structured.manning", "material.model = voellmy-bingham does not read it"}},
-        Refused{"a_preset", {"material.preset=mudflow"}, {"1 problem", "material.preset"}},
+        Refused{"a_preset", {"material.preset=mudflow"}, {"material.preset", "does not read it"}},
         Refused{"long_steps", {"numerics.cfl=0.9"}, {"numerics.cfl", "0.9", "at most 0.5"}},
         Refused{"surface_form", {"numerics.slope-correction=surface"}, {"numerics.slope-correction"}},
         Refused{"negative_manning", {"structured.manning=-0.1"}, {"structured.manning", "-0.1", "0 to 1"}}),

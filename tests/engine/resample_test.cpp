@@ -49,7 +49,7 @@ ResampleCounts resample_once(ParticleSet& particles, int max_per_cell) {
     ResampleLimits limits;
     limits.max_per_cell = max_per_cell;
     limits.width = limits.height = 40;
-    return resample(particles, order, limits, pool);
+    return resample(particles, order, limits, {}, pool);
 }
 
 TEST(Resample, SplitsALongParticleAlongItsAxisAndKeepsTheBudgets) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "models/voellmy_bingham/bed_friction.h"
+#include "mpm/active_tiles.h"
 #include "mpm/bed_exchange.h"
 #include "models/voellmy_bingham/stage_times.h"
 #include "mpm/node_grid.h"
@@ -24,11 +25,19 @@ namespace frana::voellmy_bingham {
 /// Everything that changes while the flow runs.
 struct State {
     State(ParticleSet set, NodeGrid grid, TileOrder tiles)
-        : particles(std::move(set)), nodes(std::move(grid)), order(std::move(tiles)) {}
+        : particles(std::move(set)),
+          nodes(std::move(grid)),
+          order(std::move(tiles)),
+          active(order.grid()),
+          nodes_seen(static_cast<std::size_t>(order.grid().tiles_x() * order.grid().tiles_y())),
+          particles_seen(nodes_seen.size()) {}
 
     ParticleSet particles;
     NodeGrid nodes;
     TileOrder order;
+    ActiveTiles active;
+    ZeroArray<NodeReport> nodes_seen;          ///< by tile: of the last step that updated its nodes
+    ZeroArray<ParticleReport> particles_seen;  ///< by tile: of the last step that moved its particles
     double time = 0;         ///< of positions [s]
     double velocity_lag = 0;    ///< how far the velocities are behind the positions [s]
     double drift = 0;        ///< how far particles may have moved since the last sort [cells]
@@ -65,6 +74,7 @@ struct Laws {
     double cfl = 0.5;
     double minimum_depth = 0.01;  ///< [m]
     bool wall = false;
+    bool skips_rest = true;  ///< what is at rest is not computed while nothing near it moves
     Point origin;  ///< release centroid, local metres
     double moving_speed = 0;  ///< speed from which volume counts as moving [m/s]
     BedFriction friction;
@@ -79,6 +89,7 @@ struct StepReport {
     NodeReport nodes;
     ParticleReport particles;
     ResampleCounts resampled;
+    std::size_t moved = 0;   ///< particles that were computed; the others rest
     StageSeconds seconds{};  ///< what each stage took
 };
 

@@ -17,19 +17,37 @@ namespace {
 constexpr double k_long_shape = 1;
 constexpr int k_sort_pause = 3;
 
-// Runs a stage over all particle tiles, colour after colour: tiles of one colour share no node.
+// Runs a stage over the particle tiles that bring something, colour after colour: tiles of one colour share no node.
 template <class Task>
-void for_tiles_by_colour(const TileOrder& order, ThreadPool& pool, const Task& task) {
-    for (const auto& colour : order.colours()) {
-        pool.for_each(colour.size(), [&](std::size_t i) { task(order.tiles()[colour[i]]); });
+void for_tiles_by_colour(const State& state, ThreadPool& pool, const Task& task) {
+    for (const auto& colour : state.active.bringing()) {
+        pool.for_each(colour.size(), [&](std::size_t i) { task(state.order.tiles()[colour[i]]); });
     }
 }
 
 template <class Task>
-void for_node_tiles(const State& state, ThreadPool& pool, const Task& task) {
-    const auto& tiles = state.order.node_tiles();
-    pool.for_each(tiles.size(),
-                  [&](std::size_t t) { task(t, NodeRange(tiles[t], state.order.grid(), state.nodes)); });
+void for_node_tiles(const State& state, const std::vector<std::int64_t>& tiles, ThreadPool& pool, const Task& task) {
+    pool.for_each(tiles.size(), [&](std::size_t t) { task(NodeRange(tiles[t], state.order.grid(), state.nodes)); });
+}
+
+// Whether what is at rest stays as it is while nothing near it moves: with friction that holds, and nothing that
+// changes with time or reaches across the edges.
+bool may_rest(const Laws& laws, const Stages& stages) {
+    return laws.skips_rest && laws.friction.holds() && !laws.friction.pore_pressure.active() && !laws.wall &&
+           stages.exchange_at_nodes == nullptr;
+}
+
+void wake_where_crossed(State& state, ThreadPool& pool) {
+    const double *x = state.particles[Field::x], *y = state.particles[Field::y];
+    const auto& tiles = state.order.tiles();
+    std::vector<std::uint8_t> crossed(tiles.size(), 0);
+    pool.for_each(tiles.size(), [&](std::size_t t) {
+        for (std::size_t p = tiles[t].begin; p < tiles[t].end && crossed[t] == 0; ++p)
+            crossed[t] = state.order.tile_of(x[p], y[p]) != tiles[t].tile;
+    });
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        if (crossed[t] != 0) state.active.wake_round(tiles[t].tile);
+    }
 }
 
 // Sorts by tile, dropping what has left, and forgets the nodes that no particle can touch any more: their old
@@ -46,12 +64,14 @@ void sort_particles(State& state, bool drop, ThreadPool& pool) {
             state.volume_left += volume[p];
         }
     }
+    if (state.active.any_rests(state.order)) wake_where_crossed(state, pool);
     const std::vector<std::int64_t> before = state.order.node_tiles();
     state.order.sort(state.particles, keep, pool);
     const auto& now = state.order.node_tiles();
     for (const std::int64_t tile : before) {
         if (!std::binary_search(now.begin(), now.end(), tile)) {
             clear_nodes(NodeRange(tile, state.order.grid(), state.nodes), state.nodes);
+            state.active.forget(tile);
         }
     }
     state.drift = 0;
@@ -60,11 +80,11 @@ void sort_particles(State& state, bool drop, ThreadPool& pool) {
 
 // Erosion and deposition: decided at the nodes, taken and given by the particles where they still are.
 void exchange_with_bed(State& state, const Laws& laws, const Stages& stages, double dt, ThreadPool& pool) {
-    for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
+    for_node_tiles(state, state.order.node_tiles(), pool, [&](const NodeRange& range) {
         stages.exchange_at_nodes(range, laws.exchange, dt, laws.resample.minimum_depth,
                                  state.bed_states.data(), state.nodes, state.bed_layers.data());
     });
-    for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
+    for_node_tiles(state, state.order.node_tiles(), pool, [&](const NodeRange& range) {
         move_bed(range, state.bed_layers.data(), state.nodes);
     });
     if (laws.wall) {
@@ -96,6 +116,7 @@ void slow_down(State& state, ThreadPool& pool) {
 
 void prepare(State& state, const Laws& laws, ThreadPool& pool) {
     sort_particles(state, true, pool);
+    state.active.wake(state.order);
     state.wave_speed = 0;
     const double *u = state.particles[Field::u], *v = state.particles[Field::v];
     const double *volume = state.particles[Field::volume], *area = state.particles[Field::area];
@@ -107,25 +128,27 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
     if (laws.wall) mirror_bed(state.nodes);
 }
 
-void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, ThreadPool& pool, StageWatch& watch) {
-    for_node_tiles(state, pool,
-                   [&](std::size_t, const NodeRange& range) { clear_nodes(range, state.nodes); });
-    for_tiles_by_colour(state.order, pool, [&](const ParticleTile& tile) {
+namespace {
+
+// gather_on_nodes for the tiles that the step computes.
+void gather(State& state, const Laws& laws, const Stages& stages, ThreadPool& pool, StageWatch& watch) {
+    const ActiveTiles& active = state.active;
+    for_node_tiles(state, active.cleared(), pool, [&](const NodeRange& range) { clear_nodes(range, state.nodes); });
+    for_tiles_by_colour(state, pool, [&](const ParticleTile& tile) {
         stages.particles_to_nodes(tile, state.particles, state.nodes);
     });
     if (laws.wall) mirror_sums(state.nodes);
     watch.ends(Stage::particles_to_nodes);
     if (stages.references) {
-        for_node_tiles(state, pool,
-                       [&](std::size_t, const NodeRange& range) { mean_levels(range, state.nodes); });
-        for_node_tiles(state, pool,
-                       [&](std::size_t, const NodeRange& range) { node_references(range, state.nodes); });
+        for_node_tiles(state, active.updated(), pool, [&](const NodeRange& range) { mean_levels(range, state.nodes); });
+        for_node_tiles(state, active.gathered(), pool,
+                       [&](const NodeRange& range) { forget_squares(range, state.nodes); });
+        for_node_tiles(state, active.updated(), pool,
+                       [&](const NodeRange& range) { node_references(range, state.nodes); });
         if (laws.wall) mirror_levels(state.nodes);
         watch.ends(Stage::levels);
     }
 }
-
-namespace {
 
 // Forces change the velocities for a time `kick`, then the new velocities move the particles for a time `drift`.
 StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, double kick, double drift,
@@ -136,8 +159,12 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
 
     // Particles to nodes: mass, momentum, area, reference levels; then the force of pressure, slope and
     // stress.
-    gather_on_nodes(state, laws, stages, pool, watch);
-    for_tiles_by_colour(state.order, pool, [&](const ParticleTile& tile) {
+    ActiveTiles& active = state.active;
+    active.choose(state.order, may_rest(laws, stages));
+    active.keep(state.nodes);
+    report.moved = active.moved_particles(state.order);
+    gather(state, laws, stages, pool, watch);
+    for_tiles_by_colour(state, pool, [&](const ParticleTile& tile) {
         stages.pressure_to_nodes(tile, state.particles, laws.gravity, state.nodes);
     });
     if (laws.wall) fold_forces(state.nodes);
@@ -151,23 +178,27 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
         node_update.effective_share = 1 - laws.friction.pore_pressure.ratio(state.time);
     BedState* const bed_states = state.bed_states.data();
     if (stages.fill_bed_states != nullptr) {
-        for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
+        for_node_tiles(state, active.updated(), pool, [&](const NodeRange& range) {
             stages.fill_bed_states(range, node_update, state.nodes, bed_states);
             for (const FrictionSweep& sweep : laws.friction.sweeps)
                 sweep(range, node_update, state.nodes, bed_states);
         });
     }
     if (laws.friction.holds()) {
-        for_node_tiles(state, pool, [&](std::size_t, const NodeRange& range) {
+        for_node_tiles(state, active.updated(), pool, [&](const NodeRange& range) {
             stages.hold_nodes(range, node_update, laws.friction, bed_states, state.nodes);
         });
     }
-    std::vector<NodeReport> node_reports(state.order.node_tiles().size());
-    for_node_tiles(state, pool, [&](std::size_t t, const NodeRange& range) {
-        node_reports[t] = stages.update_nodes(range, node_update, laws.friction, bed_states, state.time,
-                                              state.nodes, maxima);
+    pool.for_each(active.updated().size(), [&](std::size_t t) {
+        const std::int64_t tile = active.updated()[t];
+        NodeReport& seen = state.nodes_seen[static_cast<std::size_t>(tile)];
+        seen = stages.update_nodes(NodeRange(tile, state.order.grid(), state.nodes), node_update, laws.friction,
+                                   bed_states, state.time, state.nodes, maxima);
+        active.saw(tile, seen.moves);
     });
-    for (const NodeReport& r : node_reports) report.nodes.merge(r);
+    for (const std::int64_t tile : state.order.node_tiles())
+        report.nodes.merge(state.nodes_seen[static_cast<std::size_t>(tile)]);
+    active.put_back(state.nodes);
     if (laws.wall) mirror_velocities(state.nodes);
     // Only while positions move: velocities alone take nothing from the bed.
     const bool exchanges = stages.exchange_at_nodes != nullptr && drift > 0;
@@ -178,18 +209,33 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
     const ParticleUpdate particle_update{drift, laws.gravity * laws.stress.wave_factor, laws.resample.minimum_depth,
                                          laws.wall, laws.origin};
     const auto& tiles = state.order.tiles();
-    std::vector<ParticleReport> particle_reports(tiles.size());
-    pool.for_each(tiles.size(), [&](std::size_t t) {
-        particle_reports[t] =
-            stages.nodes_to_particles(tiles[t], particle_update, laws.stress, state.nodes, state.particles);
+    for (const ParticleTile& tile : tiles) state.particles_seen[static_cast<std::size_t>(tile.tile)].longest = 0;
+    pool.for_each(active.moved().size(), [&](std::size_t i) {
+        const ParticleTile& tile = tiles[active.moved()[i]];
+        state.particles_seen[static_cast<std::size_t>(tile.tile)] =
+            stages.nodes_to_particles(tile, particle_update, laws.stress, state.nodes, state.particles);
     });
-    for (const ParticleReport& r : particle_reports) report.particles.merge(r);
+    for (const ParticleTile& tile : tiles)
+        report.particles.merge(state.particles_seen[static_cast<std::size_t>(tile.tile)]);
     if (exchanges) slow_down(state, pool);
     watch.ends(Stage::nodes_to_particles);
     return report;
 }
 
+// One byte a tile of particles: those that rest need neither splitting nor merging.
+std::vector<std::uint8_t> resting(const State& state) {
+    std::vector<std::uint8_t> rests;
+    for (const ParticleTile& tile : state.order.tiles()) rests.push_back(state.active.rests(tile) ? 1 : 0);
+    return rests;
+}
+
 }  // namespace
+
+void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, ThreadPool& pool, StageWatch& watch) {
+    state.active.choose(state.order, false);
+    gather(state, laws, stages, pool, watch);
+    state.active.wake(state.order);
+}
 
 StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_limit, Maxima& maxima,
                 ThreadPool& pool) {
@@ -214,7 +260,7 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
         sort_particles(state, report.particles.outside > 0, pool);
         watch.ends(Stage::sort);
         if (stages.resamples) {
-            report.resampled = resample(state.particles, state.order, laws.resample, pool);
+            report.resampled = resample(state.particles, state.order, laws.resample, resting(state), pool);
             if (report.resampled.split > 0) state.drift = k_split_reach;
             watch.ends(Stage::resample);
         }

@@ -14,8 +14,10 @@ struct QuadStress {
 /// ExactYieldRatio for four values of a.
 FRANA_INLINE Quad exact_yield_ratio(Quad a) {
     const Quad p = 3 + a;
-    Quad zeta = select(a < 1, 1 - sqrt(a / 3), 2 / p);
-    for (int i = 0; i < 6; ++i) {
+    const Quad inverse = 1 / p;
+    Quad zeta = select(a < 1, 1 - sqrt(a * (1.0 / 3)) + a * (1.0 / 9),
+                       2 * inverse * (1 + 4 * inverse * inverse * inverse));
+    for (int i = 0; i < 3; ++i) {
         const Quad slope = 3 * zeta * zeta - p;
         zeta = select(slope > -1e-12, zeta, zeta - (zeta * zeta * zeta - p * zeta + 2) / slope);
     }

@@ -47,8 +47,8 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
                 pull_v = rate * solid.v[cell];
             }
         }
-        u = (u + dt * pull_u);
-        v = (v + dt * pull_v);
+        u += dt * pull_u;
+        v += dt * pull_v;
         // Quadratic: Manning, along the bed. The speed V after the step solves V (1 + dt linear + dt a V) = V*.
         const double n = laws.manning_by_cell.empty() ? laws.manning : laws.manning_by_cell[cell];
         double speed = u * u + v * v, thickness = h;

@@ -19,11 +19,13 @@ double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcep
 
 /// Resistance in one tile over dt, fully implicit, so that it slows and never reverses and that steady flow is exact:
 ///
-///     q (1 + dt [ g n^2 V / h_n^(4/3) / h  ... per |q|] + dt chi nu / h^2) = q*
+///     u (1 + dt (R_n + R_v + R_s)) = u* + dt R_s u_c
+///     R_n = g n^2 V / d^(4/3)                       Manning (paper, equation 46): V the speed along the bed, d = h_u cos
+///                                                   the thickness normal to it; V = |u|, d = h_u on gentle ground
+///     R_v = chi nu / h^2                            viscous shear at the bed (equation 56)
+///     R_s = nu_A zeta alpha_s (1 - f_sc) / h^2      damping by the solids' profile (equation 45; the sign is ours)
 ///
-/// Manning (paper, equation 46): -g n^2 u |u| / h^(4/3), with the speed along the bed V and the thickness normal to it
-/// h_n = h cos(theta) where the scene corrects for steep slopes. Viscous bed shear: -chi nu u / h^2 (equation 56).
-/// Damping by the solids' profile: -nu_A zeta alpha_s (1 - f_sc)(u - u_c)/h^2 (equation 45). Reads depth; writes qx, qy.
+/// Reads depth; writes qx, qy.
 void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
             const SolidLayer& solid, double dt, FluidFields& fields);
 
