@@ -157,6 +157,8 @@ void RasterWarp::fill_strip(const GridSpec& grid, Point scale, double* values) c
     words = CSLSetNameValue(words, "INIT_DEST", "NO_DATA");
     words = CSLSetNameValue(words, "XSCALE", kernel(scale.x).c_str());
     words = CSLSetNameValue(words, "YSCALE", kernel(scale.y).c_str());
+    // Other threads would each want a copy of the transformer, which only GDAL's own can make.
+    words = CSLSetNameValue(words, "NUM_THREADS", "1");
     options->papszWarpOptions = words;
 
     GDALWarpOperation operation;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mpm/curvature.h"
@@ -117,6 +118,24 @@ template <class Slope, class Friction>
 void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, NodeGrid& nodes) {
     constexpr double k_slow = 4;
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
+    // What a node would have after the step without friction, and its share in the bound: nine nodes ask for it.
+    struct Pull {
+        double px, py, held;
+    };
+    constexpr std::int64_t k_side = k_tile + 2;
+    std::array<Pull, k_side * k_side> pulls;
+    std::array<bool, k_side * k_side> known{};
+    const auto pull = [&](std::size_t n, std::int64_t column, std::int64_t row) -> const Pull& {
+        const auto place = static_cast<std::size_t>((row - range.j0 + 1) * k_side + column - range.i0 + 1);
+        if (!known[place]) {
+            const NodeSums& node = nodes.sums[n];
+            const NodeDrive d = drive_of<Slope>(nodes, k, n, column, row);
+            pulls[place] = {node.px + k.dt * node.mass * d.ax, node.py + k.dt * node.mass * d.ay,
+                            friction.held(node.mass, n, d.n)};
+            known[place] = true;
+        }
+        return pulls[place];
+    };
     range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
         NodeSums& node = nodes.sums[i];
         if (!(node.mass > 0)) return;
@@ -128,12 +147,11 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& fri
             for (std::int64_t a = std::max<std::int64_t>(column - 1, 0);
                  a <= std::min(column + 1, stride - 1); ++a) {
                 const auto n = static_cast<std::size_t>(b * stride + a);
-                const NodeSums& near = nodes.sums[n];
-                if (!(near.mass > 0)) continue;
-                const NodeDrive d = drive_of<Slope>(nodes, k, n, a, b);
-                px += near.px + k.dt * near.mass * d.ax;
-                py += near.py + k.dt * near.mass * d.ay;
-                bound += friction.held(near.mass, n, d.n);
+                if (!(nodes.sums[n].mass > 0)) continue;
+                const Pull& near = pull(n, a, b);
+                px += near.px;
+                py += near.py;
+                bound += near.held;
             }
         }
         bound *= friction.held_in_step(k);

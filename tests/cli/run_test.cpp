@@ -151,6 +151,31 @@ TEST_F(RunCommand, TheResolvedSceneReproducesTheRunWhateverTheThreads) {
     EXPECT_EQ(json_number(read_text(path("b/summary.json")), "simulated_seconds"), 3);
 }
 
+// Bytes of every file, pictures and film too; but for those that tell the time of day or how long it took.
+TEST_F(RunCommand, EveryOutputIsTheSameForAnyNumberOfThreadsAndASecondTime) {
+    write_scene("frame-interval = 1\n[output]\nmap-size = 640x480\n");
+    const std::vector<std::string> runs{"1", "2", "3", "7", "1"};
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const std::string result = "result" + std::to_string(i);
+        ASSERT_EQ(frana({"run", "scene.ini", "--out", result, "--quiet", "--threads", runs[i]}).exit_code, 0);
+    }
+    const auto tells_time = [](const std::string& name) {
+        return name.ends_with(".gpkg") || name.ends_with("summary.json") || name.ends_with("log.txt") ||
+               name.ends_with("report.html");
+    };
+    std::size_t compared = 0;
+    for (const std::string& name : files()) {
+        if (!name.starts_with("result0/") || tells_time(name)) continue;
+        const std::string one = read_text(path(name));
+        for (std::size_t i = 1; i < runs.size(); ++i) {
+            const std::string other = "result" + std::to_string(i) + name.substr(7);
+            EXPECT_TRUE(one == read_text(path(other))) << other << " with " << runs[i] << " threads";
+        }
+        ++compared;
+    }
+    EXPECT_GT(compared, 25U);
+}
+
 TEST_F(RunCommand, AnExistingResultIsKeptUnlessToldOtherwise) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
