@@ -45,8 +45,8 @@ double two_digits(std::int64_t count) {
 /// Trial runs foresee splitting and the speeds to come within a factor of about two.
 std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial) {
     if (!trial)
-        return "at least " + figure(expected.wall_seconds, 2) +
-               " s, more where the flow spreads and particles split";
+        return "at least " + figure(expected.wall_seconds, 2) + " s, more where the flow spreads" +
+               (expected.particles > 0 ? " and particles split" : "");
     const double seconds = trial->engine_seconds;
     return "about " + figure(seconds, 2) + " s (" + figure(seconds / 2, 2) + " to " + figure(2 * seconds, 2) +
            " s), from a trial on cells " + std::to_string(trial->coarsening) + " times as large" +
@@ -98,12 +98,15 @@ void print_run(const Prepared& prepared, const RunEstimate& expected,
     if (expected.inflow > 0) line("flows in", grouped(expected.inflow) + " m3 until the end");
     line("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                         : "is the bed: the release lies on top of it");
-    line(
-        "particles",
-        grouped(expected.particles) +
-            (trial ? " at the start, about " + grouped(two_digits(trial->particles_peak)) + " at most" : ""));
-    line("fields", std::to_string(expected.bytes_per_particle) + " bytes a particle, " +
-                       std::to_string(expected.bytes_per_node) + " bytes a node");
+    const std::string node_bytes = std::to_string(expected.bytes_per_node) + " bytes a ";
+    if (expected.particles == 0) {
+        line("fields", node_bytes + "cell");
+    } else {
+        line("particles",
+             grouped(expected.particles) +
+                 (trial ? " at the start, about " + grouped(two_digits(trial->particles_peak)) + " at most" : ""));
+        line("fields", std::to_string(expected.bytes_per_particle) + " bytes a particle, " + node_bytes + "node");
+    }
     line("first step", figure(expected.first_step_seconds, 3) + " s, end at " +
                            shortest_text(prepared.scene.time.end) + " s at most");
     line("estimated time",

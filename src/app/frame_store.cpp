@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/layers.h"
 #include "app/stopwatch.h"
 #include "app/text_file.h"
 #include "core/error.h"
@@ -61,6 +62,11 @@ void FrameWriter::write(const Job& job) const {
                        {"depth", "Flow depth at one instant, vertical", "m", time});
     gis::write_geotiff(frame_file(folder_, "velocity", job.index), job.frame.velocity,
                        {"velocity", "Flow speed at one instant, along the bed", "m/s", time});
+    for (const NamedRaster& raster : job.frame.more) {
+        const Layer layer = layer_named(raster.name);
+        gis::write_geotiff(frame_file(folder_, raster.name, job.index), raster.values,
+                           {raster.name, layer.title + " at one instant", layer.unit, time});
+    }
 }
 
 void FrameWriter::serve() {

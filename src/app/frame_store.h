@@ -15,7 +15,7 @@
 
 namespace frana::app {
 
-/// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif and frames.csv (index, time_s). A thread of its own
+/// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, and frames.csv (index, time_s). A thread of its own
 /// writes them while the run goes on; at most two wait, so that a slow disk holds the run back and not the memory.
 class FrameWriter {
   public:

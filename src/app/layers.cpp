@@ -63,9 +63,34 @@ std::vector<Layer> result_layers() {
     };
 }
 
+std::vector<Layer> all_layers() {
+    std::vector<Layer> layers = result_layers();
+    const auto add = [&](const char* name, const char* title, const char* description, const char* unit,
+                         const char* palette, bool progressive) {
+        layers.push_back({name, title, description, unit, palette, progressive, nullptr});
+    };
+    add("fluid_depth", "Depth of free fluid", "Depth of the free fluid, vertical", "m", "depth", true);
+    add("solid_depth", "Depth of solids", "Depth of solids without their fluid, vertical", "m", "depth", true);
+    add("solid_fraction", "Solid fraction", "Share of solids in everything that lies in the cell", "-", "depth", false);
+    add("cohesion_ratio", "Cohesion left", "Cohesion over initial cohesion, mean of the solids", "-", "depth", false);
+    add("strain", "Strain", "Greatest strain in the plane since the start, mean of the solids", "-", "depth", true);
+    add("fluid_velocity", "Velocity of the fluid", "Speed of the free fluid, along the bed", "m/s", "velocity", false);
+    add("solid_velocity", "Velocity of the solids", "Speed of solids and confined fluid, along the bed", "m/s",
+        "velocity", false);
+    add("released_water", "Released fluid", "Confined fluid that the structure has set free here", "m", "depth", true);
+    return layers;
+}
+
+const Raster* find_layer(const RunResult& result, const Layer& layer) {
+    if (layer.values != nullptr) return &(result.*layer.values);
+    for (const NamedRaster& raster : result.more)
+        if (raster.name == layer.name) return &raster.values;
+    return nullptr;
+}
+
 Layer layer_named(const std::string& name) {
     std::string known;
-    for (const Layer& layer : result_layers()) {
+    for (const Layer& layer : all_layers()) {
         if (layer.name == name) return layer;
         known += (known.empty() ? "" : ", ") + layer.name;
     }

@@ -19,10 +19,16 @@ struct Layer {
     std::string palette;
     bool progressive;  ///< classes 1, 2, 5, 10, ... rather than equal ones: for what is small over most of
                        ///< the area
-    Raster RunResult::*values;
+    Raster RunResult::*values;  ///< null: a raster of RunResult::more
 };
 
+/// Those that every result has.
 std::vector<Layer> result_layers();
+/// And those of RunResult::more, which only some results have.
+std::vector<Layer> all_layers();
+
+/// The layer's raster in a result; null where the result has none.
+const Raster* find_layer(const RunResult& result, const Layer& layer);
 
 /// The layer of a name; throws Error(input) naming the known ones.
 Layer layer_named(const std::string& name);

@@ -122,8 +122,9 @@ std::vector<std::string> write_map(const MapSource& source, const MapLayer& laye
 }  // namespace
 
 std::string map_subtitle(const MapFacts& facts) {
-    return "Voellmy-Bingham, scheme " + facts.scheme + ", " + figure(facts.simulated_seconds, 3) +
-           " s simulated";
+    const std::string model =
+        facts.model == "structured" ? "Structured model" : "Voellmy-Bingham, scheme " + facts.scheme;
+    return model + ", " + figure(facts.simulated_seconds, 3) + " s simulated";
 }
 
 std::vector<std::string> map_notes(const MapFacts& facts) {

@@ -17,6 +17,7 @@ namespace frana::app {
 
 /// Figures that stand on every map of a result.
 struct MapFacts {
+    std::string model;  ///< as material.model
     std::string scheme;
     double simulated_seconds = 0;
     double volume = 0;        ///< released [m3]

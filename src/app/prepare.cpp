@@ -142,6 +142,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.walls = std::move(walls);
     prepared.scene.inflows = std::move(inflows);
     prepared.scene.zones = std::move(zones);
+    prepared.scene.structured = structured_of(reading.scene);
     prepared.scene.material = material_of(reading.scene.material);
     prepared.scene.entrainment = entrainment_of(reading.scene.entrainment);
     prepared.scene.numerics = numerics_of(reading.scene);

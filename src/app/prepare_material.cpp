@@ -66,6 +66,50 @@ Material material_of(const MaterialSpec& spec) {
     return material;
 }
 
+std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
+    if (spec.material.model != "structured") return std::nullopt;
+    const StructuredSpec& s = spec.structured;
+    StructuredMaterial m;
+    m.solids = s.phases == "solids-and-fluid";
+    m.fluid_density = s.fluid_density;
+    m.fluid_viscosity = s.fluid_viscosity;
+    m.viscosity_growth = s.viscosity_growth;
+    m.velocity_shape = s.velocity_shape;
+    m.mobility = s.mobility;
+    m.solids_shape = s.solids_shape;
+    m.manning = s.manning;
+    m.dry_depth = s.dry_depth;
+    m.solid_fraction = s.solid_fraction;
+    m.confined_share = s.confined_share;
+    m.grain_density = s.grain_density;
+    m.grain_diameter = s.grain_diameter;
+    set(m.cohesion, s.cohesion);
+    set_tangent(m.friction, s.internal_friction_angle);
+    set_tangent(m.bed_friction, s.bed_friction_angle ? s.bed_friction_angle : s.internal_friction_angle);
+    m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
+    m.young_modulus = s.young_modulus;
+    m.bulk_modulus = s.bulk_modulus;
+    m.critical_strain = s.critical_strain;
+    m.damage_by_distortion = s.damage == "equivalent-plastic";
+    m.earth_pressure = s.earth_pressure == "active"           ? StructuredMaterial::EarthPressure::active
+                       : s.earth_pressure == "active-passive" ? StructuredMaterial::EarthPressure::passive
+                                                              : StructuredMaterial::EarthPressure::hydrostatic;
+    m.pore_pressure_share = s.pore_pressure_share;
+    m.drag_exponent = s.drag_exponent > 1 ? 2 : 1;
+    m.richardson_zaki = s.richardson_zaki;
+    set(m.smoothing_velocity, s.smoothing_velocity);
+    set(m.block_size, s.block_size);
+    set(m.sound_speed, s.sound_speed);
+    using VirtualMass = StructuredMaterial::VirtualMass;
+    m.virtual_mass = s.virtual_mass == "none"             ? VirtualMass::none
+                     : s.virtual_mass == "pudasaini-2019" ? VirtualMass::pudasaini_2019
+                                                          : VirtualMass::pudasaini_2012;
+    m.linear_viscosity = s.linear_viscosity;
+    m.quadratic_viscosity = s.quadratic_viscosity;
+    m.artificial_stress = s.artificial_stress;
+    return m;
+}
+
 Entrainment entrainment_of(const EntrainmentSpec& spec) {
     Entrainment e;
     e.erosion = spec.erosion == "shear-stress" ? ErosionLaw::shear_stress

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "params/scene_spec.h"
 #include "simulation/scene.h"
 
@@ -8,6 +10,8 @@ namespace frana::app {
 
 /// [material] in SI units, angles as tangents.
 Material material_of(const MaterialSpec& spec);
+/// [structured], where the scene's model is that.
+std::optional<StructuredMaterial> structured_of(const SceneSpec& spec);
 /// [entrainment] in SI units, angles as tangents.
 Entrainment entrainment_of(const EntrainmentSpec& spec);
 

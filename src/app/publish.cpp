@@ -63,13 +63,17 @@ class Drawings {
     bool all_drawn_ = true;
 };
 
-void publish_maps(const std::vector<std::string>& asked, const ResultReader& written, const MapSource& source,
+void publish_maps(const std::vector<std::string>& asked, const RunResult& result, const ResultReader& written, const MapSource& source,
                   const ResultDirectory& directory, Drawings& drawings) {
     if (asked.front() == "off") return;
     directory.make_folder("maps");
     const std::string ending = "_3d";
     const bool all = asked.front() == "on";
-    for (const std::string& name : all ? map_names() : asked) {
+    std::vector<std::string> names = all ? map_names() : asked;
+    if (all) {
+        for (const NamedRaster& raster : result.more) names.push_back(raster.name);
+    }
+    for (const std::string& name : names) {
         const bool view_3d = name.ends_with(ending);
         const std::string layer = view_3d ? name.substr(0, name.size() - ending.size()) : name;
         if (all && !written.has(layer + ".tif")) continue;
@@ -212,7 +216,7 @@ void draw_everything(const Finished& run, const std::optional<Comparison>& compa
     const OutputSpec& output = run.prepared.spec.output;
     const ResultReader written(directory.path(""));
     const MapSource source = map_source(written, run.prepared.spec);
-    publish_maps(output.maps, written, source, directory, drawings);
+    publish_maps(output.maps, run.result, written, source, directory, drawings);
     if (comparison && comparison->figures)
         drawings.attempt("comparison", [&] { draw_comparison(*comparison, source, directory.path("comparison")); });
     if (output.charts) {

@@ -62,8 +62,10 @@ void publish_exchange(const std::map<std::string, std::string>& origin, const Ru
 
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     const std::map<std::string, std::string> origin = provenance(prepared);
-    for (const Layer& layer : result_layers()) {
-        const Raster& raster = result.*layer.values;
+    for (const Layer& layer : all_layers()) {
+        const Raster* found = find_layer(result, layer);
+        if (found == nullptr) continue;
+        const Raster& raster = *found;
         write(directory, layer.name, raster, layer.description, layer.unit, origin);
         gis::write_styles(
             directory.path(layer.name + ".tif"),

@@ -87,7 +87,10 @@ void add_warnings(Page& page, const std::vector<std::string>& warnings) {
 void add_maps(Page& page, const SceneSpec& spec, const ResultDirectory& directory) {
     page.add("<h2 id=\"maps\">Maps</h2>\n");
     bool any = false;
-    for (const std::string& name : map_names()) {
+    std::vector<std::string> names = map_names();
+    for (const Layer& layer : all_layers())
+        if (std::find(names.begin(), names.end(), layer.name) == names.end()) names.push_back(layer.name);
+    for (const std::string& name : names) {
         const std::string file = directory.path("maps/" + name + ".png");
         if (!fs::exists(file)) continue;
         page.add_picture(file, name);

@@ -88,7 +88,7 @@ bool is_ours(const std::string& name) {
                                                   "frames.zarr"};
     if (std::find(k_names.begin(), k_names.end(), name) != k_names.end()) return true;
     std::vector<std::string> rasters{"release", "dtm", "bed", "comparison", "hazard", "max_flux", "max_head"};
-    for (const Layer& layer : result_layers()) rasters.push_back(layer.name);
+    for (const Layer& layer : all_layers()) rasters.push_back(layer.name);
     for (const std::string& raster : rasters)
         for (const char* ending : {".tif", ".qml", ".sld"})
             if (name == raster + ending) return true;

@@ -126,6 +126,7 @@ MultiPolygon ResultReader::outline(const std::string& layer, const std::string& 
 
 MapFacts ResultReader::facts() const {
     MapFacts facts;
+    facts.model = scene_value("material.model").value_or("");
     facts.scheme = scene_value("numerics.scheme").value_or("unknown");
     facts.threshold = scene_number("output.trace-threshold", OutputSpec{}.trace_threshold);
     const SeriesEnds ends = read_series_ends(path("timeseries.csv"));
@@ -175,7 +176,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
 
 std::vector<std::string> ResultReader::drawable() const {
     std::vector<std::string> names;
-    for (const Layer& layer : result_layers())
+    for (const Layer& layer : all_layers())
         if (has(layer.name + ".tif")) names.push_back(layer.name);
     std::vector<std::string> others;
     for (const auto& entry : fs::directory_iterator(directory_)) {

@@ -8,6 +8,7 @@
 #include "bench/channel_dam_break.h"
 #include "bench/choose.h"
 #include "bench/conservation.h"
+#include "bench/fluid_cases.h"
 #include "bench/granular_slope.h"
 #include "bench/lake.h"
 #include "bench/lake_dtm.h"
@@ -15,6 +16,7 @@
 #include "bench/rotated_dam_break.h"
 #include "bench/similarity.h"
 #include "bench/sliding_block.h"
+#include "bench/solid_cases.h"
 #include "bench/thacker.h"
 #include "bench/voellmy_plane.h"
 
@@ -47,6 +49,8 @@ std::vector<AccuracyCase> accuracy_cases(const std::optional<Raster>& sample_ter
     cases.push_back(bingham_slump());
     cases.push_back(sliding_block());
     cases.push_back(conservation());
+    append(cases, fluid_cases());
+    append(cases, solid_cases());
     return cases;
 }
 
@@ -56,6 +60,7 @@ std::vector<AccuracyRow> run_accuracy(const AccuracyOptions& options) {
         const std::size_t levels =
             options.quick ? std::min<std::size_t>(2, one.cell_sizes.size()) : one.cell_sizes.size();
         for (const Scheme scheme : k_schemes) {
+            if (one.one_scheme && scheme != Scheme::standard) continue;
             for (std::size_t level = 0; level < levels; ++level) {
                 AccuracyRow row{one.name, scheme, one.run(one.cell_sizes[level], scheme), k_no_data};
                 if (level > 0 && !one.rounding)

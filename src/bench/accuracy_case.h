@@ -44,6 +44,7 @@ struct AccuracyCase {
     std::vector<double> cell_sizes;  ///< from coarse to fine [m]
     bool rounding = false;           ///< the exact error is rounding: no order is to be expected
     std::function<CaseFigures(double cell_size, Scheme scheme)> run;
+    bool one_scheme = false;  ///< of the structured model, which has no schemes: runs once, as `default`
 };
 
 /// Depth and momentum of an exact solution at a node.
@@ -51,8 +52,12 @@ struct ExactState {
     double depth = 0, qx = 0, qy = 0;
 };
 
-/// Compares a flow's nodes with an exact solution at their places (local metres), where `inside` says so, and
-/// takes over what the run cost.
+/// Compares depth and momentum at the nodes with an exact solution at their places (local metres), where `inside` says
+/// so. What the run cost stays zero.
+CaseFigures compare_fields(const Flow::NodalFields& fields, const std::function<ExactState(Point)>& exact,
+                           const std::function<bool(Point)>& inside = {});
+
+/// The same for a flow, with what its run cost.
 CaseFigures compare_with_exact(TimedFlow& run, const std::function<ExactState(Point)>& exact,
                                const std::function<bool(Point)>& inside = {});
 

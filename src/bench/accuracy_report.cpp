@@ -203,6 +203,10 @@ std::string accuracy_verdict(const std::vector<AccuracyRow>& rows) {
     std::string out = "Least error for a given time (the greater of l1_depth and l1_momentum, one thread):\n";
     int standard = 0, paper = 0, equal = 0;
     for (const std::string& name : case_names(rows)) {
+        const auto of_paper_scheme = [&](const AccuracyRow& row) {
+            return row.case_name == name && row.scheme == Scheme::paper;
+        };
+        if (std::none_of(rows.begin(), rows.end(), of_paper_scheme)) continue;  // the structured model has no schemes
         const Curve a = curve_of(rows, name, Scheme::standard), b = curve_of(rows, name, Scheme::paper);
         if (a.empty() || b.empty()) {
             out += "  " + name + ": " + (a.empty() ? "default" : "paper") + " did not reach its end\n";

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "bench/memory_bandwidth.h"
+#include "bench/solid_speed.h"
 #include "bench/setup.h"
 #include "bench/speed_report.h"
 #include "mpm/vector/kernels.h"
@@ -172,6 +173,12 @@ SpeedResult run_speed(const SpeedOptions& options) {
                 result.rows.push_back(row);
             }
         }
+    }
+    // Of the structured model one size: its throughput hardly depends on it.
+    const double solid_size = std::min(sizes.back(), 1e5);
+    for (SpeedRow& row : measure_solids(solid_size, options.threads, options.quick ? 2 : 6)) {
+        if (options.report) options.report(speed_line(row));
+        result.rows.push_back(row);
     }
     const double terms_size = std::min(sizes.back(), 1e5);
     result.terms = measure_terms(terms_size, options.steps > 0 ? options.steps : steps_for(terms_size, options.quick));

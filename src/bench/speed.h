@@ -64,6 +64,7 @@ struct SpeedOptions {
 /// Throughput of the default scheme on two flows, 4 particles a cell:
 ///   slide  speed_sheet without in-plane stress
 ///   mud    with it
+/// and of the structured model's solids, with fluid and every term (solid_speed.h), at 1e5 particles at most.
 /// Sizes 1e4, 1e5, 1e6, and 1e7 unless `quick` or memory forbids. Each run's depth is compared, bit for bit,
 /// with the one that a single thread gave.
 SpeedResult run_speed(const SpeedOptions& options);

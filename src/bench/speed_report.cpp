@@ -84,7 +84,7 @@ std::string speed_csv(const SpeedResult& result) {
 std::string speed_stages_csv(const SpeedResult& result) {
     std::string out = "case,particles,threads,stage,nanoseconds_per_particle_step,share,bytes_moved\n";
     for (const SpeedRow& row : result.rows) {
-        for (std::size_t s = 0; s < k_stages; ++s) {
+        for (std::size_t s = 0; s < k_stages && row.bytes_moved > 0; ++s) {
             char line[160];
             std::snprintf(line, sizeof line, "%s,%lld,%d,%s,%.4g,%.4f,%g\n", row.case_name.c_str(),
                           static_cast<long long>(row.particles), row.threads, k_stage_names[s],
@@ -122,6 +122,7 @@ std::string speed_table(const SpeedResult& result) {
 
     out += "\nnanoseconds a particle-step, by stage (bytes of particle fields moved in the last column)\n";
     for (const SpeedRow& row : result.rows) {
+        if (row.bytes_moved == 0) continue;  // its stages are not watched
         std::snprintf(line, sizeof line, "%-6s %9lld particles %3d threads ", row.case_name.c_str(),
                       static_cast<long long>(row.particles), row.threads);
         out += line;

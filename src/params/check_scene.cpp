@@ -5,6 +5,7 @@
 
 #include "core/json.h"
 #include "params/check_laws.h"
+#include "params/model_keys.h"
 #include "params/value_text.h"
 
 namespace frana {
@@ -178,8 +179,11 @@ void check_scene(const SceneSpec& scene, const std::set<std::string>& given, con
     check_required(scene, given, file, problems);
     check_pairs(scene, file, problems);
     check_thickness(scene.release, file, problems);
-    check_laws(scene, given, file, problems);
-    check_numerics(scene.numerics, file, problems);
+    check_model(scene, given, file, problems);
+    if (scene.material.model == "voellmy-bingham") {
+        check_laws(scene, given, file, problems);
+        check_numerics(scene.numerics, file, problems);
+    }
     check_frames(scene, file, problems);
     check_hazard(scene.hazard, file, problems);
     check_output(scene, file, problems);

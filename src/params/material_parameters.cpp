@@ -85,8 +85,8 @@ void add_material(std::vector<Parameter>& list) {
     list.push_back(text("material.preset", FRANA_MEMBER(material.preset), "text",
                         "A material of `frana materials` to start from; keys given in the scene override it.",
                         "none"));
-    list.push_back(choice("material.model", FRANA_MEMBER(material.model), {"voellmy-bingham"},
-                          "Constitutive model.", {"structured"}));
+    list.push_back(choice("material.model", FRANA_MEMBER(material.model), {"voellmy-bingham", "structured"},
+                          "Model: one phase with laws of friction, or fluid and structured solids ([structured])."));
     list.push_back(number("material.density", FRANA_MEMBER(material.density), "kg/m3", Range{10, 10000},
                           "Bulk density of the flow."));
     add_friction(list);

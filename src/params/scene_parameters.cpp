@@ -7,6 +7,7 @@
 #include "params/output_parameters.h"
 #include "params/picture_parameters.h"
 #include "params/site_parameters.h"
+#include "params/structured_parameters.h"
 
 namespace frana {
 namespace {
@@ -124,6 +125,7 @@ std::vector<Parameter> scene_parameters() {
     add_release(list);
     add_inflow(list);
     add_material(list);
+    add_structured(list);
     add_zones(list);
     add_entrainment(list);
     add_numerics(list);
@@ -143,6 +145,7 @@ std::vector<Section> scene_sections() {
             {"release", "What fails, and how thick it is."},
             {"inflow", "What flows in through a line, over time."},
             {"material", "What it is made of."},
+            {"structured", "What the structured model is made of (material.model = structured)."},
             {"zones", "Where the ground differs from what [material] says."},
             {"entrainment", "What it takes from its bed and leaves on it."},
             {"numerics", "How it is computed."},

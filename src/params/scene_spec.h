@@ -86,6 +86,23 @@ struct MaterialSpec {
     std::string yield_ratio = "exact";
 };
 
+/// [structured], where material.model = structured; in the units a user writes (degrees).
+struct StructuredSpec {
+    std::optional<std::string> phases;
+    double fluid_density = 1000, fluid_viscosity = 0, viscosity_growth = 10, velocity_shape = 3;
+    double mobility = 1, solids_shape = 2, manning = 0.1, dry_depth = 1e-4;
+    double solid_fraction = 0.5, confined_share = 1, grain_density = 2400, grain_diameter = 1e-3;
+    std::optional<double> cohesion, internal_friction_angle, bed_friction_angle;
+    double dilatancy_angle = 0, young_modulus = 12e6, bulk_modulus = 23e6;
+    double critical_strain = 0.05;
+    std::string damage = "volumetric", earth_pressure = "hydrostatic";
+    double pore_pressure_share = 0;
+    double drag_exponent = 2, richardson_zaki = 2.4;
+    std::optional<double> smoothing_velocity, block_size, sound_speed;
+    std::string virtual_mass = "pudasaini-2012";
+    double linear_viscosity = 1, quadratic_viscosity = 1, artificial_stress = 0.5;
+};
+
 /// [entrainment], in the units a user writes (degrees, metres per kPa).
 struct EntrainmentSpec {
     std::string erosion = "off";
@@ -171,6 +188,7 @@ struct SceneSpec {
     ReleaseSpec release;
     InflowSpec inflow;
     MaterialSpec material;
+    StructuredSpec structured;
     ZonesSpec zones;
     EntrainmentSpec entrainment;
     NumericsSpec numerics;

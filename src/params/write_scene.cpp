@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/write_scene.h"
 
+#include "params/model_keys.h"
 #include "params/scene_parameters.h"
 
 namespace frana {
@@ -26,6 +27,7 @@ std::string scene_text(const SceneSpec& scene, const std::map<std::string, std::
         scene.file + "\n";
     std::string section;
     for (const Parameter& parameter : scene_parameters()) {
+        if (!model_reads(scene, parameter.name())) continue;
         if (parameter.section != section) {
             section = parameter.section;
             text += "\n[" + section + "]\n";

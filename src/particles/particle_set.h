@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <string_view>
 #include <vector>
@@ -32,6 +34,29 @@ enum class Field : unsigned char {
     q_xx,
     q_xy,
     q_yy,  // squared extents: the shape that the flow has given the particle
+    // What structured solids carry besides; `volume` is their solids alone, depth is (volume + confined) / area.
+    confined,  // volume of the confined fluid
+    t_xx,
+    t_yy,
+    t_zz,
+    t_xy,  // stress, tension positive, without the geostatic part
+    e_xx,
+    e_yy,
+    e_xy,            // strain since the start
+    damage,          // accumulated cracking strain
+    cohesion_ratio,  // present cohesion over initial
+    cohesion,        // initial
+    friction,        // tangent of the internal friction angle
+    bed_friction,    // tangent of the friction angle at the bed
+    grain_density,
+    grain_diameter,
+    push_x,
+    push_y,       // acceleration that the grid gives through the present step
+    flatness,     // 1 / (1 + |grad b|^2) of the bed
+    submergence,  // share of the pores that free fluid fills
+    released,
+    released_x,
+    released_y,  // confined fluid set free in the present step, and its volume times velocity
     count
 };
 inline constexpr std::size_t k_fields = static_cast<std::size_t>(Field::count);
@@ -58,6 +83,28 @@ inline constexpr std::array<FieldInfo, k_fields> k_field_table{{
     {"q_xx", "m2", 0},
     {"q_xy", "m2", 0},
     {"q_yy", "m2", 0},
+    {"confined", "m3", 0},
+    {"t_xx", "Pa", 0},
+    {"t_yy", "Pa", 0},
+    {"t_zz", "Pa", 0},
+    {"t_xy", "Pa", 0},
+    {"e_xx", "-", 0},
+    {"e_yy", "-", 0},
+    {"e_xy", "-", 0},
+    {"damage", "-", 0},
+    {"cohesion_ratio", "-", 1},
+    {"cohesion", "Pa", 0},
+    {"friction", "-", 0},
+    {"bed_friction", "-", 0},
+    {"grain_density", "kg/m3", 0},
+    {"grain_diameter", "m", 0},
+    {"push_x", "m/s2", 0},
+    {"push_y", "m/s2", 0},
+    {"flatness", "-", 1},
+    {"submergence", "-", 0},
+    {"released", "m3", 0},
+    {"released_x", "m4/s", 0},
+    {"released_y", "m4/s", 0},
 }};
 
 /// A set of fields, as bits.
@@ -65,23 +112,23 @@ class FieldMask {
   public:
     constexpr FieldMask() = default;
     constexpr FieldMask(std::initializer_list<Field> fields) {
-        for (Field f : fields) bits_ |= 1u << static_cast<unsigned>(f);
+        for (Field f : fields) bits_ |= bit(f);
     }
     [[nodiscard]] constexpr bool has(Field f) const noexcept {
-        return (bits_ >> static_cast<unsigned>(f)) & 1u;
+        return (bits_ & bit(f)) != 0;
     }
     constexpr FieldMask operator|(FieldMask other) const noexcept {
         other.bits_ |= bits_;
         return other;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept {
-        std::size_t n = 0;
-        for (unsigned bits = bits_; bits != 0; bits >>= 1) n += bits & 1u;
-        return n;
+        return static_cast<std::size_t>(std::popcount(bits_));
     }
 
   private:
-    unsigned bits_ = 0;
+    static constexpr std::uint64_t bit(Field f) { return std::uint64_t{1} << static_cast<unsigned>(f); }
+    static_assert(k_fields <= 64);
+    std::uint64_t bits_ = 0;
 };
 
 inline constexpr FieldMask k_basic_fields{Field::x, Field::y, Field::u, Field::v, Field::volume, Field::area};

@@ -155,7 +155,10 @@ void Flow::advance_to(double time) {
 std::size_t Flow::bytes_per_node() const noexcept {
     const std::size_t level = state_.nodes.levels.size() != 0 ? sizeof(NodeLevel) : 0;
     const std::size_t solid = state_.nodes.any_solid() ? 1 : 0;
-    return sizeof(double) + sizeof(NodeSums) + level + solid + Maxima::k_bytes;
+    const std::size_t laws = (state_.bed_states.size() != 0 ? sizeof(BedState) : 0) +
+                             (state_.bed_layers.size() != 0 ? sizeof(BedLayer) : 0) +
+                             laws_.friction.node_values.size() * sizeof(double);
+    return sizeof(double) + sizeof(NodeSums) + level + solid + Maxima::k_bytes + laws;
 }
 
 double Flow::volume() const {

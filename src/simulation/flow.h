@@ -23,6 +23,9 @@ struct TiltedGravity {
 /// benches.
 class Flow {
   public:
+    /// After a step the nodes show the moment it began.
+    static constexpr bool k_shows_end = false;
+
     /// @param bed elevation [m], NaN where there is none; its grid gives cell size and extent
     /// @param kernels plain: without the processor's vector instructions, for comparison
     /// @param particles in local metres; fields the scheme needs are added with their initial values
@@ -51,6 +54,11 @@ class Flow {
 
     [[nodiscard]] double time() const noexcept { return state_.time; }
     [[nodiscard]] const ParticleSet& particles() const noexcept { return state_.particles; }
+    [[nodiscard]] std::int64_t particle_count() const noexcept {
+        return static_cast<std::int64_t>(state_.particles.size());
+    }
+    [[nodiscard]] bool empty() const noexcept { return state_.particles.size() == 0; }
+    [[nodiscard]] std::size_t bytes_per_particle() const noexcept { return state_.particles.bytes_per_particle(); }
     /// Tiles of nodes that the particles can touch: what a step clears and updates.
     [[nodiscard]] std::size_t reached_tiles() const noexcept { return state_.order.node_tiles().size(); }
     /// Bytes that a node of the map takes once it was touched.
@@ -82,12 +90,6 @@ class Flow {
     /// Volume inside and its centroid (local metres).
     [[nodiscard]] double volume() const;
     [[nodiscard]] Point centroid() const;
-    /// What laws of the bed beyond uniform Voellmy friction keep at each node [bytes].
-    [[nodiscard]] std::size_t bed_bytes_per_node() const noexcept {
-        return (state_.bed_states.size() != 0 ? sizeof(BedState) : 0) +
-               (state_.bed_layers.size() != 0 ? sizeof(BedLayer) : 0) +
-               laws_.friction.node_values.size() * sizeof(double);
-    }
     /// Measures the front distance from here on [local metres].
     void set_origin(Point origin) { laws_.origin = origin; }
     /// Rids the time of the last bit that summing steps has cost it.

@@ -92,6 +92,7 @@ std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydr
         const double acceleration = (b.speed - hydrograph[i].speed) / span;
         while (a.time < last.time) {
             // Time until the row is full: length + v t + acceleration t^2 / 2 = spacing.
+            const bool begun = open.length > 0;
             const double missing = spacing - open.length;
             const double root = a.speed * a.speed + 2 * acceleration * missing;
             const double full = root > 0 ? 2 * missing / (a.speed + std::sqrt(root)) : last.time - a.time;
@@ -101,7 +102,7 @@ std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydr
             open.volume += 0.5 * (a.discharge + to.discharge) * dt;
             open.length += 0.5 * (a.speed + to.speed) * dt;
             if (fills) close(to.time);
-            if (!(dt > 0)) break;  // fuller than a time can tell
+            if (!(dt > 0) && !begun) break;  // a whole row in less than a time can tell
             a = to;
         }
         if (last.discharge == 0 || last.time >= end || i + 2 == hydrograph.size()) close(last.time);

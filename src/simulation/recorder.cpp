@@ -55,14 +55,18 @@ Recorder::Recorder(const Recording& recording, const GridSpec& grid, const Numer
     }
 }
 
-Recorder::NodeState Recorder::state_of(const NodeGrid& nodes, std::size_t node) const {
+Recorder::NodeState Recorder::state_of(const Flow& flow, std::size_t node) const {
+    const NodeGrid& nodes = flow.nodes();
     const NodeSums& sums = nodes.sums[node];
     if (!(sums.mass > 0)) return {};
     NodeState state;
     const double cell_area = cell_size_ * cell_size_;
     state.depth = shown_depth(sums.mass, sums.area * cell_area, sums.support, 1 / cell_area);
+    state.held = sums.mass / cell_area;
     state.u = sums.fx;
     state.v = sums.fy;
+    state.moved_x = state.held * sums.px;
+    state.moved_y = state.held * sums.py;
     double climb = 0;
     if (metric_) {
         const auto stride = static_cast<std::size_t>(nodes.stride());
@@ -74,19 +78,31 @@ Recorder::NodeState Recorder::state_of(const NodeGrid& nodes, std::size_t node) 
     return state;
 }
 
-SectionRow Recorder::row_of(const Flow& flow, std::size_t section, double time) const {
+Recorder::NodeState Recorder::state_of(const StructuredFlow& flow, std::size_t node) const {
+    const StructuredFlow::Column column = flow.column(node);
+    if (!(column.depth > 0)) return {};
+    NodeState state;
+    state.depth = state.held = column.depth;
+    state.moved_x = column.qx;
+    state.moved_y = column.qy;
+    state.u = state.moved_x / state.depth;
+    state.v = state.moved_y / state.depth;
+    state.speed = flow.speed(node);
+    return state;
+}
+
+template <class AnyFlow>
+SectionRow Recorder::row_of(const AnyFlow& flow, std::size_t section, double time) const {
     SectionRow row;
     row.time = time;
     row.section = section;
-    const NodeGrid& nodes = flow.nodes();
     for (const Piece& piece : lines_[section].pieces) {
         double flux_x = 0, flux_y = 0, depth = 0, speed = 0;
         for (const Share& share : piece.shares) {
-            const NodeState state = state_of(nodes, share.node);
+            const NodeState state = state_of(flow, share.node);
             // The volume in the cell, not the depth that is shown, is what passes.
-            const double held = nodes.sums[share.node].mass / (cell_size_ * cell_size_);
-            flux_x += share.weight * held * state.u;
-            flux_y += share.weight * held * state.v;
+            flux_x += share.weight * state.held * state.u;
+            flux_y += share.weight * state.held * state.v;
             depth += share.weight * state.depth;
             speed += share.weight * state.speed;
         }
@@ -99,22 +115,22 @@ SectionRow Recorder::row_of(const Flow& flow, std::size_t section, double time) 
     return row;
 }
 
-double Recorder::passing(const Flow& flow, std::size_t section) const {
-    const NodeGrid& nodes = flow.nodes();
+template <class AnyFlow>
+double Recorder::passing(const AnyFlow& flow, std::size_t section) const {
     double sum = 0;
     for (const Piece& piece : lines_[section].pieces) {
         for (const Share& share : piece.shares) {
-            const NodeSums& node = nodes.sums[share.node];
-            if (node.mass > 0)
-                sum += share.weight * node.mass * (node.px * piece.normal_x + node.py * piece.normal_y);
+            const NodeState state = state_of(flow, share.node);
+            sum += share.weight * (state.moved_x * piece.normal_x + state.moved_y * piece.normal_y);
         }
     }
-    return sum / (cell_size_ * cell_size_);
+    return sum;
 }
 
-void Recorder::add_rows(const Flow& flow, double time) {
+template <class AnyFlow>
+void Recorder::add_rows(const AnyFlow& flow, double time) {
     for (std::size_t g = 0; g < places_.size(); ++g) {
-        const NodeState state = state_of(flow.nodes(), places_[g]);
+        const NodeState state = state_of(flow, places_[g]);
         const bool reached = state.depth >= minimum_depth_;
         gauge_rows_.push_back({time, g, reached ? state.depth : 0, reached ? state.speed : 0});
     }
@@ -124,21 +140,22 @@ void Recorder::add_rows(const Flow& flow, double time) {
     }
 }
 
-void Recorder::fold_intensity(const Flow& flow) {
-    const NodeGrid& nodes = flow.nodes();
+template <class AnyFlow>
+void Recorder::fold_intensity(const AnyFlow& flow) {
     if (flux_.size() == 0) {
-        flux_ = ZeroArray<double>(nodes.sums.size());
-        head_ = ZeroArray<double>(nodes.sums.size());
+        flux_ = ZeroArray<double>(flow.nodes().sums.size());
+        head_ = ZeroArray<double>(flow.nodes().sums.size());
     }
     flow.for_each_active_node([&](std::size_t node) {
-        const NodeState state = state_of(nodes, node);
+        const NodeState state = state_of(flow, node);
         if (state.depth < minimum_depth_) return;
         flux_[node] = std::max(flux_[node], state.depth * state.speed);
         head_[node] = std::max(head_[node], state.depth + state.speed * state.speed / (2 * gravity_));
     });
 }
 
-void Recorder::see(const Flow& flow, double time, double dt) {
+template <class AnyFlow>
+void Recorder::see(const AnyFlow& flow, double time, double dt) {
     if (intensity_) fold_intensity(flow);
     const bool due = interval_ <= 0 || time >= next_row_ * (1 - 1e-12);
     if (due) {
@@ -148,7 +165,8 @@ void Recorder::see(const Flow& flow, double time, double dt) {
     for (std::size_t s = 0; s < lines_.size(); ++s) lines_[s].volume += dt * passing(flow, s);
 }
 
-void Recorder::give(const Flow& flow, RunResult& result) {
+template <class AnyFlow>
+void Recorder::give(const AnyFlow& flow, RunResult& result) {
     result.gauges = std::move(gauge_rows_);
     result.sections = std::move(section_rows_);
     if (!intensity_) return;
@@ -162,5 +180,10 @@ void Recorder::give(const Flow& flow, RunResult& result) {
         if (!(result.max_head.values[i] >= depth)) result.max_head.values[i] = depth;
     }
 }
+
+template void Recorder::see(const Flow&, double, double);
+template void Recorder::see(const StructuredFlow&, double, double);
+template void Recorder::give(const Flow&, RunResult&);
+template void Recorder::give(const StructuredFlow&, RunResult&);
 
 }  // namespace frana

@@ -6,22 +6,25 @@
 #include "simulation/flow.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
+#include "simulation/structured_flow.h"
 
 namespace frana {
 
-/// Records what a scene asks for beyond the maxima, from the nodes as each step leaves them: their depth,
-/// and the velocity that the particles brought (as the maxima see it), at the moment the step began. What the
-/// very last step leads to is not seen.
+/// Records what a scene asks for beyond the maxima, from the nodes as each step leaves them. A Flow's show the depth and
+/// the velocity that the particles brought (as the maxima see it), at the moment the step began, and what the very last
+/// step leads to is not seen. A StructuredFlow's cells show the end of the step.
 class Recorder {
   public:
     Recorder(const Recording& recording, const GridSpec& grid, const Numerics& numerics);
 
     /// Whether there is nothing to do.
     [[nodiscard]] bool idle() const noexcept { return !intensity_ && places_.empty() && lines_.empty(); }
-    /// After a step that began at `time` and took `dt` [s].
-    void see(const Flow& flow, double time, double dt);
+    /// After a step that took `dt`; `time` is when the flow's nodes were as they show now [s].
+    template <class AnyFlow>
+    void see(const AnyFlow& flow, double time, double dt);
     /// Moves the rows and rasters into the result.
-    void give(const Flow& flow, RunResult& result);
+    template <class AnyFlow>
+    void give(const AnyFlow& flow, RunResult& result);
 
   private:
     /// One node with its share of a sample.
@@ -40,15 +43,23 @@ class Recorder {
         double volume = 0;
     };
     struct NodeState {
-        double depth = 0, u = 0, v = 0, speed = 0;
+        double depth = 0;  ///< that is shown [m]
+        double held = 0;   ///< volume over cell area, which is what passes [m]
+        double u = 0, v = 0, speed = 0;
+        double moved_x = 0, moved_y = 0;  ///< discharge per width by the velocities that moved it [m2/s]
     };
 
-    [[nodiscard]] NodeState state_of(const NodeGrid& nodes, std::size_t node) const;
+    [[nodiscard]] NodeState state_of(const Flow& flow, std::size_t node) const;
+    [[nodiscard]] NodeState state_of(const StructuredFlow& flow, std::size_t node) const;
     /// Volume that the step just done moves through a section [m3/s], by the velocities that moved it.
-    [[nodiscard]] double passing(const Flow& flow, std::size_t section) const;
-    [[nodiscard]] SectionRow row_of(const Flow& flow, std::size_t section, double time) const;
-    void add_rows(const Flow& flow, double time);
-    void fold_intensity(const Flow& flow);
+    template <class AnyFlow>
+    [[nodiscard]] double passing(const AnyFlow& flow, std::size_t section) const;
+    template <class AnyFlow>
+    [[nodiscard]] SectionRow row_of(const AnyFlow& flow, std::size_t section, double time) const;
+    template <class AnyFlow>
+    void add_rows(const AnyFlow& flow, double time);
+    template <class AnyFlow>
+    void fold_intensity(const AnyFlow& flow);
 
     bool intensity_, metric_;
     double interval_, minimum_depth_, gravity_, cell_size_;

@@ -25,12 +25,19 @@ struct SeriesRow {
     double covered_area = 0;    ///< cells deeper than the minimum depth [m2]
 };
 
+/// A raster that only some models give, by the name of its file.
+struct NamedRaster {
+    std::string name;  ///< "fluid_velocity"
+    Raster values;
+};
+
 /// The flow at one instant, as rasters on the working grid (NaN where there is none).
 struct Frame {
     int index = 0;
     double time = 0;  ///< [s]
     Raster depth;     ///< vertical [m]
     Raster velocity;  ///< speed along the bed [m/s]
+    std::vector<NamedRaster> more;  ///< what else the model shows
 };
 
 struct Progress {
@@ -109,6 +116,7 @@ struct RunResult {
     Raster final_depth;   ///< [m]
     Raster max_flux;      ///< depth times speed along the bed at one moment [m2/s]; empty unless recorded
     Raster max_head;      ///< depth plus v^2 / 2g at one moment [m]; empty unless recorded
+    std::vector<NamedRaster> more;  ///< what else the model shows at the end, the names of Frame::more
     std::vector<SeriesRow> series;
     std::vector<GaugeRow> gauges;
     std::vector<SectionRow> sections;

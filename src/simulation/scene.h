@@ -80,6 +80,40 @@ struct Material {
     }
 };
 
+/// What the structured model is made of: blocks of solids with the fluid they confine, or fluid alone.
+struct StructuredMaterial {
+    bool solids = false;  ///< false: the release is fluid, and nothing below the fluid's lines is read
+    double fluid_density = 1000;       ///< [kg/m3]
+    double fluid_viscosity = 0;        ///< a_eta [Pa s]; 0: no viscous terms
+    double viscosity_growth = 10;      ///< b_eta, with the solids' fraction [-]
+    double velocity_shape = 3;         ///< chi [-]
+    double mobility = 1;               ///< A of the enhanced stress [-]
+    double solids_shape = 2;           ///< zeta [-]
+    double manning = 0.1;              ///< n [s/m^(1/3)]
+    double dry_depth = 1e-4;           ///< [m]
+
+    double solid_fraction = 0.5;       ///< of what is released [-]
+    double confined_share = 1;         ///< f_fc, share of its fluid that is confined [-]
+    double grain_density = 2400;       ///< [kg/m3]
+    double grain_diameter = 1e-3;      ///< [m]
+    double cohesion = 0;               ///< [Pa]
+    double friction = 0;               ///< tan(phi) [-]
+    double bed_friction = 0;           ///< tan(phi_b) [-]
+    double sin_dilatancy = 0;          ///< sin(psi) [-]
+    double young_modulus = 12e6, bulk_modulus = 23e6;  ///< [Pa]
+    double critical_strain = 0.05;     ///< eps_c [-]
+    bool damage_by_distortion = false; ///< false: by opening
+    enum class EarthPressure { hydrostatic, active, passive } earth_pressure = EarthPressure::hydrostatic;
+    double pore_pressure_share = 0;    ///< B [-]
+    int drag_exponent = 2;             ///< j: 1 or 2
+    double richardson_zaki = 2.4;      ///< M [-]
+    double smoothing_velocity = 0;     ///< K of the drag [m/s]; 0: the mixture's flux
+    double block_size = 0;             ///< d_sc [m]; 0: the local depth
+    double sound_speed = 0;            ///< of the artificial viscosity [m/s]; 0: the elastic waves'
+    enum class VirtualMass { none, pudasaini_2012, pudasaini_2019 } virtual_mass = VirtualMass::pudasaini_2012;
+    double linear_viscosity = 1, quadratic_viscosity = 1, artificial_stress = 0.5;  ///< [-]
+};
+
 enum class ErosionLaw { none, shear_stress, growth, mechanical };
 
 /// What the flow takes from its bed and leaves on it; src/physics/erosion_*.h and deposition_*.h describe the
@@ -191,6 +225,8 @@ struct Scene {
     std::vector<ReleaseArea> release;
     std::optional<double> release_volume;  ///< of all areas [m3]: their thicknesses are scaled alike to hold it
     std::vector<Inflow> inflows;
+    /// Given: the structured model runs, and material, zones and entrainment are not read.
+    std::optional<StructuredMaterial> structured;
     Material material;
     MaterialZones zones;
     Entrainment entrainment;

@@ -92,9 +92,48 @@ void add_numerics(const Numerics& numerics, Words& words) {
     if (transfer_of(numerics) == Transfer::apic) words.emplace_back("splitting and merging");
 }
 
+void add_solids(const StructuredMaterial& m, bool fluid, Words& words) {
+    words.emplace_back("elasticity and Drucker-Prager plasticity of solids");
+    words.emplace_back("Coulomb bed friction");
+    switch (m.earth_pressure) {
+        case StructuredMaterial::EarthPressure::hydrostatic:
+            words.emplace_back("lateral earth pressure, hydrostatic in broken material");
+            break;
+        case StructuredMaterial::EarthPressure::active:
+            words.emplace_back("lateral earth pressure, active");
+            break;
+        case StructuredMaterial::EarthPressure::passive:
+            words.emplace_back("lateral earth pressure, active and passive");
+            break;
+    }
+    if (m.cohesion > 0) words.emplace_back("cohesion that strain destroys");
+    if (!fluid) return;
+    if (m.cohesion > 0 && m.confined_share > 0) words.emplace_back("release of confined fluid");
+    words.emplace_back("buoyancy");
+    words.emplace_back("drag");
+    if (m.virtual_mass != StructuredMaterial::VirtualMass::none) words.emplace_back("virtual mass");
+}
+
+Words structured_terms(const Scene& scene) {
+    const StructuredMaterial& m = *scene.structured;
+    const bool fluid = !m.solids || m.solid_fraction < 1;
+    Words words{"hydrostatic pressure", "bed slope"};
+    if (scene.numerics.slope_correction != SlopeCorrection::none) words.emplace_back("slope correction: normal");
+    if (m.solids) add_solids(m, fluid, words);
+    if (!fluid) return words;
+    if (m.manning > 0) words.emplace_back("Manning bed resistance");
+    if (m.fluid_viscosity > 0) {
+        words.emplace_back("in-plane viscosity");
+        if (m.velocity_shape > 0) words.emplace_back("viscous shear at the bed");
+    }
+    words.emplace_back("finite volumes, MUSCL with hydrostatic reconstruction, HLL");
+    return words;
+}
+
 }  // namespace
 
 std::vector<std::string> list_terms(const Scene& scene) {
+    if (scene.structured) return structured_terms(scene);
     const Material& material = scene.material;
     const Numerics& numerics = scene.numerics;
     Words words{"hydrostatic pressure", "bed slope"};

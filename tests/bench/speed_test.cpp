@@ -13,12 +13,12 @@ TEST(Speed, MeasuresOneAndSeveralThreadsWithTheSameBits) {
     options.sizes = {400};
     options.steps = 20;
     const SpeedResult result = run_speed(options);
-    ASSERT_EQ(result.rows.size(), 4u);  // slide and mud, 1 and 2 threads
+    ASSERT_EQ(result.rows.size(), 6u);  // slide, mud and solids, 1 and 2 threads
     for (const SpeedRow& row : result.rows) {
         EXPECT_EQ(row.particles, 400);
         EXPECT_GT(row.particle_steps_per_second, 0);
         EXPECT_GT(row.bytes_per_particle, 0);
-        EXPECT_GT(row.fraction_of_memory_bandwidth, 0);
+        EXPECT_TRUE(row.case_name == "solids" || row.fraction_of_memory_bandwidth > 0);
         EXPECT_TRUE(row.same_bits);
     }
     EXPECT_GT(result.rows[2].bytes_per_particle, result.rows[0].bytes_per_particle)

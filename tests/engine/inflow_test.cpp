@@ -35,6 +35,14 @@ TEST(CutHydrograph, KeepsTheVolumeUntilTheEnd) {
     EXPECT_EQ(cut.back().time, 150);
 }
 
+// A row that is full exactly where the hydrograph bends ends there, and the next begins.
+TEST(CutHydrograph, RowsMayEndWhereTheHydrographBends) {
+    const std::vector<HydrographPoint> trapezium{{0, 0, 2}, {1, 20, 2}, {4, 20, 2}, {5, 0, 2}};
+    const auto rows = cut_hydrograph(trapezium, 1, 100);
+    EXPECT_NEAR(sum_of(rows), 80, 1e-12 * 80);
+    EXPECT_EQ(rows.size(), 10u);  // 10 m in 5 s
+}
+
 TEST(CutHydrograph, HoldsNothingBackOverAPause) {
     const std::vector<HydrographPoint> waves{{0, 2, 1}, {7, 2, 1}, {7, 0, 1}, {500, 0, 1}, {500, 3, 1}, {510, 3, 1}};
     const auto rows = cut_hydrograph(waves, 2, 1000);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+namespace frana::structured {
+
+/// A column as the bed feels it, per unit area in map view.
+struct Column {
+    double solids = 0;      ///< h_s [m]
+    double confined = 0;    ///< h_fc [m]
+    double structured = 0;  ///< f_sc, share of the solids that is structured [-]
+    double submerged = 0;   ///< share of the loose solids' pores that free fluid fills [-]
+};
+
+/// What the bed carries of solids and confined fluid, as effective stress (after the paper's equations 37 to 39; its
+/// 58 cannot be read):
+///     N = g [ (1 - f_sc) h_s (rho_s - S rho_f) + f_sc h_s (rho_s - B rho_f) + (1 - B) h_fc rho_f ] >= 0
+/// Loose solids weigh what buoyancy leaves (Pudasaini 2012), structured solids with their confined fluid weigh in full
+/// unless a share B of the pore pressure reaches the bed. S, ours: loose solids float only as far as there is free
+/// fluid in their pores, so that dry rubble keeps its weight.
+struct BasalPressure {
+    double gravity = 9.81;
+    double fluid_density = 0;  ///< rho_f; 0 in a scene without any fluid [kg/m3]
+    double propagation = 0;    ///< B [-]
+
+    /// N [Pa].
+    [[nodiscard]] double operator()(const Column& c, double grain_density) const noexcept {
+        const double loose = (1 - c.structured) * c.solids * (grain_density - c.submerged * fluid_density);
+        const double whole = c.structured * c.solids * (grain_density - propagation * fluid_density);
+        const double pores = (1 - propagation) * c.confined * fluid_density;
+        return std::max(0.0, gravity * (loose + whole + pores));
+    }
+};
+
+}  // namespace frana::structured

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/structured/coupling/couple_nodes.h"
+
+#include <algorithm>
+
+namespace frana::structured {
+namespace {
+
+// Central difference of the bed; the terrain goes on beyond the edges with the slope it has there.
+Point bed_gradient(const NodeGrid& grid, std::size_t n) {
+    const auto stride = static_cast<std::size_t>(grid.stride());
+    const double inverse = 0.5 / grid.cell_size();
+    return {inverse * (grid.bed[n + 1] - grid.bed[n - 1]), inverse * (grid.bed[n + stride] - grid.bed[n - stride])};
+}
+
+// Slope of the fluid's surface h_u + h_c + b between wet cells; dry ones on either side do not tilt it.
+Point surface_gradient(const NodeGrid& grid, const SolidNodes& nodes, const FluidState& fluid, double dry,
+                       std::size_t n) {
+    const auto stride = static_cast<std::size_t>(grid.stride());
+    const auto level = [&](std::size_t k) { return fluid.now.depth[k] + nodes.depth[k] + grid.bed[k]; };
+    const double here = level(n), inverse = 0.5 / grid.cell_size();
+    const auto beside = [&](std::size_t k) {
+        return fluid.cell_kind[k] == k_fluid_cell && fluid.now.depth[k] > dry ? level(k) : here;
+    };
+    return {inverse * (beside(n + 1) - beside(n - 1)), inverse * (beside(n + stride) - beside(n - stride))};
+}
+
+// Solids under fluid: buoyancy, then what they and the fluid exchange. Returns the solids' whole acceleration.
+Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity, double flat, Point slope, Point push,
+                 const CouplingLaws& laws, SolidNodes& nodes, FluidState& fluid) {
+    const SolidSums& sums = nodes.sums[n];
+    const CouplingSums& more = nodes.coupling[n];
+    const double inverse_area = 1 / (grid.cell_size() * grid.cell_size());
+    CellPhases cell;
+    cell.free = fluid.now.depth[n];
+    const double filled = std::min(1.0, cell.free / (laws.void_ratio * sums.solids * inverse_area));
+    nodes.push[n].submergence = filled;
+    if (!(cell.free > laws.dry)) return push;
+    const Point surface = surface_gradient(grid, nodes, fluid, laws.dry, n);
+    const double weight = gravity * flat;
+    if (laws.buoyancy) {
+        const double ratio = laws.drag.fluid.density * (sums.solids + sums.confined) / sums.mass;  // gamma_c
+        push.x -= filled * ratio * weight * (surface.x - slope.x);
+        push.y -= filled * ratio * weight * (surface.y - slope.y);
+    }
+    cell.solids = sums.solids * inverse_area;
+    cell.confined = sums.confined * inverse_area;
+    cell.coupled_mass = sums.mass * inverse_area;
+    cell.structured = sums.structured / sums.solids;
+    cell.grain_diameter = more.diameter / sums.solids;
+    cell.friction = more.friction * inverse_area * flat;
+    cell.coupled_velocity = {sums.px / sums.mass, sums.py / sums.mass};
+    cell.free_velocity = {fluid.now.qx[n] / cell.free, fluid.now.qy[n] / cell.free};
+    cell.push = push;
+    cell.free_push = {-weight * surface.x, -weight * surface.y};
+    const Point impulse = exchange(laws, cell, dt);
+    fluid.now.qx[n] -= impulse.x / laws.drag.fluid.density;
+    fluid.now.qy[n] -= impulse.y / laws.drag.fluid.density;
+    const double per_mass = 1 / (cell.coupled_mass * dt);
+    return {push.x + impulse.x * per_mass, push.y + impulse.y * per_mass};
+}
+
+}  // namespace
+
+void show_solids(std::int64_t j, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes) {
+    const double inverse_area = 1 / (grid.cell_size() * grid.cell_size());
+    for (std::int64_t i = nodes.box.i0; i < nodes.box.i1; ++i) {
+        const auto n = static_cast<std::size_t>(j * grid.stride() + i);
+        const SolidSums& s = nodes.sums[n];
+        if (!(s.mass > 0)) continue;
+        nodes.depth[n] = (s.solids + s.confined) * inverse_area;
+        nodes.u[n] = s.px / s.mass;
+        nodes.v[n] = s.py / s.mass;
+        const double free = fluid ? fluid->now.depth[n] : 0;
+        nodes.solid_fraction[n] = s.solids * inverse_area / (nodes.depth[n] + free);
+        nodes.structured[n] = s.structured / s.solids;
+    }
+}
+
+void push_solids(std::int64_t j, double dt, const NodeGrid& grid, const SolidLaws& laws, const CouplingLaws& coupling,
+                 SolidNodes& nodes, FluidState* fluid) {
+    const std::int64_t last_column = grid.stride() - 1, last_row = grid.padded_rows() - 1;
+    if (j < 1 || j >= last_row) return;
+    for (std::int64_t i = std::max<std::int64_t>(nodes.box.i0, 1); i < std::min(nodes.box.i1, last_column); ++i) {
+        const auto n = static_cast<std::size_t>(j * grid.stride() + i);
+        const SolidSums& sums = nodes.sums[n];
+        if (!(sums.mass > 0)) continue;
+        const Point slope = bed_gradient(grid, n);
+        const double flatness = 1 / (1 + slope.x * slope.x + slope.y * slope.y), flat = laws.steep ? flatness : 1;
+        Point push{flat * (sums.fx / sums.mass - laws.gravity * slope.x),
+                   flat * (sums.fy / sums.mass - laws.gravity * slope.y)};
+        nodes.push[n] = {0, 0, flatness, 0};
+        if (fluid) push = with_fluid(n, dt, grid, laws.gravity, flat, slope, push, coupling, nodes, *fluid);
+        nodes.push[n].ax = push.x;
+        nodes.push[n].ay = push.y;
+    }
+}
+
+}  // namespace frana::structured

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "models/structured/coupling/exchange.h"
+#include "models/structured/fluid/fluid_state.h"
+#include "models/structured/solid/solid_laws.h"
+#include "models/structured/solid/solid_nodes.h"
+
+namespace frana::structured {
+
+/// From sums to what the fluid sees: depth and velocity of solids with confined fluid, fractions. For padded row j of the
+/// box.
+void show_solids(std::int64_t j, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes);
+
+/// Forces on the solids at the nodes of padded row j of the box: terrain and thrust; with fluid, buoyancy, virtual mass
+/// and drag, whose reactions change the fluid's discharge.
+/// @param fluid null: none
+void push_solids(std::int64_t j, double dt, const NodeGrid& grid, const SolidLaws& laws, const CouplingLaws& coupling,
+                 SolidNodes& nodes, FluidState* fluid);
+
+}  // namespace frana::structured

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "models/structured/coupling/drag.h"
+#include "models/structured/coupling/virtual_mass.h"
+
+namespace frana::structured {
+
+/// What solids and free fluid do to each other.
+struct CouplingLaws {
+    bool buoyancy = true;
+    bool drags = true;
+    Drag drag;
+    VirtualMass virtual_mass;
+    double block_size = 0;   ///< d_sc of the structured part [m]; 0: the local depth
+    double void_ratio = 1;   ///< pore volume over solid volume of the material as placed
+    double dry = 1e-4;       ///< depth of free fluid from which there is any [m]
+};
+
+}  // namespace frana::structured

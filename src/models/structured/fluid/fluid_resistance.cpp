@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/structured/fluid/fluid_resistance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/structured/fluid/fluid_step.h"
+
+namespace frana::structured {
+
+bool has_viscosity(const FluidLaws& laws) {
+    return laws.viscosity > 0;
+}
+
+bool has_resistance(const FluidLaws& laws) {
+    return laws.manning > 0 || !laws.manning_by_cell.empty() || laws.viscosity > 0;
+}
+
+double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcept {
+    if (solid_fraction == 0) return laws.viscosity / laws.density;
+    return laws.viscosity * std::exp(laws.viscosity_growth * solid_fraction) / laws.density;
+}
+
+void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
+            const SolidLayer& solid, double dt, FluidFields& fields) {
+    const bool enhanced = solid.u != nullptr && laws.mobility > 0 && laws.viscosity > 0;
+    const double half_inverse = 0.5 / nodes.cell_size();
+    const auto up = static_cast<std::size_t>(nodes.stride());
+    range.for_each(nodes.stride(), [&](std::size_t cell, std::int64_t, std::int64_t) {
+        const double h = fields.depth[cell];
+        if (h < laws.dry || state.cell_kind[cell] != k_fluid_cell) return;
+        double u = fields.qx[cell] / h, v = fields.qy[cell] / h;
+        const double solids = solid.solid_fraction != nullptr ? solid.solid_fraction[cell] : 0;
+        const double held = solid.depth != nullptr ? solid.depth[cell] : 0;
+        const double total = h + held;
+        // Linear: viscous shear at the bed, damping towards the solids' velocity.
+        double linear = 0, pull_u = 0, pull_v = 0;
+        if (laws.viscosity > 0) {
+            const double nu = kinematic_viscosity(laws, solids);
+            linear = laws.velocity_shape * nu / (total * total);
+            if (enhanced) {
+                const double loose = solid.structured != nullptr ? 1 - solid.structured[cell] : 1;
+                const double rate = laws.mobility * nu / std::max(h / total, k_least_free_share) * laws.solids_shape *
+                                    solids * loose / (total * total);
+                linear += rate;
+                pull_u = rate * solid.u[cell];
+                pull_v = rate * solid.v[cell];
+            }
+        }
+        u += dt * pull_u;
+        v += dt * pull_v;
+        // Quadratic: Manning, along the bed. The speed V after the step solves V (1 + dt linear + dt a V) = V*.
+        const double n = laws.manning_by_cell.empty() ? laws.manning : laws.manning_by_cell[cell];
+        double speed = u * u + v * v, thickness = h;
+        if (laws.steep) {
+            const double climb = half_inverse * (u * (nodes.bed[cell + 1] - nodes.bed[cell - 1]) +
+                                                 v * (nodes.bed[cell + up] - nodes.bed[cell - up]));
+            speed += climb * climb;
+            thickness *= std::sqrt(state.slope_factor[cell]);
+        }
+        speed = std::sqrt(speed);
+        const double a = dt * laws.gravity * n * n / (thickness * std::cbrt(thickness));
+        const double b = 1 + dt * linear;
+        const double kept = 2 / (b + std::sqrt(b * b + 4 * a * speed));
+        fields.qx[cell] = h * u * kept;
+        fields.qy[cell] = h * v * kept;
+    });
+}
+
+namespace {
+
+// What the stress at a face needs of a cell.
+struct Cell {
+    double depth = 0, u = 0, v = 0;  // of the fluid
+    double share = 0;                // alpha_c
+    double wu = 0, wv = 0;           // velocity against the solids
+    double nu_n = 0, nu_a = 0;       // [m2/s]
+    bool wet = false;
+};
+
+struct Gradient {
+    double u, v, share;
+};
+
+}  // namespace
+
+void shear(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
+           const SolidLayer& solid, double dt, const FluidFields& from, FluidFields& to) {
+    const double dx = nodes.cell_size();
+    const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
+    const auto cell_at = [&](std::int64_t i, std::int64_t j) {
+        Cell c;
+        if (i < 0 || j < 0 || i >= stride || j >= rows) return c;
+        const auto k = static_cast<std::size_t>(j * stride + i);
+        c.depth = from.depth[k];
+        c.wet = state.cell_kind[k] == k_fluid_cell && c.depth >= laws.dry;
+        if (!c.wet) return c;
+        c.u = from.qx[k] / c.depth;
+        c.v = from.qy[k] / c.depth;
+        c.nu_n = kinematic_viscosity(laws, solid.solid_fraction != nullptr ? solid.solid_fraction[k] : 0);
+        if (solid.u != nullptr && solid.depth[k] > 0) {
+            const double total = c.depth + solid.depth[k];
+            c.share = solid.depth[k] / total;
+            c.wu = c.u - solid.u[k];
+            c.wv = c.v - solid.v[k];
+            c.nu_a = laws.mobility * c.nu_n / std::max(1 - c.share, k_least_free_share);
+        }
+        return c;
+    };
+    // Derivative across a face's direction: the mean of the two cells' central differences, where wet.
+    const auto along_face = [&](const Cell& below, const Cell& here, const Cell& above) {
+        const Cell& low = below.wet ? below : here;
+        const Cell& high = above.wet ? above : here;
+        const int steps = below.wet + above.wet;
+        const double inverse = steps > 0 ? 1 / (steps * dx) : 0;
+        return Gradient{(high.u - low.u) * inverse, (high.v - low.v) * inverse, (high.share - low.share) * inverse};
+    };
+    // Force per length of the face between cell (i, j) and its upper neighbour, along x or along y [m3/s2].
+    struct Force {
+        double x = 0, y = 0;
+    };
+    const auto face = [&](std::int64_t i, std::int64_t j, bool x_face) {
+        const std::int64_t a = x_face ? 1 : 0, b = 1 - a;
+        const Cell low = cell_at(i, j), high = cell_at(i + a, j + b);
+        if (!low.wet || !high.wet) return Force{};
+        const double depth = std::min(low.depth, high.depth);
+        const double nu_n = 0.5 * (low.nu_n + high.nu_n), nu_a = 0.5 * (low.nu_a + high.nu_a);
+        const double wu = 0.5 * (low.wu + high.wu), wv = 0.5 * (low.wv + high.wv);
+        const Gradient normal{(high.u - low.u) / dx, (high.v - low.v) / dx, (high.share - low.share) / dx};
+        const Gradient l = along_face(cell_at(i - b, j - a), low, cell_at(i + b, j + a));
+        const Gradient h = along_face(cell_at(i + a - b, j + b - a), high, cell_at(i + a + b, j + b + a));
+        const Gradient tangent{0.5 * (l.u + h.u), 0.5 * (l.v + h.v), 0.5 * (l.share + h.share)};
+        const Gradient& gx = x_face ? normal : tangent;
+        const Gradient& gy = x_face ? tangent : normal;
+        const double xy = nu_n * (gy.u + gx.v) - nu_a * (gx.share * wv + gy.share * wu);
+        if (x_face) return Force{depth * (2 * nu_n * gx.u - 2 * nu_a * gx.share * wu), depth * xy};
+        return Force{depth * xy, depth * (2 * nu_n * gy.v - 2 * nu_a * gy.share * wv)};
+    };
+    const double ratio = dt / dx;
+    range.for_each(stride, [&](std::size_t cell, std::int64_t i, std::int64_t j) {
+        const Force east = face(i, j, true), west = face(i - 1, j, true);
+        const Force north = face(i, j, false), south = face(i, j - 1, false);
+        to.qx[cell] = from.qx[cell] + ratio * (east.x - west.x + north.x - south.x);
+        to.qy[cell] = from.qy[cell] + ratio * (east.y - west.y + north.y - south.y);
+    });
+}
+
+}  // namespace frana::structured

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/structured/fluid/fluid_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "models/structured/fluid/fluid_resistance.h"
+#include "models/structured/fluid/fluid_stage.h"
+
+namespace frana::structured {
+namespace {
+
+template <class Task>
+void for_tiles(const FluidState& state, const NodeGrid& nodes, ThreadPool& pool, const Task& task) {
+    pool.for_each(state.tiles.size(),
+                  [&](std::size_t t) { task(t, NodeRange(state.tiles[t], state.grid, nodes)); });
+}
+
+void copy_tile(const NodeRange& range, const NodeGrid& nodes, const FluidFields& from, FluidFields& to) {
+    range.for_each(nodes.stride(), [&](std::size_t cell, std::int64_t, std::int64_t) {
+        to.depth[cell] = from.depth[cell];
+        to.qx[cell] = from.qx[cell];
+        to.qy[cell] = from.qy[cell];
+    });
+}
+
+// The tiles that hold moving fluid and their neighbours, which a step may wet. A tile that drops out keeps its film,
+// which does not move; the buffers must hold it too, because neighbours read them.
+void activate_tiles(FluidState& state, const NodeGrid& nodes) {
+    const std::int64_t tiles_x = state.grid.tiles_x(), tiles_y = state.grid.tiles_y();
+    std::vector<std::int64_t> active;
+    for (const std::int64_t tile : state.tiles) {
+        if (state.wet[static_cast<std::size_t>(tile)] == 0) continue;
+        const std::int64_t i = tile % tiles_x, j = tile / tiles_x;
+        for (std::int64_t b = std::max<std::int64_t>(j - 1, 0); b <= std::min(j + 1, tiles_y - 1); ++b) {
+            for (std::int64_t a = std::max<std::int64_t>(i - 1, 0); a <= std::min(i + 1, tiles_x - 1); ++a)
+                active.push_back(b * tiles_x + a);
+        }
+    }
+    std::sort(active.begin(), active.end());
+    active.erase(std::unique(active.begin(), active.end()), active.end());
+    // Every tile that was ever active is remembered: a film may lie there.
+    std::vector<std::int64_t> touched;
+    std::set_union(state.touched.begin(), state.touched.end(), active.begin(), active.end(),
+                   std::back_inserter(touched));
+    for (const std::int64_t tile : state.tiles) {
+        if (std::binary_search(active.begin(), active.end(), tile)) continue;
+        const NodeRange range(tile, state.grid, nodes);
+        copy_tile(range, nodes, state.now, state.stage);
+        copy_tile(range, nodes, state.now, state.next);
+    }
+    state.tiles = std::move(active);
+    state.touched = std::move(touched);
+}
+
+TileReport run_stage(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid,
+                     double dt, double share, const FluidFields& from, FluidFields& to, bool last, ThreadPool& pool) {
+    std::vector<TileReport> reports(state.tiles.size());
+    for_tiles(state, nodes, pool, [&](std::size_t t, const NodeRange& range) {
+        reports[t] = fluid_stage(range, nodes, laws, state, solid.depth, dt, share, from, state.now, to);
+        if (last) state.wet[static_cast<std::size_t>(state.tiles[t])] = reports[t].wet_cells > 0;
+    });
+    TileReport sum;
+    for (const TileReport& r : reports) {
+        sum.lowest = std::min(sum.lowest, r.lowest);
+        sum.left += r.left;
+        sum.into_gaps += r.into_gaps;
+        sum.non_finite += r.non_finite;
+        sum.wet_cells += r.wet_cells;
+    }
+    return sum;
+}
+
+// One step of Heun's method (or Euler's), or nothing when a depth would become negative.
+bool try_step(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid, double dt,
+              FluidReport& report, ThreadPool& pool) {
+    // Pressure and terrain: U1 = U + dt R(U);  U2 = (U + U1 + dt R(U1)) / 2.
+    const bool heun = laws.second_order;
+    FluidFields& first = heun ? state.stage : state.next;
+    TileReport done = run_stage(state, nodes, laws, solid, dt, 1, state.now, first, !heun, pool);
+    if (done.lowest < 0) return false;
+    double left = done.left, into_gaps = done.into_gaps;
+    if (heun) {
+        done = run_stage(state, nodes, laws, solid, dt, 0.5, state.stage, state.next, true, pool);
+        if (done.lowest < 0) return false;
+        left = 0.5 * (left + done.left);
+        into_gaps = 0.5 * (into_gaps + done.into_gaps);
+    }
+    // Stress in the plane, then resistance of the bed.
+    if (has_viscosity(laws)) {
+        for_tiles(state, nodes, pool, [&](std::size_t, const NodeRange& range) {
+            shear(range, nodes, laws, state, solid, dt, state.next, state.stage);
+        });
+        std::swap(state.next.qx, state.stage.qx);
+        std::swap(state.next.qy, state.stage.qy);
+    }
+    if (has_resistance(laws)) {
+        for_tiles(state, nodes, pool, [&](std::size_t, const NodeRange& range) {
+            resist(range, nodes, laws, state, solid, dt, state.next);
+        });
+    }
+    std::swap(state.now, state.next);
+    state.volume_left += dt * left;
+    state.volume_into_gaps += dt * into_gaps;
+    report.non_finite += done.non_finite;
+    report.wet_cells = done.wet_cells;
+    report.updated_cells += static_cast<std::int64_t>(state.tiles.size()) * k_tile * k_tile;
+    return true;
+}
+
+std::vector<double> slope_factors(const NodeGrid& nodes) {
+    std::vector<double> factors(nodes.bed.size(), 1);
+    const double half_inverse = 0.5 / nodes.cell_size();
+    const std::int64_t stride = nodes.stride();
+    for (std::int64_t j = 1; j < nodes.padded_rows() - 1; ++j) {
+        for (std::int64_t i = 1; i < stride - 1; ++i) {
+            const auto cell = static_cast<std::size_t>(j * stride + i);
+            const auto up = static_cast<std::size_t>(stride);
+            const double sx = (nodes.bed[cell + 1] - nodes.bed[cell - 1]) * half_inverse;
+            const double sy = (nodes.bed[cell + up] - nodes.bed[cell - up]) * half_inverse;
+            factors[cell] = 1 / (1 + sx * sx + sy * sy);
+        }
+    }
+    return factors;
+}
+
+}  // namespace
+
+FluidState::FluidState(const NodeGrid& nodes, const FluidLaws& laws)
+    : now(nodes.bed.size()),
+      grid{nodes.columns(), nodes.rows(), k_ghost, nodes.cell_size()},
+      stage(nodes.bed.size()),
+      next(nodes.bed.size()),
+      wet(static_cast<std::size_t>(grid.tiles_x() * grid.tiles_y())) {
+    set_ground(*this, nodes, laws);
+}
+
+void set_ground(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws) {
+    state.cell_kind.assign(nodes.bed.size(), laws.wall ? k_wall_cell : k_open_cell);
+    for (std::int64_t j = 0; j < nodes.rows(); ++j) {
+        for (std::int64_t i = 0; i < nodes.columns(); ++i) {
+            const bool wall = nodes.is_wall(i, j) || (nodes.is_gap(i, j) && !laws.gaps_are_open);
+            state.cell_kind[nodes.index(i, j)] = wall                  ? k_wall_cell
+                                                 : nodes.is_gap(i, j) ? k_gap_cell
+                                                                      : k_fluid_cell;
+        }
+    }
+    if (laws.steep) state.slope_factor = slope_factors(nodes);
+}
+
+double receive(std::span<const FluidSource> sources, FluidState& state, const FluidLaws& laws) {
+    const auto stride = static_cast<std::size_t>(state.grid.columns + 2 * state.grid.ghost);
+    const auto side = static_cast<std::size_t>(k_tile);
+    double refused = 0;
+    for (const FluidSource& s : sources) {
+        if (state.cell_kind[s.cell] != k_fluid_cell) {
+            refused += s.depth;
+            continue;
+        }
+        state.now.depth[s.cell] += s.depth;
+        state.now.qx[s.cell] += s.qx;
+        state.now.qy[s.cell] += s.qy;
+        for (FluidFields* buffer : {&state.stage, &state.next}) {
+            buffer->depth[s.cell] = state.now.depth[s.cell];
+            buffer->qx[s.cell] = state.now.qx[s.cell];
+            buffer->qy[s.cell] = state.now.qy[s.cell];
+        }
+        const auto tile = static_cast<std::int64_t>(s.cell / stride / side) * state.grid.tiles_x() +
+                          static_cast<std::int64_t>(s.cell % stride / side);
+        if (state.now.depth[s.cell] >= laws.dry) state.wet[static_cast<std::size_t>(tile)] = 1;
+        state.tiles.push_back(tile);
+    }
+    std::sort(state.tiles.begin(), state.tiles.end());
+    state.tiles.erase(std::unique(state.tiles.begin(), state.tiles.end()), state.tiles.end());
+    return refused;
+}
+
+double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid,
+                   ThreadPool& pool) {
+    std::vector<double> fastest(state.tiles.size()), thickest(state.tiles.size());
+    const bool viscous = has_viscosity(laws);
+    for_tiles(state, nodes, pool, [&](std::size_t t, const NodeRange& range) {
+        range.for_each(nodes.stride(), [&](std::size_t cell, std::int64_t, std::int64_t) {
+            const double h = state.now.depth[cell];
+            if (h < laws.dry) return;
+            const double speed = (std::abs(state.now.qx[cell]) + std::abs(state.now.qy[cell])) / h;
+            fastest[t] = std::max(fastest[t], speed + 2 * std::sqrt(laws.gravity * h));
+            if (!viscous) return;
+            const double solids = solid.solid_fraction != nullptr ? solid.solid_fraction[cell] : 0;
+            const double held = solid.depth != nullptr ? solid.depth[cell] : 0;
+            const double free_share = std::max(h / (h + held), k_least_free_share);
+            const double enhanced = solid.u != nullptr ? laws.mobility / free_share : 0;
+            thickest[t] = std::max(thickest[t], kinematic_viscosity(laws, solids) * std::max(1.0, enhanced));
+        });
+    });
+    double fast = 0, thick = 0;
+    for (const double f : fastest) fast = std::max(fast, f);
+    for (const double v : thickest) thick = std::max(thick, v);
+    const double dx = nodes.cell_size();
+    double dt = std::numeric_limits<double>::infinity();
+    if (fast > 0) dt = laws.cfl * dx / fast;
+    if (thick > 0) dt = std::min(dt, 0.1 * dx * dx / thick);
+    return dt;
+}
+
+FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid,
+                    double dt, ThreadPool& pool) {
+    FluidReport report;
+    double left = dt;
+    while (left > 0 && report.non_finite == 0) {
+        activate_tiles(state, nodes);
+        if (state.tiles.empty()) break;
+        double step = std::min(left, stable_step(state, nodes, laws, solid, pool));
+        if (!(step > 0)) {  // an infinite or undefined speed
+            ++report.non_finite;
+            break;
+        }
+        if (step < left && left < 2 * step) step = 0.5 * left;  // two equal ones rather than a sliver
+        while (!try_step(state, nodes, laws, solid, step, report, pool)) {
+            step *= 0.5;
+            ++report.retries;
+        }
+        left = step < left ? left - step : 0;
+        ++report.steps;
+    }
+    return report;
+}
+
+double fluid_volume(const FluidState& state, const NodeGrid& nodes, ThreadPool& pool) {
+    std::vector<std::int64_t> tiles;
+    std::set_union(state.touched.begin(), state.touched.end(), state.tiles.begin(), state.tiles.end(),
+                   std::back_inserter(tiles));
+    std::vector<double> sums(tiles.size());
+    pool.for_each(tiles.size(), [&](std::size_t t) {
+        const NodeRange range(tiles[t], state.grid, nodes);
+        range.for_each(nodes.stride(),
+                       [&](std::size_t cell, std::int64_t, std::int64_t) { sums[t] += state.now.depth[cell]; });
+    });
+    double sum = 0;
+    for (const double s : sums) sum += s;
+    return sum * nodes.cell_size() * nodes.cell_size();
+}
+
+}  // namespace frana::structured

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "models/structured/coupling/basal_pressure.h"
+#include "models/structured/solid/earth_pressure_bell.h"
+#include "models/structured/solid/solid_laws.h"
+#include "particles/particle_set.h"
+
+namespace frana::structured {
+
+/// What a scene's solids carry: cohesion, which can be lost, and confined fluid. Without a field nothing is computed for it.
+template <bool Cohesive, bool Wet>
+struct SolidKind {
+    static constexpr bool cohesive = Cohesive, wet = Wet;
+};
+
+inline constexpr FieldMask k_solid_fields =
+    k_basic_fields |
+    FieldMask{Field::t_xx, Field::t_yy,     Field::t_zz,         Field::t_xy,          Field::e_xx,
+              Field::e_yy, Field::e_xy,     Field::friction,     Field::bed_friction,  Field::grain_density,
+              Field::push_x, Field::push_y, Field::flatness};
+inline constexpr FieldMask k_cohesion_fields{Field::cohesion, Field::cohesion_ratio, Field::damage};
+inline constexpr FieldMask k_wet_fields{Field::confined, Field::submergence, Field::grain_diameter};
+inline constexpr FieldMask k_release_fields{Field::released, Field::released_x, Field::released_y};
+
+/// The fields of a scene's solids.
+inline constexpr FieldMask solid_fields(bool cohesive, bool wet) {
+    FieldMask fields = k_solid_fields;
+    if (cohesive) fields = fields | k_cohesion_fields;
+    if (wet) fields = fields | k_wet_fields;
+    if (cohesive && wet) fields = fields | k_release_fields;
+    return fields;
+}
+
+/// A particle's column: mass, depth, load on the bed, thrust on its neighbours.
+struct ColumnState {
+    double mass = 0;       ///< [kg]
+    double depth = 0;      ///< [m]
+    double cohesion = 0;   ///< present [Pa]
+    double structured = 0; ///< f_sc
+    double load = 0;       ///< N [Pa]
+    double thrust = 0;     ///< P_lat [N/m]
+};
+
+/// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density of particle p.
+/// @param pushed_together whether broken material converges
+template <class Kind>
+ColumnState column_state(const SolidLaws& laws, const ParticleSet& particles, std::size_t p,
+                         bool pushed_together = false) noexcept {
+    constexpr double k_broken_from = 0.05;  // cohesion ratio
+    const double solids = particles[Field::volume][p], inverse_area = 1 / particles[Field::area][p];
+    const double grain_density = particles[Field::grain_density][p], friction = particles[Field::friction][p];
+    double confined = 0, submerged = 0, ratio = 0;
+    ColumnState s;
+    if constexpr (Kind::wet) {
+        confined = particles[Field::confined][p];
+        submerged = particles[Field::submergence][p];
+    }
+    if constexpr (Kind::cohesive) {
+        ratio = particles[Field::cohesion_ratio][p];
+        s.cohesion = ratio * particles[Field::cohesion][p];
+    }
+    s.structured = laws.initial_structured * ratio;
+    s.mass = grain_density * solids + laws.basal.fluid_density * confined;
+    s.depth = (solids + confined) * inverse_area;
+    s.load = laws.basal({solids * inverse_area, confined * inverse_area, s.structured, submerged}, grain_density);
+    const bool broken = ratio < k_broken_from;
+    if (broken && laws.earth_pressure == EarthPressure::hydrostatic) {
+        s.thrust = active_thrust(1, s.load, s.depth, s.cohesion);
+    } else if (broken && pushed_together && laws.earth_pressure == EarthPressure::passive) {
+        s.thrust = passive_thrust(1 / active_coefficient(friction), s.load, s.depth, s.cohesion);
+    } else {
+        s.thrust = active_thrust(active_coefficient(friction), s.load, s.depth, s.cohesion);
+    }
+    return s;
+}
+
+/// Whether a column carries no stress but its earth pressure.
+inline bool flows_freely(const SolidLaws& laws, const ColumnState& column) noexcept {
+    return laws.broken == BrokenMaterial::earth_pressure && !(column.cohesion > 0);
+}
+
+}  // namespace frana::structured

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "models/structured/solid/solid_nodes.h"
+
+namespace frana::structured {
+
+/// Cubic B-splines (paper, equation 87), four nodes a direction, x in node spacings from the node:
+///     N = |x|^3 / 2 - x^2 + 2/3 for |x| < 1,   (2 - |x|)^3 / 6 for |x| < 2
+struct CubicSpline {
+    /// Weights and derivatives (per node spacing) at position s; returns the first node touched.
+    static std::int64_t evaluate(double s, double (&weight)[4], double (&slope)[4]) noexcept {
+        const double base = std::floor(s), f = s - base, g = 1 - f;
+        weight[0] = g * g * g / 6;
+        weight[1] = 2.0 / 3 - f * f + 0.5 * f * f * f;
+        weight[2] = 2.0 / 3 - g * g + 0.5 * g * g * g;
+        weight[3] = f * f * f / 6;
+        slope[0] = -0.5 * g * g;
+        slope[1] = -2 * f + 1.5 * f * f;
+        slope[2] = 2 * g - 1.5 * g * g;
+        slope[3] = 0.5 * f * f;
+        return static_cast<std::int64_t>(base) - 1;
+    }
+};
+
+/// The sixteen nodes of a particle: weights, which always add up to 1 over the nodes that are inside and no wall, and
+/// gradients [1/m].
+struct CubicStencil {
+    std::size_t first = 0;
+    bool any = true;  ///< false: no node near; all weights are zero
+    double weight[4][4], gx[4][4], gy[4][4];  ///< rows, then columns
+
+    CubicStencil(double x, double y, const NodeGrid& grid, const SolidNodes& nodes) noexcept {
+        const double inverse = 1 / grid.cell_size();
+        double wx[4], wy[4], sx[4], sy[4];
+        const std::int64_t i = CubicSpline::evaluate(x * inverse - 0.5, wx, sx);
+        const std::int64_t j = CubicSpline::evaluate(y * inverse - 0.5, wy, sy);
+        const bool inside = i >= -k_ghost && j >= -k_ghost && i + 4 <= grid.columns() + k_ghost &&
+                            j + 4 <= grid.rows() + k_ghost;
+        first = inside ? grid.index(i, j) : 0;
+        for (int b = 0; b < 4; ++b) {
+            for (int a = 0; a < 4; ++a) {
+                weight[b][a] = wx[a] * wy[b];
+                gx[b][a] = inverse * sx[a] * wy[b];
+                gy[b][a] = inverse * wx[a] * sy[b];
+            }
+        }
+        if (inside && nodes.whole(first)) return;
+        double sum = 0;
+        for (int b = 0; b < 4; ++b) {
+            for (int a = 0; a < 4; ++a) {
+                if (inside && nodes.active(first + static_cast<std::size_t>(b * grid.stride() + a))) {
+                    sum += weight[b][a];
+                } else {
+                    weight[b][a] = gx[b][a] = gy[b][a] = 0;
+                }
+            }
+        }
+        any = sum > 0;
+        for (auto& row : weight) {
+            for (double& w : row) w = any ? w / sum : 0;
+        }
+    }
+};
+
+}  // namespace frana::structured

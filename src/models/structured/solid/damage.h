@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/structured/solid/stress.h"
+
+namespace frana::structured {
+
+/// What makes a yielding material lose its cohesion.
+enum class DamageMeasure {
+    volumetric,  ///< opening, max(0, tr e) (paper, equation 26): pure shear harms nothing
+    equivalent,  ///< distortion, sqrt(2/3 dev e : dev e)
+};
+
+/// Loss of cohesion while the material yields. Strength spread evenly over 0 to 2 c_0 makes the loss linear in the
+/// accumulated strain D (paper, equation 26):
+///     c / c_0 = max(0, 1 - D / (2 eps_c))
+/// Confined fluid and structured fraction go with it: equations 27 and 28 integrate to f = f_0 c / c_0.
+struct Fragmentation {
+    double critical_strain = 0.05;  ///< eps_c [-]
+    DamageMeasure measure = DamageMeasure::volumetric;
+
+    /// Rate of D of a yielding material [1/s].
+    [[nodiscard]] double rate(const VelocityGradient& l) const noexcept {
+        const double tr = l.divergence();
+        if (measure == DamageMeasure::volumetric) return std::max(0.0, tr);
+        const double a = l.xx - tr / 3, b = l.yy - tr / 3, c = -tr / 3, shear = l.shear();
+        return std::sqrt(2.0 / 3 * (a * a + b * b + c * c + 2 * shear * shear));
+    }
+    [[nodiscard]] double cohesion_ratio(double damage) const noexcept {
+        return std::max(0.0, 1 - damage / (2 * critical_strain));
+    }
+};
+
+}  // namespace frana::structured

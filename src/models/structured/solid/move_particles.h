@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "models/structured/solid/pair_work.h"
+#include "models/structured/solid/solid_report.h"
+#include "mpm/node_grid.h"
+#include "particles/cell_order.h"
+#include "particles/particle_set.h"
+
+namespace frana::structured {
+
+/// Where a particle may not go: cells that are walls, and beyond the edges where they are walls.
+struct Obstacles {
+    const NodeGrid* nodes = nullptr;
+    bool edges = false;
+    bool gaps_are_walls = false;
+
+    [[nodiscard]] bool none() const noexcept { return !edges && !nodes->any_solid(); }
+    [[nodiscard]] bool at(double x, double y) const noexcept {
+        const auto i = static_cast<std::int64_t>(std::floor(x / nodes->cell_size()));
+        const auto j = static_cast<std::int64_t>(std::floor(y / nodes->cell_size()));
+        if (i < 0 || j < 0 || i >= nodes->columns() || j >= nodes->rows()) return edges;
+        return nodes->is_wall(i, j) || (gaps_are_walls && nodes->is_gap(i, j));
+    }
+};
+
+/// New velocities and places after dt: accelerations, then the bed's friction, which can stop but not turn a particle
+/// round, then the move with the new velocity. A particle that would enter an obstacle loses the velocity component
+/// that takes it there and keeps its place in that direction; walls are smooth.
+///
+/// Reads a_*, resistance, l_* of `w`, push_*; writes x, y, u, v, area there and in the particles.
+/// @param mean a velocity near most particles', against which nearness is lost [m/s]
+inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& obstacles, Point mean,
+                                  ParticleSet& particles, PairWork& w) {
+    SolidReport report;
+    const bool open = obstacles.none();
+    for (std::size_t p = run.begin; p < run.end; ++p) {
+        const double ax = w[PairWork::a_x][p] + particles[Field::push_x][p];
+        const double ay = w[PairWork::a_y][p] + particles[Field::push_y][p];
+        double u = w[PairWork::u][p] + dt * ax, v = w[PairWork::v][p] + dt * ay;
+        const double speed = std::sqrt(u * u + v * v), loss = dt * w[PairWork::resistance][p];
+        const double kept = speed > loss ? 1 - loss / speed : 0;
+        u *= kept;
+        v *= kept;
+        double x = w[PairWork::x][p] + dt * u, y = w[PairWork::y][p] + dt * v;
+        if (!open && obstacles.at(x, y)) {
+            const double x0 = w[PairWork::x][p], y0 = w[PairWork::y][p];
+            const bool x_blocked = obstacles.at(x, y0), y_blocked = obstacles.at(x0, y) || !x_blocked;
+            if (x_blocked) {
+                x = x0;
+                u = 0;
+            }
+            if (y_blocked) {
+                y = y0;
+                v = 0;
+            }
+        }
+        const double half = 0.5 * dt * (w[PairWork::l_xx][p] + w[PairWork::l_yy][p]);
+        const bool sane = std::abs(half) < 0.5;
+        if (sane) particles[Field::area][p] *= (1 + half) / (1 - half);
+        report.clamped += sane ? 0 : 1;
+        particles[Field::x][p] = w[PairWork::x][p] = x;
+        particles[Field::y][p] = w[PairWork::y][p] = y;
+        particles[Field::u][p] = w[PairWork::u][p] = u;
+        particles[Field::v][p] = w[PairWork::v][p] = v;
+        w[PairWork::area][p] = particles[Field::area][p];
+        const double speed2 = u * u + v * v;
+        const double apart2 = (u - mean.x) * (u - mean.x) + (v - mean.y) * (v - mean.y);
+        report.speed2 = std::max(report.speed2, speed2);
+        report.apart2 = std::max(report.apart2, apart2);
+        report.acceleration2 = std::max(report.acceleration2, ax * ax + ay * ay);
+        report.non_finite += std::isfinite(x + y + speed2) ? 0 : 1;
+    }
+    return report;
+}
+
+}  // namespace frana::structured

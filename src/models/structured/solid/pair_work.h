@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace frana::structured {
+
+/// What the sums over neighbours read and write, one array each, in the particles' order. The arrays reach three values
+/// beyond the last particle: four are read at a time.
+struct PairWork {
+    enum Array {
+        x, y, u, v, area,        // read by velocity_gradients
+        l_xx, l_xy, l_yx, l_yy,  // written by it
+        mass, density,           // of the particle [kg] and of its column [kg/m2]
+        t_xx, t_yy, t_xy,        // depth-integrated stress over density squared [m5/(kg s2)]
+        r_xx, r_yy, r_xy,        // artificial stress, the same units
+        sound,                   // of the artificial viscosity [m/s]
+        a_x, a_y,                // written by accelerations
+        resistance,              // of the bed, as a deceleration [m/s2]
+        count
+    };
+    static constexpr std::size_t k_padding = 3;
+
+    void resize(std::size_t size) {
+        for (auto& array : arrays) {
+            array.resize(size + k_padding);
+            for (std::size_t i = size; i < array.size(); ++i) array[i] = 1;  // what is read but not used stays finite
+        }
+    }
+    double* operator[](Array a) noexcept { return arrays[a].data(); }
+    const double* operator[](Array a) const noexcept { return arrays[a].data(); }
+
+    std::array<std::vector<double>, count> arrays;
+};
+
+}  // namespace frana::structured

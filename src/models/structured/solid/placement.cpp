@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/structured/solid/placement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace frana::structured {
+namespace {
+
+constexpr FieldMask k_placed_fields = k_basic_fields | FieldMask{Field::confined};
+
+double positive(double depth) {
+    return depth > 0 ? depth : 0;  // NaN is none
+}
+
+double sum_of(const ParticleSet& particles, Field field) {
+    double sum = 0;
+    for (std::size_t p = 0; p < particles.size(); ++p) sum += particles[field][p];
+    return sum;
+}
+
+void scale_to(double sum, ParticleSet& particles, Field field) {
+    const double now = sum_of(particles, field);
+    if (!(now > 0)) return;
+    for (std::size_t p = 0; p < particles.size(); ++p) particles[field][p] *= sum / now;
+}
+
+}  // namespace
+
+Point r2_point(std::int64_t n) {
+    // The root of g^3 = g + 1 in closed form: Cardano's.
+    static const double root =
+        std::cbrt((9 + std::sqrt(69.0)) / 18) + std::cbrt((9 - std::sqrt(69.0)) / 18);
+    const auto place = [n](double step) {
+        const double s = 0.5 + static_cast<double>(n) * step;
+        return s - std::floor(s);
+    };
+    return {place(1 / root), place(1 / (root * root))};
+}
+
+ParticleSet place_by_depth(const Raster& solid_depth, const Raster& confined_depth, int per_column) {
+    const GridSpec& grid = solid_depth.grid;
+    double deepest = 0, solids = 0, confined = 0;
+    for (std::size_t c = 0; c < solid_depth.values.size(); ++c) {
+        deepest = std::max(deepest, positive(solid_depth.values[c]));
+        solids += positive(solid_depth.values[c]) * grid.cell_area();
+        confined += positive(confined_depth.values[c]) * grid.cell_area();
+    }
+    ParticleSet particles(k_placed_fields);
+    if (!(deepest > 0)) return particles;
+    const double each = deepest * grid.cell_area() / per_column;
+    double left_solids = 0, left_confined = 0;
+    for (std::int64_t row = 0; row < grid.rows; ++row) {
+        for (std::int64_t k = 0; k < grid.columns; ++k) {
+            const std::int64_t column = row % 2 == 0 ? k : grid.columns - 1 - k;
+            const double h_s = positive(solid_depth.at(row, column));
+            const double h_fc = positive(confined_depth.at(row, column));
+            if (!(h_s > 0)) continue;
+            left_solids += h_s * grid.cell_area();
+            left_confined += h_fc * grid.cell_area();
+            const auto n = static_cast<std::int64_t>(std::floor(left_solids / each + 0.5));
+            for (std::int64_t i = 0; i < n; ++i) {
+                const Point in_cell = r2_point(i);
+                ParticleRow r = ParticleSet::initial_row();
+                get(r, Field::x) = (static_cast<double>(column) + in_cell.x) * grid.cell_size;
+                get(r, Field::y) = (static_cast<double>(grid.rows - 1 - row) + in_cell.y) * grid.cell_size;
+                get(r, Field::volume) = each;
+                get(r, Field::confined) = left_confined / static_cast<double>(n);
+                get(r, Field::area) = each / h_s;
+                particles.push_back(r);
+            }
+            if (n == 0) continue;
+            left_solids -= static_cast<double>(n) * each;
+            left_confined = 0;
+        }
+    }
+    scale_to(solids, particles, Field::volume);
+    scale_to(confined, particles, Field::confined);
+    return particles;
+}
+
+ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMaterial(Point)>& material) {
+    ParticleSet particles(k_placed_fields);
+    for (std::size_t p = 0; p < columns.size(); ++p) {
+        ParticleRow r = columns.row(p);
+        const double whole = get(r, Field::volume);
+        const SolidMaterial m = material({get(r, Field::x), get(r, Field::y)});
+        get(r, Field::volume) = m.solid_fraction * whole;
+        get(r, Field::confined) = m.cohesion > 0 ? (1 - m.solid_fraction) * m.confined_share * whole : 0;
+        particles.push_back(r);
+    }
+    return particles;
+}
+
+ParticleSet give_material(const ParticleSet& placed, FieldMask fields,
+                          const std::function<SolidMaterial(Point)>& material) {
+    ParticleSet particles(fields);
+    particles.resize(placed.size());
+    for (std::size_t p = 0; p < placed.size(); ++p) {
+        ParticleRow r = placed.row(p);
+        const SolidMaterial m = material({get(r, Field::x), get(r, Field::y)});
+        get(r, Field::cohesion) = m.cohesion;
+        get(r, Field::cohesion_ratio) = m.cohesion > 0 ? 1 : 0;
+        get(r, Field::friction) = m.friction;
+        get(r, Field::bed_friction) = m.bed_friction;
+        get(r, Field::grain_density) = m.grain_density;
+        get(r, Field::grain_diameter) = m.grain_diameter;
+        particles.set_row(p, r);
+    }
+    return particles;
+}
+
+}  // namespace frana::structured

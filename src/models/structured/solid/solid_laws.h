@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "models/structured/coupling/basal_pressure.h"
+#include "models/structured/solid/artificial.h"
+#include "models/structured/solid/damage.h"
+#include "models/structured/solid/elasticity.h"
+#include "models/structured/solid/kernel.h"
+
+namespace frana::structured {
+
+/// Which earth pressure broken material (cohesion ratio under 0.05) pushes its neighbours with; whole material always
+/// with Bell's active one.
+enum class EarthPressure {
+    hydrostatic,  ///< K = 1: it comes to rest at the bed's friction angle, as heaps do
+    active,       ///< Rankine's K_a, as the paper: right on a smooth bed; on a rough one it stands too steep
+    passive       ///< K_p where it is pushed together, K_a elsewhere (Pitman & Le 2005)
+};
+
+/// What stress material carries that has no cohesion left.
+enum class BrokenMaterial {
+    earth_pressure,  ///< none but its earth pressure, as in depth-averaged avalanches; it thickens and thins freely
+    elastic          ///< Drucker-Prager's without vertical strain, as while it is whole: it can not thicken
+};
+
+/// Laws and numbers of the solids; const while they run. Lengths in metres, in map view.
+struct SolidLaws {
+    explicit SolidLaws(double smoothing_length) : kernel(smoothing_length) {}
+
+    double gravity = 9.81;
+    bool steep = true;  ///< gravity and friction over 1 + |grad b|^2
+    Elasticity elastic;
+    double sin_dilatancy = 0;           ///< sin(psi)
+    bool strength_of_particle_stress = false;  ///< yield is checked without the geostatic stress
+    BrokenMaterial broken = BrokenMaterial::earth_pressure;
+    EarthPressure earth_pressure = EarthPressure::hydrostatic;
+    BasalPressure basal;
+    bool fractures = true;  ///< cohesion can be lost
+    Fragmentation fragmentation;
+    double initial_structured = 1;  ///< f_sc of whole material
+
+    CubicKernel kernel;
+    double wave_speed = 0;  ///< of pressure waves in the lightest material [m/s]
+    double spacing = 1;  ///< of particles at the start, dp
+    ArtificialViscosity viscosity;
+    double artificial_stress = 0.5;
+    double elastic_cfl = 0.25;
+    double pic_share = 0;  ///< of the grid's velocity that particles take over in a step
+};
+
+}  // namespace frana::structured

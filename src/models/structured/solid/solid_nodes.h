@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "core/zero_array.h"
+#include "mpm/node_grid.h"
+
+namespace frana::structured {
+
+/// What a node gathers from the solids; one cache line.
+struct alignas(64) SolidSums {
+    double mass = 0;            ///< [kg]
+    double px = 0, py = 0;      ///< momentum [kg m/s]
+    double solids = 0;          ///< volume [m3]
+    double confined = 0;        ///< volume [m3]
+    double structured = 0;      ///< volume of solids that is structured [m3]
+    double fx = 0, fy = 0;      ///< force of the lateral thrust [N]
+};
+
+/// What a node of a scene with fluid gathers besides.
+struct alignas(32) CouplingSums {
+    double diameter = 0;  ///< volume of solids times grain diameter [m4]
+    double friction = 0;  ///< greatest force of friction at the bed [N]
+    double area = 0;      ///< that the particles claim [m2]
+    double spare = 0;
+};
+
+/// What a node gives back to the particles.
+struct alignas(32) NodePush {
+    double ax = 0, ay = 0;   ///< acceleration [m/s2]
+    double flatness = 1;     ///< 1 / (1 + |grad b|^2)
+    double submergence = 0;  ///< share of the loose solids' pores that free fluid fills
+};
+
+/// Padded node indices [i0, i1) x [j0, j1).
+struct NodeBox {
+    std::int64_t i0 = 0, i1 = 0, j0 = 0, j1 = 0;
+};
+
+/// The solids on the background grid: cubic splines of four nodes a direction, node indices as NodeGrid::index.
+class SolidNodes {
+  public:
+    explicit SolidNodes(const NodeGrid& grid, bool gaps_are_walls, bool coupled);
+
+    /// Whether all 16 nodes from this one are inside and no wall.
+    [[nodiscard]] bool whole(std::size_t first) const noexcept { return whole_[first] != 0; }
+    [[nodiscard]] bool active(std::size_t node) const noexcept { return active_[node] != 0; }
+    void clear(const NodeBox& box, std::int64_t stride, ThreadPool& pool);
+
+    ZeroArray<SolidSums> sums;
+    ZeroArray<CouplingSums> coupling;  ///< empty without fluid
+    ZeroArray<NodePush> push;
+    ZeroArray<double> depth, u, v, solid_fraction, structured;  ///< what the fluid sees (SolidLayer)
+    NodeBox box;                                                ///< where anything may be
+
+  private:
+    std::vector<std::uint8_t> active_, whole_;
+};
+
+}  // namespace frana::structured

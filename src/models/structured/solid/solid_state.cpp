@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/structured/solid/solid_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/structured/solid/material_update.h"
+#include "models/structured/solid/transfer.h"
+
+namespace frana::structured {
+namespace {
+
+template <class Kind>
+SolidStages stages_of() {
+    SolidStages stages;
+    stages.update_material = update_material<Kind>;
+    stages.solids_to_nodes = solids_to_nodes<Kind>;
+    stages.nodes_to_solids = nodes_to_solids<Kind>;
+    return stages;
+}
+
+// Runs a task over all rows of cells, with a report of each, merged in their order.
+template <class Task>
+SolidReport over_rows(const CellOrder& order, ThreadPool& pool, const Task& task) {
+    std::vector<SolidReport> reports(static_cast<std::size_t>(order.rows()));
+    pool.for_each(reports.size(), [&](std::size_t row) { reports[row] = task(static_cast<std::int64_t>(row)); });
+    SolidReport all;
+    for (const SolidReport& report : reports) all.merge(report);
+    return all;
+}
+
+void load_work(SolidState& state, ThreadPool& pool) {
+    constexpr std::size_t k_block = 16384;
+    state.work.resize(state.particles.size());
+    pool.for_blocks(state.particles.size(), k_block, [&](std::size_t begin, std::size_t end) {
+        const std::pair<Field, PairWork::Array> copied[] = {{Field::x, PairWork::x},
+                                                            {Field::y, PairWork::y},
+                                                            {Field::u, PairWork::u},
+                                                            {Field::v, PairWork::v},
+                                                            {Field::area, PairWork::area}};
+        for (const auto& [field, array] : copied)
+            std::copy(state.particles[field] + begin, state.particles[field] + end, state.work[array] + begin);
+    });
+}
+
+}  // namespace
+
+SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast) {
+    SolidStages stages = cohesive ? (wet ? stages_of<SolidKind<true, true>>() : stages_of<SolidKind<true, false>>())
+                                   : (wet ? stages_of<SolidKind<false, true>>() : stages_of<SolidKind<false, false>>());
+    stages.fields = solid_fields(cohesive, wet);
+    stages.pairs = fast ? &pair_kernels() : &plain_pair_kernels();
+    stages.releases = cohesive && wet;
+    return stages;
+}
+
+void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid, ThreadPool& pool) {
+    ParticleSet& particles = state.particles;
+    std::vector<std::uint8_t> keep;
+    double px = 0, py = 0, mass = 0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double x = particles[Field::x][p], y = particles[Field::y][p];
+        const double u = particles[Field::u][p], v = particles[Field::v][p], solids = particles[Field::volume][p];
+        const double confined = particles[Field::confined] ? particles[Field::confined][p] : 0;
+        const double m = particles[Field::grain_density][p] * solids + laws.basal.fluid_density * confined;
+        if (x >= 0 && y >= 0 && x < grid.width() && y < grid.height()) {
+            mass += m;
+            px += m * u;
+            py += m * v;
+            continue;
+        }
+        if (keep.empty()) keep.assign(particles.size(), 1);
+        keep[p] = 0;
+        state.left.solids += solids;
+        state.left.confined += confined;
+        state.left.mass += m;
+        state.left.px += m * u;
+        state.left.py += m * v;
+    }
+    state.order.sort(particles, keep, pool);
+    state.mean = mass > 0 ? Point{px / mass, py / mass} : Point{};
+    state.drift = state.moved = 0;
+    load_work(state, pool);
+}
+
+double stable_substep(const SolidState& state, const SolidLaws& laws) {
+    constexpr double k_viscous = 0.4, k_force = 0.25;
+    const double length = laws.kernel.length(), sound = laws.viscosity.sound;
+    const double wave = laws.wave_speed + std::sqrt(state.last.speed2);
+    const double elastic = laws.elastic_cfl * std::min(length, laws.spacing) / wave;
+    const double viscous =
+        k_viscous * length /
+        (sound + 0.6 * (laws.viscosity.linear * sound + laws.viscosity.quadratic * state.last.approach));
+    const double force = k_force * std::sqrt(length / std::max(std::sqrt(state.last.acceleration2), laws.gravity));
+    return std::min({elastic, viscous, force});
+}
+
+int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
+                 const Obstacles& obstacles, double dt, SolidReport& seen, ThreadPool& pool) {
+    int count = 0;
+    for (double left = dt; left > 0; ++count) {
+        const double stable = stable_substep(state, laws);
+        // Equal substeps for what is left, so that no sliver remains.
+        const double part = left / std::ceil(left / stable * (1 - 1e-12));
+        if (state.drift + part * std::sqrt(state.last.apart2) > 0.5 * state.order.slack())
+            sort_solids(state, laws, grid, pool);
+        over_rows(state.order, pool, [&](std::int64_t row) {
+            stages.pairs->velocity_gradients(state.order, row, laws.kernel, state.work);
+            stages.update_material(state.order.whole_rows(row, row), part, laws, state.particles, state.work);
+            return SolidReport{};
+        });
+        const SolidReport pairs = over_rows(state.order, pool, [&](std::int64_t row) {
+            SolidReport report;
+            report.approach = stages.pairs->accelerations(state.order, row, laws, state.work);
+            return report;
+        });
+        state.last = over_rows(state.order, pool, [&](std::int64_t row) {
+            return move_particles(state.order.whole_rows(row, row), part, obstacles, state.mean, state.particles,
+                                  state.work);
+        });
+        state.last.approach = pairs.approach;
+        state.drift += part * std::sqrt(state.last.apart2);
+        state.moved += part * std::sqrt(state.last.speed2);
+        seen.merge(state.last);
+        left = left - part > 1e-9 * dt ? left - part : 0;
+        if (state.last.non_finite > 0) return count + 1;
+    }
+    return count;
+}
+
+void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
+                   ThreadPool& pool) {
+    SolidNodes& nodes = state.nodes;
+    nodes.clear(nodes.box, grid.stride(), pool);
+    const double dx = grid.cell_size();
+    const Bounds bounds = state.order.bounds();
+    // Two nodes on either side of a particle; the ghosts begin k_ghost nodes before the first cell's centre.
+    const auto index = [&](double place, double steps, std::int64_t count) {
+        return std::clamp<std::int64_t>(
+            static_cast<std::int64_t>(std::floor(place / dx - 0.5 + steps)) + k_ghost, 0, count);
+    };
+    nodes.box = {index(bounds.west - state.moved, -1, grid.stride()), index(bounds.east + state.moved, 3, grid.stride()),
+                 index(bounds.south - state.moved, -1, grid.padded_rows()),
+                 index(bounds.north + state.moved, 3, grid.padded_rows())};
+    nodes.clear(nodes.box, grid.stride(), pool);
+    // Strips of rows, every second at a time: what lies between is wider than the nodes that two strips could share.
+    const auto strip = static_cast<std::int64_t>(std::ceil((4 * dx + state.order.slack()) / state.order.side()));
+    const std::int64_t strips = (state.order.rows() + strip - 1) / strip;
+    for (std::int64_t parity = 0; parity < 2; ++parity) {
+        pool.for_each(static_cast<std::size_t>((strips - parity + 1) / 2), [&](std::size_t k) {
+            const std::int64_t first = (2 * static_cast<std::int64_t>(k) + parity) * strip;
+            const std::int64_t last = std::min(first + strip, state.order.rows()) - 1;
+            stages.solids_to_nodes(state.order.whole_rows(first, last), laws, state.particles, grid, nodes);
+        });
+    }
+}
+
+}  // namespace frana::structured

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <utility>
+
+#include "models/structured/solid/move_particles.h"
+#include "models/structured/solid/pair_kernels.h"
+#include "models/structured/solid/solid_nodes.h"
+
+namespace frana::structured {
+
+/// What has left through open edges.
+struct LeftDomain {
+    double solids = 0, confined = 0;  ///< volume [m3]
+    double mass = 0, px = 0, py = 0;  ///< [kg], [kg m/s]
+};
+
+/// Solids with their confined fluid.
+struct SolidState {
+    SolidState(ParticleSet set, const SolidLaws& laws, SolidNodes on_grid)
+        : particles(std::move(set)), order(laws.kernel.reach()), nodes(std::move(on_grid)) {}
+
+    ParticleSet particles;
+    CellOrder order;
+    PairWork work;  ///< in the particles' order; x, y, u, v, area are always theirs
+    SolidNodes nodes;
+    Point mean;         ///< velocity against which `drift` is measured [m/s]
+    double drift = std::numeric_limits<double>::infinity();  ///< of any particle against the others since the sort [m]
+    double moved = 0;   ///< of any particle since the sort [m]
+    SolidReport last;   ///< of the last substep
+    LeftDomain left;
+};
+
+/// How the sweeps over solids are done in a scene.
+struct SolidStages {
+    FieldMask fields;
+    const PairKernels* pairs = nullptr;
+    void (*update_material)(ParticleRun, double dt, const SolidLaws&, ParticleSet&, PairWork&) = nullptr;
+    void (*solids_to_nodes)(ParticleRun, const SolidLaws&, const ParticleSet&, const NodeGrid&,
+                            SolidNodes&) = nullptr;
+    void (*nodes_to_solids)(ParticleRun, const SolidLaws&, double dt, const NodeGrid&, const SolidNodes&,
+                            ParticleSet&) = nullptr;
+    bool releases = false;  ///< confined fluid can become free
+};
+
+/// The stages for solids with cohesion, which they can lose, or without; with fluid in the scene or not.
+SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast = true);
+
+/// Sorts the particles, dropping those beyond the edges, and sets `mean`.
+void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
+                 ThreadPool& pool);
+
+/// Longest substep of the solids by themselves (section 10) [s]: elastic waves, artificial viscosity, acceleration.
+double stable_substep(const SolidState& state, const SolidLaws& laws);
+
+/// Takes the solids on by dt in as many substeps as they need, under the push that the grid has given them. Returns how
+/// many; what was seen is in state.last and, over all of them, in `seen`.
+int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
+                 const Obstacles& obstacles, double dt, SolidReport& seen, ThreadPool& pool);
+
+/// Gathers all solids on the nodes, and clears what was there.
+void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
+                   ThreadPool& pool);
+
+}  // namespace frana::structured

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "models/structured/solid/column_state.h"
+#include "models/structured/solid/cubic_stencil.h"
+#include "particles/cell_order.h"
+
+namespace frana::structured {
+
+/// Adds a run of particles to the nodes: mass, momentum, volumes and the force of their lateral thrust,
+///     f_i = sum_p A_p P_p grad N_i      (the weak form of -grad P; its sum over nodes is zero)
+/// Runs that share no node may be added side by side.
+template <class Kind>
+void solids_to_nodes(ParticleRun run, const SolidLaws& laws, const ParticleSet& particles, const NodeGrid& grid,
+                     SolidNodes& nodes) {
+    for (std::size_t p = run.begin; p < run.end; ++p) {
+        const CubicStencil stencil(particles[Field::x][p], particles[Field::y][p], grid, nodes);
+        if (!stencil.any) continue;
+        const ColumnState column = column_state<Kind>(laws, particles, p);
+        const double u = particles[Field::u][p], v = particles[Field::v][p], area = particles[Field::area][p];
+        const double solids = particles[Field::volume][p], push = area * column.thrust;
+        const double friction = Kind::wet ? area * column.load * particles[Field::bed_friction][p] : 0;
+        for (int b = 0; b < 4; ++b) {
+            const std::size_t row = stencil.first + static_cast<std::size_t>(b * grid.stride());
+            for (int a = 0; a < 4; ++a) {
+                const double w = stencil.weight[b][a];
+                SolidSums& node = nodes.sums[row + static_cast<std::size_t>(a)];
+                node.mass += w * column.mass;
+                node.px += w * column.mass * u;
+                node.py += w * column.mass * v;
+                node.solids += w * solids;
+                node.fx += push * stencil.gx[b][a];
+                node.fy += push * stencil.gy[b][a];
+                node.structured += w * solids * column.structured;
+                if constexpr (Kind::wet) {
+                    node.confined += w * particles[Field::confined][p];
+                    CouplingSums& more = nodes.coupling[row + static_cast<std::size_t>(a)];
+                    more.diameter += w * solids * particles[Field::grain_diameter][p];
+                    more.friction += w * friction;
+                    more.area += w * area;
+                }
+            }
+        }
+    }
+}
+
+/// What the nodes give back over a step of dt: accelerations as increments (FLIP), so that momentum is kept; the bed's
+/// flatness; how far the pores are filled. Columns that flow freely spread until their particles see no neighbours any
+/// more; their area follows the depth that the nodes show, as fast as gravity levels a cell.
+template <class Kind>
+void nodes_to_solids(ParticleRun run, const SolidLaws& laws, double dt, const NodeGrid& grid, const SolidNodes& nodes,
+                     ParticleSet& particles) {
+    const double pic_share = laws.pic_share;
+    for (std::size_t p = run.begin; p < run.end; ++p) {
+        const CubicStencil stencil(particles[Field::x][p], particles[Field::y][p], grid, nodes);
+        double ax = 0, ay = 0, flatness = 0, submergence = 0, u = 0, v = 0, depth = 0;
+        for (int b = 0; b < 4; ++b) {
+            const std::size_t row = stencil.first + static_cast<std::size_t>(b * grid.stride());
+            for (int a = 0; a < 4; ++a) {
+                const double w = stencil.weight[b][a];
+                const std::size_t n = row + static_cast<std::size_t>(a);
+                const NodePush& node = nodes.push[n];
+                ax += w * node.ax;
+                ay += w * node.ay;
+                flatness += w * node.flatness;
+                submergence += w * node.submergence;
+                depth += w * nodes.depth[n];
+                if (pic_share > 0) {
+                    u += w * nodes.u[n];
+                    v += w * nodes.v[n];
+                }
+            }
+        }
+        if (pic_share > 0 && stencil.any) {
+            ax += pic_share * (u - particles[Field::u][p]) / dt;
+            ay += pic_share * (v - particles[Field::v][p]) / dt;
+        }
+        particles[Field::push_x][p] = ax;
+        particles[Field::push_y][p] = ay;
+        particles[Field::flatness][p] = stencil.any ? flatness : 1;
+        if constexpr (Kind::wet) particles[Field::submergence][p] = submergence;
+        const ColumnState column = column_state<Kind>(laws, particles, p);
+        if (!(depth > 0) || !flows_freely(laws, column)) continue;
+        const double speed = std::hypot(particles[Field::u][p], particles[Field::v][p]);
+        const double share = std::min(1.0, dt * (speed + std::sqrt(laws.gravity * depth)) / grid.cell_size());
+        double& area = particles[Field::area][p];
+        area += share * (area * column.depth / depth - area);
+    }
+}
+
+}  // namespace frana::structured

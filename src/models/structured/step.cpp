@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/structured/step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "models/structured/coupling/couple_nodes.h"
+#include "models/structured/coupling/release.h"
+
+namespace frana::structured {
+namespace {
+
+template <class Task>
+void over_box_rows(const NodeBox& box, ThreadPool& pool, const Task& task) {
+    pool.for_each(static_cast<std::size_t>(box.j1 - box.j0),
+                  [&](std::size_t row) { task(box.j0 + static_cast<std::int64_t>(row)); });
+}
+
+void gather(State& state, const Laws& laws, ThreadPool& pool) {
+    gather_solids(*state.solid, state.stages, laws.solid, state.grid, pool);
+    over_box_rows(state.solid->nodes.box, pool,
+                  [&](std::int64_t j) { show_solids(j, state.grid, state.fluid.get(), state.solid->nodes); });
+}
+
+// Sums over particles at the end of a step, row by row.
+void look_at_particles(const State& state, const Laws& laws, StepReport& report, ThreadPool& pool) {
+    struct Row {
+        double kinetic = 0, deepest = 0;
+        std::int64_t no_data = 0, outside = 0;
+    };
+    const SolidState& solid = *state.solid;
+    std::vector<Row> rows(static_cast<std::size_t>(solid.order.rows()));
+    pool.for_each(rows.size(), [&](std::size_t r) {
+        const auto row = static_cast<std::int64_t>(r);
+        const ParticleRun run = solid.order.whole_rows(row, row);
+        const bool wet = solid.particles[Field::confined] != nullptr;
+        for (std::size_t p = run.begin; p < run.end; ++p) {
+            const double solids = solid.particles[Field::volume][p];
+            const double confined = wet ? solid.particles[Field::confined][p] : 0;
+            const double mass =
+                solid.particles[Field::grain_density][p] * solids + laws.solid.basal.fluid_density * confined;
+            const double u = solid.particles[Field::u][p], v = solid.particles[Field::v][p];
+            rows[r].kinetic += 0.5 * mass * (u * u + v * v);
+            rows[r].deepest = std::max(rows[r].deepest, (solids + confined) / solid.particles[Field::area][p]);
+            const double x = solid.particles[Field::x][p], y = solid.particles[Field::y][p];
+            if (!(x >= 0 && y >= 0 && x < state.grid.width() && y < state.grid.height())) {
+                ++rows[r].outside;
+            } else if (state.grid.any_solid()) {
+                const double inverse = 1 / state.grid.cell_size();
+                rows[r].no_data += state.grid.is_gap(static_cast<std::int64_t>(x * inverse),
+                                                     static_cast<std::int64_t>(y * inverse));
+            }
+        }
+    });
+    for (const Row& row : rows) {
+        report.kinetic += row.kinetic;
+        report.deepest = std::max(report.deepest, row.deepest);
+        report.no_data += row.no_data;
+        report.outside += row.outside;
+    }
+}
+
+}  // namespace
+
+State::State(NodeGrid terrain, const Laws& laws, ParticleSet solids, const SolidStages& chosen, bool with_fluid)
+    : grid(std::move(terrain)), stages(chosen) {
+    if (solids.size() > 0) {
+        SolidNodes nodes(grid, laws.gaps_are_walls, with_fluid);
+        solid = std::make_unique<SolidState>(std::move(solids), laws.solid, std::move(nodes));
+    }
+    if (with_fluid) fluid = std::make_unique<FluidState>(grid, laws.fluid);
+}
+
+SolidLayer solid_layer(const State& state) {
+    if (!state.solid) return {};
+    const SolidNodes& n = state.solid->nodes;
+    return {n.depth.data(), n.u.data(), n.v.data(), n.solid_fraction.data(), n.structured.data()};
+}
+
+void prepare(State& state, const Laws& laws, ThreadPool& pool) {
+    if (!state.solid) return;
+    SolidState& solid = *state.solid;
+    sort_solids(solid, laws.solid, state.grid, pool);
+    for (std::size_t p = 0; p < solid.particles.size(); ++p) {
+        const double u = solid.particles[Field::u][p], v = solid.particles[Field::v][p];
+        solid.last.speed2 = std::max(solid.last.speed2, u * u + v * v);
+        const double du = u - solid.mean.x, dv = v - solid.mean.y;
+        solid.last.apart2 = std::max(solid.last.apart2, du * du + dv * dv);
+    }
+    StepReport now;
+    look_at_particles(state, laws, now, pool);
+    state.deepest = now.deepest;
+    gather(state, laws, pool);
+}
+
+double stable_step(const State& state, const Laws& laws, ThreadPool& pool) {
+    double dt = std::numeric_limits<double>::infinity();
+    if (state.fluid) dt = stable_step(*state.fluid, state.grid, laws.fluid, solid_layer(state), pool);
+    if (state.solid && state.solid->particles.size() > 0) {
+        const double wave = std::sqrt(state.solid->last.speed2) + std::sqrt(laws.solid.gravity * state.deepest);
+        dt = std::min(dt, laws.move_cfl * state.grid.cell_size() / wave);
+    }
+    return dt;
+}
+
+StepReport step(State& state, const Laws& laws, double dt_limit, ThreadPool& pool) {
+    StepReport report;
+    const bool solids = state.solid && state.solid->particles.size() > 0;
+    report.dt = std::min(dt_limit, stable_step(state, laws, pool));
+    const double dt = report.dt;
+
+    // The fluid moves over the solids as they lie; then both exchange momentum, node by node.
+    if (state.fluid) report.fluid = advance(*state.fluid, state.grid, laws.fluid, solid_layer(state), dt, pool);
+    if (solids) {
+        SolidState& solid = *state.solid;
+        over_box_rows(solid.nodes.box, pool, [&](std::int64_t j) {
+            push_solids(j, dt, state.grid, laws.solid, laws.coupling, solid.nodes, state.fluid.get());
+        });
+
+        // Particles take the nodes' push and follow their own waves: strain, stress, damage, neighbours' forces, move.
+        pool.for_each(static_cast<std::size_t>(solid.order.rows()), [&](std::size_t row) {
+            const auto r = static_cast<std::int64_t>(row);
+            const ParticleRun run = solid.order.whole_rows(r, r);
+            state.stages.nodes_to_solids(run, laws.solid, dt, state.grid, solid.nodes, solid.particles);
+            const double* const area = solid.particles[Field::area];
+            std::copy(area + run.begin, area + run.end, solid.work[PairWork::area] + run.begin);
+        });
+        const Obstacles obstacles{&state.grid, laws.fluid.wall, laws.gaps_are_walls};
+        report.substeps = run_substeps(solid, state.stages, laws.solid, state.grid, obstacles, dt, report.solids, pool);
+
+        // What broke gives its water to the grid; then the solids show where they are now.
+        if (state.stages.releases && state.fluid) {
+            const Released released = release_fluid(solid, state.grid, laws.fluid, *state.fluid);
+            state.released += released.inside;
+            state.released_outside += released.outside;
+        }
+        look_at_particles(state, laws, report, pool);
+        if (report.outside > 0 || solid.drift > 0.5 * solid.order.slack())
+            sort_solids(solid, laws.solid, state.grid, pool);
+        gather(state, laws, pool);
+        state.deepest = report.deepest;
+    }
+    state.time += dt;
+    return report;
+}
+
+}  // namespace frana::structured

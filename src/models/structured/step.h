@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "models/structured/coupling/exchange.h"
+#include "models/structured/fluid/fluid_step.h"
+#include "models/structured/solid/solid_state.h"
+
+namespace frana::structured {
+
+/// Parameters and laws; const while the run lasts.
+struct Laws {
+    /// @param smoothing_length of the solids' kernel [m]
+    explicit Laws(double smoothing_length) : solid(smoothing_length) {}
+
+    SolidLaws solid;
+    CouplingLaws coupling;
+    FluidLaws fluid;
+    double move_cfl = 0.25;  ///< share of a cell that solids and their thrust's waves may cross in a step
+    bool gaps_are_walls = false;
+};
+
+/// Solids, free fluid, or both, over one terrain.
+struct State {
+    State(NodeGrid terrain, const Laws& laws, ParticleSet solids, const SolidStages& stages, bool with_fluid);
+
+    NodeGrid grid;
+    SolidStages stages;
+    std::unique_ptr<SolidState> solid;  ///< null without solids
+    std::unique_ptr<FluidState> fluid;  ///< null in a scene that has no fluid and can set none free
+    double time = 0;                    ///< [s]
+    double deepest = 0;                 ///< column of any particle [m]
+    double released = 0;                ///< confined fluid that has become free so far [m3]
+    double released_outside = 0;        ///< of which beyond the edges [m3]
+};
+
+struct StepReport {
+    double dt = 0;
+    int substeps = 0;      ///< of the solids
+    SolidReport solids;    ///< over all substeps
+    FluidReport fluid;
+    std::int64_t outside = 0;  ///< particles that left through open edges
+    std::int64_t no_data = 0;  ///< particles over cells without terrain
+    double deepest = 0;    ///< column of any particle [m]
+    double kinetic = 0;    ///< of the solids with their confined fluid [J]
+};
+
+/// Solids in order, on the nodes and in the fluid's sight; call before the first step and whenever particles were added.
+void prepare(State& state, const Laws& laws, ThreadPool& pool);
+
+/// Longest step of solids and fluid together [s]; the solids' elastic waves are followed in substeps.
+double stable_step(const State& state, const Laws& laws, ThreadPool& pool);
+
+/// One time step of at most dt_limit. The same bits for any number of threads.
+StepReport step(State& state, const Laws& laws, double dt_limit, ThreadPool& pool);
+
+/// What the fluid sees of the solids; null pointers without them.
+SolidLayer solid_layer(const State& state);
+
+}  // namespace frana::structured

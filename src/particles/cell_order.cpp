@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "particles/cell_order.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace frana {
+
+void CellOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool) {
+    constexpr std::size_t k_block = 16384;
+    constexpr std::uint32_t k_dropped = std::numeric_limits<std::uint32_t>::max();
+    const std::size_t n = particles.size();
+    const double* x = particles[Field::x];
+    const double* y = particles[Field::y];
+    bool any = false;
+    for (std::size_t p = 0; p < n; ++p) {
+        if (!keep.empty() && !keep[p]) continue;
+        west_ = any ? std::min(west_, x[p]) : x[p];
+        east_ = any ? std::max(east_, x[p]) : x[p];
+        south_ = any ? std::min(south_, y[p]) : y[p];
+        north_ = any ? std::max(north_, y[p]) : y[p];
+        any = true;
+    }
+    columns_ = any ? static_cast<std::int64_t>((east_ - west_) / side_) + 1 : 0;
+    rows_ = any ? static_cast<std::int64_t>((north_ - south_) / side_) + 1 : 0;
+
+    // A stable counting sort. Keys and moves are worked out side by side; counting alone is too short to be worth it.
+    keys_.resize(n);
+    pool.for_blocks(n, k_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            const bool kept = keep.empty() || keep[p];
+            keys_[p] = !kept ? k_dropped
+                             : static_cast<std::uint32_t>(place(static_cast<std::int64_t>((y[p] - south_) / side_),
+                                                                static_cast<std::int64_t>((x[p] - west_) / side_)));
+        }
+    });
+    starts_.assign(static_cast<std::size_t>((rows_ + 2 * k_near) * (columns_ + 2 * k_near)) + 1, 0);
+    for (const std::uint32_t key : keys_) {
+        if (key != k_dropped) ++starts_[key + 1];
+    }
+    for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
+    source_.resize(n);
+    bool in_order = true;
+    for (std::size_t p = 0; p < n; ++p) {
+        if (keys_[p] == k_dropped) continue;
+        const std::uint32_t to = starts_[keys_[p]]++;
+        source_[to] = static_cast<std::uint32_t>(p);
+        in_order = in_order && to == p;
+    }
+    for (std::size_t c = starts_.size() - 1; c > 0; --c) starts_[c] = starts_[c - 1];
+    starts_[0] = 0;
+
+    const std::size_t kept = starts_.back();
+    if (kept == n && in_order) return;
+    particles.rebuild(kept, (kept + k_block - 1) / k_block,
+                      [&](Field, const double* from, double* to, std::size_t part) {
+                          const std::size_t end = std::min(kept, (part + 1) * k_block);
+                          for (std::size_t i = part * k_block; i < end; ++i) to[i] = from[source_[i]];
+                      },
+                      pool);
+}
+
+}  // namespace frana

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/grid_spec.h"
+#include "core/thread_pool.h"
+#include "particles/particle_set.h"
+
+namespace frana {
+
+/// A run of particles, [begin, end).
+struct ParticleRun {
+    std::size_t begin = 0, end = 0;
+};
+
+/// The order of particles by square cells, row after row, for methods in which particles see their neighbours within
+/// a fixed reach. Cells are a little over half the reach wide, so that all neighbours of a cell's particles lie in
+/// five runs, one for each of five rows of five cells:
+///
+///     row + 2   [ - - - - - ]
+///     row       [ - - x - - ]      cell side = (reach + slack) / 2
+///     row - 2   [ - - - - - ]
+///
+/// until two particles have come nearer to each other by `slack`. The order depends on positions and former order
+/// alone, not on threads.
+class CellOrder {
+  public:
+    static constexpr std::int64_t k_near = 2;  ///< cells on either side
+    static constexpr std::size_t k_rows_near = 2 * k_near + 1;
+    static constexpr double k_slack = 0.125;   ///< over the reach
+
+    /// @param reach greatest distance at which particles see each other [m]
+    explicit CellOrder(double reach) : reach_(reach), side_(0.5 * reach * (1 + k_slack)) {}
+
+    /// Sorts the particles by cell (stable) and drops those for which `keep` is 0.
+    /// @param keep one byte a particle, or empty to keep all
+    void sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool);
+
+    [[nodiscard]] double side() const noexcept { return side_; }
+    /// How much nearer two particles may come to each other until the next sort [m].
+    [[nodiscard]] double slack() const noexcept { return reach_ * k_slack; }
+    /// The least rectangle round all particles at the last sort.
+    [[nodiscard]] Bounds bounds() const noexcept { return {west_, south_, east_, north_}; }
+    /// Rows and columns that may hold particles; empty cells surround them.
+    [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }
+    [[nodiscard]] std::int64_t columns() const noexcept { return columns_; }
+
+    /// Particles of one cell, or of a row's cells from `first` to `last`, both included.
+    [[nodiscard]] ParticleRun cell(std::int64_t row, std::int64_t column) const noexcept {
+        return cells(row, column, column);
+    }
+    [[nodiscard]] ParticleRun cells(std::int64_t row, std::int64_t first, std::int64_t last) const noexcept {
+        return {starts_[place(row, first)], starts_[place(row, last) + 1]};
+    }
+    /// Particles of the rows from `first` to `last`, both included.
+    [[nodiscard]] ParticleRun whole_rows(std::int64_t first, std::int64_t last) const noexcept {
+        return {starts_[place(first, 0)], starts_[place(last, columns_ - 1) + 1]};
+    }
+    [[nodiscard]] std::array<ParticleRun, k_rows_near> around(std::int64_t row, std::int64_t column) const noexcept {
+        std::array<ParticleRun, k_rows_near> runs;
+        for (std::int64_t r = -k_near; r <= k_near; ++r)
+            runs[static_cast<std::size_t>(r + k_near)] = cells(row + r, column - k_near, column + k_near);
+        return runs;
+    }
+
+  private:
+    [[nodiscard]] std::size_t place(std::int64_t row, std::int64_t column) const noexcept {
+        return static_cast<std::size_t>((row + k_near) * (columns_ + 2 * k_near) + column + k_near);
+    }
+
+    double reach_, side_;
+    double west_ = 0, south_ = 0, east_ = 0, north_ = 0;
+    std::int64_t rows_ = 0, columns_ = 0;
+    std::vector<std::uint32_t> starts_;  // of each cell, those around included, and one more
+    std::vector<std::uint32_t> keys_, source_;
+};
+
+}  // namespace frana

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/structured_flow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/structured_laws.h"
+
+namespace frana {
+namespace {
+
+using structured::FluidSource;
+using structured::SolidState;
+
+NodeGrid ground(const Raster& bed, const std::optional<Raster>& walls) {
+    NodeGrid nodes(bed);
+    if (walls) nodes.mark_walls(*walls);
+    return nodes;
+}
+
+structured::State initial_state(NodeGrid nodes, const structured::Laws& laws, const StructuredMaterial& material,
+                                const ParticleSet& released) {
+    if (!material.solids) return {std::move(nodes), laws, ParticleSet(), {}, true};
+    const structured::SolidStages stages = structured::choose_solid_stages(can_fracture(material), has_fluid(material));
+    const auto of_place = [&](Point) { return solid_material(material); };
+    return {std::move(nodes), laws,
+            structured::give_material(structured::split_phases(released, of_place), stages.fields, of_place), stages,
+            has_fluid(material)};
+}
+
+// Share of what is released that is free fluid from the start.
+double free_share(const StructuredMaterial& m) {
+    if (!m.solids) return 1;
+    return (1 - m.solid_fraction) * (can_fracture(m) ? 1 - m.confined_share : 1);
+}
+
+}  // namespace
+
+StructuredFlow::StructuredFlow(const Raster& bed, const std::optional<Raster>& walls,
+                               const StructuredMaterial& material, const Numerics& numerics,
+                               const ParticleSet& released, int threads)
+    : grid_(bed.grid),
+      numerics_(numerics),
+      material_(material),
+      pool_(threads),
+      laws_(structured_laws(material, numerics, bed.grid.cell_size)),
+      state_(initial_state(ground(bed, walls), laws_, material, released)),
+      tiles_{state_.grid.columns(), state_.grid.rows(), k_ghost, bed.grid.cell_size},
+      maxima_(state_.grid.bed.size()) {
+    receive(released, free_share(material));
+    structured::prepare(state_, laws_, pool_);
+    see_present();
+}
+
+void StructuredFlow::lower_bed(const Raster& depth) {
+    state_.grid.lower_bed(depth);
+    structured::set_ground(*state_.fluid, state_.grid, laws_.fluid);
+}
+
+void StructuredFlow::add_particles(const ParticleSet& particles) {
+    receive(particles, 1);
+    see_present();
+}
+
+void StructuredFlow::receive(const ParticleSet& particles, double share) {
+    if (!state_.fluid || !(share > 0)) return;
+    const double inverse = 1 / grid_.cell_size, inverse_area = share / grid_.cell_area();
+    std::vector<FluidSource> sources;
+    sources.reserve(particles.size());
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double x = particles[Field::x][p] * inverse, y = particles[Field::y][p] * inverse;
+        if (!(x >= 0 && y >= 0 && x < static_cast<double>(grid_.columns) && y < static_cast<double>(grid_.rows))) {
+            state_.fluid->volume_left += share * particles[Field::volume][p];
+            continue;
+        }
+        const double depth = particles[Field::volume][p] * inverse_area;
+        sources.push_back({state_.grid.index(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)), depth,
+                           depth * particles[Field::u][p], depth * particles[Field::v][p]});
+    }
+    state_.fluid->volume_left += structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
+}
+
+double StructuredFlow::stable_step() {
+    const double still = laws_.fluid.cfl * grid_.cell_size / (2 * std::sqrt(numerics_.gravity * numerics_.minimum_depth));
+    return std::min(structured::stable_step(state_, laws_, pool_), still);
+}
+
+StepFigures StructuredFlow::advance(double dt_limit) {
+    const double into_gaps = state_.fluid ? state_.fluid->volume_into_gaps : 0;
+    const structured::StepReport report =
+        structured::step(state_, laws_, std::min(dt_limit, stable_step()), pool_);
+    ++steps_;
+    particle_steps_ += particle_count() * report.substeps;
+    StepFigures figures = observe();
+    figures.dt = report.dt;
+    figures.kinetic += report.kinetic / released_density(material_);
+    figures.non_finite = report.fluid.non_finite + report.solids.non_finite;
+    figures.clamped = report.solids.clamped;
+    figures.no_data = report.no_data + (state_.fluid && state_.fluid->volume_into_gaps > into_gaps ? 1 : 0);
+    return figures;
+}
+
+double StructuredFlow::volume() {
+    double sum = state_.fluid ? structured::fluid_volume(*state_.fluid, state_.grid, pool_) : 0;
+    if (!state_.solid) return sum;
+    const ParticleSet& particles = state_.solid->particles;
+    const double *solids = particles[Field::volume], *confined = particles[Field::confined];
+    for (std::size_t p = 0; p < particles.size(); ++p) sum += solids[p] + (confined != nullptr ? confined[p] : 0);
+    return sum;
+}
+
+double StructuredFlow::volume_left() const noexcept {
+    const double fluid = state_.fluid ? state_.fluid->volume_left : 0;
+    const double solid = state_.solid ? state_.solid->left.solids + state_.solid->left.confined : 0;
+    return fluid + solid + state_.released_outside;
+}
+
+std::int64_t StructuredFlow::particle_count() const noexcept {
+    return state_.solid ? static_cast<std::int64_t>(state_.solid->particles.size()) : 0;
+}
+
+std::size_t StructuredFlow::bytes_per_particle() const noexcept {
+    return state_.solid ? state_.solid->particles.bytes_per_particle() : 0;
+}
+
+std::size_t StructuredFlow::bytes_per_node() const noexcept {
+    constexpr std::size_t k_fluid_values = 9;  // present, stage and next of depth and two discharges
+    constexpr std::size_t k_solid_values = 5;  // what the fluid sees of the solids
+    std::size_t bytes = sizeof(double) + Maxima::k_bytes;
+    if (state_.fluid) bytes += k_fluid_values * sizeof(double) + 1 + (laws_.fluid.steep ? sizeof(double) : 0);
+    if (state_.solid)
+        bytes += sizeof(structured::SolidSums) + sizeof(structured::NodePush) + k_solid_values * sizeof(double) + 2 +
+                 (state_.fluid ? sizeof(structured::CouplingSums) : 0);
+    return bytes;
+}
+
+void StructuredFlow::see_present() {
+    observe();
+}
+
+StepFigures StructuredFlow::observe() {
+    const std::vector<std::int64_t> tiles = shown_tiles();
+    std::vector<StepFigures> figures(tiles.size());
+    const double dx = grid_.cell_size, area = grid_.cell_area();
+    const double fluid_share = material_.fluid_density / released_density(material_);
+    pool_.for_each(tiles.size(), [&](std::size_t t) {
+        StepFigures& f = figures[t];
+        NodeRange(tiles[t], tiles_, state_.grid)
+            .for_each(state_.grid.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
+                const double depth = inside(i, j) ? column(cell).depth : 0;
+                if (!(depth >= laws_.fluid.dry)) return;
+                const double fast = speed(cell), fluid_fast = fluid_speed(cell);
+                f.kinetic += 0.5 * fluid_share * fluid_depth(cell) * area * fluid_fast * fluid_fast;
+                if (fast > moving_speed_) f.moving += depth * area;
+                if (depth < numerics_.minimum_depth) return;
+                ++f.covered;
+                f.max_depth = std::max(f.max_depth, depth);
+                f.max_speed = std::max(f.max_speed, fast);
+                const double x = (static_cast<double>(i - k_ghost) + 0.5) * dx - origin_.x;
+                const double y = (static_cast<double>(j - k_ghost) + 0.5) * dx - origin_.y;
+                f.front_distance = std::max(f.front_distance, x * x + y * y);
+                maxima_.see(cell, depth, fast, state_.time);
+            });
+    });
+    StepFigures sum;
+    for (const StepFigures& f : figures) {
+        sum.kinetic += f.kinetic;
+        sum.moving += f.moving;
+        sum.covered += f.covered;
+        sum.max_depth = std::max(sum.max_depth, f.max_depth);
+        sum.max_speed = std::max(sum.max_speed, f.max_speed);
+        sum.front_distance = std::max(sum.front_distance, f.front_distance);
+    }
+    sum.front_distance = std::sqrt(sum.front_distance);
+    sum.volume = volume();
+    return sum;
+}
+
+// Where something may move: the fluid's tiles, and those that the solids' box touches.
+std::vector<std::int64_t> StructuredFlow::shown_tiles() const {
+    std::vector<std::int64_t> shown;
+    if (state_.fluid) shown = state_.fluid->tiles;
+    if (state_.solid) {
+        const structured::NodeBox& box = state_.solid->nodes.box;
+        for (std::int64_t j = box.j0 / k_tile; j * k_tile < box.j1; ++j)
+            for (std::int64_t i = box.i0 / k_tile; i * k_tile < box.i1; ++i) shown.push_back(j * tiles_.tiles_x() + i);
+        std::sort(shown.begin(), shown.end());
+        shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
+    }
+    return shown;
+}
+
+}  // namespace frana

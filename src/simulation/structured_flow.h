@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/raster.h"
+#include "core/thread_pool.h"
+#include "models/structured/step.h"
+#include "mpm/maxima.h"
+#include "particles/particle_set.h"
+#include "simulation/result.h"
+#include "simulation/scene.h"
+#include "simulation/step_figures.h"
+
+namespace frana {
+
+/// The structured model as a run drives it: the engine without scenes, files and clocks; Flow's counterpart. Depths are
+/// those of everything in a cell, speeds those of its faster phase.
+class StructuredFlow {
+  public:
+    /// After a step the cells show the moment it ended.
+    static constexpr bool k_shows_end = true;
+
+    /// @param bed elevation [m], NaN where there is none
+    /// @param walls 1 where a wall stands, on the same grid
+    /// @param released columns of whole thickness in local metres: fluid, or split into solids and fluid
+    StructuredFlow(const Raster& bed, const std::optional<Raster>& walls, const StructuredMaterial& material,
+                   const Numerics& numerics, const ParticleSet& released, int threads);
+
+    /// Adds fluid, volume and momentum as particles hold them, to the cells they lie in. Not for solids.
+    void add_particles(const ParticleSet& particles);
+    /// Takes ground away between two steps: depth in each cell [m], NaN for none. Not for solids.
+    void lower_bed(const Raster& depth);
+    void set_origin(Point origin) { origin_ = origin; }
+    void set_moving_speed(double speed) { moving_speed_ = speed; }
+    void set_time(double time) { state_.time = time; }
+
+    /// Longest step the present state allows [s]; no longer than a wave on the minimum depth would take through a cell,
+    /// so that a map at rest is watched too.
+    [[nodiscard]] double stable_step();
+    StepFigures advance(double dt_limit);
+    void synchronise() {}  // velocities are never behind
+
+    [[nodiscard]] double time() const noexcept { return state_.time; }
+    [[nodiscard]] std::int64_t steps() const noexcept { return steps_; }
+    [[nodiscard]] bool empty() { return volume() == 0; }
+    /// Solids and all fluid inside [m3].
+    [[nodiscard]] double volume();
+    [[nodiscard]] double volume_left() const noexcept;
+    [[nodiscard]] std::int64_t particle_count() const noexcept;
+    [[nodiscard]] std::int64_t particle_steps() const noexcept { return particle_steps_; }
+    [[nodiscard]] std::size_t bytes_per_particle() const noexcept;
+    /// Bytes that a cell of the map takes once it was touched.
+    [[nodiscard]] std::size_t bytes_per_node() const noexcept;
+    [[nodiscard]] const NodeGrid& nodes() const noexcept { return state_.grid; }
+    [[nodiscard]] const structured::State& state() const noexcept { return state_; }
+
+    /// Depth and speed along the bed, as north-up rasters; NaN under the minimum depth.
+    struct Snapshot {
+        Raster depth, speed;
+    };
+    [[nodiscard]] Snapshot snapshot() const;
+    /// The phases: their depths, velocities and what the solids are like (app/layers.cpp describes each). Of fluid
+    /// alone, its velocity.
+    [[nodiscard]] std::vector<NamedRaster> phases() const;
+    /// Folds the present into the maxima; advance does it after every step.
+    void see_present();
+    [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }
+    /// A padded array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the others.
+    [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
+
+    /// Calls visit(index) for every cell of the terrain that may hold something that moves.
+    template <class Visit>
+    void for_each_active_node(const Visit& visit) const {
+        const NodeGrid& n = state_.grid;
+        for (const std::int64_t tile : shown_tiles()) {
+            NodeRange(tile, tiles_, n).for_each(n.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
+                if (inside(i, j)) visit(cell);
+            });
+        }
+    }
+    /// What lies in a cell: depth [m], and discharge per width of solids and fluid together [m2/s].
+    struct Column {
+        double depth = 0, qx = 0, qy = 0;
+    };
+    [[nodiscard]] Column column(std::size_t cell) const noexcept;
+    /// Speed along the bed of the faster phase in a cell [m/s].
+    [[nodiscard]] double speed(std::size_t cell) const;
+
+  private:
+    [[nodiscard]] std::vector<std::int64_t> shown_tiles() const;
+    [[nodiscard]] bool inside(std::int64_t i, std::int64_t j) const noexcept {
+        return i >= k_ghost && j >= k_ghost && i < state_.grid.columns() + k_ghost &&
+               j < state_.grid.rows() + k_ghost;
+    }
+    [[nodiscard]] double along_bed(std::size_t cell, double u, double v) const noexcept;
+    [[nodiscard]] double fluid_depth(std::size_t cell) const noexcept {
+        return state_.fluid ? state_.fluid->now.depth[cell] : 0;
+    }
+    [[nodiscard]] double fluid_speed(std::size_t cell) const;
+    [[nodiscard]] double solid_speed(std::size_t cell) const;
+    void receive(const ParticleSet& particles, double share);
+    StepFigures observe();
+    template <class Value>
+    [[nodiscard]] Raster raster_of(const Value& value) const;
+
+    GridSpec grid_;
+    Numerics numerics_;
+    StructuredMaterial material_;
+    ThreadPool pool_;
+    structured::Laws laws_;
+    structured::State state_;
+    TileGrid tiles_;
+    Maxima maxima_;
+    Point origin_;
+    double moving_speed_ = 0;
+    std::int64_t steps_ = 0, particle_steps_ = 0;
+};
+
+}  // namespace frana

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "models/structured/solid/placement.h"
+#include "models/structured/step.h"
+#include "simulation/scene.h"
+
+namespace frana {
+
+/// The structured model's laws for a scene's material and numerics. Solids: the smoothing length is half a cell, and
+/// particles stand as far apart as numerics.particles-per-cell says.
+structured::Laws structured_laws(const StructuredMaterial& material, const Numerics& numerics, double cell_size);
+
+/// What the solids are made of; the same everywhere.
+structured::SolidMaterial solid_material(const StructuredMaterial& material);
+
+/// Whether solids can lose cohesion, and whether there is or can be fluid.
+bool can_fracture(const StructuredMaterial& material);
+bool has_fluid(const StructuredMaterial& material);
+/// Of what is released, solids and fluid together [kg/m3].
+double released_density(const StructuredMaterial& material);
+
+}  // namespace frana

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/structured_flow.h"
+#include "simulation/terrain_sample.h"
+
+// What a structured flow shows of its cells and particles.
+
+namespace frana {
+namespace {
+
+// Volume-weighted mean over the particles of each cell; NaN where there is none.
+template <class Value>
+Raster mean_by_cell(const ParticleSet& particles, const GridSpec& grid, const Value& value) {
+    Raster sum(grid, 0), weight(grid, 0);
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Cell c = cell_of(grid, {particles[Field::x][p], particles[Field::y][p]});
+        const double volume = particles[Field::volume][p];
+        sum.at(c.row, c.column) += volume * value(p);
+        weight.at(c.row, c.column) += volume;
+    }
+    for (std::size_t i = 0; i < sum.values.size(); ++i)
+        sum.values[i] = weight.values[i] > 0 ? sum.values[i] / weight.values[i] : k_no_data;
+    return sum;
+}
+
+// Greatest principal strain by size.
+double greatest_strain(const ParticleSet& particles, std::size_t p) {
+    const double xx = particles[Field::e_xx][p], yy = particles[Field::e_yy][p], xy = particles[Field::e_xy][p];
+    const double mean = 0.5 * (xx + yy), radius = std::hypot(0.5 * (xx - yy), xy);
+    return std::max(std::abs(mean + radius), std::abs(mean - radius));
+}
+
+}  // namespace
+
+StructuredFlow::Column StructuredFlow::column(std::size_t cell) const noexcept {
+    Column c;
+    if (state_.fluid) {
+        c.depth = state_.fluid->now.depth[cell];
+        c.qx = state_.fluid->now.qx[cell];
+        c.qy = state_.fluid->now.qy[cell];
+    }
+    if (state_.solid) {
+        const structured::SolidNodes& nodes = state_.solid->nodes;
+        c.depth += nodes.depth[cell];
+        c.qx += nodes.depth[cell] * nodes.u[cell];
+        c.qy += nodes.depth[cell] * nodes.v[cell];
+    }
+    return c;
+}
+
+double StructuredFlow::along_bed(std::size_t cell, double u, double v) const noexcept {
+    double climb = 0;
+    if (laws_.fluid.steep) {
+        const auto up = static_cast<std::size_t>(state_.grid.stride());
+        const std::vector<double>& bed = state_.grid.bed;
+        climb = (u * (bed[cell + 1] - bed[cell - 1]) + v * (bed[cell + up] - bed[cell - up])) / (2 * grid_.cell_size);
+    }
+    return std::sqrt(u * u + v * v + climb * climb);
+}
+
+double StructuredFlow::fluid_speed(std::size_t cell) const {
+    const double h = fluid_depth(cell);
+    if (!(h >= laws_.fluid.dry)) return 0;
+    return along_bed(cell, state_.fluid->now.qx[cell] / h, state_.fluid->now.qy[cell] / h);
+}
+
+double StructuredFlow::solid_speed(std::size_t cell) const {
+    if (!state_.solid || !(state_.solid->nodes.depth[cell] >= laws_.fluid.dry)) return 0;
+    return along_bed(cell, state_.solid->nodes.u[cell], state_.solid->nodes.v[cell]);
+}
+
+double StructuredFlow::speed(std::size_t cell) const {
+    return std::max(fluid_speed(cell), solid_speed(cell));
+}
+
+template <class Value>
+Raster StructuredFlow::raster_of(const Value& value) const {
+    Raster raster(grid_, k_no_data);
+    for (std::int64_t row = 0; row < grid_.rows; ++row) {
+        for (std::int64_t column = 0; column < grid_.columns; ++column)
+            raster.at(row, column) = value(state_.grid.index(column, grid_.rows - 1 - row));
+    }
+    return raster;
+}
+
+StructuredFlow::Snapshot StructuredFlow::snapshot() const {
+    const auto shown = [&](std::size_t cell) { return column(cell).depth >= numerics_.minimum_depth; };
+    return {raster_of([&](std::size_t cell) { return shown(cell) ? column(cell).depth : k_no_data; }),
+            raster_of([&](std::size_t cell) { return shown(cell) ? speed(cell) : k_no_data; })};
+}
+
+std::vector<NamedRaster> StructuredFlow::phases() const {
+    const double least = numerics_.minimum_depth;
+    std::vector<NamedRaster> rasters;
+    const auto add = [&](const char* name, Raster raster) { rasters.push_back({name, std::move(raster)}); };
+    if (state_.fluid)
+        add("fluid_velocity", raster_of([&](std::size_t cell) {
+                return fluid_depth(cell) >= least ? fluid_speed(cell) : k_no_data;
+            }));
+    if (!state_.solid) return rasters;
+    const structured::SolidNodes& nodes = state_.solid->nodes;
+    const auto solid_depth = [&](std::size_t cell) { return nodes.sums[cell].solids / grid_.cell_area(); };
+    const auto where_solid = [&](std::size_t cell, double value) {
+        return solid_depth(cell) >= least ? value : k_no_data;
+    };
+    add("solid_depth", raster_of([&](std::size_t cell) { return where_solid(cell, solid_depth(cell)); }));
+    add("solid_velocity", raster_of([&](std::size_t cell) { return where_solid(cell, solid_speed(cell)); }));
+    const ParticleSet& particles = state_.solid->particles;
+    if (particles[Field::cohesion_ratio] != nullptr)
+        add("cohesion_ratio",
+            mean_by_cell(particles, grid_, [&](std::size_t p) { return particles[Field::cohesion_ratio][p]; }));
+    if (particles[Field::e_xx] != nullptr)
+        add("strain", mean_by_cell(particles, grid_, [&](std::size_t p) { return greatest_strain(particles, p); }));
+    if (!state_.fluid) return rasters;
+    add("fluid_depth", raster_of([&](std::size_t cell) {
+            return fluid_depth(cell) >= least ? fluid_depth(cell) : k_no_data;
+        }));
+    add("solid_fraction", raster_of([&](std::size_t cell) {
+            return column(cell).depth >= least ? solid_depth(cell) / column(cell).depth : k_no_data;
+        }));
+    if (particles[Field::confined] != nullptr) {
+        // What each particle confined at the start is known from its solids.
+        const double confined = material_.cohesion > 0 ? laws_.coupling.void_ratio * material_.confined_share : 0;
+        Raster lost(grid_, k_no_data);
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            const double volume = confined * particles[Field::volume][p] - particles[Field::confined][p];
+            const Cell c = cell_of(grid_, {particles[Field::x][p], particles[Field::y][p]});
+            double& depth = lost.at(c.row, c.column);
+            depth = (std::isnan(depth) ? 0 : depth) + std::max(0.0, volume) / grid_.cell_area();
+        }
+        add("released_water", std::move(lost));
+    }
+    return rasters;
+}
+
+Raster StructuredFlow::to_raster(const ZeroArray<double>& padded, double shift) const {
+    return raster_of([&](std::size_t cell) { return padded[cell] != 0 ? padded[cell] - shift : k_no_data; });
+}
+
+}  // namespace frana

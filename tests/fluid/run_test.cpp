@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// The structured model through a scene: fluid alone, and solids with their fluid.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "simulation/simulation.h"
+
+namespace frana {
+namespace {
+
+// 2 m on a slope that runs out on the flat.
+Scene slope(bool solids) {
+    Scene scene;
+    scene.grid = {600000, 5000120, 2, 120, 60, ""};
+    scene.terrain = Raster(scene.grid);
+    for (std::int64_t r = 0; r < 60; ++r) {
+        for (std::int64_t c = 0; c < 120; ++c)
+            scene.terrain.at(r, c) = 100 + std::max(0.0, 0.5 * (120 - 2.0 * static_cast<double>(c)));
+    }
+    scene.release = {
+        {{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}}, 2, {}, {}, false}};
+    scene.structured = StructuredMaterial{};
+    scene.structured->manning = 0.05;
+    scene.structured->solids = solids;
+    if (solids) {
+        scene.structured->cohesion = 2e3;
+        scene.structured->friction = std::tan(28 * M_PI / 180);
+        scene.structured->bed_friction = std::tan(15 * M_PI / 180);
+        scene.structured->young_modulus = scene.structured->bulk_modulus = 2e5;
+        scene.numerics.particles_per_cell = 9;
+    }
+    scene.time.end = solids ? 2 : 20;
+    scene.time.frame_interval = 1;
+    return scene;
+}
+
+constexpr double k_released = 2 * 30 * 40;
+
+void budget_closes(const RunResult& result) {
+    EXPECT_TRUE(result.hard_events.none());
+    EXPECT_NEAR(result.volume_initial, k_released, 1e-9 * k_released);
+    EXPECT_LT(relative_volume_error(result), 1e-12);
+    EXPECT_EQ(static_cast<std::int64_t>(result.series.size()), result.steps);
+    for (std::size_t i = 0; i < result.max_depth.values.size(); ++i) {
+        const double depth = result.max_depth.values[i];
+        EXPECT_EQ(std::isnan(depth), std::isnan(result.arrival_time.values[i]));
+        EXPECT_EQ(std::isnan(depth), std::isnan(result.max_velocity.values[i]));
+        if (std::isnan(depth) || std::isnan(result.final_depth.values[i])) continue;
+        EXPECT_LE(result.final_depth.values[i], depth + 1e-12);
+    }
+}
+
+const Raster* named(const std::vector<NamedRaster>& rasters, const std::string& name) {
+    for (const NamedRaster& raster : rasters)
+        if (raster.name == name) return &raster.values;
+    return nullptr;
+}
+
+TEST(StructuredRun, FluidGivesMaximaArrivalSeriesAndBudget) {
+    std::vector<double> times;
+    RunOptions options;
+    options.on_frame = [&](const Frame& frame) {
+        times.push_back(frame.time);
+        EXPECT_TRUE(frame.more.empty());
+    };
+    const RunResult result = run(slope(false), options);
+    budget_closes(result);
+    EXPECT_EQ(result.particles_peak, 0);
+    ASSERT_EQ(times.size(), 21u);
+    for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], static_cast<double>(i), 1e-9);
+    ASSERT_NE(named(result.more, "fluid_velocity"), nullptr);
+    // Water falls 30 m: less than 2 sqrt(g H), more than a slow creep.
+    double fastest = 0;
+    for (const double v : result.max_velocity.values) fastest = std::max(fastest, std::isnan(v) ? 0 : v);
+    EXPECT_GT(fastest, 5);
+    EXPECT_LT(fastest, 2 * std::sqrt(9.81 * 32));
+    // Where the water stood at the start it arrived at time 0, under the wall of its edge later.
+    EXPECT_EQ(result.arrival_time.at(30, 20), 0);
+    EXPECT_GT(result.arrival_time.at(30, 60), 1);
+}
+
+TEST(StructuredRun, SolidsAndFluidShowTheirPhasesAndLoseNothing) {
+    RunOptions options;
+    std::size_t phases = 0;
+    options.on_frame = [&](const Frame& frame) { phases = frame.more.size(); };
+    const RunResult result = run(slope(true), options);
+    budget_closes(result);
+    EXPECT_GT(result.particles_initial, 1000);
+    EXPECT_GT(result.particle_steps, result.particles_initial);
+    EXPECT_EQ(phases, 8u);
+    const Raster* solids = named(result.more, "solid_depth");
+    ASSERT_NE(solids, nullptr);
+    double volume = 0;
+    for (const double d : solids->values) volume += std::isnan(d) ? 0 : d * 4;
+    EXPECT_NEAR(volume, 0.5 * k_released, 0.01 * k_released);  // but for cells under a centimetre
+    for (const char* share : {"cohesion_ratio", "solid_fraction"}) {
+        const Raster* raster = named(result.more, share);
+        ASSERT_NE(raster, nullptr) << share;
+        for (const double value : raster->values) EXPECT_TRUE(std::isnan(value) || (value >= 0 && value <= 1 + 1e-12));
+    }
+}
+
+TEST(StructuredRun, SameBitsForAnyNumberOfThreads) {
+    for (const bool solids : {false, true}) {
+        Scene scene = slope(solids);
+        scene.time.end = solids ? 0.5 : 5;
+        RunOptions options;
+        const RunResult one = run(scene, options);
+        options.threads = 3;
+        const RunResult three = run(scene, options);
+        EXPECT_EQ(one.steps, three.steps);
+        for (const auto raster : {&RunResult::max_depth, &RunResult::max_velocity, &RunResult::final_depth}) {
+            const auto &a = (one.*raster).values, &b = (three.*raster).values;
+            EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0) << solids;
+        }
+    }
+}
+
+TEST(StructuredRun, StopsWhereTheTerrainEnds) {
+    Scene scene = slope(false);
+    for (std::int64_t r = 0; r < 60; ++r) scene.terrain.at(r, 80) = k_no_data;
+    const RunResult result = run(scene, {});
+    EXPECT_EQ(result.stop_reason, StopReason::reached_no_data);
+    EXPECT_GT(result.hard_events.entered_no_data, 0);
+}
+
+TEST(StructuredRun, ALakeIsStillAtOnce) {
+    Scene scene = slope(false);
+    scene.terrain = Raster(scene.grid, 100);
+    scene.release[0].outline = {{{{600000, 5000000}, {600240, 5000000}, {600240, 5000120}, {600000, 5000120}}, {}}};
+    scene.numerics.boundary = Boundary::wall;
+    const RunResult result = run(scene, {});
+    EXPECT_EQ(result.stop_reason, StopReason::still);
+    EXPECT_LE(result.steps, 12);
+}
+
+TEST(StructuredRun, FluidFailsLaterAndFlowsIn) {
+    Scene scene = slope(false);
+    scene.terrain_contains_release = true;
+    scene.release[0].start = 2;
+    scene.inflows = {{{{600100, 5000050}, {600100, 5000070}}, {{0, 0, 2}, {1, 20, 2}, {4, 20, 2}, {5, 0, 2}}, {}}};
+    const RunResult result = run(scene, {});
+    EXPECT_NEAR(result.volume_inflow, 80, 1e-9);
+    EXPECT_NEAR(result.volume_entered, k_released + 80, 1e-6);
+    EXPECT_LT(relative_volume_error(result), 1e-12);
+    EXPECT_TRUE(result.released[0].failed);
+    EXPECT_GE(result.arrival_time.at(30, 20), 2);
+}
+
+// A gauge and a section across the run-out: what passed is what lies beyond and what left.
+TEST(StructuredRun, SectionCountsWhatPasses) {
+    Scene scene = slope(false);
+    scene.recording.gauges = {{"foot", {600150, 5000060}}};
+    scene.recording.sections = {{"foot", {{600150, 5000120}, {600150, 5000000}}}};  // eastwards is to its left
+    const RunResult result = run(scene, {});
+    double beyond = result.volume_left;
+    for (std::int64_t r = 0; r < 60; ++r)
+        for (std::int64_t c = 75; c < 120; ++c) {
+            const double d = result.final_depth.at(r, c);
+            beyond += std::isnan(d) ? 0 : d * 4;
+        }
+    ASSERT_FALSE(result.sections.empty());
+    ASSERT_GT(beyond, 100);
+    // Steps of the trapezium and films under a centimetre: 3 %.
+    EXPECT_NEAR(std::abs(result.sections.back().volume), beyond, 0.03 * beyond);
+    double deepest = 0;
+    for (const GaugeRow& row : result.gauges) deepest = std::max(deepest, row.depth);
+    EXPECT_GT(deepest, 0.1);
+}
+
+TEST(StructuredRun, EstimateFitsTheScene) {
+    const RunEstimate fluid = estimate(slope(false), 1), both = estimate(slope(true), 1);
+    EXPECT_EQ(fluid.particles, 0);
+    EXPECT_NEAR(fluid.volume, k_released, 1e-9 * k_released);
+    EXPECT_GT(fluid.first_step_seconds, 0);
+    EXPECT_GT(both.particles, 1000);
+    EXPECT_GT(both.bytes_per_particle, 100);
+}
+
+}  // namespace
+}  // namespace frana

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// What solids and fluid do to each other, against closed forms and worked numbers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "models/structured/coupling/basal_pressure.h"
+#include "models/structured/coupling/exchange.h"
+
+namespace frana::structured::test {
+namespace {
+
+TEST(BasalPressure, Limits) {
+    BasalPressure law{9.81, 1000, 0};
+    const double h_s = 5, h_fc = 5;
+    const double weight = 9.81 * (2400 * h_s + 1000 * h_fc);
+    EXPECT_DOUBLE_EQ(law({h_s, h_fc, 1, 0}, 2400), weight);             // whole, B = 0: all of it
+    EXPECT_DOUBLE_EQ(law({h_s, 0, 0, 1}, 2400), 9.81 * 1400 * h_s);     // loose, submerged: buoyant weight
+    EXPECT_DOUBLE_EQ(law({h_s, 0, 0, 0}, 2400), 9.81 * 2400 * h_s);     // loose, dry: no buoyancy
+    law.propagation = 1;
+    for (const double structured : {0.0, 0.4, 1.0})                     // B = 1: buoyant weight, whatever the structure
+        EXPECT_NEAR(law({h_s, h_fc, structured, 1}, 2400), 9.81 * 1400 * h_s, 1e-9);
+    EXPECT_EQ(law({h_s, 0, 1, 1}, 800), 0);                             // what floats presses on nothing
+    EXPECT_EQ(law({}, 2400), 0);
+}
+
+TEST(SettlingVelocity, StokesAndZanke) {
+    const SettlingFluid water;
+    // Worked by hand to three digits; the tolerance is half of the last.
+    EXPECT_NEAR(settling_velocity(water, 2400, 1e-4), 0.00763, 5e-6);
+    EXPECT_NEAR(settling_velocity(water, 2400, 1.0001e-4), 0.00665, 5e-6);
+    EXPECT_NEAR(settling_velocity(water, 2400, 1e-3), 0.1076, 5e-5);
+    EXPECT_NEAR(settling_velocity(water, 2400, 1e-2), 0.370, 5e-4);
+    EXPECT_NEAR(settling_velocity(water, 2400, 0.1), 1.17, 5e-3);
+    EXPECT_EQ(settling_velocity(water, 900, 1e-3), 0);
+}
+
+Mixture still_cell() {
+    Mixture m;
+    m.solids = m.coupled = 0.5;
+    m.coupled_density = m.grain_density = 2400;
+    m.grain_diameter = 1e-3;
+    return m;
+}
+
+TEST(Drag, CoefficientsOfTheStillCell) {
+    Drag drag;
+    const Mixture m = still_cell();
+    EXPECT_NEAR(drag.fluid_like(m, 100), 0.23148, 1e-5);
+    drag.exponent = 1;
+    EXPECT_NEAR(drag.loose(m, 0.1, 100, 0.5, 10), 171.41, 0.01);
+    drag.exponent = 2;
+    EXPECT_NEAR(drag.loose(m, 0.1, 100, 0.5, 10), 8.5576, 1e-4);
+    EXPECT_NEAR(std::pow(0.5, 1.4), 0.37893, 1e-5);
+}
+
+TEST(Drag, DecaysExactly) {
+    // lambda = h C (1 / m_c + 1 / m_u) of the still cell, h = 1 m.
+    const double linear = 171.41 * (1 / 1200.0 + 1 / 500.0), quadratic = 8.5576 * (1 / 1200.0 + 1 / 500.0);
+    EXPECT_NEAR(1 / linear, 2.059, 1e-3);
+    EXPECT_NEAR(quadratic, 0.024247, 1e-6);
+    for (const double dt : {1e-3, 1.0, 1e6}) {
+        EXPECT_DOUBLE_EQ(drag_decay(1, linear, 3, dt), std::exp(-linear * dt));
+        EXPECT_DOUBLE_EQ(drag_decay(2, quadratic, 3, dt), 1 / (1 + quadratic * 3 * dt));
+    }
+}
+
+TEST(Drag, NothingWithoutEitherPhase) {
+    Drag drag;
+    Mixture m = still_cell();
+    m.flux = 1;
+    EXPECT_GT(drag(m), 0);
+    m.coupled = 0.9999;
+    EXPECT_EQ(drag(m), 0);
+    m.coupled = 1e-4;
+    EXPECT_EQ(drag(m), 0);
+    m = still_cell();
+    m.coupled_density = 990;
+    EXPECT_EQ(drag(m), 0);
+}
+
+TEST(Drag, MixingAndExponentLaws) {
+    Drag drag;
+    Mixture m = still_cell();
+    m.structured = 0.2;
+    m.confined = 0.5;
+    EXPECT_DOUBLE_EQ(drag.share(m), 1);  // 0.4 / 0.25, cut
+    m.solids = 0.2;
+    EXPECT_DOUBLE_EQ(drag.share(m), 0.2 * 0.8 / (0.8 * 0.5));
+    drag.mixing = DragMixing::solids_fraction;
+    EXPECT_DOUBLE_EQ(drag.share(m), 0.2);
+}
+
+TEST(VirtualMass, SharesAcceleration) {
+    // Two by two, against Cramer's rule.
+    const double m_c = 1700, m_u = 600, m_v = 900, f_c = 4000, f_u = -1500;
+    const double a_c0 = f_c / m_c, a_u0 = f_u / m_u;
+    const double f = virtual_mass_force(m_v, m_c, m_u, a_u0 - a_c0);
+    const double determinant = (m_c + m_v) * (m_u + m_v) - m_v * m_v;
+    EXPECT_NEAR(a_c0 + f / m_c, (f_c * (m_u + m_v) + f_u * m_v) / determinant, 1e-12);
+    EXPECT_NEAR(a_u0 - f / m_u, (f_u * (m_c + m_v) + f_c * m_v) / determinant, 1e-12);
+
+    VirtualMass law;
+    EXPECT_DOUBLE_EQ(law(0.5, 0.5, 1e9, 500, 0.4), 1000.0);       // m_u a_c / a_u C = 500 * 2, at the cap of 2 m_u
+    EXPECT_DOUBLE_EQ(law(0.2, 0.8, 1e9, 800, 0.4), 800 * 0.25 * 0.5 * 1.4 / 0.8);
+    EXPECT_LE(law(0.999, 0.001, 1700, 1, 0.4), 2);                 // capped where free fluid runs out
+    law.law = VirtualMassLaw::none;
+    EXPECT_EQ(law(0.2, 0.8, 1e9, 800, 0.4), 0);
+}
+
+CellPhases random_cell(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> any(0, 1);
+    const auto velocity = [&] { return Point{20 * any(random) - 10, 20 * any(random) - 10}; };
+    CellPhases cell;
+    cell.solids = 5 * any(random);
+    cell.confined = 5 * any(random);
+    cell.free = 5 * any(random);
+    cell.coupled_mass = 2400 * cell.solids + 1000 * cell.confined;
+    cell.structured = any(random);
+    cell.coupled_velocity = velocity();
+    cell.free_velocity = velocity();
+    cell.push = velocity();
+    cell.free_push = velocity();
+    return cell;
+}
+
+// The impulse takes relative speed, never turns it round, however long the step.
+TEST(Exchange, DragNeverReversesTheRelativeVelocity) {
+    std::mt19937_64 random(3);
+    CouplingLaws laws;
+    laws.virtual_mass.law = VirtualMassLaw::none;
+    for (int i = 0; i < 500; ++i) {
+        CellPhases cell = random_cell(random);
+        cell.push = {};
+        laws.drag.exponent = 1 + i % 2;
+        const double m_u = 1000 * cell.free;
+        const Point w{cell.free_velocity.x - cell.coupled_velocity.x, cell.free_velocity.y - cell.coupled_velocity.y};
+        for (const double dt : {1e-4, 1.0, 1e9}) {
+            const Point impulse = exchange(laws, cell, dt);
+            const double left_x = w.x - impulse.x * (1 / cell.coupled_mass + 1 / m_u);
+            const double left_y = w.y - impulse.y * (1 / cell.coupled_mass + 1 / m_u);
+            EXPECT_GE(left_x * w.x + left_y * w.y, -1e-9 * (w.x * w.x + w.y * w.y));
+            EXPECT_LE(std::hypot(left_x, left_y), (1 + 1e-12) * std::hypot(w.x, w.y));
+        }
+    }
+}
+
+TEST(Exchange, SolidsThatTheBedHoldsDoNotStirWaterAtRest) {
+    CouplingLaws laws;
+    CellPhases cell;
+    cell.solids = 1;
+    cell.free = 2;
+    cell.coupled_mass = 2400;
+    cell.push = {-1, 0.5};
+    cell.friction = 0.5 * 1400 * 9.81;
+    const Point impulse = exchange(laws, cell, 0.1);
+    EXPECT_EQ(impulse.x, 0);
+    EXPECT_EQ(impulse.y, 0);
+}
+
+TEST(Exchange, NothingInADryCell) {
+    CellPhases cell;
+    cell.solids = 1;
+    cell.coupled_mass = 2400;
+    cell.coupled_velocity = {3, 0};
+    EXPECT_EQ(exchange({}, cell, 1).x, 0);
+}
+
+}  // namespace
+}  // namespace frana::structured::test

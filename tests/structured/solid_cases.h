@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "bench/solid_block.h"
+
+namespace frana::structured::test {
+
+inline const double k_degree = M_PI / 180;
+
+struct Case : bench::SolidBlock {
+    explicit Case(double cell) : SolidBlock(cell), cell_size(cell) {}
+    double cell_size;
+};
+
+inline Raster flat(std::int64_t columns, std::int64_t rows, double cell_size) {
+    return Raster(bench::plain_grid(columns, rows, cell_size), 0.0);
+}
+
+using bench::advance_to;
+using bench::incline;
+
+/// Mass times velocity of all solids with what they hold [kg m/s], and the sum of its sizes.
+struct Momentum {
+    double x = 0, y = 0, size = 0;
+};
+inline Momentum momentum(const ParticleSet& p, double fluid_density) {
+    Momentum m;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double confined = p[Field::confined] ? p[Field::confined][i] : 0;
+        const double mass = p[Field::grain_density][i] * p[Field::volume][i] + fluid_density * confined;
+        m.x += mass * p[Field::u][i];
+        m.y += mass * p[Field::v][i];
+        m.size += mass * std::hypot(p[Field::u][i], p[Field::v][i]);
+    }
+    return m;
+}
+
+}  // namespace frana::structured::test

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// Laws of the structured solids against closed forms and worked numbers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "models/structured/solid/artificial.h"
+#include "models/structured/solid/cubic_stencil.h"
+#include "models/structured/solid/damage.h"
+#include "models/structured/solid/drucker_prager.h"
+#include "models/structured/solid/earth_pressure_bell.h"
+#include "models/structured/solid/kernel.h"
+
+namespace frana::structured::test {
+namespace {
+
+const double k_degree = M_PI / 180;
+
+TEST(Kernel, IntegratesToOneAndSlopesAsItsDerivative) {
+    const CubicKernel kernel(1.7);
+    // Simpson's rule; each of the two pieces is a polynomial of degree 4 in r with the ring's factor: errors of the
+    // rule vanish with the fourth power of 1 / n.
+    double integral = 0;
+    for (const double piece : {0.0, 1.0}) {
+        constexpr int n = 200;
+        for (int i = 0; i <= n; ++i) {
+            const double r = 1.7 * (piece + static_cast<double>(i) / n);
+            const double weight = i == 0 || i == n ? 1 : i % 2 == 0 ? 2 : 4;
+            integral += weight * 2 * M_PI * r * kernel.value(r) * 1.7 / n / 3;
+        }
+    }
+    EXPECT_NEAR(integral, 1, 1e-6);
+    EXPECT_NEAR(kernel.value(0) * 1.7 * 1.7, 0.454728, 1e-6);
+    EXPECT_NEAR(kernel.value(1.7) * 1.7 * 1.7, 0.113682, 1e-6);
+    EXPECT_EQ(kernel.value(3.4), 0);
+    for (const double r : {0.1, 0.9, 1.6, 1.8, 2.5, 3.3}) {
+        constexpr double e = 1e-5;
+        EXPECT_NEAR(kernel.derivative(r), (kernel.value(r + e) - kernel.value(r - e)) / (2 * e), 1e-6) << r;
+    }
+}
+
+TEST(CubicSpline, AddsUpToOneAndReproducesLines) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> anywhere(3, 50);
+    for (int i = 0; i < 1000; ++i) {
+        const double s = anywhere(random);
+        double w[4], g[4];
+        const std::int64_t first = CubicSpline::evaluate(s, w, g);
+        double sum = 0, line = 0, slopes = 0, slope_of_line = 0;
+        for (int a = 0; a < 4; ++a) {
+            const auto node = static_cast<double>(first + a);
+            sum += w[a];
+            line += w[a] * node;
+            slopes += g[a];
+            slope_of_line += g[a] * node;
+        }
+        EXPECT_NEAR(sum, 1, 1e-12);
+        EXPECT_NEAR(line, s, 1e-12 * s);
+        EXPECT_NEAR(slopes, 0, 1e-12);
+        EXPECT_NEAR(slope_of_line, 1, 1e-12 * s);
+    }
+}
+
+TEST(DruckerPrager, ConstantsOfBothFlumeMaterials) {
+    const auto first = DruckerPrager::of(std::tan(28 * k_degree), 26.7e3);
+    EXPECT_NEAR(first.slope, 0.151041, 1e-6);
+    EXPECT_NEAR(first.strength, 22753.68, 0.01);
+    EXPECT_NEAR(first.strength / first.slope, 150646.2, 0.1);
+    const auto second = DruckerPrager::of(std::tan(27 * k_degree), 18.3e3);
+    EXPECT_NEAR(second.slope, 0.146385, 1e-6);
+    EXPECT_NEAR(second.strength, 15772.61, 0.01);
+    EXPECT_NEAR(second.strength / second.slope, 107747.3, 0.1);
+}
+
+TEST(DruckerPrager, ReturnsToTheYieldSurface) {
+    const auto law = DruckerPrager::of(std::tan(28 * k_degree), 26.7e3);
+    const Stress outside{-200e3, -20e3, -60e3, 50e3};
+    EXPECT_NEAR(std::sqrt(outside.j2()), 106.927e3, 1);
+    const auto [s, yielded] = return_to_yield(law, outside);
+    EXPECT_TRUE(yielded);
+    EXPECT_NEAR(s.xx, -158.220e3, 1);  // figures are given to a pascal
+    EXPECT_NEAR(s.yy, -48.724e3, 1);
+    EXPECT_NEAR(s.zz, -73.056e3, 1);
+    EXPECT_NEAR(s.xy, 30.416e3, 1);
+    EXPECT_NEAR(s.i1(), outside.i1(), 1e-9 * std::abs(outside.i1()));
+    EXPECT_NEAR(law.yield(s), 0, 1e-9 * law.strength);
+
+    const auto [apex, cut] = return_to_yield(law, {120e3, 90e3, 100e3, 5e3});
+    EXPECT_TRUE(cut);
+    for (const double value : {apex.xx, apex.yy, apex.zz}) EXPECT_NEAR(value, 50.2154e3, 0.1);
+    EXPECT_NEAR(apex.xy, 0, 1e-6);
+
+    const auto [inside, touched] = return_to_yield(law, {-50e3, -50e3, -50e3, 10e3});
+    EXPECT_FALSE(touched);
+    EXPECT_EQ(inside.xx, -50e3);
+    EXPECT_EQ(inside.xy, 10e3);
+}
+
+TEST(DruckerPrager, WithoutFrictionTensionIsNotCut) {
+    const auto law = DruckerPrager::of(0, 1e3);
+    const auto [s, yielded] = return_to_yield(law, {5e3, 5e3, 5e3, 0});
+    EXPECT_FALSE(yielded);
+    EXPECT_EQ(s.xx, 5e3);
+}
+
+// The multiplier keeps a stress that flows on the yield surface: df/dt = 0.
+TEST(DruckerPrager, MultiplierKeepsTheYieldFunction) {
+    const auto law = DruckerPrager::of(std::tan(28 * k_degree), 26.7e3);
+    const Elasticity elastic{23e6, 4.246e6};
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> any(-1, 1);
+    int flowing = 0;
+    for (const double dilatancy : {0.0, std::sin(10 * k_degree)}) {
+        for (int i = 0; i < 200; ++i) {
+            const Stress s = return_to_yield(law, {-400e3 * (1 + any(random)), 100e3 * any(random),
+                                                   -200e3 * (1 + any(random)), 300e3 * any(random)}).stress;
+            const VelocityGradient l{any(random), any(random), any(random), any(random)};
+            const double multiplier = plastic_multiplier(law, elastic, dilatancy, s, l);
+            if (law.yield(s) < -1e-6 * law.strength || !(multiplier > 0) || !(s.j2() > 1e6)) continue;
+            ++flowing;
+            const Stress rate = elastic.increment(l, 1) - plastic_decrement(elastic, dilatancy, s, multiplier);
+            // df = s:dsigma / (2 sqrt J2) + a tr dsigma
+            const double mean = s.i1() / 3;
+            const double along = (s.xx - mean) * rate.xx + (s.yy - mean) * rate.yy + (s.zz - mean) * rate.zz +
+                                 2 * s.xy * rate.xy;
+            const double df = along / (2 * std::sqrt(s.j2())) + law.slope * rate.i1();
+            EXPECT_NEAR(df, 0, 1e-9 * elastic.bulk);
+        }
+    }
+    EXPECT_GT(flowing, 50);
+}
+
+TEST(Rotation, AFullTurnGivesTheStressBack) {
+    constexpr int n = 1000;
+    Stress s{1, 0, 0, 0};
+    const double j2 = s.j2();
+    for (int i = 0; i < n; ++i) s = rotated(s, 2 * M_PI / n);
+    // n turns of rounding errors
+    EXPECT_NEAR(s.xx, 1, 1e-10);
+    EXPECT_NEAR(s.yy, 0, 1e-10);
+    EXPECT_NEAR(s.xy, 0, 1e-10);
+    EXPECT_NEAR(s.j2(), j2, 1e-10);
+    const Stress quarter = rotated({1, 0, 0, 0}, M_PI / 2);
+    EXPECT_NEAR(quarter.yy, 1, 1e-15);
+    // The series for small angles and the functions give the same.
+    const Stress small = rotated({3, 1, 2, 0.5}, 0.00999), large = rotated(rotated({3, 1, 2, 0.5}, 0.2), -0.19001);
+    EXPECT_NEAR(small.xx, large.xx, 1e-14);
+    EXPECT_NEAR(small.xy, large.xy, 1e-14);
+}
+
+TEST(Elasticity, ModuliOfTheFlumeMaterials) {
+    const auto first = Elasticity::from_young_and_bulk(12e6, 23e6);
+    EXPECT_NEAR(first.shear, 4.246e6, 1e3);
+    EXPECT_NEAR(first.wave_speed(1700), 129.845, 1e-3);  // sqrt((23 + 4/3 * 4.24615) / 1700 * 1e6)
+    EXPECT_NEAR(Elasticity::from_young_and_bulk(21.6e6, 13.8e6).wave_speed(1700), 122.3, 0.05);
+    // Uniaxial strain: sigma_xx = K + 4 G / 3, sigma_yy = sigma_zz = K - 2 G / 3.
+    const Stress s = first.increment({1e-3, 0, 0, 0}, 1);
+    EXPECT_NEAR(s.xx, 1e-3 * (first.bulk + 4 * first.shear / 3), 1e-6);
+    EXPECT_NEAR(s.zz, 1e-3 * (first.bulk - 2 * first.shear / 3), 1e-6);
+}
+
+TEST(Bell, ThrustWithATensionCrack) {
+    const double friction = std::tan(28 * k_degree), k = active_coefficient(friction);
+    EXPECT_NEAR(k, (1 - std::sin(28 * k_degree)) / (1 + std::sin(28 * k_degree)), 1e-15);
+    EXPECT_DOUBLE_EQ(active_thrust(k, 100e3, 8, 0), 0.5 * k * 100e3 * 8);  // Savage and Hutter
+    EXPECT_EQ(active_thrust(k, 100e3, 8, 1e6), 0);                          // stands by itself
+    // Textbook integral of K_a w z - 2 c sqrt(K_a) below the crack.
+    const double c = 10e3, w = 100e3 / 8, crack = 2 * c / (w * std::sqrt(k));
+    EXPECT_NEAR(active_thrust(k, 100e3, 8, c), 0.5 * k * w * (8 - crack) * (8 - crack), 1e-9 * 100e3);
+    EXPECT_DOUBLE_EQ(passive_thrust(1 / k, 100e3, 8, 0), 0.5 / k * 100e3 * 8);
+    EXPECT_EQ(active_thrust(k, 0, 0, 0), 0);
+}
+
+TEST(ArtificialViscosity, ActsOnApproachAlone) {
+    const ArtificialViscosity law{1, 2, 100, 0.5};
+    EXPECT_EQ(law(0.3, 1, 1700), 0);
+    EXPECT_EQ(law(0, 1, 1700), 0);
+    const double phi = 0.5 * -0.3 / (1 + 0.01 * 0.25);
+    EXPECT_NEAR(law(-0.3, 1, 1700), (-100 * phi + 2 * phi * phi) / 1700, 1e-15);
+    EXPECT_GT(law(-0.3, 1, 1700), 0);
+}
+
+TEST(ArtificialStress, OpposesTensionAlongItsDirection) {
+    const PlaneTensor none = artificial_stress({-3, -1, 0.2}, 0.5);
+    EXPECT_EQ(none.xx, 0);
+    EXPECT_EQ(none.yy, 0);
+    const PlaneTensor both = artificial_stress({3, 1, 0.2}, 0.5);
+    EXPECT_DOUBLE_EQ(both.xx, -1.5);
+    EXPECT_DOUBLE_EQ(both.xy, -0.1);
+    // One principal stress of 2 at 30 degrees, the other -5 across it: R = -1 along 30 degrees.
+    const double c = std::cos(30 * k_degree), s = std::sin(30 * k_degree);
+    const PlaneTensor one = artificial_stress({2 * c * c - 5 * s * s, 2 * s * s - 5 * c * c, 7 * c * s}, 0.5);
+    EXPECT_NEAR(one.xx, -c * c, 1e-12);
+    EXPECT_NEAR(one.yy, -s * s, 1e-12);
+    EXPECT_NEAR(one.xy, -c * s, 1e-12);
+}
+
+TEST(Fragmentation, CohesionIsLostInLineWithOpening) {
+    const Fragmentation law{0.05, DamageMeasure::volumetric};
+    const VelocityGradient opening{0.3, 0.1, -0.2, 0.2}, closing{-0.3, 0, 0, 0.1};
+    EXPECT_DOUBLE_EQ(law.rate(opening), 0.5);
+    EXPECT_EQ(law.rate(closing), 0);
+    EXPECT_EQ(law.rate({0, 1, 1, 0}), 0);  // pure shear harms nothing
+    EXPECT_EQ(law.cohesion_ratio(0), 1);
+    EXPECT_DOUBLE_EQ(law.cohesion_ratio(0.025), 0.75);
+    EXPECT_EQ(law.cohesion_ratio(0.1), 0);
+    EXPECT_EQ(law.cohesion_ratio(0.2), 0);
+    // Simple shear of rate 2 e: sqrt(2/3 * 2 e^2).
+    const Fragmentation by_shear{0.05, DamageMeasure::equivalent};
+    EXPECT_DOUBLE_EQ(by_shear.rate({0, 2, 0, 0}), std::sqrt(4.0 / 3));
+}
+
+}  // namespace
+}  // namespace frana::structured::test

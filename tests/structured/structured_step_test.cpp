@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// Solids and free fluid together: what is kept, what stays at rest, and that threads do not matter.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "models/structured/coupling/couple_nodes.h"
+#include "solid_cases.h"
+
+namespace frana::structured::test {
+namespace {
+
+struct Budget {
+    double confined = 0, fluid = 0, released = 0, solids = 0;
+    double px = 0, py = 0, size = 0;  // solids and fluid [kg m/s]
+
+    [[nodiscard]] double water() const { return confined + fluid; }
+};
+
+Budget budget(const State& state) {
+    Budget b;
+    const ParticleSet& p = state.solid->particles;
+    const Momentum m = momentum(p, 1000);
+    b.px = m.x;
+    b.py = m.y;
+    b.size = m.size;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        b.solids += p[Field::volume][i];
+        b.confined += p[Field::confined][i];
+        b.released += p[Field::released] ? p[Field::released][i] : 0;
+    }
+    const double area = state.grid.cell_size() * state.grid.cell_size();
+    const FluidFields& f = state.fluid->now;
+    for (std::size_t n = 0; n < f.depth.size(); ++n) {
+        b.fluid += f.depth[n] * area;
+        b.px += 1000 * f.qx[n] * area;
+        b.py += 1000 * f.qy[n] * area;
+        b.size += 1000 * std::hypot(f.qx[n], f.qy[n]) * area;
+    }
+    return b;
+}
+
+// A wet block that slides, breaks on a bend of the terrain and gives its water free.
+struct Breaking {
+    explicit Breaking(int threads) : pool(threads), c(2), state(make()) {}
+
+    State make() {
+        c.material.solid_fraction = 0.5;
+        c.material.grain_density = 2400;
+        c.material.cohesion = 5e3;
+        c.material.bed_friction = std::tan(12 * k_degree);
+        c.laws.solid.elastic = Elasticity::from_young_and_bulk(5e6, 5e6 / 1.5);
+        c.laws.fluid.wall = true;
+        c.laws.fluid.manning = 0.05;
+        c.fill(20, 20, 36, 24, [](Point) { return bench::Seed{6, 0, 0}; });
+        const GridSpec grid = bench::plain_grid(70, 32, 2);
+        const Raster bed = bench::sample_raster(grid, [](Point p) {
+            return p.x < 40 ? 30 - 0.3 * p.x : std::max(18 - 0.6 * (p.x - 40), 0.1 * std::abs(p.y - 30));
+        });
+        return c.start(bed, pool, true);
+    }
+
+    ThreadPool pool;
+    Case c;
+    State state;
+};
+
+TEST(StructuredStep, KeepsEachPhaseThroughFractureAndRelease) {
+    Breaking run(1);
+    const Budget start = budget(run.state);
+    EXPECT_EQ(start.fluid, 0);
+    for (int i = 0; i < 60; ++i) {
+        const StepReport report = step(run.state, run.c.laws, 0.1, run.pool);
+        ASSERT_EQ(report.solids.non_finite, 0);
+        const Budget now = budget(run.state);
+        ASSERT_NEAR(now.solids, start.solids, 1e-12 * start.solids);
+        ASSERT_NEAR(now.water() + now.released, start.water(), 1e-12 * start.water());
+        ASSERT_NEAR(run.state.released, now.fluid, 1e-12 * start.water());
+    }
+    EXPECT_GT(run.state.released, 0.02 * start.water());
+    // The same share is gone from cohesion and from the confined fluid of every particle.
+    const ParticleSet& p = run.state.solid->particles;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        EXPECT_NEAR(p[Field::confined][i], p[Field::cohesion_ratio][i] * p[Field::volume][i],
+                    1e-12 * p[Field::volume][i]);
+    }
+}
+
+TEST(StructuredStep, SameBitsForAnyNumberOfThreads) {
+    const auto run = [](int threads) {
+        Breaking breaking(threads);
+        for (int i = 0; i < 25; ++i) step(breaking.state, breaking.c.laws, 0.1, breaking.pool);
+        return std::move(breaking.state);
+    };
+    const State one = run(1);
+    EXPECT_GT(one.released, 0);
+    for (const int threads : {2, 3, 7}) {
+        const State many = run(threads);
+        ASSERT_EQ(one.solid->particles.size(), many.solid->particles.size());
+        for (std::size_t f = 0; f < k_fields; ++f) {
+            const auto field = static_cast<Field>(f);
+            if (!one.solid->particles.mask().has(field)) continue;
+            EXPECT_EQ(std::memcmp(one.solid->particles[field], many.solid->particles[field],
+                                  one.solid->particles.size() * sizeof(double)), 0)
+                << k_field_table[f].name << ", " << threads << " threads";
+        }
+        const auto same = [](const ZeroArray<double>& a, const ZeroArray<double>& b) {
+            return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+        };
+        EXPECT_TRUE(same(one.fluid->now.depth, many.fluid->now.depth)) << threads << " threads";
+        EXPECT_TRUE(same(one.fluid->now.qx, many.fluid->now.qx)) << threads << " threads";
+        EXPECT_TRUE(same(one.solid->nodes.depth, many.solid->nodes.depth)) << threads << " threads";
+    }
+}
+
+// Drag, virtual mass and buoyancy at the nodes, taken over by the particles: what one phase gains the other loses.
+TEST(Coupling, ExchangesMomentum) {
+    ThreadPool pool(1);
+    Case c(2);
+    c.material.solid_fraction = 0.5;
+    c.material.grain_density = 2400;
+    c.laws.fluid.wall = true;
+    c.laws.solid.gravity = 0;  // no pressure and no weight: exchange alone
+    c.fill(4, 4, 30, 30, [](Point p) { return bench::Seed{3 + 0.1 * p.x, std::sin(p.x), std::cos(p.y)}; });
+    State state = c.start(flat(20, 20, 2), pool, true);
+    for (std::int64_t j = 0; j < 20; ++j) {
+        for (std::int64_t i = 0; i < 20; ++i) {
+            const std::size_t n = state.grid.index(i, j);
+            state.fluid->now.depth[n] = 1 + 0.5 * std::sin(static_cast<double>(i * j));
+            state.fluid->now.qx[n] = 4 * std::cos(static_cast<double>(i + 2 * j));
+            state.fluid->now.qy[n] = -3 * std::sin(static_cast<double>(2 * i + j));
+        }
+    }
+    c.laws.coupling.drag.fluid.gravity = 9.81;
+    const Budget before = budget(state);
+    constexpr double dt = 0.2;
+    const SolidNodes& nodes = state.solid->nodes;
+    for (std::int64_t j = nodes.box.j0; j < nodes.box.j1; ++j)
+        push_solids(j, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
+    ParticleSet& p = state.solid->particles;
+    state.stages.nodes_to_solids({0, p.size()}, c.laws.solid, dt, state.grid, nodes, p);
+    double gained = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        p[Field::u][i] += dt * p[Field::push_x][i];
+        p[Field::v][i] += dt * p[Field::push_y][i];
+        gained += std::abs(dt * p[Field::push_x][i]);
+    }
+    EXPECT_GT(gained, 1);
+    const Budget after = budget(state);
+    EXPECT_NEAR(after.px, before.px, 1e-12 * before.size);
+    EXPECT_NEAR(after.py, before.py, 1e-12 * before.size);
+}
+
+// Still water over uneven ground, out of which a hump and a heap of solids rise: nothing moves.
+TEST(Coupling, LakeAtRestOverSolids) {
+    ThreadPool pool(1);
+    Case c(2);
+    c.material.solid_fraction = 0.5;
+    c.material.grain_density = 2400;
+    c.material.bed_friction = 2;
+    c.laws.fluid.wall = true;
+    c.laws.solid.elastic = Elasticity::from_young_and_bulk(1e6, 1e6 / 1.5);
+    c.fill(20, 20, 20, 16, [](Point) { return bench::Seed{2, 0, 0}; });
+    const GridSpec grid = bench::plain_grid(30, 25, 2);
+    const Raster bed = bench::sample_raster(grid, [](Point p) {
+        return std::sin(0.3 * p.x) * std::cos(0.2 * p.y) + 8 * std::exp(-0.02 * std::pow(std::hypot(p.x - 45, p.y - 30), 2));
+    });
+    State state = c.start(bed, pool, true);
+    const double level = 3 - state.grid.datum();
+    std::vector<FluidSource> water;
+    for (std::int64_t j = 0; j < grid.rows; ++j) {
+        for (std::int64_t i = 0; i < grid.columns; ++i) {
+            const std::size_t n = state.grid.index(i, j);
+            const double depth = level - state.grid.bed[n] - state.solid->nodes.depth[n];
+            if (depth > 0) water.push_back({n, depth, 0, 0});
+        }
+    }
+    receive(water, *state.fluid, c.laws.fluid);
+    const ParticleSet start = state.solid->particles;
+    advance_to(state, c.laws, 5, pool);
+    const FluidFields& f = state.fluid->now;
+    for (std::size_t n = 0; n < f.depth.size(); ++n) {
+        if (f.depth[n] <= c.laws.fluid.dry) continue;
+        ASSERT_LT(std::hypot(f.qx[n], f.qy[n]) / f.depth[n], 1e-10);
+    }
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        ASSERT_EQ(state.solid->particles[Field::u][i], 0);
+        ASSERT_EQ(state.solid->particles[Field::x][i], start[Field::x][i]);
+    }
+}
+
+// Drag alone between a wide sheet of solids and the fluid on it follows the exact decay, whatever the step.
+TEST(Coupling, DragRelaxes) {
+    ThreadPool pool(1);
+    for (const int exponent : {1, 2}) {
+        Case c(2);
+        c.material.cohesion = 0;
+        c.material.solid_fraction = 1;
+        c.material.grain_density = 2400;
+        c.laws.solid.gravity = 0;
+        c.laws.fluid.wall = true;
+        c.laws.coupling.virtual_mass.law = VirtualMassLaw::none;
+        c.laws.coupling.drag.exponent = exponent;
+        c.laws.coupling.drag.smoothing_velocity = 10;
+        c.fill(0, 0, 60, 60, [](Point) { return bench::Seed{1, 0, 0}; });
+        State state = c.start(flat(20, 20, 2), pool, true);
+        c.laws.coupling.drag.fluid.gravity = 9.81;
+        const std::size_t middle = state.grid.index(10, 10);
+        for (std::size_t n = 0; n < state.fluid->now.depth.size(); ++n) {
+            state.fluid->now.depth[n] = 1;
+            state.fluid->now.qx[n] = 2;
+        }
+        // The coefficient from the law; what is checked is the cell's way through the step.
+        Mixture m;
+        m.solids = m.coupled = 0.5;
+        m.coupled_density = m.grain_density = 2400;
+        m.flux = 1;
+        const double lambda = 2 * c.laws.coupling.drag(m) * (1 / 2400.0 + 1 / 1000.0);
+        double w = 2;
+        for (int i = 0; i < 5; ++i) {
+            constexpr double dt = 0.4;
+            for (std::int64_t j = 0; j < state.grid.padded_rows(); ++j)
+                push_solids(j, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
+            SolidSums& sums = state.solid->nodes.sums[middle];
+            sums.px += dt * sums.mass * state.solid->nodes.push[middle].ax;
+            w *= exponent == 1 ? std::exp(-lambda * dt) : 1 / (1 + lambda * w * dt);
+            EXPECT_NEAR(state.fluid->now.qx[middle] - sums.px / sums.mass, w, 1e-12);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace frana::structured::test
