@@ -219,7 +219,7 @@ void draw_everything(const Finished& run, const std::optional<Comparison>& compa
     publish_maps(output.maps, run.result, written, source, directory, drawings);
     if (comparison && comparison->figures)
         drawings.attempt("comparison", [&] { draw_comparison(*comparison, source, directory.path("comparison")); });
-    if (output.charts) {
+    if (output.charts && output.maps.front() != "off") {
         directory.make_folder("charts");
         drawings.attempt("charts", [&] { draw_charts(written, source, directory.path("charts")); });
     }

@@ -58,7 +58,7 @@ void add_pictures(std::vector<Parameter>& list) {
         [](const std::string& value) { return camera_from_text(value).has_value(); },
         "found from the flow's path"));
     list.push_back(on_off("output.charts", FRANA_MEMBER(output.charts),
-                          "Draw charts: profiles, series over time, scores over the threshold."));
+                          "Draw charts, unless maps are off: profiles, series over time, scores over the threshold."));
 }
 
 }  // namespace frana
