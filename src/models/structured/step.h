@@ -46,7 +46,8 @@ struct StepReport {
     double kinetic = 0;    ///< of the solids with their confined fluid [J]
 };
 
-/// Solids in order, on the nodes and in the fluid's sight; call before the first step and whenever particles were added.
+/// Solids in order, on the nodes and in the fluid's sight; call before the first step and whenever particles were
+/// added.
 void prepare(State& state, const Laws& laws, ThreadPool& pool);
 
 /// Longest step of solids and fluid together [s]; the solids' elastic waves are followed in substeps.

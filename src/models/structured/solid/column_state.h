@@ -8,7 +8,8 @@
 
 namespace frana::structured {
 
-/// What a scene's solids carry: cohesion, which can be lost, and confined fluid. Without a field nothing is computed for it.
+/// What a scene's solids carry: cohesion, which can be lost, and confined fluid. Without a field nothing is computed
+/// for it.
 template <bool Cohesive, bool Wet>
 struct SolidKind {
     static constexpr bool cohesive = Cohesive, wet = Wet;

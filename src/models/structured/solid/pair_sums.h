@@ -17,8 +17,8 @@ FRANA_INLINE bool none(Quad::Mask m) {
     return (m[0] | m[1] | m[2] | m[3]) == 0;
 }
 
-/// L_ab = sum_j A_j (v_j - v_i)_a grad_b W, times the inverse of B = sum_j A_j (x_j - x_i) (x) grad W, which makes it exact
-/// for linear velocities (Randles & Libersky 1996); uncorrected where B is nearly singular.
+/// L_ab = sum_j A_j (v_j - v_i)_a grad_b W, times the inverse of B = sum_j A_j (x_j - x_i) (x) grad W, which makes
+/// it exact for linear velocities (Randles & Libersky 1996); uncorrected where B is nearly singular.
 void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKernel& kernel, PairWork& w) {
     constexpr double k_least_determinant = 0.01;  // a corner has some 0.06
     const double length = kernel.length(), scale = kernel.value(0) / (length * length);
@@ -71,8 +71,8 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
     }
 }
 
-/// dv_i/dt = sum_j m_j [ T_i + T_j + F^4 (R_i + R_j) - Pi_ij ] grad_i W,   F = W / W(dp)   (paper, equation 78 with the sign
-/// of Pi restored; exponent 4 after Monaghan 2000 and Gray et al. 2001). Every term is the same for both particles of a
+/// dv_i/dt = sum_j m_j [ T_i + T_j + F^4 (R_i + R_j) - Pi_ij ] grad_i W,   F = W / W(dp)   (paper, equation 78 with the
+/// sign of Pi restored; exponent 4 after Monaghan 2000 and Gray et al. 2001). Every term is the same for both particles of a
 /// pair, so momentum is kept to rounding.
 double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& laws, PairWork& w) {
     const double length = laws.kernel.length(), full = laws.kernel.value(0);

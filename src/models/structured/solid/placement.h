@@ -9,8 +9,8 @@
 
 namespace frana::structured {
 
-/// Point n of the R2 sequence in the unit square (Roberts 2018; paper, equation 88): frac(1/2 + n / g), frac(1/2 + n / g^2)
-/// with g the real root of g^3 = g + 1. Any first n points fill the square evenly.
+/// Point n of the R2 sequence in the unit square (Roberts 2018; paper, equation 88): frac(1/2 + n / g),
+/// frac(1/2 + n / g^2) with g the real root of g^3 = g + 1. Any first n points fill the square evenly.
 Point r2_point(std::int64_t n);
 
 /// Solids with confined fluid as particles of one and the same solid volume, in each cell as many as its depth calls
