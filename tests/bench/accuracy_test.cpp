@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/accuracy.h"
+#include "bench/accuracy_report.h"
 
 #include <gtest/gtest.h>
 
