@@ -73,6 +73,8 @@ void publish_maps(const std::vector<std::string>& asked, const RunResult& result
     if (all) {
         for (const NamedRaster& raster : result.more) names.push_back(raster.name);
     }
+    const auto listed = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+    if (written.has("hazard.tif") && !listed("hazard")) names.emplace_back("hazard");  // a scheme asks for its map
     for (const std::string& name : names) {
         const bool view_3d = name.ends_with(ending);
         const std::string layer = view_3d ? name.substr(0, name.size() - ending.size()) : name;
