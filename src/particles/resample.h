@@ -19,8 +19,8 @@ struct ResampleLimits {
     double cell_size = 1;
     double split_extent = 0.7;   ///< in cells: a particle longer than this becomes two along its longer axis
     double merge_extent = 0.9;   ///< in cells: two particles merge only if the result is not longer
-    int split_below = 3;  ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
-    int max_per_cell = 8;          ///< more than this in a cell: pairs merge
+    int split_below = 6;  ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
+    int max_per_cell = 10;         ///< more than this in a cell: pairs merge
     double minimum_depth = 0.001;  ///< thinner particles are not split [m]
     double width = 0, height = 0;  ///< of the terrain [m]: no half is put outside
     const std::uint8_t* marks = nullptr;  ///< of the padded nodes; none: no walls
