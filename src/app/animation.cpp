@@ -77,21 +77,14 @@ std::string pace_words(const FilmSource& film, double seconds) {
     return "1 s of film: " + figure(simulated / seconds, 2) + " s";
 }
 
+/// A picture of the film's layer at its size, with its pace: a MapSpec or a ViewSpec.
 template <class Spec>
-Spec film_spec(const FilmSource& film, Size size, double seconds);
-
-template <>
-render::MapSpec film_spec(const FilmSource& film, Size size, double seconds) {
-    render::MapSpec spec = map_spec(film.source, film.layer);
-    spec.width = size.width;
-    spec.height = size.height;
-    if (const std::string words = pace_words(film, seconds); !words.empty()) spec.side_notes.push_back(words);
-    return spec;
-}
-
-template <>
-render::ViewSpec film_spec(const FilmSource& film, Size size, double seconds) {
-    render::ViewSpec spec = view_spec(film.source, film.layer);
+Spec film_spec(const FilmSource& film, Size size, double seconds) {
+    Spec spec;
+    if constexpr (std::is_same_v<Spec, render::MapSpec>)
+        spec = map_spec(film.source, film.layer);
+    else
+        spec = view_spec(film.source, film.layer);
     spec.width = size.width;
     spec.height = size.height;
     if (const std::string words = pace_words(film, seconds); !words.empty()) spec.side_notes.push_back(words);

@@ -15,13 +15,14 @@ struct NamedChart {
     render::CurveChart chart;
 };
 
-/// Every chart that a result's tables give: a longitudinal profile for each line of profiles.csv (bed, initial and
-/// final surface, greatest depth: the left part of the publication's Figure 8), the series over time, gauges, cross-sections, and
-/// where there was a survey the scores over the depth threshold. The numbers are those of the files. Throws
-/// Error(input) for a broken table.
+/// Every chart that a result's tables give: a longitudinal profile for each line of profiles.csv (bed,
+/// initial and final surface, greatest depth: the left part of the publication's Figure 8), the series over
+/// time, gauges, cross-sections, and where there was a survey the scores over the depth threshold. The
+/// numbers are those of the files. Throws Error(input) for a broken table.
 std::vector<NamedChart> result_charts(const ResultReader& result, const MapSource& source);
 
 /// Draws them into a folder that exists and returns the names of the files.
-std::vector<std::string> draw_charts(const ResultReader& result, const MapSource& source, const std::string& folder);
+std::vector<std::string> draw_charts(const ResultReader& result, const MapSource& source,
+                                     const std::string& folder);
 
 }  // namespace frana::app

@@ -15,8 +15,9 @@
 
 namespace frana::app {
 
-/// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, and frames.csv (index, time_s). A thread of its own
-/// writes them while the run goes on; at most two wait, so that a slow disk holds the run back and not the memory.
+/// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, and frames.csv (index,
+/// time_s). A thread of its own writes them while the run goes on; at most two wait, so that a slow disk
+/// holds the run back and not the memory.
 class FrameWriter {
   public:
     /// `metadata` goes into every raster.
@@ -30,7 +31,9 @@ class FrameWriter {
     void add(Frame frame);
     /// Waits for the last frame and lists all. Throws Error(environment).
     void finish();
-    [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< wall time that add() held the run back
+    [[nodiscard]] double seconds() const noexcept {
+        return seconds_;
+    }  ///< wall time that add() held the run back
     [[nodiscard]] int count() const noexcept { return static_cast<int>(times_.size()); }
 
   private:

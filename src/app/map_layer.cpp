@@ -15,7 +15,7 @@
 namespace frana::app {
 namespace {
 
-/// Files of a result that are not in the list every run writes, and frames.
+/// Files of a result that are not in the list of layers, and frames.
 struct Known {
     const char *name, *title, *palette;
     bool progressive;
@@ -34,7 +34,7 @@ constexpr Known k_known[] = {{"depth", "Flow depth", "depth", true},
 /// Title and colours of a file whose name is known; false where it is not.
 bool set_known(const std::string& name, MapLayer& layer) {
     const double most = maximum(layer.values);
-    for (const Layer& one : result_layers()) {
+    for (const Layer& one : all_layers()) {
         if (one.name != name) continue;
         layer.title = one.title;
         layer.palette = one.palette;

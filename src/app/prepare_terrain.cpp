@@ -58,7 +58,8 @@ gis::Resampling resampling_of(const std::string& name) {
 
 /// What this program may use: the machine's memory, or less where a limit is set.
 double memory_bytes() {
-    const double machine = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+    const double machine =
+        static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
     rlimit limit{};
     const bool limited = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
     return limited ? std::min(machine, static_cast<double>(limit.rlim_cur)) : machine;

@@ -9,6 +9,7 @@
 #include "app/animation.h"
 #include "app/charts.h"
 #include "app/comparison.h"
+#include "app/layers.h"
 #include "app/number_text.h"
 #include "app/provenance.h"
 #include "app/publish_exchange.h"
@@ -63,18 +64,20 @@ class Drawings {
     bool all_drawn_ = true;
 };
 
-void publish_maps(const std::vector<std::string>& asked, const RunResult& result, const ResultReader& written, const MapSource& source,
+void publish_maps(const std::vector<std::string>& asked, const ResultReader& written, const MapSource& source,
                   const ResultDirectory& directory, Drawings& drawings) {
     if (asked.front() == "off") return;
     directory.make_folder("maps");
     const std::string ending = "_3d";
     const bool all = asked.front() == "on";
     std::vector<std::string> names = all ? map_names() : asked;
+    const auto add = [&](const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
     if (all) {
-        for (const NamedRaster& raster : result.more) names.push_back(raster.name);
+        for (const Layer& layer : all_layers()) add(layer.name);
     }
-    const auto listed = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
-    if (written.has("hazard.tif") && !listed("hazard")) names.emplace_back("hazard");  // a scheme asks for its map
+    if (written.has("hazard.tif")) add("hazard");  // a scheme of classes asks for its map
     for (const std::string& name : names) {
         const bool view_3d = name.ends_with(ending);
         const std::string layer = view_3d ? name.substr(0, name.size() - ending.size()) : name;
@@ -218,7 +221,7 @@ void draw_everything(const Finished& run, const std::optional<Comparison>& compa
     const OutputSpec& output = run.prepared.spec.output;
     const ResultReader written(directory.path(""));
     const MapSource source = map_source(written, run.prepared.spec);
-    publish_maps(output.maps, run.result, written, source, directory, drawings);
+    publish_maps(output.maps, written, source, directory, drawings);
     if (comparison && comparison->figures)
         drawings.attempt("comparison", [&] { draw_comparison(*comparison, source, directory.path("comparison")); });
     if (output.charts && output.maps.front() != "off") {

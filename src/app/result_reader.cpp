@@ -152,6 +152,8 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         if (!time)
             throw Error(ErrorKind::input, Problem{"names no time", "--map", name, kind + "@SECONDS", ""});
         const std::vector<StoredFrame> all = frames();
+        if (all.empty())
+            throw Error(ErrorKind::input, Problem{"the result has no frames", "--map", name, "", ""});
         const auto nearest = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
             return std::abs(a.time - *time) < std::abs(b.time - *time);
         });

@@ -44,8 +44,9 @@ CaseFigures run_wave(double cell) {
         return std::abs(s) < 0.5 ? k_speed * std::pow(std::cos(M_PI * s), 2) : 0;
     };
     const double spacing = block.laws.solid.spacing;
-    block.fill(10, 10, std::llround(80 / spacing), std::llround(60 / spacing),
-               [&](Point p) { return Seed{2, pulse(p.x - k_middle), 0}; });
+    block.fill(10, 10, std::llround(80 / spacing), std::llround(60 / spacing), [&](Point p) {
+        return Seed{2, pulse(p.x - k_middle), 0};
+    });
     const auto side = static_cast<std::int64_t>(102 / cell);
     State state = block.start(Raster(plain_grid(side, side, cell), 0.0), pool);
     watch.particle_steps = advance_to(state, block.laws, k_time, pool);
@@ -105,9 +106,11 @@ CaseFigures run_incline(double cell) {
     const auto slide = [&](double slope_deg) {
         SolidBlock block(cell);
         const double spacing = block.laws.solid.spacing;
-        block.fill(30, 30, std::llround(18 / spacing), std::llround(12 / spacing), [](Point) { return Seed{4}; });
+        block.fill(30, 30, std::llround(18 / spacing), std::llround(12 / spacing),
+                   [](Point) { return Seed{4}; });
         State state = block.start(incline(slope_deg, static_cast<std::int64_t>(120 / cell),
-                                          static_cast<std::int64_t>(72 / cell), cell), pool);
+                                          static_cast<std::int64_t>(72 / cell), cell),
+                                  pool);
         watch.particle_steps += advance_to(state, block.laws, k_time, pool);
         return state;
     };
@@ -158,12 +161,22 @@ CaseFigures run_drag(double dt) {
 }  // namespace
 
 std::vector<AccuracyCase> solid_cases() {
-    const auto of = [](CaseFigures (*run)(double)) { return [run](double size, Scheme) { return run(size); }; };
+    const auto of = [](CaseFigures (*run)(double)) {
+        return [run](double size, Scheme) { return run(size); };
+    };
     std::vector<AccuracyCase> cases{
         {"p-wave", "pressure wave in structured solids", {12, 6, 3, 1.5}, false, of(run_wave)},
         {"rigid-rotation", "structured solids that turn as a whole", {12, 6, 3, 1.5}, true, of(run_rotation)},
-        {"incline-block", "structured block on an incline, sliding and at rest", {12, 6, 3, 1.5}, true, of(run_incline)},
-        {"drag-relaxation", "drag in a still cell; the cell size is the time step [s]", {10, 1, 0.1, 0.01}, true, of(run_drag)}};
+        {"incline-block",
+         "structured block on an incline, sliding and at rest",
+         {12, 6, 3, 1.5},
+         true,
+         of(run_incline)},
+        {"drag-relaxation",
+         "drag in a still cell; the cell size is the time step [s]",
+         {10, 1, 0.1, 0.01},
+         true,
+         of(run_drag)}};
     for (AccuracyCase& one : cases) one.one_scheme = true;
     return cases;
 }

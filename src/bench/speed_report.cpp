@@ -56,13 +56,15 @@ double bytes_moved(Stage stage, bool stress) {
 }
 
 std::string speed_line(const SpeedRow& row) {
-    char line[200];
+    char line[200], share[16] = "    -";  // not counted for every case
+    if (row.fraction_of_memory_bandwidth > 0)
+        std::snprintf(share, sizeof share, "%5.1f", 100 * row.fraction_of_memory_bandwidth);
     std::snprintf(line, sizeof line,
                   "%-6s %9lld particles %3d threads  %8.3g M particle-steps/s  %4.0f bytes  "
-                  "%5.1f %% of memory bandwidth  %lld steps in %.2f s%s",
+                  "%s %% of memory bandwidth  %lld steps in %.2f s%s",
                   row.case_name.c_str(), static_cast<long long>(row.particles), row.threads,
                   row.particle_steps_per_second / 1e6, row.bytes_per_particle,
-                  100 * row.fraction_of_memory_bandwidth, static_cast<long long>(row.steps), row.seconds,
+                  share, static_cast<long long>(row.steps), row.seconds,
                   row.same_bits ? "" : "  NOT THE SAME BITS AS ONE THREAD");
     return line;
 }

@@ -28,7 +28,7 @@ std::string time_to_error_table(const std::vector<AccuracyRow>& rows) {
         if (row.scheme == Scheme::standard && f.failure.empty() && error > 0)
             curves[row.case_name].emplace_back(f.wall_seconds, error);
     }
-    std::string out = "Seconds to an error of 1 % and 0.3 %, default scheme, one thread; the finest resolution's own:\n";
+    std::string out;
     const auto seconds = [](double s) {
         char text[32];
         std::snprintf(text, sizeof text, std::isnan(s) ? "finer" : "%.3g", s);
@@ -43,7 +43,8 @@ std::string time_to_error_table(const std::vector<AccuracyRow>& rows) {
                       curve.back().second, curve.back().first);
         out += line;
     }
-    return out;
+    if (out.empty()) return out;
+    return "Seconds to an error of 1 % and 0.3 %, default scheme, one thread; the finest resolution's own:\n" + out;
 }
 
 }  // namespace frana::bench

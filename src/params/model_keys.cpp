@@ -11,14 +11,14 @@ bool in_section(const std::string& name, const std::string& section) {
 }
 
 // Keys outside [material], [zones] and [entrainment] that belong to the particles of the first model.
-const std::set<std::string> k_voellmy_bingham_only{"material.preset",        "terrain.friction-zones",
-                                                   "numerics.scheme",        "numerics.shape",
-                                                   "numerics.transfer",      "numerics.well-balanced",
-                                                   "numerics.curvature"};
+const std::set<std::string> k_voellmy_bingham_only{
+    "material.preset",   "terrain.friction-zones", "numerics.scheme",   "numerics.shape",
+    "numerics.transfer", "numerics.well-balanced", "numerics.curvature"};
 
 // Keys of [structured] that fluid alone reads too.
-const std::set<std::string> k_fluid_keys{"structured.phases",         "structured.fluid-density", "structured.fluid-viscosity",
-                                         "structured.velocity-shape", "structured.manning",       "structured.dry-depth"};
+const std::set<std::string> k_fluid_keys{"structured.phases",          "structured.fluid-density",
+                                         "structured.fluid-viscosity", "structured.velocity-shape",
+                                         "structured.manning",         "structured.dry-depth"};
 
 bool has_solids(const SceneSpec& scene) {
     return scene.structured.phases == "solids-and-fluid";
@@ -29,13 +29,15 @@ void check_solids(const SceneSpec& scene, const std::set<std::string>& given, co
     const StructuredSpec& s = scene.structured;
     for (const char* key : {"structured.cohesion", "structured.internal-friction-angle"}) {
         if (given.count(key) == 0)
-            problems.add({"is missing", file + ": " + key, "", "", "structured.phases = solids-and-fluid needs it"});
+            problems.add(
+                {"is missing", file + ": " + key, "", "", "structured.phases = solids-and-fluid needs it"});
     }
     if (!(s.young_modulus < 9 * s.bulk_modulus)) {
-        problems.add({"makes the material unstable", file + ": structured.young-modulus",
-                      shortest_text(s.young_modulus) + " Pa",
-                      "less than 9 times structured.bulk-modulus, " + shortest_text(9 * s.bulk_modulus) + " Pa",
-                      "Lower it or raise the bulk modulus"});
+        problems.add(
+            {"makes the material unstable", file + ": structured.young-modulus",
+             shortest_text(s.young_modulus) + " Pa",
+             "less than 9 times structured.bulk-modulus, " + shortest_text(9 * s.bulk_modulus) + " Pa",
+             "Lower it or raise the bulk modulus"});
     }
     if (scene.numerics.particles_per_cell < 9) {
         problems.add({"is too few for the neighbour sums of solids", file + ": numerics.particles-per-cell",
@@ -43,8 +45,8 @@ void check_solids(const SceneSpec& scene, const std::set<std::string>& given, co
     }
     for (const std::string& name : given) {
         if (name != "release.start" && !in_section(name, "inflow")) continue;
-        problems.add({"is not available in this version with structured.phases = solids-and-fluid", file + ": " + name,
-                      "", "", "Remove it, or set structured.phases = fluid"});
+        problems.add({"is not available in this version with structured.phases = solids-and-fluid",
+                      file + ": " + name, "", "", "Remove it, or set structured.phases = fluid"});
     }
 }
 
@@ -56,11 +58,12 @@ void check_structured(const SceneSpec& scene, const std::set<std::string>& given
     }
     if (scene.numerics.cfl > 0.5) {
         problems.add({"is too long a step for material.model = structured", file + ": numerics.cfl",
-                      shortest_text(scene.numerics.cfl), "greater than 0, at most 0.5", "Choose at most 0.5"});
+                      shortest_text(scene.numerics.cfl), "greater than 0, at most 0.5",
+                      "Choose at most 0.5"});
     }
     if (scene.numerics.slope_correction == "surface") {
-        problems.add({"is not a form of material.model = structured", file + ": numerics.slope-correction", "surface",
-                      "auto, none, normal", "Choose normal or none"});
+        problems.add({"is not a form of material.model = structured", file + ": numerics.slope-correction",
+                      "surface", "auto, none, normal", "Choose normal or none"});
     }
     if (has_solids(scene)) check_solids(scene, given, file, problems);
 }
@@ -82,8 +85,9 @@ void check_model(const SceneSpec& scene, const std::set<std::string>& given, con
         // What a preset brought is not the scene's word: the preset itself is refused.
         if (model_reads(scene, name) || scene.origin_of(name) == Origin::preset) continue;
         const bool solids_key = structured && in_section(name, "structured");
-        const std::string reader = solids_key ? "structured.phases = " + scene.structured.phases.value_or("(missing)")
-                                              : "material.model = " + scene.material.model;
+        const std::string reader =
+            solids_key ? "structured.phases = " + scene.structured.phases.value_or("(missing)")
+                       : "material.model = " + scene.material.model;
         problems.add({"is given, but " + reader + " does not read it", file + ": " + name, "", "",
                       solids_key ? "Remove it, or set structured.phases = solids-and-fluid"
                                  : "Remove it, or choose the other model"});

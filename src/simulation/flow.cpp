@@ -32,12 +32,13 @@ ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
     return particles;
 }
 
-// What comes in where something lies already makes it deeper: particles near the newcomers give up area until they claim
-// no more than there is. Reads the nodes' sums of area.
+// What comes in where something lies already makes it deeper: particles near the newcomers give up area until
+// they claim no more than there is. Reads the nodes' sums of area.
 void make_room(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet& particles) {
     const double dx = nodes.cell_size(), inverse_dx = 1 / dx;
     const auto cell = [&](double x, double y) {
-        return nodes.index(static_cast<std::int64_t>(x * inverse_dx), static_cast<std::int64_t>(y * inverse_dx));
+        return nodes.index(static_cast<std::int64_t>(x * inverse_dx),
+                           static_cast<std::int64_t>(y * inverse_dx));
     };
     const auto inside = [&](double x, double y) {
         return x >= 0 && y >= 0 && x < nodes.width() && y < nodes.height();
@@ -190,7 +191,8 @@ void Flow::for_each_reached_cell(const Visit& visit) const {
         const NodeRange range(tile, state_.order.grid(), state_.nodes);
         range.for_each(state_.nodes.stride(), [&](std::size_t node, std::int64_t i, std::int64_t j) {
             const std::int64_t column = i - k_ghost, row = grid_.rows - 1 - (j - k_ghost);
-            if (column >= 0 && column < grid_.columns && row >= 0 && row < grid_.rows) visit(row, column, node);
+            if (column >= 0 && column < grid_.columns && row >= 0 && row < grid_.rows)
+                visit(row, column, node);
         });
     }
 }

@@ -12,7 +12,8 @@
 namespace frana {
 namespace {
 
-// A direction this near to the line's own (sine of the angle) would need an endless row to carry the discharge.
+// A direction this near to the line's own (sine of the angle) would need an endless row to carry the
+// discharge.
 constexpr double k_least_crossing = 0.1;
 
 double length_of(const Polyline& line) {
@@ -56,7 +57,8 @@ void check_ground(const Scene& scene, Point local) {
                       "Shorten it or take a larger DTM");
     const Cell cell = cell_of(grid, local);
     if (!scene.terrain.has_data(cell.row, cell.column))
-        throw refused("the terrain has no data under the inflow's line", "inflow.line", text, "Move the line");
+        throw refused("the terrain has no data under the inflow's line", "inflow.line", text,
+                      "Move the line");
     if (scene.walls && scene.walls->at(cell.row, cell.column) != 0)
         throw refused("a wall stands on the inflow's line", "inflow.line", text, "Move the line or the wall");
 }
@@ -69,7 +71,8 @@ std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydr
     InflowBatch open;  // since the last cut
     double since = hydrograph.empty() ? 0 : hydrograph.front().time;
     const auto close = [&](double time) {
-        if (open.volume > 0) batches.push_back({time, open.volume, open.length, open.length / (time - since)});
+        if (open.volume > 0)
+            batches.push_back({time, open.volume, open.length, open.length / (time - since)});
         open = {};
         since = time;
     };
@@ -78,7 +81,8 @@ std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydr
         const HydrographPoint b = hydrograph[i + 1];
         const double span = b.time - a.time;
         if (!(span > 0)) continue;
-        if (a.discharge == 0 && b.discharge == 0) {  // a pause: what has crossed goes on without waiting for more
+        if (a.discharge == 0 &&
+            b.discharge == 0) {  // a pause: what has crossed goes on without waiting for more
             close(a.time);
             since = b.time;
             continue;
@@ -129,7 +133,8 @@ InflowSource::InflowSource(const Scene& scene, const Inflow& inflow) : gravity_(
         mouths_.push_back({on.place, {}, 1, share * length, share});
     }
     if (!inflow.azimuth && !(std::abs(towards_left) > 1e-6))
-        throw refused("the ground is level across the inflow's line", "inflow.line", "", "Give inflow.direction");
+        throw refused("the ground is level across the inflow's line", "inflow.line", "",
+                      "Give inflow.direction");
     for (std::size_t k = 0; k < count; ++k) {
         Mouth& mouth = mouths_[k];
         const Point t = tangents[k];
@@ -154,11 +159,13 @@ double InflowSource::take(ParticleSet& particles) {
     for (std::size_t k = 0; k < mouths_.size(); ++k) {
         const Mouth& mouth = mouths_[k];
         const double length = batch.length * mouth.map_share, area = length * mouth.width;
-        // What lies upstream of the line is not computed, but presses on it: the row brings that impulse with it,
-        // g h^2 / 2 a second and metre, so that the flux of momentum is h v^2 + g h^2 / 2. Slower than the critical speed
-        // a flow finds its depth from downstream, and more than half as fast again would be a jet.
+        // What lies upstream of the line is not computed, but presses on it: the row brings that impulse with
+        // it, g h^2 / 2 a second and metre, so that the flux of momentum is h v^2 + g h^2 / 2. Slower than
+        // the critical speed a flow finds its depth from downstream, and more than half as fast again would
+        // be a jet.
         const double depth = batch.volume * mouth.share / area;
-        const double pressed = 0.5 * batch.speed * std::min(1.0, gravity_ * depth / (batch.speed * batch.speed));
+        const double pressed =
+            0.5 * batch.speed * std::min(1.0, gravity_ * depth / (batch.speed * batch.speed));
         const double speed = (batch.speed + pressed) * mouth.map_share;
         ParticleRow row = ParticleSet::initial_row();
         get(row, Field::x) = mouth.place.x + 0.5 * length * mouth.direction.x;

@@ -10,9 +10,10 @@
 
 namespace frana {
 
-/// Records what a scene asks for beyond the maxima, from the nodes as each step leaves them. A Flow's show the depth and
-/// the velocity that the particles brought (as the maxima see it), at the moment the step began, and what the very last
-/// step leads to is not seen. A StructuredFlow's cells show the end of the step.
+/// Records what a scene asks for beyond the maxima, from the nodes as each step leaves them. A Flow's show
+/// the depth and the velocity that the particles brought (as the maxima see it), at the moment the step
+/// began, and what the very last step leads to is not seen. A StructuredFlow's cells show the end of the
+/// step.
 class Recorder {
   public:
     Recorder(const Recording& recording, const GridSpec& grid, const Numerics& numerics);

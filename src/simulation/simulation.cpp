@@ -13,6 +13,7 @@
 #include "simulation/recorder.h"
 #include "simulation/release.h"
 #include "simulation/step_figures.h"
+#include "simulation/stopping.h"
 #include "simulation/structured_flow.h"
 #include "simulation/structured_laws.h"
 #include "simulation/terms.h"
@@ -31,43 +32,6 @@ class Stopwatch {
   private:
     std::chrono::steady_clock::time_point begin_;
     double seconds_ = 0;
-};
-
-// Decides when a flow has come to rest: at once when nothing at all moves, otherwise when nothing has moved
-// faster than a crawl for a while (a mass that barely overcomes friction is faster than that within the same
-// while).
-class StillWatch {
-  public:
-    bool still(double speed, double dt) {
-        frozen_ = speed > 0 ? 0 : frozen_ + 1;
-        crawling_ = speed > k_crawl ? 0 : crawling_ + dt;
-        return frozen_ >= k_frozen_steps || crawling_ >= k_while;
-    }
-
-  private:
-    static constexpr double k_crawl = 0.01;  // [m/s]
-    static constexpr double k_while = 5;     // [s]
-    static constexpr int k_frozen_steps = 10;
-    int frozen_ = 0;
-    double crawling_ = 0;
-};
-
-// Decides when so little is left of a flow's motion that a scene wants no more of it: kinetic energy or
-// moving volume under a share of its peak. Both grow from zero, so neither ends a flow that has not begun.
-class FadeWatch {
-  public:
-    explicit FadeWatch(const TimeControl& time) : time_(time) {}
-
-    bool energy(double now) { return under(now, energy_peak_, time_.stop_energy_share); }
-    bool moving(double now) { return under(now, moving_peak_, time_.stop_moving_share); }
-
-  private:
-    static bool under(double now, double& peak, double share) {
-        peak = std::max(peak, now);
-        return now < share * peak;
-    }
-    const TimeControl& time_;
-    double energy_peak_ = 0, moving_peak_ = 0;
 };
 
 StepFigures figures_of(const voellmy_bingham::StepReport& report) {
@@ -118,8 +82,9 @@ void note_scaling(const std::vector<ReleasedArea>& areas, std::vector<std::strin
     for (std::size_t i = 0; i < areas.size(); ++i) {
         if (std::abs(areas[i].scaled - 1) <= 1e-9) continue;
         char text[128];
-        std::snprintf(text, sizeof text, "thickness of release area %zu scaled by %.4f to hold the given volume",
-                      i + 1, areas[i].scaled);
+        std::snprintf(text, sizeof text,
+                      "thickness of release area %zu scaled by %.4f to hold the given volume", i + 1,
+                      areas[i].scaled);
         notes.emplace_back(text);
     }
 }
@@ -143,7 +108,8 @@ template <class AnyFlow>
 Frame take_frame(AnyFlow& flow, int index) {
     flow.synchronise();
     auto shot = flow.snapshot();
-    return {index, flow.time(), std::move(shot.depth), std::move(shot.speed), frames_show_more(flow) ? more_of(flow) : std::vector<NamedRaster>{}};
+    return {index, flow.time(), std::move(shot.depth), std::move(shot.speed),
+            frames_show_more(flow) ? more_of(flow) : std::vector<NamedRaster>{}};
 }
 
 // A wall's cell holds nothing, though the nodes there gather a share of what leans against it.
@@ -179,8 +145,8 @@ void give_exchanges(const Scene&, const StructuredFlow&, RunResult&) {}  // its 
 
 // Runs a flow to the scene's end.
 template <class AnyFlow>
-RunResult run_flow(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals, AnyFlow& flow,
-                   Stopwatch& engine) {
+RunResult run_flow(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals,
+                   AnyFlow& flow, Stopwatch& engine) {
     const double density = density_of(scene);
     flow.set_origin(origin_of(release, arrivals));
     flow.set_moving_speed(scene.time.moving_speed);
@@ -246,8 +212,7 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
             }
         }
         if (options.on_progress) {
-            options.on_progress({flow.steps(), flow.time(), scene.time.end,
-                                 flow.particle_count()});
+            options.on_progress({flow.steps(), flow.time(), scene.time.end, flow.particle_count()});
         }
         if (report.non_finite > 0) {
             result.stop_reason = StopReason::non_finite;
@@ -255,7 +220,8 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
             result.stop_reason = StopReason::reached_no_data;
         } else if (flow.empty() && arrivals.done()) {
             result.stop_reason = StopReason::all_left;
-        } else if (scene.time.stop_when_still && arrivals.done() && watch.still(report.max_speed, report.dt)) {
+        } else if (scene.time.stop_when_still && arrivals.done() &&
+                   watch.still(report.max_speed, report.dt)) {
             result.stop_reason = StopReason::still;
         } else if (arrivals.done() && fade.energy(report.kinetic)) {
             result.stop_reason = StopReason::energy;
@@ -283,7 +249,8 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
             result.max_velocity.values[i] = 0;
         }
     }
-    for (Raster* raster : {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth})
+    for (Raster* raster :
+         {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth})
         hide_walls(scene, *raster);
     for (NamedRaster& raster : result.more) hide_walls(scene, raster.values);
     recorder.give(flow, result);
@@ -298,15 +265,16 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
     result.bytes_per_node = static_cast<std::int64_t>(flow.bytes_per_node());
     result.volume_final = flow.volume();
     result.volume_left = flow.volume_left();
-    if (!arrivals.done()) result.notes.emplace_back("the run ended before everything had failed or flowed in");
+    if (!arrivals.done())
+        result.notes.emplace_back("the run ended before everything had failed or flowed in");
     give_exchanges(scene, flow, result);
     engine.stop();
     result.engine_seconds = engine.seconds();
     return result;
 }
 
-// How long a flow's first steps take and what it holds, with all that comes later on the ground at once: the trial
-// steps then cost what the fullest would.
+// How long a flow's first steps take and what it holds, with all that comes later on the ground at once: the
+// trial steps then cost what the fullest would.
 template <class AnyFlow>
 void estimate_flow(const Scene& scene, const Arrivals::Taken& rest, AnyFlow& flow, RunEstimate& e) {
     flow.add_particles(rest.particles);
@@ -368,8 +336,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
                             std::exchange(release.particles, ParticleSet()), options.threads);
         return run_flow(scene, options, release, arrivals, flow, engine);
     }
-    Flow flow(release.bed_at_start, std::exchange(release.particles, ParticleSet()), scene.material, scene.numerics,
-              options.threads, std::nullopt, scene.zones, scene.entrainment);
+    Flow flow(release.bed_at_start, std::exchange(release.particles, ParticleSet()), scene.material,
+              scene.numerics, options.threads, std::nullopt, scene.zones, scene.entrainment);
     if (scene.walls) flow.add_walls(*scene.walls);
     return run_flow(scene, options, release, arrivals, flow, engine);
 }
@@ -384,13 +352,14 @@ RunEstimate estimate(const Scene& scene, int threads) {
     const Arrivals::Taken rest = arrivals.take(scene.time.end);
     e.inflow = rest.inflow;
     if (scene.structured) {
-        StructuredFlow flow(release.bed, scene.walls, *scene.structured, scene.numerics, release.particles, threads);
+        StructuredFlow flow(release.bed, scene.walls, *scene.structured, scene.numerics, release.particles,
+                            threads);
         e.particles = flow.particle_count();
         estimate_flow(scene, rest, flow, e);
         return e;
     }
-    Flow flow(release.bed, release.particles, scene.material, scene.numerics, threads, std::nullopt, scene.zones,
-              scene.entrainment);
+    Flow flow(release.bed, release.particles, scene.material, scene.numerics, threads, std::nullopt,
+              scene.zones, scene.entrainment);
     if (scene.walls) flow.add_walls(*scene.walls);
     e.particles = static_cast<std::int64_t>(flow.particles().size() + arriving);
     estimate_flow(scene, rest, flow, e);

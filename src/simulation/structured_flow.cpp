@@ -80,15 +80,20 @@ void StructuredFlow::receive(const ParticleSet& particles, double share) {
     state_.fluid->volume_left += structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
 }
 
+// The longest step where next to nothing moves.
+double StructuredFlow::still_step() const {
+    const double wave = std::sqrt(numerics_.gravity * numerics_.minimum_depth);
+    return laws_.fluid.cfl * grid_.cell_size / (2 * wave);
+}
+
 double StructuredFlow::stable_step() {
-    const double still = laws_.fluid.cfl * grid_.cell_size / (2 * std::sqrt(numerics_.gravity * numerics_.minimum_depth));
-    return std::min(structured::stable_step(state_, laws_, pool_), still);
+    return std::min(structured::stable_step(state_, laws_, pool_), still_step());
 }
 
 StepFigures StructuredFlow::advance(double dt_limit) {
     const double into_gaps = state_.fluid ? state_.fluid->volume_into_gaps : 0;
     const structured::StepReport report =
-        structured::step(state_, laws_, std::min(dt_limit, stable_step()), pool_);
+        structured::step(state_, laws_, std::min(dt_limit, still_step()), pool_);
     ++steps_;
     particle_steps_ += particle_count() * report.substeps;
     StepFigures figures = observe();

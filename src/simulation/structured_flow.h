@@ -89,6 +89,7 @@ class StructuredFlow {
     [[nodiscard]] double speed(std::size_t cell) const;
 
   private:
+    [[nodiscard]] double still_step() const;
     [[nodiscard]] std::vector<std::int64_t> shown_tiles() const;
     [[nodiscard]] bool inside(std::int64_t i, std::int64_t j) const noexcept {
         return i >= k_ghost && j >= k_ghost && i < state_.grid.columns() + k_ghost &&

@@ -27,7 +27,10 @@ struct Water {
 /// A free fluid with its grid, in local metres.
 struct Basin {
     Basin(const Raster& bed, FluidLaws fluid_laws, int threads = 1, const Raster* walls = nullptr)
-        : nodes(with_walls(bed, walls)), laws(std::move(fluid_laws)), state(nodes, laws), pool(std::make_unique<ThreadPool>(threads)) {}
+        : nodes(with_walls(bed, walls)),
+          laws(std::move(fluid_laws)),
+          state(nodes, laws),
+          pool(std::make_unique<ThreadPool>(threads)) {}
 
     void fill(const std::function<Water(Point)>& at) {
         std::vector<FluidSource> sources;
@@ -49,7 +52,9 @@ struct Basin {
                             (static_cast<double>(j) + 0.5) * nodes.cell_size()},
                       nodes.index(i, j));
     }
-    [[nodiscard]] double depth(std::int64_t i, std::int64_t j) const { return state.now.depth[nodes.index(i, j)]; }
+    [[nodiscard]] double depth(std::int64_t i, std::int64_t j) const {
+        return state.now.depth[nodes.index(i, j)];
+    }
     [[nodiscard]] double u(std::int64_t i, std::int64_t j) const {
         const std::size_t cell = nodes.index(i, j);
         return fluid_velocity(state.now.depth[cell], state.now.qx[cell], laws.dry);

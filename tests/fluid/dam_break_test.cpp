@@ -12,7 +12,8 @@ using bench::DamBreak;
 using bench::plain_grid;
 
 // A channel three cells wide, `half` metres long on either side of the dam, at `time` after the break.
-Basin channel(double half, std::int64_t cells, double left, double right, double time, double dry, bool turned) {
+Basin channel(double half, std::int64_t cells, double left, double right, double time, double dry,
+              bool turned) {
     const double dx = 2 * half / static_cast<double>(cells);
     FluidLaws laws = still_laws();
     laws.dry = dry;
@@ -54,8 +55,9 @@ TEST(FluidDamBreak, RitterWithinTwoPercent) {
     }
 }
 
-// The tip of the front is thinner than a cell can hold, and the scheme's lags: where the exact water is 1 cm deep (1 % of
-// the dam) by four cells, on every grid. A scheme whose front ran on its own speed would be tens of cells off.
+// The tip of the front is thinner than a cell can hold, and the scheme's lags: where the exact water is 1 cm
+// deep (1 % of the dam) by four cells, on every grid. A scheme whose front ran on its own speed would be tens
+// of cells off.
 TEST(FluidDamBreak, RitterFrontLagsByFourCells) {
     const double exact = 5 * (2 * std::sqrt(9.81) - 3 * std::sqrt(0.0981));
     for (const std::int64_t cells : {200, 400, 800}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must hold in every step: mass, positive depth, the same bits for any number of threads, cost by wet cells.
+// What must hold in every step: mass, positive depth, the same bits for any number of threads, cost by wet
+// cells.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -14,9 +15,8 @@ using bench::plain_grid;
 using bench::sample_raster;
 
 Raster hills(std::int64_t cells) {
-    return sample_raster(plain_grid(cells, cells, 2), [](Point p) {
-        return 8 * std::sin(p.x / 11) * std::cos(p.y / 9) - 0.3 * p.x;
-    });
+    return sample_raster(plain_grid(cells, cells, 2),
+                         [](Point p) { return 8 * std::sin(p.x / 11) * std::cos(p.y / 9) - 0.3 * p.x; });
 }
 
 Water drop(Point p) {
@@ -87,14 +87,17 @@ TEST(FluidStep, SameBitsForAnyNumberOfThreads) {
     for (const int threads : {2, 3, 8}) {
         const auto many = run(threads);
         ASSERT_EQ(many.size(), one.size());
-        EXPECT_EQ(std::memcmp(many.data(), one.data(), one.size() * sizeof(double)), 0) << threads << " threads";
+        EXPECT_EQ(std::memcmp(many.data(), one.data(), one.size() * sizeof(double)), 0)
+            << threads << " threads";
     }
 }
 
 // The four quarters of a square basin mirror each other to rounding.
 TEST(FluidStep, KeepsSymmetry) {
     Basin basin(Raster(plain_grid(60, 60, 1), 0.0), still_laws());
-    basin.fill([](Point p) { return Water{0.1 + std::exp(-((p.x - 30) * (p.x - 30) + (p.y - 30) * (p.y - 30)) / 40)}; });
+    basin.fill([](Point p) {
+        return Water{0.1 + std::exp(-((p.x - 30) * (p.x - 30) + (p.y - 30) * (p.y - 30)) / 40)};
+    });
     basin.advance(5);
     for (std::int64_t j = 0; j < 60; ++j) {
         for (std::int64_t i = 0; i < 60; ++i) {
@@ -125,7 +128,8 @@ TEST(FluidStep, TilesDoNotShow) {
         basin.fill([&](Point p) { return Water{std::abs(p.x - shift - 20) < 6 ? 1.0 : 0.0}; });
         basin.advance(12);
         std::vector<double> row;
-        for (std::int64_t i = 12; i < 140; ++i) row.push_back(basin.depth(i + static_cast<std::int64_t>(shift), 10));
+        for (std::int64_t i = 12; i < 140; ++i)
+            row.push_back(basin.depth(i + static_cast<std::int64_t>(shift), 10));
         return row;
     };
     const auto here = depths(0), there = depths(7);
@@ -140,7 +144,8 @@ TEST(FluidStep, WallsHold) {
     closed.fill([](Point p) { return Water{p.x < 20 ? 1.0 : 0.0, 3, 0}; });
     closed.advance(10);
     double behind = 0;
-    closed.for_cells([&](Point p, std::size_t cell) { behind += p.x > 20 ? closed.state.now.depth[cell] : 0; });
+    closed.for_cells(
+        [&](Point p, std::size_t cell) { behind += p.x > 20 ? closed.state.now.depth[cell] : 0; });
     EXPECT_EQ(behind, 0);
 
     walls.at(20, 20) = 0;
@@ -170,7 +175,9 @@ TEST(FluidStep, RandomStepsAndDropsStayPositive) {
     std::uniform_real_distribution<double> unit(0, 1);
     const Raster ground = sample_raster(plain_grid(40, 40, 1), [&](Point) { return 5 * unit(random); });
     Basin basin(ground, still_laws());
-    basin.fill([&](Point) { return Water{unit(random) < 0.3 ? 3 * unit(random) : 0.0, 20 * unit(random) - 10, 0}; });
+    basin.fill([&](Point) {
+        return Water{unit(random) < 0.3 ? 3 * unit(random) : 0.0, 20 * unit(random) - 10, 0};
+    });
     const double volume = basin.volume();
     const FluidReport report = basin.advance(5);
     EXPECT_EQ(report.non_finite, 0);

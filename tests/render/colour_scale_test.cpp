@@ -85,7 +85,8 @@ TEST(ColourScale, BothSidesOfZero) {
 
 TEST(ColourScale, CategoriesMatchExactly) {
     const Raster layer = values({1, 2, 3, 4});
-    const ColourScale scale({"depth", {}, {}, false, {{1, "hit", {1, 2, 3}}, {3, "miss", {4, 5, 6}}}, &layer});
+    const ColourScale scale(
+        {"depth", {}, {}, false, {{1, "hit", {1, 2, 3}}, {3, "miss", {4, 5, 6}}}, &layer});
     EXPECT_EQ(scale.find(1)->label, "hit");
     EXPECT_EQ(scale.find(3)->colour, (Rgb{4, 5, 6}));
     EXPECT_EQ(scale.find(2), nullptr);

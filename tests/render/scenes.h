@@ -68,7 +68,8 @@ inline MapSpec full_map(const Raster& ground, const Raster& layer, int width, in
     return spec;
 }
 
-/// Degrees of a made-up projection: a thousandth of a degree for 80 m to the east, 110 m to the north, sheared a little.
+/// Degrees of a made-up projection: a thousandth of a degree for 80 m to the east, 110 m to the north,
+/// sheared a little.
 inline Point degrees_at(Point map) {
     const double x = map.x - 527000, y = map.y - 5094000;
     return {9.35 + x / 80e3 + y / 4e6, 46.0 + y / 110e3 - x / 5e6};
@@ -79,7 +80,8 @@ inline MapSpec crowded_map(const Raster& ground, const Raster& layer, int width,
     MapSpec spec = full_map(ground, layer, width, height);
     spec.source = "max_depth.tif, band 1";
     Outline gauges{"Gauges", {}, {150, 0, 60}, 2, false, {}, {}};
-    gauges.places = {{"bridge", {527560, 5094300}}, {"road", {527680, 5094620}}, {"church", {527400, 5094450}}};
+    gauges.places = {
+        {"bridge", {527560, 5094300}}, {"road", {527680, 5094620}}, {"church", {527400, 5094450}}};
     Outline sections{"Cross-sections", {}, {70, 50, 120}, 2, false, {}, {}};
     sections.lines = {{{527450, 5094400}, {527760, 5094420}}};
     spec.outlines.push_back(gauges);

@@ -43,7 +43,8 @@ TEST(CellOrder, FindsEveryNeighbour) {
             for (std::size_t i = own.begin; i < own.end; ++i) {
                 for (const ParticleRun& run : runs) {
                     for (std::size_t k = run.begin; k < run.end; ++k) {
-                        const double d = std::hypot(p[Field::x][k] - p[Field::x][i], p[Field::y][k] - p[Field::y][i]);
+                        const double d =
+                            std::hypot(p[Field::x][k] - p[Field::x][i], p[Field::y][k] - p[Field::y][i]);
                         seen[i] += d < c.laws.solid.kernel.reach();
                     }
                 }
@@ -108,7 +109,8 @@ TEST(Accelerations, KeepMomentum) {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> any(-1, 1);
     for (std::size_t p = 0; p < solid.particles.size(); ++p) {
-        for (const Field f : {Field::t_xx, Field::t_yy, Field::t_xy}) solid.particles[f][p] = 1e6 * any(random);
+        for (const Field f : {Field::t_xx, Field::t_yy, Field::t_xy})
+            solid.particles[f][p] = 1e6 * any(random);
     }
     for (const PairKernels* kernels : {&plain_pair_kernels(), &pair_kernels()}) {
         over_rows(solid.order, [&](std::int64_t row) {
@@ -147,14 +149,17 @@ TEST(PairKernels, FastAndPlainAgree) {
             state.stages.update_material(solid.order.whole_rows(row, row), 0, c.laws.solid, solid.particles,
                                          solid.work);
         });
-        over_rows(solid.order,
-                  [&](std::int64_t row) { kernels.accelerations(solid.order, row, c.laws.solid, solid.work); });
+        over_rows(solid.order, [&](std::int64_t row) {
+            kernels.accelerations(solid.order, row, c.laws.solid, solid.work);
+        });
         return solid.work;
     };
     const PairWork plain = evaluate(plain_pair_kernels()), fast = evaluate(pair_kernels());
-    for (const auto array : {PairWork::l_xx, PairWork::l_xy, PairWork::l_yx, PairWork::l_yy, PairWork::a_x, PairWork::a_y}) {
+    for (const auto array :
+         {PairWork::l_xx, PairWork::l_xy, PairWork::l_yx, PairWork::l_yy, PairWork::a_x, PairWork::a_y}) {
         double greatest = 0;
-        for (std::size_t p = 0; p < solid.particles.size(); ++p) greatest = std::max(greatest, std::abs(plain[array][p]));
+        for (std::size_t p = 0; p < solid.particles.size(); ++p)
+            greatest = std::max(greatest, std::abs(plain[array][p]));
         // Sums of some thirty terms: a hundred roundings of the largest.
         for (std::size_t p = 0; p < solid.particles.size(); ++p)
             ASSERT_NEAR(fast[array][p], plain[array][p], 100 * 2.2e-16 * greatest);
@@ -170,14 +175,17 @@ Pair pair_of(double approach_speed, double stress, double artificial) {
     Case c(2);
     c.laws.solid.artificial_stress = artificial;
     c.laws.solid.gravity = 0;
-    c.fill(40, 40, 2, 1, [&](Point p) { return bench::Seed{1, p.x < 40.5 ? approach_speed : -approach_speed, 0}; });
+    c.fill(40, 40, 2, 1, [&](Point p) {
+        return bench::Seed{1, p.x < 40.5 ? approach_speed : -approach_speed, 0};
+    });
     State state = c.start(flat(50, 50, 2), pool);
     SolidState& solid = *state.solid;
     for (std::size_t p = 0; p < 2; ++p) solid.particles[Field::t_xx][p] = stress;
     over_rows(solid.order, [&](std::int64_t row) {
         for (const auto l : {PairWork::l_xx, PairWork::l_xy, PairWork::l_yx, PairWork::l_yy})
             for (std::size_t p = 0; p < 2; ++p) solid.work[l][p] = 0;
-        state.stages.update_material(solid.order.whole_rows(row, row), 0, c.laws.solid, solid.particles, solid.work);
+        state.stages.update_material(solid.order.whole_rows(row, row), 0, c.laws.solid, solid.particles,
+                                     solid.work);
     });
     over_rows(solid.order, [&](std::int64_t row) {
         state.stages.pairs->accelerations(solid.order, row, c.laws.solid, solid.work);
@@ -196,13 +204,14 @@ TEST(Accelerations, OfAPair) {
     EXPECT_GT(pulled.first, 0);  // tension draws together
     EXPECT_LT(pressed.first, 0);
     EXPECT_NEAR(pulled.first, -pressed.first, 1e-12 * pulled.first);
-    // The artificial stress weakens tension by its strength at the usual spacing (F = 1), and leaves pressure alone.
+    // The artificial stress weakens tension by its strength at the usual spacing (F = 1), and leaves pressure
+    // alone.
     EXPECT_NEAR(pair_of(0, 1e6, 0.5).first, 0.5 * pulled.first, 1e-12 * pulled.first);
     EXPECT_EQ(pair_of(0, -1e6, 0.5).first, pressed.first);
 }
 
-// Opening at a steady rate beyond the yield surface: cohesion falls in line with the strain, and the confined fluid
-// with it; what is released has the particle's momentum.
+// Opening at a steady rate beyond the yield surface: cohesion falls in line with the strain, and the confined
+// fluid with it; what is released has the particle's momentum.
 TEST(Fragmentation, ReleasesInProportion) {
     ThreadPool pool(1);
     Case c(2);
@@ -243,7 +252,8 @@ TEST(Fragmentation, ReleasesInProportion) {
     EXPECT_EQ(again.solid->particles[Field::cohesion_ratio][0], 1);
 }
 
-// What particles give to the nodes and take back: volumes, momentum, no force in sum; near an edge and a wall too.
+// What particles give to the nodes and take back: volumes, momentum, no force in sum; near an edge and a wall
+// too.
 TEST(Transfer, KeepsVolumeAndMomentum) {
     ThreadPool pool(1);
     Case c(2);

@@ -101,7 +101,8 @@ TEST(StructuredStep, SameBitsForAnyNumberOfThreads) {
             const auto field = static_cast<Field>(f);
             if (!one.solid->particles.mask().has(field)) continue;
             EXPECT_EQ(std::memcmp(one.solid->particles[field], many.solid->particles[field],
-                                  one.solid->particles.size() * sizeof(double)), 0)
+                                  one.solid->particles.size() * sizeof(double)),
+                      0)
                 << k_field_table[f].name << ", " << threads << " threads";
         }
         const auto same = [](const ZeroArray<double>& a, const ZeroArray<double>& b) {
@@ -113,7 +114,8 @@ TEST(StructuredStep, SameBitsForAnyNumberOfThreads) {
     }
 }
 
-// Drag, virtual mass and buoyancy at the nodes, taken over by the particles: what one phase gains the other loses.
+// Drag, virtual mass and buoyancy at the nodes, taken over by the particles: what one phase gains the other
+// loses.
 TEST(Coupling, ExchangesMomentum) {
     ThreadPool pool(1);
     Case c(2);
@@ -163,7 +165,8 @@ TEST(Coupling, LakeAtRestOverSolids) {
     c.fill(20, 20, 20, 16, [](Point) { return bench::Seed{2, 0, 0}; });
     const GridSpec grid = bench::plain_grid(30, 25, 2);
     const Raster bed = bench::sample_raster(grid, [](Point p) {
-        return std::sin(0.3 * p.x) * std::cos(0.2 * p.y) + 8 * std::exp(-0.02 * std::pow(std::hypot(p.x - 45, p.y - 30), 2));
+        return std::sin(0.3 * p.x) * std::cos(0.2 * p.y) +
+               8 * std::exp(-0.02 * std::pow(std::hypot(p.x - 45, p.y - 30), 2));
     });
     State state = c.start(bed, pool, true);
     const double level = 3 - state.grid.datum();
@@ -220,7 +223,8 @@ TEST(Coupling, DragRelaxes) {
         for (int i = 0; i < 5; ++i) {
             constexpr double dt = 0.4;
             for (std::int64_t j = 0; j < state.grid.padded_rows(); ++j)
-                push_solids(j, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
+                push_solids(j, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes,
+                            state.fluid.get());
             SolidSums& sums = state.solid->nodes.sums[middle];
             sums.px += dt * sums.mass * state.solid->nodes.push[middle].ax;
             w *= exponent == 1 ? std::exp(-lambda * dt) : 1 / (1 + lambda * w * dt);

@@ -13,30 +13,35 @@ bool has_resistance(const FluidLaws& laws);
 /// Whether a scene's fluid has viscous or enhanced stress in the plane.
 bool has_viscosity(const FluidLaws& laws);
 
-/// Kinematic viscosity by solid fraction [m2/s]: nu = a_eta exp(b_eta alpha_s) / rho_u (paper, equation 72; the
-/// physical form of section 3.2).
+/// Kinematic viscosity by solid fraction [m2/s]: nu = a_eta exp(b_eta alpha_s) / rho_u (paper, equation 72;
+/// the physical form of section 3.2).
 double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcept;
 
-/// Resistance in one tile over dt, fully implicit, so that it slows and never reverses and that steady flow is exact:
+/// Resistance in one tile over dt, fully implicit, so that it slows and never reverses and that steady flow
+/// is exact:
 ///
 ///     u (1 + dt (R_n + R_v + R_s)) = u* + dt R_s u_c
-///     R_n = g n^2 V / d^(4/3)                       Manning (paper, equation 46): V the speed along the bed, d = h_u cos
-///                                                   the thickness normal to it; V = |u|, d = h_u on gentle ground
+///     R_n = g n^2 V / d^(4/3)                       Manning (paper, equation 46): V the speed along the bed,
+///     d = h_u cos
+///                                                   the thickness normal to it; V = |u|, d = h_u on gentle
+///                                                   ground
 ///     R_v = chi nu / h^2                            viscous shear at the bed (equation 56)
-///     R_s = nu_A zeta alpha_s (1 - f_sc) / h^2      damping by the solids' profile (equation 45; the sign is ours)
+///     R_s = nu_A zeta alpha_s (1 - f_sc) / h^2      damping by the solids' profile (equation 45; the sign is
+///     ours)
 ///
 /// Reads depth; writes qx, qy.
 void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
             const SolidLayer& solid, double dt, FluidFields& fields);
 
-/// In-plane viscous stress in one tile over dt, explicit, as the divergence of depth times stress through the faces
-/// (ours: the paper's (56) takes depth and viscosity out of the derivative), so that it moves momentum and makes none:
+/// In-plane viscous stress in one tile over dt, explicit, as the divergence of depth times stress through the
+/// faces (ours: the paper's (56) takes depth and viscosity out of the derivative), so that it moves momentum
+/// and makes none:
 ///
 ///     tau_ab = nu_N (du_a/dx_b + du_b/dx_a) - nu_A (dalpha_c/dx_a w_b + dalpha_c/dx_b w_a),   w = u_u - u_c
 ///
-/// nu_N = eta/rho_u, nu_A = A eta/(rho_u alpha_u); paper, equation 30. The depth of a face is the smaller of its two
-/// cells'; nothing acts across a wall, an edge or a dry cell. Reads `from` in the tile and one cell around; writes
-/// to.qx, to.qy.
+/// nu_N = eta/rho_u, nu_A = A eta/(rho_u alpha_u); paper, equation 30. The depth of a face is the smaller of
+/// its two cells'; nothing acts across a wall, an edge or a dry cell. Reads `from` in the tile and one cell
+/// around; writes to.qx, to.qy.
 void shear(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
            const SolidLayer& solid, double dt, const FluidFields& from, FluidFields& to);
 

@@ -9,16 +9,12 @@
 namespace frana::structured {
 namespace {
 
-// Keeps the particle's own lane finite, whose distance is zero and whose gradient vanishes [smoothing lengths].
+// Keeps the particle's own lane finite, whose distance is zero and whose gradient vanishes [smoothing
+// lengths].
 constexpr double k_least_distance = 1e-9;
 
-// Whether no lane is true: a third of the quads of a neighbourhood lie out of reach.
-FRANA_INLINE bool none(Quad::Mask m) {
-    return (m[0] | m[1] | m[2] | m[3]) == 0;
-}
-
-/// L_ab = sum_j A_j (v_j - v_i)_a grad_b W, times the inverse of B = sum_j A_j (x_j - x_i) (x) grad W, which makes
-/// it exact for linear velocities (Randles & Libersky 1996); uncorrected where B is nearly singular.
+/// L_ab = sum_j A_j (v_j - v_i)_a grad_b W, times the inverse of B = sum_j A_j (x_j - x_i) (x) grad W, which
+/// makes it exact for linear velocities (Randles & Libersky 1996); uncorrected where B is nearly singular.
 void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKernel& kernel, PairWork& w) {
     constexpr double k_least_determinant = 0.01;  // a corner has some 0.06
     const double length = kernel.length(), scale = kernel.value(0) / (length * length);
@@ -32,16 +28,19 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
             Quad l_xx(0.0), l_xy(0.0), l_yx(0.0), l_yy(0.0), b_xx(0.0), b_xy(0.0), b_yy(0.0);
             for (const ParticleRun& run : runs) {
                 for (std::size_t k = run.begin; k < run.end; k += 4) {
-                    const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
+                    const Quad dx = x - Quad::load(w[PairWork::x] + k),
+                               dy = y - Quad::load(w[PairWork::y] + k);
                     const Quad distance2 = dx * dx + dy * dy;
-                    if (none(distance2 < reach2)) continue;
+                    if (!any(distance2 < reach2)) continue;  // a third of the quads of a neighbourhood
                     const Quad q = sqrt(distance2) * inverse;
                     const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
-                    const Quad slope = (3.0 * inner * inner - 0.75 * outer * outer) / max(q, k_least_distance);
+                    const Quad slope =
+                        (3.0 * inner * inner - 0.75 * outer * outer) / max(q, k_least_distance);
                     const auto real = first_lanes(run.end - k < 4 ? run.end - k : 4);
                     const Quad weight = select(real, slope * Quad::load(w[PairWork::area] + k), 0.0);
                     const Quad gx = weight * dx, gy = weight * dy;
-                    const Quad du = Quad::load(w[PairWork::u] + k) - u, dv = Quad::load(w[PairWork::v] + k) - v;
+                    const Quad du = Quad::load(w[PairWork::u] + k) - u,
+                               dv = Quad::load(w[PairWork::v] + k) - v;
                     l_xx += du * gx;
                     l_xy += du * gy;
                     l_yx += dv * gx;
@@ -71,9 +70,9 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
     }
 }
 
-/// dv_i/dt = sum_j m_j [ T_i + T_j + F^4 (R_i + R_j) - Pi_ij ] grad_i W,   F = W / W(dp)   (paper, equation 78 with the
-/// sign of Pi restored; exponent 4 after Monaghan 2000 and Gray et al. 2001). Every term is the same for both particles of a
-/// pair, so momentum is kept to rounding.
+/// dv_i/dt = sum_j m_j [ T_i + T_j + F^4 (R_i + R_j) - Pi_ij ] grad_i W,   F = W / W(dp)   (paper, equation
+/// 78 with the sign of Pi restored; exponent 4 after Monaghan 2000 and Gray et al. 2001). Every term is the
+/// same for both particles of a pair, so momentum is kept to rounding.
 double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& laws, PairWork& w) {
     const double length = laws.kernel.length(), full = laws.kernel.value(0);
     const double scale = full / (length * length), at_spacing = laws.kernel.value(laws.spacing) / full;
@@ -94,9 +93,10 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
             Quad a_x(0.0), a_y(0.0);
             for (const ParticleRun& run : runs) {
                 for (std::size_t k = run.begin; k < run.end; k += 4) {
-                    const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
+                    const Quad dx = x - Quad::load(w[PairWork::x] + k),
+                               dy = y - Quad::load(w[PairWork::y] + k);
                     const Quad distance2 = dx * dx + dy * dy;
-                    if (none(distance2 < reach2)) continue;
+                    if (!any(distance2 < reach2)) continue;  // a third of the quads of a neighbourhood
                     const Quad q = sqrt(distance2) * inverse;
                     const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
                     const Quad outer2 = outer * outer, inner2 = inner * inner;
@@ -106,10 +106,12 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
                     const Quad softened = distance2 + softening, distance = max(q, k_least_distance);
                     // One division for all: 1 / (r^2 + ..), 1 / (Sigma_i + Sigma_j) and 1 / q.
                     const Quad share = 1.0 / (softened * sum_density * distance);
-                    const Quad approach =
-                        min((u - Quad::load(w[PairWork::u] + k)) * dx + (v - Quad::load(w[PairWork::v] + k)) * dy, 0.0);
+                    const Quad approach = min(
+                        (u - Quad::load(w[PairWork::u] + k)) * dx + (v - Quad::load(w[PairWork::v] + k)) * dy,
+                        0.0);
                     const Quad phi = smoothing * approach * (share * sum_density * distance);
-                    const Quad sounds = linear * (sound + Quad::load(w[PairWork::sound] + k));  // twice the mean
+                    const Quad sounds =
+                        linear * (sound + Quad::load(w[PairWork::sound] + k));  // twice the mean
                     const Quad pi = (quadratic * phi - sounds) * phi * (2.0 * share * softened * distance);
                     const Quad slope = (3.0 * inner2 - 0.75 * outer2) * (share * softened * sum_density);
                     const auto real = first_lanes(run.end - k < 4 ? run.end - k : 4);
@@ -120,8 +122,8 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
                                       f4 * (r_xx + Quad::load(w[PairWork::r_xx] + k)) - pi;
                     const Quad s_yy = t_yy + Quad::load(w[PairWork::t_yy] + k) +
                                       f4 * (r_yy + Quad::load(w[PairWork::r_yy] + k)) - pi;
-                    const Quad s_xy =
-                        t_xy + Quad::load(w[PairWork::t_xy] + k) + f4 * (r_xy + Quad::load(w[PairWork::r_xy] + k));
+                    const Quad s_xy = t_xy + Quad::load(w[PairWork::t_xy] + k) +
+                                      f4 * (r_xy + Quad::load(w[PairWork::r_xy] + k));
                     a_x += weight * (s_xx * dx + s_xy * dy);
                     a_y += weight * (s_xy * dx + s_yy * dy);
                 }

@@ -23,7 +23,8 @@ SolidStages stages_of() {
 template <class Task>
 SolidReport over_rows(const CellOrder& order, ThreadPool& pool, const Task& task) {
     std::vector<SolidReport> reports(static_cast<std::size_t>(order.rows()));
-    pool.for_each(reports.size(), [&](std::size_t row) { reports[row] = task(static_cast<std::int64_t>(row)); });
+    pool.for_each(reports.size(),
+                  [&](std::size_t row) { reports[row] = task(static_cast<std::int64_t>(row)); });
     SolidReport all;
     for (const SolidReport& report : reports) all.merge(report);
     return all;
@@ -39,15 +40,17 @@ void load_work(SolidState& state, ThreadPool& pool) {
                                                             {Field::v, PairWork::v},
                                                             {Field::area, PairWork::area}};
         for (const auto& [field, array] : copied)
-            std::copy(state.particles[field] + begin, state.particles[field] + end, state.work[array] + begin);
+            std::copy(state.particles[field] + begin, state.particles[field] + end,
+                      state.work[array] + begin);
     });
 }
 
 }  // namespace
 
 SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast) {
-    SolidStages stages = cohesive ? (wet ? stages_of<SolidKind<true, true>>() : stages_of<SolidKind<true, false>>())
-                                   : (wet ? stages_of<SolidKind<false, true>>() : stages_of<SolidKind<false, false>>());
+    SolidStages stages =
+        cohesive ? (wet ? stages_of<SolidKind<true, true>>() : stages_of<SolidKind<true, false>>())
+                 : (wet ? stages_of<SolidKind<false, true>>() : stages_of<SolidKind<false, false>>());
     stages.fields = solid_fields(cohesive, wet);
     stages.pairs = fast ? &pair_kernels() : &plain_pair_kernels();
     stages.releases = cohesive && wet;
@@ -60,7 +63,8 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
     double px = 0, py = 0, mass = 0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double x = particles[Field::x][p], y = particles[Field::y][p];
-        const double u = particles[Field::u][p], v = particles[Field::v][p], solids = particles[Field::volume][p];
+        const double u = particles[Field::u][p], v = particles[Field::v][p],
+                     solids = particles[Field::volume][p];
         const double confined = particles[Field::confined] ? particles[Field::confined][p] : 0;
         const double m = particles[Field::grain_density][p] * solids + laws.basal.fluid_density * confined;
         if (x >= 0 && y >= 0 && x < grid.width() && y < grid.height()) {
@@ -91,7 +95,8 @@ double stable_substep(const SolidState& state, const SolidLaws& laws) {
     const double viscous =
         k_viscous * length /
         (sound + 0.6 * (laws.viscosity.linear * sound + laws.viscosity.quadratic * state.last.approach));
-    const double force = k_force * std::sqrt(length / std::max(std::sqrt(state.last.acceleration2), laws.gravity));
+    const double force =
+        k_force * std::sqrt(length / std::max(std::sqrt(state.last.acceleration2), laws.gravity));
     return std::min({elastic, viscous, force});
 }
 
@@ -115,8 +120,8 @@ int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& 
             return report;
         });
         state.last = over_rows(state.order, pool, [&](std::int64_t row) {
-            return move_particles(state.order.whole_rows(row, row), part, obstacles, state.mean, state.particles,
-                                  state.work);
+            return move_particles(state.order.whole_rows(row, row), part, obstacles, state.mean,
+                                  state.particles, state.work);
         });
         state.last.approach = pairs.approach;
         state.drift += part * std::sqrt(state.last.apart2);
@@ -139,12 +144,15 @@ void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws
         return std::clamp<std::int64_t>(
             static_cast<std::int64_t>(std::floor(place / dx - 0.5 + steps)) + k_ghost, 0, count);
     };
-    nodes.box = {index(bounds.west - state.moved, -1, grid.stride()), index(bounds.east + state.moved, 3, grid.stride()),
+    nodes.box = {index(bounds.west - state.moved, -1, grid.stride()),
+                 index(bounds.east + state.moved, 3, grid.stride()),
                  index(bounds.south - state.moved, -1, grid.padded_rows()),
                  index(bounds.north + state.moved, 3, grid.padded_rows())};
     nodes.clear(nodes.box, grid.stride(), pool);
-    // Strips of rows, every second at a time: what lies between is wider than the nodes that two strips could share.
-    const auto strip = static_cast<std::int64_t>(std::ceil((4 * dx + state.order.slack()) / state.order.side()));
+    // Strips of rows, every second at a time: what lies between is wider than the nodes that two strips could
+    // share.
+    const auto strip =
+        static_cast<std::int64_t>(std::ceil((4 * dx + state.order.slack()) / state.order.side()));
     const std::int64_t strips = (state.order.rows() + strip - 1) / strip;
     for (std::int64_t parity = 0; parity < 2; ++parity) {
         pool.for_each(static_cast<std::size_t>((strips - parity + 1) / 2), [&](std::size_t k) {

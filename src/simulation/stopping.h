@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// When a run ends by itself before its end time.
+#pragma once
+
+#include <algorithm>
+
+#include "simulation/scene.h"
+
+namespace frana {
+
+// Decides when a flow has come to rest: at once when nothing at all moves, otherwise when nothing has moved
+// faster than a crawl for a while (a mass that barely overcomes friction is faster than that within the same
+// while).
+class StillWatch {
+  public:
+    bool still(double speed, double dt) {
+        frozen_ = speed > 0 ? 0 : frozen_ + 1;
+        crawling_ = speed > k_crawl ? 0 : crawling_ + dt;
+        return frozen_ >= k_frozen_steps || crawling_ >= k_while;
+    }
+
+  private:
+    static constexpr double k_crawl = 0.01;  // [m/s]
+    static constexpr double k_while = 5;     // [s]
+    static constexpr int k_frozen_steps = 10;
+    int frozen_ = 0;
+    double crawling_ = 0;
+};
+
+// Decides when so little is left of a flow's motion that a scene wants no more of it: kinetic energy or
+// moving volume under a share of its peak. Both grow from zero, so neither ends a flow that has not begun.
+class FadeWatch {
+  public:
+    explicit FadeWatch(const TimeControl& time) : time_(time) {}
+
+    bool energy(double now) { return under(now, energy_peak_, time_.stop_energy_share); }
+    bool moving(double now) { return under(now, moving_peak_, time_.stop_moving_share); }
+
+  private:
+    static bool under(double now, double& peak, double share) {
+        peak = std::max(peak, now);
+        return now < share * peak;
+    }
+    const TimeControl& time_;
+    double energy_peak_ = 0, moving_peak_ = 0;
+};
+
+}  // namespace frana
