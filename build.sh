@@ -9,7 +9,7 @@ packages=(
   libgdal-dev libproj-dev proj-data libeigen3-dev
   libosmesa6-dev libvtk9-dev fonts-dejavu-core
   libavformat-dev libavcodec-dev libswscale-dev libavutil-dev
-  libboost-program-options-dev libgtest-dev
+  libboost-program-options-dev zlib1g-dev libgtest-dev
 )
 # Kernels' instructions and times (.ci/kernel_instructions, kernel_benchmark).
 test_packages=(libbenchmark-dev valgrind)

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <boost/program_options/value_semantic.hpp>
 #include <filesystem>
+#include <memory>
 
+#include "app/checkpoints.h"
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/error_estimate.h"
+#include "app/interrupted_run.h"
 #include "app/number_text.h"
 #include "app/progress.h"
 #include "app/provenance.h"
 #include "app/publish.h"
+#include "app/scene_identity.h"
 #include "app/share_directory.h"
 #include "app/signals.h"
 #include "app/version.h"
@@ -30,7 +34,9 @@ CommandForm run_form() {
         "set", options::value<std::vector<std::string>>(),
         "section.key=value, overrides the scene; repeatable; paths count from the scene file")(
         "threads", options::value<std::string>(), "number of threads (default: all processors)")(
-        "overwrite", "replace an existing result")("resume", "not available in this version")(
+        "overwrite", "replace an existing result")("resume",
+                                                            "go on with a run that was stopped or killed; from the "
+                                                            "start where there is none")(
         "quiet,q", "no progress, no warnings on the terminal (they are in log.txt)");
     return form;
 }
@@ -46,51 +52,54 @@ ExitCode exit_code(const RunResult& result, bool all_drawn) {
     }
 }
 
-RunOptions run_options(int threads, FrameWriter* frames, ProgressReporter& progress) {
+RunOptions run_options(int threads, FrameWriter* frames, ProgressReporter& progress, Checkpoints& checkpoints) {
     RunOptions run_with;
     run_with.threads = threads;
     if (frames != nullptr) run_with.on_frame = [frames](Frame frame) { frames->add(std::move(frame)); };
     run_with.on_progress = [&progress](const Progress& now) { progress.show(now); };
     run_with.stop_requested = [] { return stop_signal() != 0; };
+    run_with.save_due = [&checkpoints] { return checkpoints.due(); };
+    run_with.save = [&checkpoints](const Progress& now, const SaveState& state) { checkpoints.save(now, state); };
     return run_with;
 }
 
-}  // namespace
+// A run that did not come to its end is neither forgotten nor mixed with another.
+void refuse_to_forget(const InterruptedRun& interrupted, const std::string& target, Problems& problems) {
+    if (interrupted.beside().empty()) return;
+    problems.add({"a run of it was interrupted and is kept in " + interrupted.beside(), target, "", "",
+                  "--resume goes on from there; --overwrite starts anew and, in the end, replaces it"});
+}
 
-int cmd_run(const Arguments& arguments) {
-    const Stopwatch since_start;
-    const auto values = parse_arguments(run_form(), arguments);
-    if (!values) return static_cast<int>(ExitCode::done);
-    if (values->count("resume") > 0) {
-        throw Error(ErrorKind::input, Problem{"resuming a run is not available in this version", "--resume",
-                                              "", "", "Run the scene from its start"});
+void tell_of_resuming(const CheckpointFile& from, RunLog& log) {
+    const CheckpointHead& head = from.head();
+    log.continue_from(head.log);
+    log.tell("going on from " + figure(head.time, 6) + " s, step " + std::to_string(head.step) + ": " + from.path());
+    if (head.build != checkpoint_build()) {
+        log.warn("the checkpoint is of another build (" + head.build + "; this is " + checkpoint_build() +
+                 "): the result can differ in rounding from that of a run never interrupted");
     }
-    const int threads = thread_count(*values);
-    const bool quiet = values->count("quiet") > 0;
-    const bool overwrite = values->count("overwrite") > 0;
-    RunLog log(quiet);
+}
 
-    SceneReading reading = read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"),
-                                      materials_directory());
-    const auto out = text_option(*values, "out");
-    const std::string target =
-        out ? std::filesystem::absolute(*out).string() : output_directory(reading.scene);
-    check_result_directory(target, overwrite, input_files(reading.scene),
-                           out ? "--out" : reading.where("output.directory"), reading.problems);
-    log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
-             std::to_string(threads) + " threads");
-    const Prepared prepared = prepare(reading, log);
-    const double input_seconds = since_start.seconds();
+// What can be saved of a run that the disk has stopped is said with the fault.
+[[noreturn]] void explain_trouble(const Error& error, const std::string& folder) {
+    const bool saved = error.kind() == ErrorKind::environment && !checkpoints_in(folder).empty();
+    std::vector<Problem> problems = error.problems();
+    if (saved)
+        problems.push_back({"the run up to its last checkpoint is kept", folder, "", "",
+                            "When the trouble is over, the same command with --resume goes on from there"});
+    throw Error(error.kind(), problems);
+}
 
-    catch_stop_signals();
-    ResultDirectory directory(target, overwrite);
-    FrameWriter frames(directory.path("frames"), provenance(prepared));
-    const bool wants_frames = prepared.scene.time.frame_interval > 0;
-    if (wants_frames) directory.make_folder("frames");
-    ProgressReporter progress(quiet);
-    const RunResult result =
-        run(prepared.scene, run_options(threads, wants_frames ? &frames : nullptr, progress));
-    progress.finish();
+// What a session of a run begins with.
+struct Session {
+    const Prepared& prepared;
+    int threads;
+    bool quiet;
+    double input_seconds, earlier_seconds;
+    const Stopwatch& since_start;
+};
+
+void tell_of_run(const RunResult& result, double end, RunLog& log) {
     log.tell("computed " + figure(result.simulated_seconds, 4) + " s in " + std::to_string(result.steps) +
              " steps and " + figure(result.engine_seconds, 3) +
              " s of wall time: " + describe(result.stop_reason));
@@ -102,15 +111,84 @@ int cmd_run(const Arguments& arguments) {
         log.note("over convex ground the motion lifted the flow off its bed at " +
                  std::to_string(result.unsupported) + " nodes times steps; there it had no friction");
     }
+    if (result.stop_reason == StopReason::requested) {
+        log.warn("the run was stopped at " + figure(result.simulated_seconds, 4) + " s of at most " + figure(end, 4) +
+                 " s: the maps are not complete; the same command with --resume goes on");
+    }
+}
 
-    const bool all_drawn =
-        publish({prepared, result, threads, input_seconds, since_start}, directory, frames, log);
+// Computes and writes; the exit code.
+int run_into(const Session& session, CheckpointFile* from, ResultDirectory& directory, RunLog& log) {
+    const Prepared& prepared = session.prepared;
+    FrameWriter frames(directory.path("frames"), provenance(prepared),
+                       from != nullptr ? from->head().frame_times : std::vector<double>{});
+    const bool wants_frames = prepared.scene.time.frame_interval > 0;
+    if (wants_frames) directory.make_folder("frames");
+    FrameWriter* const written_frames = wants_frames ? &frames : nullptr;
+    Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared, written_frames,
+                            session.since_start, session.earlier_seconds, log);
+    ProgressReporter progress(session.quiet);
+    RunOptions options = run_options(session.threads, written_frames, progress, checkpoints);
+    if (from != nullptr) options.saved = &from->state();
+    const RunResult result = run(prepared.scene, options);
+    progress.finish();
+    tell_of_run(result, prepared.scene.time.end, log);
+
+    const bool all_drawn = publish({prepared, result, session.threads, session.input_seconds,
+                                    session.earlier_seconds, session.since_start},
+                                   directory, frames, log);
     directory.publish();
-    if (const auto estimate = read_error_estimate(target, prepared.spec))
+    if (result.stop_reason != StopReason::requested) directory.forget_the_way(!prepared.spec.output.frames);
+    if (const auto estimate = read_error_estimate(directory.target(), prepared.spec))
         log.tell("error estimate of `frana converge`:\n" + *estimate);
-    log.tell("result in " + target);
+    log.tell("result in " + directory.target());
     if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
     return static_cast<int>(exit_code(result, all_drawn));
+}
+
+}  // namespace
+
+int cmd_run(const Arguments& arguments) {
+    const Stopwatch since_start;
+    const auto values = parse_arguments(run_form(), arguments);
+    if (!values) return static_cast<int>(ExitCode::done);
+    const int threads = thread_count(*values);
+    const bool quiet = values->count("quiet") > 0;
+    const bool overwrite = values->count("overwrite") > 0;
+    RunLog log(quiet);
+
+    SceneReading reading = read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"),
+                                      materials_directory());
+    const auto out = text_option(*values, "out");
+    const std::string target =
+        result_path(out ? std::filesystem::absolute(*out).string() : output_directory(reading.scene));
+    const bool resume = values->count("resume") > 0;
+    const InterruptedRun interrupted(target);
+    check_result_directory(target, overwrite || (resume && interrupted.in_place()), input_files(reading.scene),
+                           out ? "--out" : reading.where("output.directory"), reading.problems);
+    if (!resume && !overwrite) refuse_to_forget(interrupted, target, reading.problems);
+    log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
+             std::to_string(threads) + " threads");
+    const Prepared prepared = prepare(reading, log);
+    const double input_seconds = since_start.seconds();
+    const std::unique_ptr<CheckpointFile> from =
+        resume && interrupted.any() ? interrupted.choose(scene_identity(prepared), log) : nullptr;
+    if (from) {
+        tell_of_resuming(*from, log);
+    } else if (resume) {
+        log.tell("there is no checkpoint: starting from the beginning");
+    }
+    const double earlier = from ? from->head().wall_seconds : 0;
+
+    catch_stop_signals();
+    ResultDirectory directory(target, overwrite || (from && interrupted.in_place()),
+                              from ? folder_of(*from, target) : "");
+    if (from) restore_files(*from, directory);
+    try {
+        return run_into({prepared, threads, quiet, input_seconds, earlier, since_start}, from.get(), directory, log);
+    } catch (const Error& error) {
+        explain_trouble(error, directory.folder());
+    }
 }
 
 }  // namespace frana::app

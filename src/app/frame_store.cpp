@@ -9,6 +9,7 @@
 #include "app/stopwatch.h"
 #include "app/text_file.h"
 #include "core/error.h"
+#include "core/file_aside.h"
 #include "core/json.h"
 #include "gis/raster_out.h"
 #include "params/value_text.h"
@@ -30,8 +31,12 @@ std::string list_file(const std::string& folder) {
 
 }  // namespace
 
-FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata)
-    : folder_(std::move(folder)), metadata_(std::move(metadata)), thread_([this] { serve(); }) {}
+FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata, std::vector<double> times)
+    : folder_(std::move(folder)),
+      metadata_(std::move(metadata)),
+      times_(std::move(times)),
+      settled_(times_.size()),
+      thread_([this] { serve(); }) {}
 
 FrameWriter::~FrameWriter() {
     {
@@ -98,16 +103,46 @@ void FrameWriter::throw_failure() {
     if (failure_) std::rethrow_exception(failure_);
 }
 
-void FrameWriter::finish() {
-    {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return failure_ || waiting_.empty(); });
-        throw_failure();
+void FrameWriter::wait_until_written() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return failure_ || waiting_.empty(); });
+    throw_failure();
+}
+
+void FrameWriter::settle() {
+    wait_until_written();
+    if (settled_ == times_.size()) return;
+    std::error_code failure;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failure)) {
+        const auto index = frame_index(entry.path().filename().string());
+        if (index && *index >= settled_) sync_path(entry.path().string());
     }
+    sync_path(folder_);
+    settled_ = times_.size();
+}
+
+void FrameWriter::finish() {
+    wait_until_written();
     std::string text = "index,time_s\n";
     for (std::size_t i = 0; i < times_.size(); ++i)
         text += std::to_string(i) + "," + shortest_text(times_[i]) + "\n";
     write_text_file(list_file(folder_), text);
+}
+
+std::optional<std::size_t> frame_index(const std::string& name) {
+    constexpr std::string_view k_ending = ".tif";
+    const auto place = name.rfind('_');
+    if (place == std::string::npos || !name.ends_with(k_ending)) return std::nullopt;
+    const std::string digits = name.substr(place + 1, name.size() - place - 1 - k_ending.size());
+    if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+    return static_cast<std::size_t>(std::stoull(digits));
+}
+
+bool has_frames(const std::string& folder, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+        for (const char* what : {"depth", "velocity"})
+            if (!fs::exists(frame_file(folder, what, i))) return false;
+    return true;
 }
 
 std::vector<StoredFrame> stored_frames(const std::string& folder) {

@@ -6,6 +6,7 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -21,7 +22,8 @@ namespace frana::app {
 class FrameWriter {
   public:
     /// `metadata` goes into every raster.
-    FrameWriter(std::string folder, std::map<std::string, std::string> metadata);
+    /// @param times of frames that are there already [s]
+    FrameWriter(std::string folder, std::map<std::string, std::string> metadata, std::vector<double> times = {});
     /// Writes what was added, if nothing has failed.
     ~FrameWriter();
     FrameWriter(const FrameWriter&) = delete;
@@ -29,8 +31,12 @@ class FrameWriter {
 
     /// Throws Error(environment) when an earlier frame could not be written.
     void add(Frame frame);
+    /// Waits until every frame so far is on the disk. Throws Error(environment).
+    void settle();
     /// Waits for the last frame and lists all. Throws Error(environment).
     void finish();
+    /// Of all frames so far [s].
+    [[nodiscard]] const std::vector<double>& times() const noexcept { return times_; }
     [[nodiscard]] double seconds() const noexcept {
         return seconds_;
     }  ///< wall time that add() held the run back
@@ -44,12 +50,14 @@ class FrameWriter {
     static constexpr std::size_t k_most_waiting = 2;
 
     void write(const Job& job) const;
+    void wait_until_written();
     void serve();
     void throw_failure();
 
     std::string folder_;
     std::map<std::string, std::string> metadata_;
     std::vector<double> times_;
+    std::size_t settled_;  // frames that are on the disk for good
     double seconds_ = 0;
     std::mutex mutex_;
     std::condition_variable changed_;
@@ -64,6 +72,11 @@ struct StoredFrame {
     std::string depth_file;
     std::string velocity_file;
 };
+
+/// The number in a frame's name: "depth_0012.tif" is 12; none for other names.
+std::optional<std::size_t> frame_index(const std::string& name);
+/// Whether the first `count` frames are in a folder.
+bool has_frames(const std::string& folder, std::size_t count);
 
 /// What frames.csv lists. Throws Error(input) when it is missing or broken.
 std::vector<StoredFrame> stored_frames(const std::string& folder);

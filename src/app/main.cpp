@@ -39,7 +39,7 @@ constexpr const char* k_help =
     "\n"
     "Exit codes: 0 done; 2 usage, configuration or input data wrong; 3 numerical failure; 4 environment "
     "(disk,\n"
-    "rights, graphics); 130, 143 stopped by a signal.\n";
+    "rights, graphics); 129, 130, 143 stopped by a signal.\n";
 
 struct Command {
     const char* name;
@@ -106,6 +106,7 @@ int report(const Error& error) {
 
 int main(int count, char** words) {
     try {
+        frana::app::fill_standard_streams();
         frana::app::ignore_file_signals();
         const int code = frana::app::dispatch({words + 1, words + count});
         std::cout.flush();

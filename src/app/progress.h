@@ -20,6 +20,7 @@ class ProgressReporter {
     bool terminal_;
     bool line_is_open_ = false;
     double next_ = 0;  ///< seconds after the start
+    double begin_ = -1;  ///< simulated time when first shown; less than 0: not yet [s]
     Stopwatch since_start_;
 };
 

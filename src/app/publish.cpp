@@ -97,9 +97,6 @@ void publish_animation(const Finished& run, const ResultReader& written, const M
             write_animation(film, directory.path("animation.mp4"));
         });
     }
-    // The film was made from the frames; without output.frames they have done their work.
-    std::error_code ignored;
-    if (!output.frames) std::filesystem::remove_all(directory.path("frames"), ignored);
 }
 
 ComparisonInput comparison_input(const Finished& run) {
@@ -267,7 +264,7 @@ bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter&
 
     facts.wall.input = run.input_seconds;
     facts.wall.engine = result.engine_seconds;
-    facts.wall.total = run.since_start.seconds();
+    facts.wall.total = run.earlier_seconds + run.since_start.seconds();
     facts.peak_memory_bytes = peak_memory_bytes();
     facts.warnings = log.warnings();
     if (prepared.spec.output.report)

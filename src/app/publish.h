@@ -15,6 +15,7 @@ struct Finished {
     const RunResult& result;
     int threads = 1;
     double input_seconds = 0;
+    double earlier_seconds = 0;  ///< wall time of the sessions that this one continues
     const Stopwatch& since_start;
 };
 

@@ -8,11 +8,15 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <thread>
 
+#include "app/checkpoints.h"
 #include "app/layers.h"
 
 namespace frana::app {
@@ -24,6 +28,9 @@ namespace fs = std::filesystem;
     throw Error(ErrorKind::environment,
                 Problem{what + ": " + reason, path, "", "", "Check the place's rights and free space"});
 }
+
+/// Between a result's name and what tells its siblings apart.
+constexpr const char* k_building = ".partial-";
 
 /// Trailing slashes would hide the folder's own name.
 fs::path clean(const std::string& directory) {
@@ -69,6 +76,8 @@ bool is_ours(const std::string& name) {
                                                   "extent.gpkg",
                                                   "frames",
                                                   "maps",
+                                                  "charts",
+                                                  k_checkpoint_folder,
                                                   "animation.mp4",
                                                   "animation.gif",
                                                   "comparison.json",
@@ -97,6 +106,10 @@ bool is_ours(const std::string& name) {
 
 }  // namespace
 
+std::string result_path(const std::string& directory) {
+    return clean(directory).string();
+}
+
 void check_result_directory(const std::string& directory, bool overwrite,
                             const std::vector<std::string>& inputs, const std::string& where,
                             Problems& problems) {
@@ -113,7 +126,9 @@ void check_result_directory(const std::string& directory, bool overwrite,
                           path.string(), "", "Choose an empty or new folder with --out"});
         } else if (!overwrite) {
             problems.add({"holds a result already", where, path.string(), "",
-                          "Choose another folder with --out, or add --overwrite"});
+                          checkpoints_in(path.string()).empty()
+                              ? "Choose another folder with --out, or add --overwrite"
+                              : "It was stopped before its end: --resume goes on, --overwrite starts anew"});
         }
         for (const std::string& input : inputs) {
             if (is_inside(input, path) && fs::path(input) != path / "scene.ini" &&
@@ -124,21 +139,53 @@ void check_result_directory(const std::string& directory, bool overwrite,
         }
     }
     const fs::path parent = existing_parent(path);
-    if (!fs::is_directory(parent, failure) || ::access(parent.c_str(), W_OK | X_OK) != 0) {
-        problems.add(
-            {std::string("cannot be written: ") + (fs::is_directory(parent, failure)
-                                                       ? std::strerror(errno)
-                                                       : (parent.string() + " is not a folder").c_str()),
-             where, path.string(), "", "Choose another result directory with --out"});
+    if (!fs::is_directory(parent, failure)) {
+        problems.add({"cannot be written: " + parent.string() + " is not a folder", where, path.string(), "",
+                      "Choose another result directory with --out"});
+    } else if (::access(parent.c_str(), W_OK | X_OK) != 0) {
+        Problem problem{std::string("cannot be written: ") + std::strerror(errno), where, path.string(), "",
+                        "Choose another result directory with --out"};
+        if (problems.empty()) throw Error(ErrorKind::environment, problem);
+        problems.add(problem);
     }
 }
 
-ResultDirectory::ResultDirectory(std::string directory, bool overwrite)
-    : directory_(clean(directory).string()), overwrite_(overwrite) {
+std::vector<std::string> left_results(const std::string& directory) {
+    const fs::path result = clean(directory);
+    const std::string beginning = result.filename().string() + k_building;
+    std::vector<std::string> folders;
+    std::error_code failure;
+    for (const fs::directory_entry& entry : fs::directory_iterator(result.parent_path(), failure)) {
+        if (entry.path().filename().string().rfind(beginning, 0) != 0) continue;
+        const int descriptor = lock(entry.path().string(), false);
+        if (descriptor < 0) continue;
+        ::close(descriptor);
+        folders.push_back(entry.path().string());
+    }
+    std::sort(folders.begin(), folders.end());
+    return folders;
+}
+
+ResultDirectory::ResultDirectory(std::string directory, bool overwrite, const std::string& left)
+    : directory_(clean(directory).string()), aside_(left), overwrite_(overwrite), made_(left.empty()) {
+    if (made_) {
+        make_sibling();
+    } else {
+        // Another run's look at it takes a moment.
+        for (int tries = 0; lock_ < 0 && tries < 10; ++tries) {
+            if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            lock_ = lock(aside_, false);
+        }
+        if (lock_ < 0) refuse();
+    }
+    refuse_a_second_run();
+}
+
+void ResultDirectory::make_sibling() {
     std::error_code failure;
     fs::create_directories(fs::path(directory_).parent_path(), failure);
     if (failure) fail("cannot be made", fs::path(directory_).parent_path().string(), failure.message());
-    std::string name = directory_ + ".partial-XXXXXX";
+    std::string name = directory_ + k_building + "XXXXXX";
     if (::mkdtemp(name.data()) == nullptr)
         fail("no folder can be made beside it", directory_, std::strerror(errno));
     aside_ = name;
@@ -147,12 +194,11 @@ ResultDirectory::ResultDirectory(std::string directory, bool overwrite)
     ::umask(mask);
     fs::permissions(aside_, static_cast<fs::perms>(0777 & ~mask), failure);
     lock_ = lock(aside_, true);  // another run's look at it takes a moment
-    refuse_a_second_run();
 }
 
-void ResultDirectory::refuse_a_second_run() const {
+void ResultDirectory::refuse_a_second_run() {
     const fs::path own(aside_);
-    const std::string beginning = fs::path(directory_).filename().string() + ".partial-";
+    const std::string beginning = fs::path(directory_).filename().string() + k_building;
     std::error_code failure;
     for (const fs::directory_entry& entry : fs::directory_iterator(own.parent_path(), failure)) {
         if (entry.path() == own || entry.path().filename().string().rfind(beginning, 0) != 0) continue;
@@ -160,18 +206,24 @@ void ResultDirectory::refuse_a_second_run() const {
         if (other >= 0) {
             ::close(other);  // left behind by a run that was killed
         } else if (errno == EWOULDBLOCK) {
-            fs::remove_all(own, failure);  // the destructor does not come
-            ::close(lock_);
-            throw Error(ErrorKind::input, Problem{"another run is writing this result now", directory_, "", "",
-                                                  "Wait for it, or choose another folder with --out"});
+            refuse();
         }
     }
 }
 
-ResultDirectory::~ResultDirectory() {
-    if (lock_ >= 0) ::close(lock_);
+// From the constructor: the destructor does not come.
+void ResultDirectory::refuse() {
     std::error_code ignored;
-    if (!published_) fs::remove_all(aside_, ignored);
+    if (made_) fs::remove_all(aside_, ignored);
+    if (lock_ >= 0) ::close(lock_);
+    throw Error(ErrorKind::input, Problem{"another run is writing this result now", directory_, "", "",
+                                          "Wait for it, or choose another folder with --out"});
+}
+
+ResultDirectory::~ResultDirectory() {
+    std::error_code ignored;
+    if (!published_ && checkpoints_in(aside_).empty()) fs::remove_all(aside_, ignored);
+    if (lock_ >= 0) ::close(lock_);
 }
 
 std::string ResultDirectory::path(const std::string& name) const {
@@ -186,24 +238,44 @@ void ResultDirectory::make_folder(const std::string& name) const {
 
 void ResultDirectory::publish() {
     std::error_code failure;
-    const std::string old = aside_ + ".old";
     const bool replaces = fs::is_directory(directory_, failure) && !fs::is_empty(directory_, failure);
     if (replaces && !overwrite_) {
-        published_ = true;  // somebody else was faster; what was computed is not thrown away
-        fail("another result has appeared there meanwhile", directory_, "this one is kept in " + aside_);
+        // Somebody else was faster; what was computed is not thrown away.
+        const std::string kept = directory_ + ".kept-" + aside_.substr(aside_.rfind('-') + 1);
+        fs::rename(aside_, kept, failure);
+        published_ = true;
+        fail("another result has appeared there meanwhile", directory_,
+             "this one is kept in " + (failure ? aside_ : kept));
     }
-    if (replaces) {
-        fs::rename(directory_, old, failure);
-        if (failure) fail("the older result cannot be moved away", directory_, failure.message());
-    }
-    fs::rename(aside_, directory_, failure);
-    if (failure) {
-        std::error_code ignored;
-        if (replaces) fs::rename(old, directory_, ignored);
-        fail("the result cannot take its name", directory_, failure.message());
+    // The two change places in one go: at no moment is there none.
+    const bool exchanged =
+        replaces && ::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0;
+    const std::string old = exchanged ? aside_ : aside_ + ".old";
+    if (!exchanged) {  // a file system that cannot, or nothing there
+        if (replaces) {
+            fs::rename(directory_, old, failure);
+            if (failure) fail("the older result cannot be moved away", directory_, failure.message());
+        }
+        fs::rename(aside_, directory_, failure);
+        if (failure) {
+            std::error_code ignored;
+            if (replaces) fs::rename(old, directory_, ignored);
+            fail("the result cannot take its name", directory_, failure.message());
+        }
     }
     published_ = true;
-    if (!replaces) return;
+    if (replaces) keep_users_files(old);
+    remove_leftovers();
+}
+
+void ResultDirectory::forget_the_way(bool frames) const {
+    std::error_code ignored;
+    fs::remove_all(fs::path(directory_) / k_checkpoint_folder, ignored);
+    if (frames) fs::remove_all(fs::path(directory_) / "frames", ignored);
+}
+
+void ResultDirectory::keep_users_files(const std::string& old) const {
+    std::error_code failure;
     for (const fs::directory_entry& entry : fs::directory_iterator(old, failure)) {
         const std::string name = entry.path().filename().string();
         if (is_ours(name)) continue;
@@ -212,6 +284,19 @@ void ResultDirectory::publish() {
         if (kept) fail("a file of yours could not be kept; it is still in " + old, name, kept.message());
     }
     fs::remove_all(old, failure);
+}
+
+// What is not ours stays: an older result's files of the user's may be there, if a run was killed while it moved them.
+void ResultDirectory::remove_leftovers() const {
+    for (const std::string& folder : left_results(directory_)) {
+        std::error_code failure;
+        const bool all_ours = std::all_of(fs::directory_iterator(folder, failure), fs::directory_iterator(),
+                                          [](const fs::directory_entry& entry) {
+                                              const std::string name = entry.path().filename().string();
+                                              return is_ours(name) || name.find(".partial") != std::string::npos;
+                                          });
+        if (all_ours && !failure) fs::remove_all(folder, failure);
+    }
 }
 
 }  // namespace frana::app

@@ -10,6 +10,7 @@
 #include "app/error_estimate.h"
 #include "app/layers.h"
 #include "app/number_text.h"
+#include "app/version.h"
 #include "core/error.h"
 #include "core/json.h"
 #include "gis/crs.h"
@@ -71,6 +72,23 @@ void add_figures(const std::string& path, std::vector<std::string>& notes) {
     add("dice", "Dice", "");
 }
 
+Error newer(const std::string& file, std::int64_t format, std::int64_t known) {
+    return {ErrorKind::input, Problem{"was written by a newer frana than this one", file,
+                                      "format " + std::to_string(format), "up to " + std::to_string(known),
+                                      "Update frana"}};
+}
+
+// Results that tell no format are older than formats.
+void refuse_newer_summary(const std::string& path) {
+    std::ifstream file(path);
+    const std::string text{std::istreambuf_iterator<char>(file), {}}, key = "\"format\":";
+    const auto place = text.find(key);
+    if (place == std::string::npos) return;
+    const auto from = place + key.size();
+    const auto format = integer_from_text(trimmed(text.substr(from, text.find_first_of(",}", from) - from)));
+    if (format && *format > k_result_format) throw newer(path, *format, k_result_format);
+}
+
 }  // namespace
 
 ResultReader::ResultReader(std::string directory) : directory_(std::move(directory)) {
@@ -78,6 +96,9 @@ ResultReader::ResultReader(std::string directory) : directory_(std::move(directo
     if (!fs::is_directory(directory_))
         throw Error(ErrorKind::input,
                     Problem{"is not a folder", "RESULT_DIR", directory_, "", "Name a result directory"});
+    refuse_newer_summary(path("summary.json"));
+    if (const auto format = integer_from_text(scene_value("scene.format").value_or("1")); format && *format > k_scene_format)
+        throw newer(path("scene.ini"), *format, k_scene_format);
     for (const Layer& layer : result_layers())
         if (has(layer.name + ".tif")) return;
     throw Error(ErrorKind::input, Problem{"holds no result: not one of its rasters is there", "RESULT_DIR",

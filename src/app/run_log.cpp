@@ -23,6 +23,10 @@ void RunLog::tell(const std::string& text) {
     if (!quiet_) std::cerr << "frana: " << text << '\n';
 }
 
+void RunLog::continue_from(const std::vector<std::string>& earlier) {
+    lines_.insert(lines_.begin(), earlier.begin(), earlier.end());
+}
+
 std::string RunLog::text() const {
     std::string all;
     for (const std::string& line : lines_) {

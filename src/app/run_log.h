@@ -19,6 +19,10 @@ class RunLog {
     /// A line for the terminal as well as the log.
     void tell(const std::string& text);
 
+    /// Lines of the session that this one continues, to stand before its own.
+    void continue_from(const std::vector<std::string>& earlier);
+
+    [[nodiscard]] const std::vector<std::string>& lines() const noexcept { return lines_; }
     [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return warnings_; }
     [[nodiscard]] std::string text() const;
 

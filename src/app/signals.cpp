@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/signals.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <csignal>
+#include <cstdlib>
 
 namespace frana::app {
 namespace {
@@ -21,9 +25,19 @@ void ignore_file_signals() {
     std::signal(SIGPIPE, SIG_IGN);
 }
 
+void fill_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        // The lowest free number is given out, which is this one.
+        if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", stream == STDIN_FILENO ? O_RDONLY : O_WRONLY) != stream)
+            std::abort();
+    }
+}
+
 void catch_stop_signals() {
     std::signal(SIGINT, take_note);
     std::signal(SIGTERM, take_note);
+    // What was started with nohup outlives its terminal.
+    if (std::signal(SIGHUP, take_note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 int stop_signal() noexcept {

@@ -126,7 +126,8 @@ std::int64_t peak_memory_bytes() {
 std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
     JsonWriter json;
     json.begin_object();
-    json.text("program", k_program).text("version", k_version).text("scene", facts.spec.file);
+    json.text("program", k_program).text("version", k_version).integer("format", k_result_format);
+    json.text("scene", facts.spec.file);
     json.text("model", facts.spec.material.model).text("scheme", facts.spec.numerics.scheme);
     json.text("slope_correction", slope_correction(facts.spec.numerics));
     json.text("crs", facts.crs_label).integer("threads", facts.threads).integer("steps", result.steps);

@@ -98,10 +98,9 @@ void add_rest(std::vector<Parameter>& list) {
                              {"geotiff", "netcdf", "zarr", "ascii"},
                              "Formats: GeoTIFF is always written; netcdf and zarr add the frames as one file "
                              "each, ascii writes the AvaFrame rasters as ESRI ASCII grids."));
-    Parameter checkpoint = number("output.checkpoint-interval", FRANA_MEMBER(output.checkpoint_interval), "s",
-                                  Range{0, 0}, "Wall time between checkpoints; 0: none.");
-    checkpoint.limits = "0 (checkpoints are not available in this version)";
-    list.push_back(checkpoint);
+    list.push_back(number("output.checkpoint-interval", FRANA_MEMBER(output.checkpoint_interval), "s", Range{0, 1e6},
+                          "Wall time between checkpoints, from which --resume goes on; 0: only when a signal stops "
+                          "the run."));
     list.push_back(number("output.trace-threshold", FRANA_MEMBER(output.trace_threshold), "m",
                           Range{1e-6, 100},
                           "Depth that counts as touched in the outlines, the covered area and the run-out."));
@@ -117,10 +116,28 @@ void add_rest(std::vector<Parameter>& list) {
                           "Depth that counts as touched in the comparison.", "output.trace-threshold"));
 }
 
+void add_scene(std::vector<Parameter>& list) {
+    Parameter format = declare::parameter(
+        "scene.format", "integer", FRANA_MEMBER(format),
+        [](std::int64_t& target, const std::string& text) -> std::optional<Refusal> {
+            const auto value = integer_from_text(text);
+            if (!value || *value < 1) return Refusal{"is not a format", ""};
+            if (*value > k_scene_format)
+                return Refusal{"the file was written for a newer frana than this one", "Update frana"};
+            target = *value;
+            return std::nullopt;
+        },
+        [](std::int64_t value) { return std::to_string(value); });
+    format.limits = "1 to " + std::to_string(k_scene_format);
+    format.meaning = "Format of the file, written into a result's scene.ini.";
+    list.push_back(format);
+}
+
 }  // namespace
 
 std::vector<Parameter> scene_parameters() {
     std::vector<Parameter> list;
+    add_scene(list);
     add_terrain(list);
     add_release(list);
     add_inflow(list);
@@ -141,7 +158,8 @@ std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
 }
 
 std::vector<Section> scene_sections() {
-    return {{"terrain", "The ground and the working grid."},
+    return {{"scene", "The file itself."},
+            {"terrain", "The ground and the working grid."},
             {"release", "What fails, and how thick it is."},
             {"inflow", "What flows in through a line, over time."},
             {"material", "What it is made of."},

@@ -145,7 +145,7 @@ struct OutputSpec {
     bool frames = true;
     bool animation = true;
     std::vector<std::string> formats{"geotiff"};
-    double checkpoint_interval = 0;
+    double checkpoint_interval = 600;
     double trace_threshold = 0.1;
     std::string map_size = "1600x1200";
     std::vector<std::string> map_formats{"png"};
@@ -180,10 +180,14 @@ struct ScarSpec {
     std::optional<double> threshold;
 };
 
+/// Format of scene files; counts up when a key comes to mean something else. A file that tells none is of the first.
+inline constexpr std::int64_t k_scene_format = 1;
+
 /// A scene as its file says it: validated one by one, paths absolute, units as written. Nothing has been
 /// opened yet.
 struct SceneSpec {
     std::string file;  ///< the scene file, absolute
+    std::int64_t format = k_scene_format;
     TerrainSpec terrain;
     ReleaseSpec release;
     InflowSpec inflow;

@@ -41,6 +41,12 @@ class InflowSource {
         return (batches_.size() - next_) * mouths_.size();
     }
 
+    template <class Archive>
+    void serialise(Archive& archive) {
+        archive(next_);
+        if constexpr (Archive::k_reads) archive.require(next_ <= batches_.size());
+    }
+
   private:
     struct Mouth {
         Point place, direction;  ///< local metres; unit vector

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/archive.h"
 #include "core/raster.h"
 
 namespace frana {
@@ -24,6 +25,12 @@ struct SeriesRow {
     double kinetic_energy = 0;  ///< [J]
     double covered_area = 0;    ///< cells deeper than the minimum depth [m2]
 };
+
+template <class Archive>
+void serialise(Archive& archive, SeriesRow& row) {
+    auto& [time, step, dt, volume, left, entered, depth, speed, front, energy, area] = row;
+    archive(time, step, dt, volume, left, entered, depth, speed, front, energy, area);
+}
 
 /// A raster that only some models give, by the name of its file.
 struct NamedRaster {
@@ -47,11 +54,18 @@ struct Progress {
     std::int64_t particles = 0;
 };
 
+/// Writes the state of a run as it is now.
+using SaveState = std::function<void(StateWriter&)>;
+
 struct RunOptions {
     int threads = 1;
     std::function<void(Frame)> on_frame;  ///< called at time 0, at every frame interval and at the end
     std::function<void(const Progress&)> on_progress;  ///< called every step; must be cheap
     std::function<bool()> stop_requested;              ///< polled every step
+    std::function<bool()> save_due;                    ///< polled every step; must be cheap
+    /// Called between steps, when due and when stopped on request. What it does changes nothing of the run.
+    std::function<void(const Progress&, const SaveState&)> save;
+    StateReader* saved = nullptr;  ///< a state of the same scene to go on from; none: from the start
 };
 
 /// Events that must not happen in a good run; all zero then.
@@ -65,6 +79,12 @@ struct HardEvents {
         return non_finite == 0 && depth_clamped == 0 && speed_clamped == 0 && entered_no_data == 0;
     }
 };
+
+template <class Archive>
+void serialise(Archive& archive, HardEvents& events) {
+    auto& [non_finite, depth_clamped, speed_clamped, entered_no_data] = events;
+    archive(non_finite, depth_clamped, speed_clamped, entered_no_data);
+}
 
 enum class StopReason {
     end_time,
@@ -94,6 +114,12 @@ struct GaugeRow {
     double speed = 0;       ///< along the bed [m/s]
 };
 
+template <class Archive>
+void serialise(Archive& archive, GaugeRow& row) {
+    auto& [time, gauge, depth, speed] = row;
+    archive(time, gauge, depth, speed);
+}
+
 /// One row of sections.csv.
 struct SectionRow {
     double time = 0;          ///< [s]
@@ -104,6 +130,12 @@ struct SectionRow {
     double max_depth = 0;     ///< on the line [m]
     double max_speed = 0;     ///< on the line, along the bed [m/s]
 };
+
+template <class Archive>
+void serialise(Archive& archive, SectionRow& row) {
+    auto& [time, section, discharge, volume, width, depth, speed] = row;
+    archive(time, section, discharge, volume, width, depth, speed);
+}
 
 /// What a run gives back: rasters on the working grid (NaN where nothing ever flowed), series, counts.
 struct RunResult {

@@ -86,7 +86,6 @@ TEST_F(ReadScene, UnknownPresetNamesThePresets) {
 TEST_F(ReadScene, WhatIsNotAvailableIsSaidNotIgnored) {
     for (const std::string line :
          {"[numerics]\nprecision = single\n",
-          "[output]\ncheckpoint-interval = 60\n",
           "[numerics]\nscheme = paper\nshape = quadratic\n"}) {
         EXPECT_NE(messages(line).find("not available in this version"), std::string::npos) << line;
     }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "simulation/result.h"
+
+namespace frana::app {
+
+/// Format of checkpoint files: counts up with every change of what any serialise writes. Those from the oldest format
+/// on are read.
+inline constexpr std::uint32_t k_checkpoint_format = 1, k_oldest_checkpoint_format = 1;
+
+/// What a checkpoint tells of the run that it belongs to.
+struct CheckpointHead {
+    std::string build;     ///< program, compiler and instructions: same ones, same bits
+    std::string scene;     ///< scene_identity of the run
+    std::int64_t step = 0;
+    double time = 0, end = 0;         ///< simulated [s]
+    double wall_seconds = 0;          ///< of all sessions so far
+    std::vector<double> frame_times;  ///< of the frames that were on disk [s]
+    std::vector<std::string> log;     ///< lines so far
+};
+
+/// This program, as CheckpointHead::build tells it.
+std::string checkpoint_build();
+
+/// Writes a checkpoint beside its place, waits until it is on the disk, and renames it.
+///
+///     8 bytes "frana ck", mark of byte order, format, size of the rest | head | state | CRC-32 of all before
+///
+/// Throws Error(environment).
+void write_checkpoint(const std::string& path, CheckpointHead head, const SaveState& state);
+
+/// An open checkpoint of which every byte has been checked.
+class CheckpointFile {
+  public:
+    /// Throws Error(input) saying why it cannot be used: cut short, damaged, no checkpoint at all, of a newer or older
+    /// format, of a machine with another byte order.
+    explicit CheckpointFile(const std::string& path);
+    ~CheckpointFile();
+    CheckpointFile(const CheckpointFile&) = delete;
+    CheckpointFile& operator=(const CheckpointFile&) = delete;
+
+    [[nodiscard]] const std::string& path() const noexcept;
+    [[nodiscard]] const CheckpointHead& head() const noexcept;
+    /// The state, to be read once.
+    [[nodiscard]] StateReader& state() noexcept;
+
+  private:
+    struct Open;
+    std::unique_ptr<Open> open_;
+};
+
+}  // namespace frana::app

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Disks that fill, places that cannot be written, inputs that go away while a run is under way, and nobody who listens
+// to its messages.
+#include <sys/mount.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+#include "resuming.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// With a disk of its own of 24 MB, in the folder "disk".
+class SmallDisk : public Resuming {
+  protected:
+    void SetUp() override {
+        fs::create_directory(disk());
+        if (::mount("tmpfs", disk().c_str(), "tmpfs", 0, "size=24m") != 0)
+            GTEST_SKIP() << "a small disk can be mounted by root only: " << std::strerror(errno);
+        mounted_ = true;
+    }
+    void TearDown() override {
+        if (mounted_) ::umount2(disk().c_str(), MNT_DETACH);
+    }
+    [[nodiscard]] std::string disk() const { return path("disk"); }
+    /// Leaves no byte free.
+    void fill() const {
+        std::ofstream file(disk() + "/filler", std::ios::binary);
+        const std::string block(4096, 'x');
+        while (file.write(block.data(), static_cast<std::streamsize>(block.size())).flush()) {
+        }
+    }
+
+  private:
+    bool mounted_ = false;
+};
+
+TEST_F(SmallDisk, ThatFillsStopsTheRunWhichGoesOnLater) {
+    ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
+    ASSERT_EQ(frana(run("disk/result", {"--quiet", "--set", "time.end=0.5"})).exit_code, 0);
+    const std::string earlier = read_text(path("disk/result/summary.json"));
+    {
+        StartedProgram program(folder_.string(), run("disk/result", {"--overwrite"}));
+        ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("disk/result", 2); }));
+        program.send(SIGSTOP);
+        fill();
+        program.send(SIGCONT);
+        const Outcome outcome = program.wait();
+        EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+        EXPECT_NE(outcome.err.find("No space left on device"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("the run up to its last checkpoint is kept"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("--resume goes on from there"), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(read_text(path("disk/result/summary.json")), earlier);
+    // Still no room: the same again, and nothing is lost.
+    const Outcome again = frana(run("disk/result", {"--overwrite", "--resume"}));
+    EXPECT_EQ(again.exit_code, 4) << again.err;
+    EXPECT_EQ(read_text(path("disk/result/summary.json")), earlier);
+    fs::remove(disk() + "/filler");
+    const Outcome resumed = frana(run("disk/result", {"--overwrite", "--resume"}));
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+    EXPECT_NE(resumed.err.find("going on from"), std::string::npos) << resumed.err;
+    expect_same_result("whole", "disk/result");
+    expect_tidy("disk/result");
+}
+
+TEST_F(SmallDisk, ThatCannotBeWrittenIsSaidBeforeAnythingIsComputed) {
+    ASSERT_EQ(::mount(nullptr, disk().c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr), 0) << std::strerror(errno);
+    const Outcome outcome = frana(run("disk/result"));
+    EXPECT_EQ(outcome.exit_code, 4);
+    EXPECT_NE(outcome.err.find("--out: cannot be written: Read-only file system"), std::string::npos) << outcome.err;
+    // With a fault of the scene's both are said, and the scene is to be corrected first.
+    const Outcome both = frana(run("disk/result", {"--set", "numerics.cfl=9"}));
+    EXPECT_EQ(both.exit_code, 2);
+    EXPECT_NE(both.err.find("Read-only file system"), std::string::npos) << both.err;
+    EXPECT_NE(both.err.find("numerics.cfl"), std::string::npos) << both.err;
+}
+
+class Trouble : public Resuming {};
+
+TEST_F(Trouble, TheFolderThatGoesAwayIsSaid) {
+    StartedProgram program(folder_.string(), run("result"));
+    ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("result"); }));
+    program.send(SIGSTOP);
+    for (const auto& entry : fs::directory_iterator(folder_))
+        if (entry.path().filename().string().rfind("result.partial-", 0) == 0) fs::remove_all(entry.path());
+    program.send(SIGCONT);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+    EXPECT_NE(outcome.err.find("result.partial-"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(path("result")));
+}
+
+// Inputs are read before the run; what happens to them afterwards does not touch it.
+TEST_F(Trouble, InputsMayGoAwayOnceTheyAreRead) {
+    ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
+    StartedProgram program(folder_.string(), run("result", {"--quiet"}));
+    ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("result"); }));
+    for (const char* name : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scene.ini"}) fs::remove(path(name));
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_same_result("whole", "result");
+}
+
+/// Runs a line of shell in the folder, FRANA being the program; its exit code.
+int shell(const fs::path& folder, const std::string& line) {
+    return WEXITSTATUS(std::system(("cd '" + folder.string() + "' && FRANA='" FRANA_PROGRAM "'; " + line).c_str()));
+}
+
+TEST_F(Trouble, NobodyWhoListensDoesNotCostTheRun) {
+    write_scene(k_numbers_only);
+    ASSERT_EQ(shell(folder_, "\"$FRANA\" run scene.ini --out whole 2> /dev/null"), 0);
+    const std::vector<std::pair<std::string, std::string>> deaf{
+        {"closed", "\"$FRANA\" run scene.ini --out closed >&- 2>&- <&-"},
+        {"broken", "{ \"$FRANA\" run scene.ini --out broken 2>&1; echo $? > code; } | true; exit $(cat code)"},
+        {"slow", "{ \"$FRANA\" run scene.ini --out slow 2>&1; echo $? > code; } | sleep 1; exit $(cat code)"},
+        {"full", "\"$FRANA\" run scene.ini --out full 2> /dev/full"}};
+    for (const auto& [result, line] : deaf) {
+        EXPECT_EQ(shell(folder_, line), 0) << line;
+        for (const char* name : {"max_depth.tif", "timeseries.csv", "dtm.tif"})
+            EXPECT_TRUE(read_text(path("whole/" + std::string(name))) == read_text(path(result + "/" + name)))
+                << result << " " << name;
+    }
+    // What was asked for on stdout is another matter.
+    EXPECT_EQ(shell(folder_, "\"$FRANA\" params --ini > /dev/full 2> err"), 4);
+    EXPECT_NE(read_text(path("err")).find("could not be written to stdout"), std::string::npos);
+}
+
+TEST_F(Trouble, AnOlderResultWithChartsIsReplaced) {
+    write_scene("[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nframes = off\n");
+    for (int i = 0; i < 2; ++i) {
+        const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_TRUE(fs::exists(path("result/charts")));
+        for (const auto& entry : fs::directory_iterator(folder_))
+            EXPECT_EQ(entry.path().filename().string().find("partial"), std::string::npos) << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace frana::test

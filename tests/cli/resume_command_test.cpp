@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs that are killed, stopped by signals and gone on with, as a user meets them.
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
+#include "app/checkpoint_file.h"
+#include "core/error.h"
+#include "resuming.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+// Blocks that break, with fluid, instead of the flow.
+const std::string k_breaking =
+    "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
+    "model = structured\n[structured]\nphases = solids-and-fluid\ncohesion = 2e3\ninternal-friction-angle = 28\n"
+    "bed-friction-angle = 12\nyoung-modulus = 1e6\nbulk-modulus = 1e6\n[numerics]\nparticles-per-cell = 9\n"
+    "[time]\nend = 2\nframe-interval = 0.5\n[output]\nmaps = off\nanimation = off\n";
+
+std::vector<std::string> with(std::vector<std::string> first, const std::vector<std::string>& more) {
+    first.insert(first.end(), more.begin(), more.end());
+    return first;
+}
+
+// Kills a run at a random moment, sometimes the run that goes on as well, and lets it come to its end. Some moments
+// come before the first checkpoint, some after the last file.
+class Killed : public Resuming {
+  protected:
+    void kill_and_resume(int kills, const std::vector<std::string>& more) {
+        const auto begin = std::chrono::steady_clock::now();
+        ASSERT_EQ(frana(run("whole", with(more, {"--threads", "1"}))).exit_code, 0);
+        const auto whole = std::chrono::steady_clock::now() - begin;
+        const unsigned seed = std::random_device()();
+        RecordProperty("seed", std::to_string(seed));
+        std::mt19937 random(seed);
+        int survived = 0;
+        for (int k = 0; survived < kills; ++k) {
+            const std::string result = "killed" + std::to_string(k), threads = k % 2 == 0 ? "2" : "1";
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", result " + result);
+            for (bool goes_on = true; goes_on;) {
+                StartedProgram program(folder_.string(), run(result, with(more, {"--resume", "--quiet", "--threads", threads})));
+                const double share = std::uniform_real_distribution<double>(0.02, 1.1)(random);
+                std::this_thread::sleep_for(std::chrono::duration_cast<std::chrono::milliseconds>(share * whole));
+                program.send(SIGKILL);
+                const Outcome outcome = program.wait();
+                // Under its name there is a whole result or none.
+                if (fs::exists(path(result))) EXPECT_TRUE(fs::exists(path(result + "/summary.json")));
+                goes_on = outcome.exit_code == -SIGKILL && random() % 2 == 0;
+                if (outcome.exit_code == -SIGKILL) ++survived;
+                if (outcome.exit_code != -SIGKILL) EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+                if (fs::exists(path(result + "/summary.json"))) goes_on = false;
+            }
+            // A moment between the result's name and the program's end: all is there already.
+            const bool done = fs::exists(path(result)) && !fs::exists(path(result + "/checkpoint"));
+            const Outcome resumed = frana(run(result, with(more, {"--resume", "--quiet"})));
+            EXPECT_EQ(resumed.exit_code, done ? 2 : 0) << resumed.err;
+            expect_same_result("whole", result);
+            expect_tidy(result);
+            fs::remove_all(path(result));
+        }
+    }
+
+    // So many in the default tests; FRANA_KILLS asks for more.
+    static int kills() {
+        const char* asked = std::getenv("FRANA_KILLS");
+        return asked != nullptr ? std::atoi(asked) : 4;
+    }
+};
+
+TEST_F(Killed, AtAnyMomentItEndsInTheSameBits) {
+    kill_and_resume(kills(), {});
+}
+
+TEST_F(Killed, AtAnyMomentTheStructuredModelEndsInTheSameBits) {
+    write("scene.ini", k_breaking);
+    kill_and_resume(kills(), {});
+}
+
+class Stopped : public Resuming {};
+
+TEST_F(Stopped, BySignalsItKeepsWhatThereIsAndGoesOn) {
+    // Checkpoints only where a signal stops it.
+    const auto run_once = [&](const std::string& result) {
+        std::vector<std::string> arguments = run(result);
+        arguments.back() = "output.checkpoint-interval=0";
+        return arguments;
+    };
+    ASSERT_EQ(frana(with(run_once("whole"), {"--quiet"})).exit_code, 0);
+    const std::vector<std::pair<int, std::string>> signals{{SIGINT, "int"}, {SIGTERM, "term"}, {SIGHUP, "hup"}};
+    for (const auto& [number, result] : signals) {
+        {
+            StartedProgram program(folder_.string(), run_once(result));
+            ASSERT_TRUE(program.wait_until([&] {
+                for (const std::string& name : files())
+                    if (name.rfind(result + ".partial-", 0) == 0 && name.ends_with("depth_0002.tif")) return true;
+                return false;
+            }));
+            program.send(number);
+            const Outcome outcome = program.wait();
+            EXPECT_EQ(outcome.exit_code, 128 + number) << outcome.err;
+            EXPECT_NE(outcome.err.find("--resume goes on"), std::string::npos) << outcome.err;
+        }
+        const std::string summary = read_text(path(result + "/summary.json"));
+        EXPECT_NE(summary.find("\"stop_reason\": \"requested\""), std::string::npos);
+        EXPECT_NE(summary.find("the maps are not complete"), std::string::npos);
+        EXPECT_TRUE(fs::exists(path(result + "/max_depth.tif")));
+        ASSERT_EQ(checkpoints(result).size(), 1U);
+
+        const Outcome refused = frana(run_once(result));
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_NE(refused.err.find("--resume"), std::string::npos) << refused.err;
+        ASSERT_EQ(checkpoints(result).size(), 1U);
+
+        const Outcome resumed = frana(with(run_once(result), {"--resume", "--threads", "3"}));
+        EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+        EXPECT_NE(resumed.err.find("going on from"), std::string::npos) << resumed.err;
+        expect_same_result("whole", result);
+        expect_tidy(result);
+        const std::string log = read_text(path(result + "/log.txt"));
+        EXPECT_LT(log.find("checkpoint at"), log.find("going on from"));  // both sessions, in order
+    }
+}
+
+class Interrupted : public Resuming {};
+
+TEST_F(Interrupted, ItIsNeitherForgottenNorLost) {
+    interrupt("result");
+    const std::vector<std::string> before = checkpoints("result");
+    ASSERT_EQ(before.size(), 2U);  // the last two are kept
+    const Outcome refused = frana(run("result"));
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("was interrupted and is kept in"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("--resume goes on from there"), std::string::npos) << refused.err;
+    EXPECT_EQ(checkpoints("result"), before);
+    // Anew, when told so; then it has been replaced.
+    EXPECT_EQ(frana(run("result", {"--overwrite", "--quiet"})).exit_code, 0);
+    expect_tidy("result");
+    for (const std::string& name : files()) EXPECT_EQ(name.rfind("result.", 0), std::string::npos) << name;
+}
+
+TEST_F(Interrupted, WithoutACheckpointResumingStartsAtTheBeginning) {
+    const Outcome outcome = frana(run("result", {"--resume"}));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("no checkpoint: starting from the beginning"), std::string::npos) << outcome.err;
+    const Outcome again = frana(run("result", {"--resume"}));
+    EXPECT_EQ(again.exit_code, 2);
+    EXPECT_NE(again.err.find("holds a result already"), std::string::npos) << again.err;
+}
+
+TEST_F(Interrupted, ADamagedCheckpointGivesWayToTheOneBefore) {
+    ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
+    interrupt("result");
+    const std::vector<std::string> both = checkpoints("result");
+    ASSERT_EQ(both.size(), 2U);
+    std::string bytes = read_text(both[0]);
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
+    std::ofstream(both[0], std::ios::binary) << bytes;
+    const Outcome outcome = frana(run("result", {"--resume"}));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("checkpoint not used: " + both[0] + ": is damaged"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("going on from"), std::string::npos) << outcome.err;
+    // The summary tells of the damaged checkpoint; all else is the same.
+    fs::remove(path("result/summary.json"));
+    fs::remove(path("whole/summary.json"));
+    expect_same_result("whole", "result");
+}
+
+TEST_F(Interrupted, NothingToGoOnFromIsSaidNotBegunAnew) {
+    interrupt("result");
+    const std::vector<std::string> both = checkpoints("result");
+    const std::string newest = read_text(both[0]);
+    const auto refusal = [&](const std::vector<std::string>& more) {
+        const Outcome outcome = frana(run("result", with({"--resume"}, more)));
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find("no checkpoint can be gone on from"), std::string::npos) << outcome.err;
+        return outcome.err;
+    };
+    // Another scene: which keys, which data.
+    EXPECT_NE(refusal({"--set", "material.turbulence=400"})
+                  .find("is of another scene: material.turbulence is 400 here and was 500"),
+              std::string::npos);
+    const std::string dtm = read_text(path("dtm.asc"));
+    write_dtm([](int, int column) { return 301 - 2.5 * column; });
+    EXPECT_NE(refusal({}).find("is of another scene: the terrain differs"), std::string::npos);
+    write("dtm.asc", dtm);
+
+    fs::remove(both[1]);
+    std::string newer = newest;
+    newer[12] = 2;  // the format
+    std::ofstream(both[0], std::ios::binary) << newer;
+    EXPECT_NE(refusal({}).find("was written by a newer frana, in format 2; this one reads 1"), std::string::npos);
+    std::ofstream(both[0], std::ios::binary) << newest.substr(0, newest.size() - 1);
+    EXPECT_NE(refusal({}).find("is cut short"), std::string::npos);
+    std::ofstream(both[0], std::ios::binary) << "something else, and longer than what a checkpoint begins with";
+    EXPECT_NE(refusal({}).find("is no checkpoint"), std::string::npos);
+    std::ofstream(both[0], std::ios::binary) << newest;
+    EXPECT_EQ(frana(run("result", {"--resume", "--quiet"})).exit_code, 0);
+}
+
+TEST_F(Interrupted, AMissingInputOrFrameIsSaid) {
+    interrupt("result");
+    fs::rename(path("dtm.asc"), path("elsewhere.asc"));
+    const Outcome outcome = frana(run("result", {"--resume"}));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("dtm.asc"), std::string::npos) << outcome.err;
+    fs::rename(path("elsewhere.asc"), path("dtm.asc"));
+    const fs::path frame = fs::path(checkpoints("result").front()).parent_path().parent_path() / "frames/depth_0000.tif";
+    fs::rename(frame, path("frame"));
+    const Outcome framed = frana(run("result", {"--resume"}));
+    EXPECT_EQ(framed.exit_code, 2);
+    EXPECT_NE(framed.err.find("counts on frames that are not there any more"), std::string::npos) << framed.err;
+    fs::rename(path("frame"), frame);
+    EXPECT_EQ(frana(run("result", {"--resume", "--quiet"})).exit_code, 0);
+}
+
+// Every byte counts: whatever is changed, the file is refused, and never by a crash.
+TEST_F(Interrupted, NoChangedByteOfACheckpointPasses) {
+    interrupt("result");
+    const std::string file = checkpoints("result").front(), bytes = read_text(file);
+    ASSERT_NO_THROW(app::CheckpointFile{file});
+    std::mt19937 random(20020629);
+    for (int i = 0; i < 300; ++i) {
+        std::string changed = bytes;
+        const std::size_t place = i < 24 ? static_cast<std::size_t>(i) : random() % bytes.size();
+        changed[place] = static_cast<char>(changed[place] ^ (1 << (random() % 8)));
+        std::ofstream(path("changed"), std::ios::binary) << changed;
+        EXPECT_THROW(app::CheckpointFile{path("changed")}, Error) << place;
+    }
+    for (const std::size_t size : {std::size_t{0}, std::size_t{7}, std::size_t{23}, std::size_t{28}, bytes.size() - 1}) {
+        std::ofstream(path("changed"), std::ios::binary) << bytes.substr(0, size);
+        EXPECT_THROW(app::CheckpointFile{path("changed")}, Error) << size;
+    }
+}
+
+}  // namespace
+}  // namespace frana::test

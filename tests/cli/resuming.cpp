@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "resuming.h"
+
+#include <algorithm>
+#include <csignal>
+#include <sstream>
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool tells_time(const std::string& name) {
+    return name.ends_with(".gpkg") || name.ends_with("log.txt") || name.ends_with("report.html");
+}
+
+// Without the lines that tell how long it took, on how many threads, and what the memory held.
+std::string figures_of(const std::string& summary) {
+    std::istringstream lines(summary);
+    std::string kept;
+    for (std::string line; std::getline(lines, line);) {
+        bool wanted = true;
+        for (const char* name : {"\"threads\"", "\"total\"", "\"input\"", "\"engine\"", "\"output\"", "\"render\"",
+                                 "particle_steps_per_second", "peak_memory_bytes"})
+            wanted = wanted && line.find(name) == std::string::npos;
+        if (wanted) kept += line + "\n";
+    }
+    return kept;
+}
+
+std::vector<std::string> files_below(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder).string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace
+
+Resuming::Resuming() {
+    write_scene("stop-when-still = off\nframe-interval = 0.5\n[numerics]\nparticles-per-cell = 16\n[output]\n"
+                "maps = off\nanimation = off\n[terrain]\ncell-size = 2.5\n");
+}
+
+std::vector<std::string> Resuming::run(const std::string& result, const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--set", "output.checkpoint-interval=0.05"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+std::vector<std::string> Resuming::checkpoints(const std::string& result) const {
+    std::vector<fs::path> found;
+    std::error_code ignored;
+    const fs::path place = folder_ / result;
+    const std::string own = place.filename().string();
+    for (const auto& entry : fs::directory_iterator(place.parent_path(), ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (name != own && name.rfind(own + ".partial-", 0) != 0) continue;
+        for (const auto& file : fs::directory_iterator(entry.path() / "checkpoint", ignored))
+            if (file.path().filename().string().find(".partial") == std::string::npos) found.push_back(file.path());
+    }
+    std::sort(found.begin(), found.end(),
+              [](const fs::path& a, const fs::path& b) { return a.filename() > b.filename(); });
+    return {found.begin(), found.end()};
+}
+
+void Resuming::interrupt(const std::string& result, const std::vector<std::string>& more) const {
+    StartedProgram program(folder_.string(), run(result, more));
+    ASSERT_TRUE(program.wait_until([&] { return has_checkpoints(result, 2); })) << program.wait().err;
+    program.send(SIGKILL);
+    ASSERT_EQ(program.wait().exit_code, -SIGKILL);
+}
+
+void Resuming::expect_same_result(const std::string& one, const std::string& other) const {
+    const std::vector<std::string> names = files_below(folder_ / one);
+    EXPECT_EQ(names, files_below(folder_ / other));
+    EXPECT_GT(names.size(), 20U);
+    for (const std::string& name : names) {
+        if (tells_time(name)) continue;
+        const std::string a = read_text(path(one + "/" + name)), b = read_text(path(other + "/" + name));
+        if (name == "summary.json") {
+            EXPECT_EQ(figures_of(a), figures_of(b));
+        } else {
+            EXPECT_TRUE(a == b) << other << "/" << name;
+        }
+    }
+}
+
+void Resuming::expect_tidy(const std::string& result) const {
+    for (const std::string& name : files()) {
+        if (name.rfind(result, 0) != 0) continue;
+        EXPECT_EQ(name.find("partial"), std::string::npos) << name;
+        EXPECT_EQ(name.find("checkpoint"), std::string::npos) << name;
+    }
+}
+
+}  // namespace frana::test
