@@ -17,6 +17,7 @@
 #include "simulation/structured_flow.h"
 #include "simulation/structured_laws.h"
 #include "simulation/terms.h"
+#include "simulation/terrain_sample.h"
 
 namespace frana {
 namespace {
@@ -76,6 +77,13 @@ SeriesRow series_row(const AnyFlow& flow, const StepFigures& figures, double den
 // From where the front is measured: the centroid of everything released, else the middle of the first inflow.
 Point origin_of(const Release& release, const Arrivals& arrivals) {
     return release.volume > 0 ? release.centroid : arrivals.sources().front().midpoint();
+}
+
+// A run counts elevations from where it begins.
+Ground ground_of(const Scene& scene, const Raster& bed, Point origin) {
+    const Cell cell = cell_of(scene.grid, origin);
+    const double z = scene.terrain.at(cell.row, cell.column);
+    return std::isnan(z) ? Ground(bed) : Ground(bed, z);
 }
 
 void note_scaling(const std::vector<ReleasedArea>& areas, std::vector<std::string>& notes) {
@@ -331,12 +339,13 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     engine.start();
     Release release = make_release(scene);
     Arrivals arrivals(scene, std::exchange(release.later, {}));
+    const Ground ground = ground_of(scene, release.bed_at_start, origin_of(release, arrivals));
     if (scene.structured) {
-        StructuredFlow flow(release.bed_at_start, scene.walls, *scene.structured, scene.numerics,
+        StructuredFlow flow(ground, scene.walls, *scene.structured, scene.numerics,
                             std::exchange(release.particles, ParticleSet()), options.threads);
         return run_flow(scene, options, release, arrivals, flow, engine);
     }
-    Flow flow(release.bed_at_start, std::exchange(release.particles, ParticleSet()), scene.material,
+    Flow flow(ground, std::exchange(release.particles, ParticleSet()), scene.material,
               scene.numerics, options.threads, std::nullopt, scene.zones, scene.entrainment);
     if (scene.walls) flow.add_walls(*scene.walls);
     return run_flow(scene, options, release, arrivals, flow, engine);
