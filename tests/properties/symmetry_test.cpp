@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What must not change a flow: where its map lies, which way round it is, how much map there is beyond it.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-
 #include "moved_scene.h"
-#include "random_scene.h"
-#include "simulation/simulation.h"
+#include "scene_tests.h"
 
 namespace frana::test {
 namespace {
-
-bool same_bits(const Raster& a, const Raster& b) {
-    return a.values.size() == b.values.size() &&
-           std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(double)) == 0;
-}
-
-constexpr Raster RunResult::*k_rasters[] = {&RunResult::release,       &RunResult::max_depth,   &RunResult::max_velocity,
-                                            &RunResult::final_depth, &RunResult::arrival_time};
 
 // Greatest difference of any cell, over the greatest value; what is dry counts as 0.
 double greatest_difference(const Raster& a, const Raster& b) {
@@ -32,45 +17,37 @@ double greatest_difference(const Raster& a, const Raster& b) {
     return greatest > 0 ? difference / greatest : difference;
 }
 
-Made made(int scene) {
-    return scene % 5 == 4 ? Made::of_solids : scene % 5 == 3 ? Made::of_fluid : Made::of_mass;
-}
+// Sums run in another order, so values differ by rounding (1e-16), which a flow that runs apart makes larger: by up to
+// 1e-8 in some thousand scenes. A decision that falls otherwise (a particle split here, not there; a face taken for dry)
+// shows as 1e-5 or more.
+constexpr double k_rounding = 1e-6;
 
-template <class Look>
-void for_scenes(int of_a_hundred, std::uint64_t stream, const Look& look) {
-    for (int i = 0; i < scene_count(of_a_hundred); ++i) {
-        SCOPED_TRACE(scene_label(i));
-        RandomNumbers random(scene_seed(), stream + static_cast<std::uint64_t>(i));
-        look(random_scene(random, made(i)), random, i);
-    }
+void expect_same(const RunResult& straight, const RunResult& other, Raster (*move)(const Raster&)) {
+    EXPECT_EQ(straight.steps, other.steps);
+    EXPECT_EQ(straight.particles_final, other.particles_final);
+    for (const auto raster : k_fields) EXPECT_LT(greatest_difference(move(straight.*raster), other.*raster), k_rounding);
 }
 
 TEST(Property, ASceneElsewhereGivesTheSameBits) {
-    for_scenes(15, 1000000, [](const Scene& scene, RandomNumbers& random, int) {
+    for_scenes(15, 1, [](const Scene& scene, RandomNumbers& random, int) {
         const auto east = static_cast<std::int64_t>(random.below(2000)) - 1000;
         const auto north = static_cast<std::int64_t>(random.below(2000)) - 1000;
         const RunResult here = run(scene, {}), there = run(moved(scene, east, north), {});
         EXPECT_EQ(here.steps, there.steps);
-        for (const auto raster : k_rasters) EXPECT_TRUE(same_bits(here.*raster, there.*raster));
+        for (const auto raster : k_fields) EXPECT_TRUE(same_bits(here.*raster, there.*raster));
+        EXPECT_TRUE(same_bits(here.arrival_time, there.arrival_time));
     });
 }
 
-void compare(const RunResult& straight, const RunResult& other, Raster (*move)(const Raster&), int scene) {
-    for (const auto raster : {&RunResult::release, &RunResult::max_depth, &RunResult::max_velocity, &RunResult::final_depth}) {
-        const double d = greatest_difference(move(straight.*raster), other.*raster);
-        if (d > 1e-13) std::printf("scene %d %g steps %ld particles %ld\n", scene, d, (long)straight.steps, (long)straight.particles_peak);
-    }
-}
-
 TEST(Property, AMirroredSceneFlowsMirrored) {
-    for_scenes(15, 2000000, [](const Scene& scene, RandomNumbers&, int i) {
-        compare(run(scene, {}), run(mirrored(scene), {}), mirrored, i);
+    for_scenes(15, 2, [](const Scene& scene, RandomNumbers&, int) {
+        expect_same(run(scene, {}), run(mirrored(scene), {}), mirrored);
     });
 }
 
 TEST(Property, ATurnedSceneFlowsTurned) {
-    for_scenes(15, 3000000, [](const Scene& scene, RandomNumbers&, int i) {
-        compare(run(scene, {}), run(turned(scene), {}), turned, i);
+    for_scenes(15, 3, [](const Scene& scene, RandomNumbers&, int) {
+        expect_same(run(scene, {}), run(turned(scene), {}), turned);
     });
 }
 
@@ -86,19 +63,24 @@ bool stays_inside(const RunResult& result) {
     return result.volume_left == 0;
 }
 
-TEST(Property, MoreTerrainBeyondGivesTheSameBits) {
+// Places are counted from the south-western corner: more to the west and south changes their last digits.
+TEST(Property, MoreTerrainToTheEastAndNorthGivesTheSameBitsAndElsewhereTheSameFlow) {
     int compared = 0;
-    for_scenes(15, 4000000, [&](Scene scene, RandomNumbers& random, int i) {
+    for_scenes(20, 4, [&](Scene& scene, RandomNumbers& random, int) {
         scene.numerics.boundary = Boundary::open;
-        const auto more = [&] { return static_cast<std::int64_t>(random.below(60)); };
-        const Scene wide = widened(scene, 0, more(), 0, more(), random.between(0, 5));
-        const RunResult narrow = run(scene, {}), broad = run(wide, {});
+        const RunResult narrow = run(scene, {});
         if (!stays_inside(narrow)) return;
         ++compared;
-        EXPECT_EQ(narrow.steps, broad.steps) << i;
-        for (const auto raster : k_rasters) EXPECT_TRUE(same_bits(narrow.*raster, narrowed(broad.*raster, scene.grid)));
+        const auto more = [&] { return static_cast<std::int64_t>(random.below(60)); };
+        const RunResult broad = run(widened(scene, 0, more(), 0, more(), random.between(0, 5)), {});
+        EXPECT_EQ(narrow.steps, broad.steps);
+        for (const auto raster : k_fields) EXPECT_TRUE(same_bits(narrow.*raster, narrowed(broad.*raster, scene.grid)));
+        EXPECT_TRUE(same_bits(narrow.arrival_time, narrowed(broad.arrival_time, scene.grid)));
+        const RunResult all_round = run(widened(scene, more(), more(), more(), more(), random.between(0, 5)), {});
+        for (const auto raster : k_fields)
+            EXPECT_LT(greatest_difference(narrow.*raster, narrowed(all_round.*raster, scene.grid)), k_rounding);
     });
-    EXPECT_GT(compared, 3);
+    EXPECT_GE(compared, scene_count(20) / 3);
 }
 
 }  // namespace
