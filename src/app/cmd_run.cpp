@@ -5,6 +5,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/error_estimate.h"
+#include "app/memory_limit.h"
 #include "app/number_text.h"
 #include "app/progress.h"
 #include "app/provenance.h"
@@ -13,6 +14,7 @@
 #include "app/signals.h"
 #include "app/version.h"
 #include "simulation/simulation.h"
+#include "simulation/trouble_watch.h"
 
 namespace frana::app {
 namespace {
@@ -31,6 +33,7 @@ CommandForm run_form() {
         "section.key=value, overrides the scene; repeatable; paths count from the scene file")(
         "threads", options::value<std::string>(), "number of threads (default: all processors)")(
         "overwrite", "replace an existing result")("resume", "not available in this version")(
+        "memory-limit", options::value<std::string>(), "refuse a run that would take more (4GB, 500MB)")(
         "quiet,q", "no progress, no warnings on the terminal (they are in log.txt)");
     return form;
 }
@@ -40,17 +43,23 @@ ExitCode exit_code(const RunResult& result, bool all_drawn) {
         // The map ends where the terrain does: a script must not take it for a whole one.
         case StopReason::reached_no_data:
         case StopReason::non_finite:
+        case StopReason::impossible_speed:
+        case StopReason::volume_drift:
             return ExitCode::numerical;
         default:
             return all_drawn ? ExitCode::done : ExitCode::environment;
     }
 }
 
-RunOptions run_options(int threads, FrameWriter* frames, ProgressReporter& progress) {
+RunOptions run_options(int threads, FrameWriter* frames, ProgressReporter& progress, RunLog& log) {
     RunOptions run_with;
     run_with.threads = threads;
     if (frames != nullptr) run_with.on_frame = [frames](Frame frame) { frames->add(std::move(frame)); };
     run_with.on_progress = [&progress](const Progress& now) { progress.show(now); };
+    run_with.on_trouble = [&progress, &log](const Trouble& trouble) {
+        progress.finish();
+        log.warn(describe(trouble) + ": the run stops here");
+    };
     run_with.stop_requested = [] { return stop_signal() != 0; };
     return run_with;
 }
@@ -66,6 +75,7 @@ int cmd_run(const Arguments& arguments) {
                                               "", "", "Run the scene from its start"});
     }
     const int threads = thread_count(*values);
+    take_memory_limit(*values);
     const bool quiet = values->count("quiet") > 0;
     const bool overwrite = values->count("overwrite") > 0;
     RunLog log(quiet);
@@ -80,6 +90,10 @@ int cmd_run(const Arguments& arguments) {
     log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
              std::to_string(threads) + " threads");
     const Prepared prepared = prepare(reading, log);
+    if (memory_is_limited()) {
+        const RunEstimate expected = estimate(prepared.scene, threads);
+        refuse_over_limit(memory_of_run(prepared, expected, estimate_time(reading, prepared, expected, threads)));
+    }
     const double input_seconds = since_start.seconds();
 
     catch_stop_signals();
@@ -89,7 +103,7 @@ int cmd_run(const Arguments& arguments) {
     if (wants_frames) directory.make_folder("frames");
     ProgressReporter progress(quiet);
     const RunResult result =
-        run(prepared.scene, run_options(threads, wants_frames ? &frames : nullptr, progress));
+        run(prepared.scene, run_options(threads, wants_frames ? &frames : nullptr, progress, log));
     progress.finish();
     log.tell("computed " + figure(result.simulated_seconds, 4) + " s in " + std::to_string(result.steps) +
              " steps and " + figure(result.engine_seconds, 3) +

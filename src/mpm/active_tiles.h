@@ -62,6 +62,13 @@ class ActiveTiles {
     [[nodiscard]] const std::vector<std::int64_t>& updated() const noexcept { return updated_; }
     [[nodiscard]] std::size_t moved_particles(const TileOrder& order) const;
 
+    template <class Archive>
+    void serialise(Archive& archive) {
+        [[maybe_unused]] auto& [grid, still, role, bringing, moved, cleared, gathered, updated, kept_tiles, kept] =
+            *this;
+        archive(still);  // the rest is chosen anew in every step
+    }
+
   private:
     static constexpr std::uint8_t k_still_steps = 2;
     enum Role : std::uint8_t { idle, overwritten, gathers, updates, changes };

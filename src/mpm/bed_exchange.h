@@ -38,6 +38,12 @@ struct ExchangeReport {
     }
 };
 
+template <class Archive>
+void serialise(Archive& archive, ExchangeReport& report) {
+    auto& [eroded, deposited, momentum_x, momentum_y] = report;
+    archive(eroded, deposited, momentum_x, momentum_y);
+}
+
 /// Erosion and deposition at a tile's nodes: what is eroded (or, where nothing is, deposited) in this step.
 /// Comes after update_nodes, whose friction says how the bed resists. What lies on the bed can be taken up
 /// again. Deposition leaves a film of the flow, so that particles keep a volume. Reads NodeSums mass,

@@ -19,6 +19,12 @@ struct Maxima {
     Maxima() = default;
     explicit Maxima(std::size_t size) : depth(size), speed(size), arrival_plus_1(size) {}
 
+    template <class Archive>
+    void serialise(Archive& archive) {
+        auto& [h, v, arrival] = *this;
+        archive(h, v, arrival);
+    }
+
     void see(std::size_t node, double node_depth, double node_speed, double time) noexcept {
         depth[node] = std::max(depth[node], node_depth);
         speed[node] = std::max(speed[node], node_speed);

@@ -105,6 +105,7 @@ void NodeGrid::mark_walls(const Raster& walls) {
 }
 
 void NodeGrid::lower_bed(const Raster& depth) {
+    bed_changes = true;
     for (std::int64_t j = 0; j < rows_; ++j) {
         for (std::int64_t i = 0; i < columns_; ++i) {
             const double d = depth.at(rows_ - 1 - j, i);

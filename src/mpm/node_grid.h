@@ -109,6 +109,17 @@ class NodeGrid {
     ZeroArray<NodeSums> sums;     ///< padded
     ZeroArray<NodeLevel> levels;  ///< padded; empty when no term needs it
 
+    bool bed_changes = false;     ///< the bed need not be the terrain's any more
+
+    /// What may differ from what the constructor and the walls made.
+    template <class Archive>
+    void serialise(Archive& archive) {
+        [[maybe_unused]] auto& [z, node_sums, node_levels, changes, nx, ny, dx, lowest, marks] = *this;
+        archive(changes);
+        if (changes) archive(z);
+        archive(node_sums, node_levels);
+    }
+
     void allocate_levels() { levels = ZeroArray<NodeLevel>(sums.size()); }
 
   private:

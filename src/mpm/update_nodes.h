@@ -37,6 +37,12 @@ struct NodeReport {
     bool moves = false;            ///< whether any node moves on
     double moving = 0;             ///< volume that is faster than NodeUpdate::moving_speed [m3]
 
+    template <class Archive>
+    void serialise(Archive& archive) {
+        auto& [depth, speed, cells, lifted, any_moves, fast] = *this;
+        archive(depth, speed, cells, lifted, any_moves, fast);
+    }
+
     void merge(const NodeReport& r) noexcept {
         max_depth = std::max(max_depth, r.max_depth);
         max_speed = std::max(max_speed, r.max_speed);

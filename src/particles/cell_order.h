@@ -66,6 +66,13 @@ class CellOrder {
         return runs;
     }
 
+    template <class Archive>
+    void serialise(Archive& archive) {
+        [[maybe_unused]] auto& [reach, cell_side, west, south, east, north, n_rows, n_columns, starts, keys, source] =
+            *this;
+        archive(west, south, east, north, n_rows, n_columns, starts);  // keys and source serve a sort alone
+    }
+
   private:
     [[nodiscard]] std::size_t place(std::int64_t row, std::int64_t column) const noexcept {
         return static_cast<std::size_t>((row + k_near) * (columns_ + 2 * k_near) + column + k_near);

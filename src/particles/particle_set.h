@@ -194,6 +194,19 @@ class ParticleSet {
         }
         size_ = size;
     }
+    /// The same fields on both sides.
+    template <class Archive>
+    void serialise(Archive& archive) {
+        archive(size_);
+        for (std::size_t f = 0; f < k_fields; ++f) {
+            bool has = mask_.has(static_cast<Field>(f));
+            archive(has);
+            if constexpr (Archive::k_reads) archive.require(has == mask_.has(static_cast<Field>(f)));
+            if (!has) continue;
+            archive(arrays_[f]);
+            if constexpr (Archive::k_reads) archive.require(arrays_[f].size() == size_);
+        }
+    }
     /// A row with every field at its initial value.
     static ParticleRow initial_row() {
         ParticleRow r;

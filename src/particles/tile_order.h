@@ -24,6 +24,12 @@ struct ParticleTile {
     std::int64_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;  ///< tiles whose nodes they can touch until the next sort
 };
 
+template <class Archive>
+void serialise(Archive& archive, ParticleTile& tile) {
+    auto& [begin, end, number, x0, x1, y0, y1] = tile;
+    archive(begin, end, number, x0, x1, y0, y1);
+}
+
 /// Where particles may be: the grid in cells.
 struct TileGrid {
     std::int64_t columns = 0, rows = 0;  ///< of cells
@@ -65,6 +71,12 @@ class TileOrder {
         const auto i = static_cast<std::int64_t>(x * inverse) + grid_.ghost;
         const auto j = static_cast<std::int64_t>(y * inverse) + grid_.ghost;
         return (j / k_tile) * grid_.tiles_x() + i / k_tile;
+    }
+
+    template <class Archive>
+    void serialise(Archive& archive) {
+        [[maybe_unused]] auto& [grid, tiles, colours, node_tiles, rank, keys, source, blocks] = *this;
+        archive(tiles, colours, node_tiles, rank);  // the rest serves a sort alone
     }
 
   private:

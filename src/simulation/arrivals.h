@@ -32,6 +32,14 @@ class Arrivals {
     /// Particles still to come.
     [[nodiscard]] std::size_t particles_left() const;
 
+    /// How far it has come.
+    template <class Archive>
+    void serialise(Archive& archive) {
+        archive(next_entry_);
+        if constexpr (Archive::k_reads) archive.require(next_entry_ <= later_.size());
+        for (InflowSource& source : sources_) archive(source);
+    }
+
   private:
     std::vector<Entry> later_;
     std::size_t next_entry_ = 0;

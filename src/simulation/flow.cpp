@@ -109,7 +109,10 @@ Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& m
     laws_.resample.height = state_.nodes.height();
     laws_.resample.minimum_depth = 1e-3 * grid_.cell_size;
     if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.sums.size());
-    if (entrainment.active()) state_.bed_layers = bed_layers(entrainment, zones, state_.nodes);
+    if (entrainment.active()) {
+        state_.bed_layers = bed_layers(entrainment, zones, state_.nodes);
+        state_.nodes.bed_changes = true;
+    }
     if (tilt) {
         laws_.gravity_x = tilt->along_x;
         laws_.gravity_y = tilt->along_y;

@@ -117,6 +117,13 @@ class Flow {
     /// others.
     [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
 
+    /// Everything that steps change.
+    template <class Archive>
+    void serialise(Archive& archive) {
+        [[maybe_unused]] auto& [grid, numerics, pool, stages, state, laws, maxima, steps, particle_steps] = *this;
+        archive(state, maxima, steps, particle_steps);
+    }
+
   private:
     void gather();
     [[nodiscard]] Raster layer_depth(double BedLayer::*depth) const;

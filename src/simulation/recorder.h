@@ -27,6 +27,15 @@ class Recorder {
     template <class AnyFlow>
     void give(const AnyFlow& flow, RunResult& result);
 
+    /// What it has seen.
+    template <class Archive>
+    void serialise(Archive& archive) {
+        [[maybe_unused]] auto& [intensity, metric, interval, minimum_depth, gravity, cell_size, next_row, places, lines,
+                                gauge_rows, section_rows, flux, head] = *this;
+        archive(next_row, gauge_rows, section_rows, flux, head);
+        for (Line& line : lines) archive(line.volume);
+    }
+
   private:
     /// One node with its share of a sample.
     struct Share {

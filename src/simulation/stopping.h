@@ -18,6 +18,11 @@ class StillWatch {
         crawling_ = speed > k_crawl ? 0 : crawling_ + dt;
         return frozen_ >= k_frozen_steps || crawling_ >= k_while;
     }
+    template <class Archive>
+    void serialise(Archive& archive) {
+        auto& [frozen, crawling] = *this;
+        archive(frozen, crawling);
+    }
 
   private:
     static constexpr double k_crawl = 0.01;  // [m/s]
@@ -35,6 +40,10 @@ class FadeWatch {
 
     bool energy(double now) { return under(now, energy_peak_, time_.stop_energy_share); }
     bool moving(double now) { return under(now, moving_peak_, time_.stop_moving_share); }
+    template <class Archive>
+    void serialise(Archive& archive) {
+        archive(energy_peak_, moving_peak_);
+    }
 
   private:
     static bool under(double now, double& peak, double share) {

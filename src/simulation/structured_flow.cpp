@@ -101,6 +101,7 @@ StepFigures StructuredFlow::advance(double dt_limit) {
     figures.kinetic += report.kinetic / released_density(material_);
     figures.non_finite = report.fluid.non_finite + report.solids.non_finite;
     figures.clamped = report.solids.clamped;
+    figures.fastest = std::sqrt(report.solids.speed2);
     figures.no_data = report.no_data + (state_.fluid && state_.fluid->volume_into_gaps > into_gaps ? 1 : 0);
     return figures;
 }

@@ -88,6 +88,17 @@ class StructuredFlow {
     /// Speed along the bed of the faster phase in a cell [m/s].
     [[nodiscard]] double speed(std::size_t cell) const;
 
+    /// Everything that steps change.
+    template <class Archive>
+    void serialise(Archive& archive) {
+        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, origin, moving_speed, steps,
+                                particle_steps] = *this;
+        archive(state, maxima, steps, particle_steps);
+        if constexpr (Archive::k_reads) {
+            if (state.fluid) structured::set_ground(*state.fluid, state.grid, laws.fluid);
+        }
+    }
+
   private:
     [[nodiscard]] double still_step() const;
     [[nodiscard]] std::vector<std::int64_t> shown_tiles() const;

@@ -35,6 +35,12 @@ struct State {
     double released_outside = 0;        ///< of which beyond the edges [m3]
 };
 
+template <class Archive>
+void serialise(Archive& archive, State& state) {
+    [[maybe_unused]] auto& [grid, stages, solid, fluid, time, deepest, released, released_outside] = state;
+    archive(grid, solid, fluid, time, deepest, released, released_outside);
+}
+
 struct StepReport {
     double dt = 0;
     int substeps = 0;      ///< of the solids

@@ -51,6 +51,15 @@ struct State {
     std::vector<double> kept, lost;  ///< by each particle, within a step
 };
 
+template <class Archive>
+void serialise(Archive& archive, State& state) {
+    [[maybe_unused]] auto& [particles, nodes, order, active, nodes_seen, particles_seen, time, velocity_lag, drift,
+                            since_sort, wave_speed, diffusivity, volume_left, bed_states, bed_layers, exchanged, kept,
+                            lost] = state;
+    archive(particles, nodes, order, active, nodes_seen, particles_seen, time, velocity_lag, drift, since_sort,
+            wave_speed, diffusivity, volume_left, bed_states, bed_layers, exchanged);  // the rest is within a step
+}
+
 /// In-plane stress; the stages use one of them, or none.
 struct StressLaws {
     BinghamStress bingham;

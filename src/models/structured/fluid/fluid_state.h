@@ -75,6 +75,20 @@ struct FluidState {
     std::vector<double> slope_factor;     ///< padded 1 / (1 + |grad b|^2); empty unless steep
 };
 
+template <class Archive>
+void serialise(Archive& archive, FluidFields& fields) {
+    auto& [depth, qx, qy] = fields;
+    archive(depth, qx, qy);
+}
+
+/// All but what set_ground makes.
+template <class Archive>
+void serialise(Archive& archive, FluidState& state) {
+    [[maybe_unused]] auto& [now, grid, tiles, volume_left, volume_into_gaps, touched, stage, next, wet, cell_kind,
+                            slope_factor] = state;
+    archive(now, tiles, volume_left, volume_into_gaps, touched, stage, next, wet);
+}
+
 /// What stands in a cell, for the fluid.
 enum CellKind : std::uint8_t { k_fluid_cell = 0, k_wall_cell = 1, k_open_cell = 2, k_gap_cell = 3 };
 

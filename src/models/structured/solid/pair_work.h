@@ -35,4 +35,10 @@ struct PairWork {
     std::array<std::vector<double>, count> arrays;
 };
 
+template <class Archive>
+void serialise(Archive& archive, PairWork& work) {
+    auto& [arrays] = work;
+    archive(arrays);
+}
+
 }  // namespace frana::structured

@@ -40,6 +40,12 @@ struct NodeBox {
     std::int64_t i0 = 0, i1 = 0, j0 = 0, j1 = 0;
 };
 
+template <class Archive>
+void serialise(Archive& archive, NodeBox& box) {
+    auto& [i0, i1, j0, j1] = box;
+    archive(i0, i1, j0, j1);
+}
+
 /// The solids on the background grid: cubic splines of four nodes a direction, node indices as NodeGrid::index.
 class SolidNodes {
   public:
@@ -49,6 +55,13 @@ class SolidNodes {
     [[nodiscard]] bool whole(std::size_t first) const noexcept { return whole_[first] != 0; }
     [[nodiscard]] bool active(std::size_t node) const noexcept { return active_[node] != 0; }
     void clear(const NodeBox& box, std::int64_t stride, ThreadPool& pool);
+
+    /// What steps change; walls stand where they stood.
+    template <class Archive>
+    void serialise(Archive& archive) {
+        [[maybe_unused]] auto& [sum, coupled, pushes, h, nu, nv, solids, whole_share, where, inside, all_inside] = *this;
+        archive(sum, coupled, pushes, h, nu, nv, solids, whole_share, where);
+    }
 
     ZeroArray<SolidSums> sums;
     ZeroArray<CouplingSums> coupling;  ///< empty without fluid

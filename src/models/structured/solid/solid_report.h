@@ -25,4 +25,10 @@ struct SolidReport {
     }
 };
 
+template <class Archive>
+void serialise(Archive& archive, SolidReport& report) {
+    auto& [speed2, apart2, acceleration2, approach, non_finite, clamped] = report;
+    archive(speed2, apart2, acceleration2, approach, non_finite, clamped);
+}
+
 }  // namespace frana::structured

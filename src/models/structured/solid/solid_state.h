@@ -32,6 +32,18 @@ struct SolidState {
     LeftDomain left;
 };
 
+template <class Archive>
+void serialise(Archive& archive, LeftDomain& left) {
+    auto& [solids, confined, mass, px, py] = left;
+    archive(solids, confined, mass, px, py);
+}
+
+template <class Archive>
+void serialise(Archive& archive, SolidState& state) {
+    auto& [particles, order, work, nodes, mean, drift, moved, last, left] = state;
+    archive(particles, order, work, nodes, mean.x, mean.y, drift, moved, last, left);
+}
+
 /// How the sweeps over solids are done in a scene.
 struct SolidStages {
     FieldMask fields;

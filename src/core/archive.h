@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// State to bytes and back. Whatever has a state says once, in a function template serialise, what belongs to it; the
+// archive it is given writes or reads. So nothing can be written that is not read again.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "core/zero_array.h"
+
+namespace frana {
+
+template <class Archive, class T>
+void transfer(Archive& archive, T& value);
+
+/// Writes states; never changes them.
+class StateWriter {
+  public:
+    static constexpr bool k_reads = false;
+    using Sink = std::function<void(const void*, std::size_t)>;
+
+    explicit StateWriter(Sink sink) : sink_(std::move(sink)) {}
+    template <class... T>
+    void operator()(T&... values) {
+        (transfer(*this, values), ...);
+    }
+    void bytes(const void* from, std::size_t count) { sink_(from, count); }
+
+  private:
+    Sink sink_;
+};
+
+/// Reads states over those that were set up for the same scene. Throws Error(input) where they do not fit.
+class StateReader {
+  public:
+    static constexpr bool k_reads = true;
+    using Source = std::function<void(void*, std::size_t)>;  ///< throws Error(input) at its end
+
+    /// @param size bytes that the source holds: no count read is believed beyond it
+    StateReader(Source source, std::uint64_t size) : source_(std::move(source)), left_(size) {}
+    template <class... T>
+    void operator()(T&... values) {
+        (transfer(*this, values), ...);
+    }
+    void bytes(void* to, std::size_t count) {
+        require(count <= left_);
+        source_(to, count);
+        left_ -= count;
+    }
+    [[nodiscard]] std::uint64_t left() const noexcept { return left_; }
+    static void require(bool fits) {
+        if (!fits)
+            throw Error(ErrorKind::input, Problem{"the state saved there does not fit this program and scene",
+                                                  "checkpoint", "", "", "Run the scene from its start"});
+    }
+
+  private:
+    Source source_;
+    std::uint64_t left_;
+};
+
+/// A count of things of `size` bytes at least.
+template <class Archive>
+std::size_t transfer_count(Archive& archive, std::size_t count, std::size_t size) {
+    std::uint64_t n = count;
+    archive(n);
+    if constexpr (Archive::k_reads) StateReader::require(n <= archive.left() / size);
+    return static_cast<std::size_t>(n);
+}
+
+template <class T>
+inline constexpr bool k_plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
+template <class Archive, class T>
+void serialise(Archive& archive, std::vector<T>& list) {
+    const std::size_t count = transfer_count(archive, list.size(), 1);
+    if constexpr (Archive::k_reads) list.resize(count);
+    if constexpr (k_plain<T>) {
+        archive.bytes(list.data(), count * sizeof(T));
+    } else {
+        for (T& value : list) archive(value);
+    }
+}
+
+template <class Archive, class T, std::size_t Size>
+void serialise(Archive& archive, std::array<T, Size>& list) {
+    for (T& value : list) archive(value);
+}
+
+template <class Archive>
+void serialise(Archive& archive, std::string& text) {
+    text.resize(transfer_count(archive, text.size(), 1));
+    archive.bytes(text.data(), text.size());
+}
+
+/// What is there is there on both sides: the scene decides.
+template <class Archive, class T>
+void serialise(Archive& archive, std::unique_ptr<T>& value) {
+    bool there = value != nullptr;
+    archive(there);
+    if constexpr (Archive::k_reads) StateReader::require(there == (value != nullptr));
+    if (there) archive(*value);
+}
+
+/// As the elements' type says, else by bytes: blocks of zeros are left out, so that idle terrain costs next to
+/// nothing.
+template <class Archive, class T>
+void serialise(Archive& archive, ZeroArray<T>& array) {
+    constexpr std::size_t k_block = 4096;
+    static constexpr std::array<std::byte, k_block> k_zeros{};
+    std::uint64_t size = array.size();
+    archive(size);
+    if constexpr (Archive::k_reads) {
+        StateReader::require(array.size() == 0 || array.size() == size);
+        array = ZeroArray<T>(static_cast<std::size_t>(size));
+    }
+    if constexpr (requires(T& value) { value.serialise(archive); }) {
+        for (std::size_t i = 0; i < array.size(); ++i) archive(array[i]);
+        return;
+    }
+    auto* const data = reinterpret_cast<std::byte*>(array.data());
+    const std::size_t total = array.size() * sizeof(T);
+    const std::uint64_t blocks = (total + k_block - 1) / k_block;
+    const auto length = [&](std::uint64_t block) { return std::min<std::size_t>(k_block, total - block * k_block); };
+    const auto empty = [&](std::uint64_t block) {
+        return std::memcmp(data + block * k_block, k_zeros.data(), length(block)) == 0;
+    };
+    // Runs of blocks: [first, last), until an empty run.
+    std::uint64_t first = 0, last = 0;
+    do {
+        if constexpr (!Archive::k_reads) {
+            for (first = last; first < blocks && empty(first);) ++first;
+            for (last = first; last < blocks && !empty(last);) ++last;
+        }
+        archive(first, last);
+        if constexpr (Archive::k_reads) StateReader::require(first <= last && last <= blocks);
+        if (first < last)
+            archive.bytes(data + first * k_block, (last - first - 1) * k_block + length(last - 1));
+    } while (first < last);
+}
+
+/// One value, in whichever way it is serialised: by its own member function, a free one beside its type, or, for
+/// numbers, by its bytes.
+template <class Archive, class T>
+void transfer(Archive& archive, T& value) {
+    if constexpr (requires { value.serialise(archive); }) {
+        value.serialise(archive);
+    } else if constexpr (k_plain<T>) {
+        archive.bytes(&value, sizeof value);
+    } else {
+        serialise(archive, value);
+    }
+}
+
+}  // namespace frana

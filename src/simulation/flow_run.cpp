@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/flow_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "simulation/flow.h"
+#include "simulation/step_figures.h"
+#include "simulation/structured_flow.h"
+#include "simulation/structured_laws.h"
+#include "simulation/terms.h"
+
+namespace frana {
+namespace {
+
+StepFigures figures_of(const voellmy_bingham::StepReport& report) {
+    StepFigures f;
+    f.dt = report.dt;
+    f.volume = report.particles.volume;
+    f.max_depth = report.nodes.max_depth;
+    f.max_speed = report.nodes.max_speed;
+    f.fastest = report.particles.speed;
+    f.front_distance = std::sqrt(report.particles.front_squared);
+    f.kinetic = report.particles.kinetic;
+    f.moving = report.nodes.moving;
+    f.covered = report.nodes.covered;
+    f.unsupported = report.nodes.unsupported;
+    f.non_finite = report.particles.non_finite;
+    f.clamped = report.particles.clamped;
+    f.no_data = report.particles.no_data;
+    return f;
+}
+
+StepFigures figures_of(const StepFigures& figures) {
+    return figures;
+}
+
+template <class AnyFlow>
+SeriesRow series_row(const AnyFlow& flow, const StepFigures& figures, double density, double entered) {
+    SeriesRow row;
+    row.time = flow.time();
+    row.step = flow.steps();
+    row.dt = figures.dt;
+    row.volume = figures.volume;
+    row.volume_left = flow.volume_left();
+    row.volume_entered = entered;
+    row.max_depth = figures.max_depth;
+    row.max_speed = figures.max_speed;
+    row.front_distance = figures.front_distance;
+    row.kinetic_energy = density * figures.kinetic;
+    row.covered_area =
+        static_cast<double>(figures.covered) * flow.nodes().cell_size() * flow.nodes().cell_size();
+    return row;
+}
+
+void note_scaling(const std::vector<ReleasedArea>& areas, std::vector<std::string>& notes) {
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        if (std::abs(areas[i].scaled - 1) <= 1e-9) continue;
+        char text[128];
+        std::snprintf(text, sizeof text,
+                      "thickness of release area %zu scaled by %.4f to hold the given volume", i + 1,
+                      areas[i].scaled);
+        notes.emplace_back(text);
+    }
+}
+
+// What a model shows besides depth and speed.
+std::vector<NamedRaster> more_of(const Flow&) {
+    return {};
+}
+
+std::vector<NamedRaster> more_of(const StructuredFlow& flow) {
+    return flow.phases();
+}
+
+// Of fluid alone the frame's depth and velocity say it all.
+template <class AnyFlow>
+bool frames_show_more(const AnyFlow& flow) {
+    return flow.particle_count() > 0;
+}
+
+template <class AnyFlow>
+Frame take_frame(AnyFlow& flow, int index) {
+    flow.synchronise();
+    auto shot = flow.snapshot();
+    return {index, flow.time(), std::move(shot.depth), std::move(shot.speed),
+            frames_show_more(flow) ? more_of(flow) : std::vector<NamedRaster>{}};
+}
+
+// A wall's cell holds nothing, though the nodes there gather a share of what leans against it.
+void hide_walls(const Scene& scene, Raster& raster) {
+    if (!scene.walls) return;
+    for (std::size_t i = 0; i < raster.values.size(); ++i) {
+        if (scene.walls->values[i] == 1) raster.values[i] = k_no_data;
+    }
+}
+
+Raster pressure_kpa(const Raster& speed, double density) {
+    Raster pressure = speed;
+    for (double& value : pressure.values) value = density * value * value / 1000;
+    return pressure;
+}
+
+double density_of(const Scene& scene) {
+    return scene.structured ? released_density(*scene.structured) : scene.material.density;
+}
+
+void give_exchanges(const Scene& scene, const Flow& flow, RunResult& result) {
+    result.exchanges = scene.entrainment.active();
+    if (!result.exchanges) return;
+    result.eroded_depth = flow.eroded_depth();
+    result.deposited_depth = flow.deposited_depth();
+    result.volume_eroded = flow.exchanged().eroded;
+    result.volume_deposited = flow.exchanged().deposited;
+    result.momentum_deposited =
+        scene.material.density * std::hypot(flow.exchanged().momentum_x, flow.exchanged().momentum_y);
+}
+
+void give_exchanges(const Scene&, const StructuredFlow&, RunResult&) {}  // its bed stays as it is
+
+// What came from the bed less what went back [m3].
+double taken_from_bed(const Flow& flow) {
+    return flow.exchanged().eroded - flow.exchanged().deposited;
+}
+
+double taken_from_bed(const StructuredFlow&) {
+    return 0;
+}
+
+double pressure_factor(const Flow& flow) {
+    return flow.laws().stress.wave_factor;
+}
+
+double pressure_factor(const StructuredFlow&) {
+    return 1;
+}
+
+// After a run that ended in numbers that are none, its maps show only those that are.
+void hide_non_finite(Raster& raster) {
+    for (double& value : raster.values) {
+        if (!std::isfinite(value)) value = k_no_data;
+    }
+}
+
+}  // namespace
+
+Point origin_of(const Release& release, const Arrivals& arrivals) {
+    return release.volume > 0 ? release.centroid : arrivals.sources().front().midpoint();
+}
+
+template <class AnyFlow>
+FlowRun<AnyFlow>::FlowRun(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals,
+                          AnyFlow& flow, Stopwatch& engine)
+    : scene_(scene),
+      options_(options),
+      release_(release),
+      arrivals_(arrivals),
+      flow_(flow),
+      engine_(engine),
+      density_(density_of(scene)),
+      next_frame_(scene.time.frame_interval > 0 ? scene.time.frame_interval
+                                                : std::numeric_limits<double>::infinity()),
+      fade_(scene.time),
+      recorder_(scene.recording, scene.grid, scene.numerics),
+      watch_(scene, release, arrivals, pressure_factor(flow)) {
+    flow_.set_origin(origin_of(release, arrivals));
+    flow_.set_moving_speed(scene.time.moving_speed);
+    result_.terms = list_terms(scene);
+    result_.particles_initial = result_.particles_peak = flow_.particle_count();
+    result_.volume_initial = result_.volume_entered = flow_.volume();
+    result_.released = release.areas;
+    for (ReleasedArea& area : result_.released) area.failed = !(area.start > 0);
+    note_scaling(release.areas, result_.notes);
+}
+
+template <class AnyFlow>
+void FlowRun<AnyFlow>::begin() {
+    give_frame();
+    if (AnyFlow::k_shows_end && !recorder_.idle()) recorder_.see(flow_, 0, 0);
+}
+
+template <class AnyFlow>
+void FlowRun<AnyFlow>::give_frame() {
+    if (!options_.on_frame || scene_.time.frame_interval <= 0) return;
+    engine_.stop();
+    Frame taken = take_frame(flow_, frames_++);
+    hide_walls(scene_, taken.depth);
+    hide_walls(scene_, taken.velocity);
+    if (result_.hard_events.non_finite > 0) {
+        hide_non_finite(taken.depth);
+        hide_non_finite(taken.velocity);
+        for (NamedRaster& raster : taken.more) hide_non_finite(raster.values);
+    }
+    options_.on_frame(taken);
+    engine_.start();
+}
+
+// What is due now comes in.
+template <class AnyFlow>
+void FlowRun<AnyFlow>::receive() {
+    const Arrivals::Taken taken = arrivals_.take(flow_.time());
+    if (scene_.terrain_contains_release && taken.failed.size() > 0)
+        flow_.lower_bed(cell_depth(taken.failed, scene_.grid));
+    flow_.add_particles(taken.particles);
+    result_.volume_inflow += taken.inflow;
+    result_.volume_entered += taken.inflow;
+    for (const std::size_t i : taken.areas) {
+        result_.released[i].failed = true;
+        result_.volume_entered += result_.released[i].volume;
+    }
+}
+
+// What is to happen when the flow has come to a time that it was sent to.
+template <class AnyFlow>
+void FlowRun<AnyFlow>::arrive(double target) {
+    flow_.set_time(target);
+    if (arrivals_.next_time() <= target) receive();
+    if (next_frame_ > target) return;
+    if (target < scene_.time.end) give_frame();
+    const double interval = scene_.time.frame_interval;
+    next_frame_ = interval * (std::floor(flow_.time() / interval + 1e-6) + 1);
+}
+
+template <class AnyFlow>
+void FlowRun<AnyFlow>::count(const StepFigures& figures) {
+    result_.series.push_back(series_row(flow_, figures, density_, result_.volume_entered));
+    result_.particles_peak = std::max(result_.particles_peak, flow_.particle_count());
+    result_.hard_events.depth_clamped += figures.clamped;
+    result_.unsupported += figures.unsupported;
+    result_.troubles = watch_.look(flow_, figures, result_.volume_entered + taken_from_bed(flow_));
+    for (const Trouble& trouble : result_.troubles) {
+        add(trouble, result_.hard_events);
+        if (options_.on_trouble) options_.on_trouble(trouble);
+    }
+}
+
+template <class AnyFlow>
+std::optional<StopReason> FlowRun<AnyFlow>::reason_to_stop(const StepFigures& figures) {
+    if (!result_.troubles.empty()) return reason_of(result_.troubles.front());
+    if (arrivals_.done()) {
+        if (flow_.empty()) return StopReason::all_left;
+        if (scene_.time.stop_when_still && still_.still(figures.max_speed, figures.dt)) return StopReason::still;
+        if (fade_.energy(figures.kinetic)) return StopReason::energy;
+        if (fade_.moving(figures.moving)) return StopReason::moving_volume;
+    }
+    if (options_.stop_requested && options_.stop_requested()) return StopReason::requested;
+    return std::nullopt;
+}
+
+template <class AnyFlow>
+Progress FlowRun<AnyFlow>::progress() const {
+    return {flow_.steps(), flow_.time(), scene_.time.end, flow_.particle_count()};
+}
+
+template <class AnyFlow>
+void FlowRun<AnyFlow>::step() {
+    const double target = std::min({next_frame_, scene_.time.end, arrivals_.next_time()});
+    const double left = target - flow_.time();
+    // Two equal steps rather than a full one and a sliver.
+    const double stable = flow_.stable_step();
+    const double limit = left <= stable ? left : left < 2 * stable ? 0.5 * left : left;
+    const double began = flow_.time();
+    StepFigures figures = figures_of(flow_.advance(limit));
+    // A step that does not move time comes from no number.
+    if (!(flow_.time() > began)) figures.non_finite = std::max<std::int64_t>(figures.non_finite, 1);
+    if (!recorder_.idle()) recorder_.see(flow_, AnyFlow::k_shows_end ? flow_.time() : began, figures.dt);
+    count(figures);
+    if (target - flow_.time() <= 1e-9 * target) arrive(target);
+    if (options_.on_progress) options_.on_progress(progress());
+    if (const auto reason = reason_to_stop(figures)) {
+        result_.stop_reason = *reason;
+        stopped_ = true;
+    }
+}
+
+template <class AnyFlow>
+RunResult FlowRun<AnyFlow>::finish() {
+    RunResult& result = result_;
+    const bool finite = result.hard_events.non_finite == 0;
+    if (finite) flow_.synchronise();
+    give_frame();
+    if (finite) flow_.see_present();
+    const Maxima& maxima = flow_.maxima();
+    result.max_depth = flow_.to_raster(maxima.depth);
+    result.max_velocity = flow_.to_raster(maxima.speed);
+    result.arrival_time = flow_.to_raster(maxima.arrival_plus_1, 1);
+    result.final_depth = flow_.snapshot().depth;
+    result.more = more_of(flow_);
+    // A cell that was reached but never moved has speed zero, not "no data".
+    for (std::size_t i = 0; i < result.max_depth.values.size(); ++i) {
+        if (!std::isnan(result.max_depth.values[i]) && std::isnan(result.max_velocity.values[i])) {
+            result.max_velocity.values[i] = 0;
+        }
+    }
+    for (Raster* raster :
+         {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth})
+        hide_walls(scene_, *raster);
+    for (NamedRaster& raster : result.more) hide_walls(scene_, raster.values);
+    recorder_.give(flow_, result);
+    if (!finite) {
+        for (Raster* raster : {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth,
+                               &result.max_flux, &result.max_head})
+            hide_non_finite(*raster);
+        for (NamedRaster& raster : result.more) hide_non_finite(raster.values);
+    }
+    result.max_pressure = pressure_kpa(result.max_velocity, density_);
+    result.bed = std::move(release_.bed);
+    result.release = std::move(release_.depth);
+    result.steps = flow_.steps();
+    result.simulated_seconds = flow_.time();
+    result.particles_final = flow_.particle_count();
+    result.particle_steps = flow_.particle_steps();
+    result.bytes_per_particle = static_cast<std::int64_t>(flow_.bytes_per_particle());
+    result.bytes_per_node = static_cast<std::int64_t>(flow_.bytes_per_node());
+    result.volume_final = flow_.volume();
+    result.volume_left = flow_.volume_left();
+    if (!arrivals_.done())
+        result.notes.emplace_back("the run ended before everything had failed or flowed in");
+    give_exchanges(scene_, flow_, result);
+    engine_.stop();
+    result.engine_seconds = engine_.seconds();
+    return std::move(result);
+}
+
+template class FlowRun<Flow>;
+template class FlowRun<StructuredFlow>;
+
+}  // namespace frana

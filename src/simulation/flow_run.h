@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+
+#include "simulation/arrivals.h"
+#include "simulation/recorder.h"
+#include "simulation/release.h"
+#include "simulation/result.h"
+#include "simulation/scene.h"
+#include "simulation/stopping.h"
+#include "simulation/trouble_watch.h"
+
+namespace frana {
+
+/// Wall time while it runs; it can be stopped and started again.
+class Stopwatch {
+  public:
+    void start() { begin_ = std::chrono::steady_clock::now(); }
+    void stop() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+    [[nodiscard]] double seconds() const { return seconds_; }
+    /// While it is stopped.
+    template <class Archive>
+    void serialise(Archive& archive) {
+        archive(seconds_);
+    }
+
+  private:
+    std::chrono::steady_clock::time_point begin_;
+    double seconds_ = 0;
+};
+
+/// A flow on its way to a scene's end, step after step, with all that is observed of it. Refers to everything that it
+/// is given.
+template <class AnyFlow>
+class FlowRun {
+  public:
+    /// @param engine running: stopped while others have their turn
+    FlowRun(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals, AnyFlow& flow,
+            Stopwatch& engine);
+
+    /// What is seen before the first step.
+    void begin();
+    /// Whether a step is still to be done.
+    [[nodiscard]] bool goes_on() const { return !stopped_ && flow_.time() < scene_.time.end; }
+    void step();
+    [[nodiscard]] bool stopped_by_trouble() const { return !result_.troubles.empty(); }
+    [[nodiscard]] bool stopped_on_request() const { return stopped_ && result_.stop_reason == StopReason::requested; }
+    /// The result; once.
+    RunResult finish();
+
+    [[nodiscard]] Progress progress() const;
+    /// The whole run, between two steps.
+    template <class Archive>
+    void serialise(Archive& archive) {
+        [[maybe_unused]] auto& [scene, options, release, arrivals, flow, engine, density, result, stopped, frames,
+                                next_frame, still, fade, recorder, watch] = *this;
+        engine.stop();
+        archive(engine, arrivals, flow, frames, next_frame, still, fade, recorder);
+        archive(result.series, result.particles_peak, result.hard_events, result.unsupported, result.volume_inflow,
+                result.volume_entered);
+        for (ReleasedArea& area : result.released) archive(area.failed);
+        std::uint64_t mark = k_end_mark;
+        archive(mark);
+        if constexpr (Archive::k_reads) archive.require(mark == k_end_mark);
+        engine.start();
+    }
+
+  private:
+    static constexpr std::uint64_t k_end_mark = 0x656e64206f662073;
+
+    void give_frame();
+    void receive();
+    void arrive(double target);
+    void count(const StepFigures& figures);
+    [[nodiscard]] std::optional<StopReason> reason_to_stop(const StepFigures& figures);
+
+    const Scene& scene_;
+    const RunOptions& options_;
+    Release& release_;
+    Arrivals& arrivals_;
+    AnyFlow& flow_;
+    Stopwatch& engine_;
+    double density_;
+    RunResult result_;
+    bool stopped_ = false;
+    int frames_ = 0;
+    double next_frame_;
+    StillWatch still_;
+    FadeWatch fade_;
+    Recorder recorder_;
+    TroubleWatch watch_;
+};
+
+/// From where fronts are measured and elevations counted: the centroid of everything released, else the middle of the
+/// first inflow. Local metres.
+Point origin_of(const Release& release, const Arrivals& arrivals);
+
+}  // namespace frana
