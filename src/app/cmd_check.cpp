@@ -9,6 +9,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/input_table.h"
+#include "app/memory_limit.h"
 #include "app/number_text.h"
 #include "app/prepare.h"
 #include "app/share_directory.h"
@@ -28,7 +29,8 @@ CommandForm check_form() {
                      {}};
     form.options.add_options()("set", options::value<std::vector<std::string>>(),
                                "section.key=value, overrides the scene; repeatable")(
-        "threads", options::value<std::string>(), "number of threads (default: all processors)");
+        "threads", options::value<std::string>(), "number of threads (default: all processors)")(
+        "memory-limit", options::value<std::string>(), "refuse a run that would take more (4GB, 500MB)");
     return form;
 }
 
@@ -79,16 +81,6 @@ void print_site(const Scene& scene) {
                     grouped(std::count(scene.walls->values.begin(), scene.walls->values.end(), 1.0)).c_str());
 }
 
-// What a run of the least scene takes with its libraries, reading, writing and drawing; measured.
-constexpr std::int64_t k_program_bytes = 280'000'000;
-
-/// Of the fullest moment, as far as a trial foresees it.
-std::int64_t memory_bytes(const RunEstimate& expected, const std::optional<TimeEstimate>& trial) {
-    const std::int64_t more = trial ? trial->particles_peak - expected.particles : 0;
-    return k_program_bytes + expected.memory_bytes +
-           RunEstimate::k_particle_copies * std::max<std::int64_t>(more, 0) * expected.bytes_per_particle;
-}
-
 void print_run(const Prepared& prepared, const RunEstimate& expected,
                const std::optional<TimeEstimate>& trial, int threads) {
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
@@ -121,14 +113,17 @@ int cmd_check(const Arguments& arguments) {
     const auto values = parse_arguments(check_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
     const int threads = thread_count(*values);
+    take_memory_limit(*values);
     RunLog log(false);
     const SceneReading reading = read_scene((*values)["operand"].as<std::string>(),
                                             text_options(*values, "set"), materials_directory());
     const Prepared prepared = prepare(reading, log);
     const RunEstimate expected = estimate(prepared.scene, threads);
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
+    const std::int64_t memory = memory_of_run(prepared, expected, trial);
+    refuse_over_limit(memory);
     std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
-    std::printf("\n%s", input_table(prepared, memory_bytes(expected, trial)).c_str());
+    std::printf("\n%s", input_table(prepared, memory).c_str());
     print_site(prepared.scene);
     print_run(prepared, expected, trial, threads);
     std::fflush(stdout);

@@ -64,7 +64,7 @@ Level run_level(const Prepared& prepared, int threads, bool quiet) {
     options.stop_requested = [] { return stop_signal() != 0; };
     RunResult result = run(prepared.scene, options);
     progress.finish();
-    if (result.stop_reason == StopReason::non_finite || result.stop_reason == StopReason::reached_no_data) {
+    if (!result.troubles.empty()) {
         throw Error(ErrorKind::numerical,
                     Problem{std::string("the run at ") + figure(prepared.scene.grid.cell_size) +
                                 " m ended early: " + describe(result.stop_reason),

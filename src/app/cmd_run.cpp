@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/error_estimate.h"
 #include "app/interrupted_run.h"
+#include "app/memory_limit.h"
 #include "app/number_text.h"
 #include "app/progress.h"
 #include "app/provenance.h"
@@ -17,6 +18,7 @@
 #include "app/signals.h"
 #include "app/version.h"
 #include "simulation/simulation.h"
+#include "simulation/trouble_watch.h"
 
 namespace frana::app {
 namespace {
@@ -35,8 +37,9 @@ CommandForm run_form() {
         "section.key=value, overrides the scene; repeatable; paths count from the scene file")(
         "threads", options::value<std::string>(), "number of threads (default: all processors)")(
         "overwrite", "replace an existing result")("resume",
-                                                            "go on with a run that was stopped or killed; from the "
-                                                            "start where there is none")(
+                                                   "go on with a run that was stopped or killed; from the "
+                                                   "start where there is none")(
+        "memory-limit", options::value<std::string>(), "refuse a run that would take more (4GB, 500MB)")(
         "quiet,q", "no progress, no warnings on the terminal (they are in log.txt)");
     return form;
 }
@@ -46,20 +49,29 @@ ExitCode exit_code(const RunResult& result, bool all_drawn) {
         // The map ends where the terrain does: a script must not take it for a whole one.
         case StopReason::reached_no_data:
         case StopReason::non_finite:
+        case StopReason::impossible_speed:
+        case StopReason::volume_drift:
             return ExitCode::numerical;
         default:
             return all_drawn ? ExitCode::done : ExitCode::environment;
     }
 }
 
-RunOptions run_options(int threads, FrameWriter* frames, ProgressReporter& progress, Checkpoints& checkpoints) {
+RunOptions run_options(int threads, FrameWriter* frames, ProgressReporter& progress, Checkpoints& checkpoints,
+                       RunLog& log) {
     RunOptions run_with;
     run_with.threads = threads;
     if (frames != nullptr) run_with.on_frame = [frames](Frame frame) { frames->add(std::move(frame)); };
     run_with.on_progress = [&progress](const Progress& now) { progress.show(now); };
+    run_with.on_trouble = [&progress, &log](const Trouble& trouble) {
+        progress.finish();
+        log.warn(describe(trouble) + ": the run stops here");
+    };
     run_with.stop_requested = [] { return stop_signal() != 0; };
     run_with.save_due = [&checkpoints] { return checkpoints.due(); };
-    run_with.save = [&checkpoints](const Progress& now, const SaveState& state) { checkpoints.save(now, state); };
+    run_with.save = [&checkpoints](const Progress& now, const SaveState& state) {
+        checkpoints.save(now, state);
+    };
     return run_with;
 }
 
@@ -73,7 +85,8 @@ void refuse_to_forget(const InterruptedRun& interrupted, const std::string& targ
 void tell_of_resuming(const CheckpointFile& from, RunLog& log) {
     const CheckpointHead& head = from.head();
     log.continue_from(head.log);
-    log.tell("going on from " + figure(head.time, 6) + " s, step " + std::to_string(head.step) + ": " + from.path());
+    log.tell("going on from " + figure(head.time, 6) + " s, step " + std::to_string(head.step) + ": " +
+             from.path());
     if (head.build != checkpoint_build()) {
         log.warn("the checkpoint is of another build (" + head.build + "; this is " + checkpoint_build() +
                  "): the result can differ in rounding from that of a run never interrupted");
@@ -112,8 +125,8 @@ void tell_of_run(const RunResult& result, double end, RunLog& log) {
                  std::to_string(result.unsupported) + " nodes times steps; there it had no friction");
     }
     if (result.stop_reason == StopReason::requested) {
-        log.warn("the run was stopped at " + figure(result.simulated_seconds, 4) + " s of at most " + figure(end, 4) +
-                 " s: the maps are not complete; the same command with --resume goes on");
+        log.warn("the run was stopped at " + figure(result.simulated_seconds, 4) + " s of at most " +
+                 figure(end, 4) + " s: the maps are not complete; the same command with --resume goes on");
     }
 }
 
@@ -125,10 +138,10 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     const bool wants_frames = prepared.scene.time.frame_interval > 0;
     if (wants_frames) directory.make_folder("frames");
     FrameWriter* const written_frames = wants_frames ? &frames : nullptr;
-    Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared, written_frames,
-                            session.since_start, session.earlier_seconds, log);
+    Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared,
+                            written_frames, session.since_start, session.earlier_seconds, log);
     ProgressReporter progress(session.quiet);
-    RunOptions options = run_options(session.threads, written_frames, progress, checkpoints);
+    RunOptions options = run_options(session.threads, written_frames, progress, checkpoints, log);
     if (from != nullptr) options.saved = &from->state();
     const RunResult result = run(prepared.scene, options);
     progress.finish();
@@ -153,6 +166,7 @@ int cmd_run(const Arguments& arguments) {
     const auto values = parse_arguments(run_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
     const int threads = thread_count(*values);
+    take_memory_limit(*values);
     const bool quiet = values->count("quiet") > 0;
     const bool overwrite = values->count("overwrite") > 0;
     RunLog log(quiet);
@@ -164,12 +178,18 @@ int cmd_run(const Arguments& arguments) {
         result_path(out ? std::filesystem::absolute(*out).string() : output_directory(reading.scene));
     const bool resume = values->count("resume") > 0;
     const InterruptedRun interrupted(target);
-    check_result_directory(target, overwrite || (resume && interrupted.in_place()), input_files(reading.scene),
-                           out ? "--out" : reading.where("output.directory"), reading.problems);
+    check_result_directory(target, overwrite || (resume && interrupted.in_place()),
+                           input_files(reading.scene), out ? "--out" : reading.where("output.directory"),
+                           reading.problems);
     if (!resume && !overwrite) refuse_to_forget(interrupted, target, reading.problems);
     log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
              std::to_string(threads) + " threads");
     const Prepared prepared = prepare(reading, log);
+    if (memory_is_limited()) {
+        const RunEstimate expected = estimate(prepared.scene, threads);
+        refuse_over_limit(
+            memory_of_run(prepared, expected, estimate_time(reading, prepared, expected, threads)));
+    }
     const double input_seconds = since_start.seconds();
     const std::unique_ptr<CheckpointFile> from =
         resume && interrupted.any() ? interrupted.choose(scene_identity(prepared), log) : nullptr;
@@ -185,7 +205,8 @@ int cmd_run(const Arguments& arguments) {
                               from ? folder_of(*from, target) : "");
     if (from) restore_files(*from, directory);
     try {
-        return run_into({prepared, threads, quiet, input_seconds, earlier, since_start}, from.get(), directory, log);
+        return run_into({prepared, threads, quiet, input_seconds, earlier, since_start}, from.get(),
+                        directory, log);
     } catch (const Error& error) {
         explain_trouble(error, directory.folder());
     }

@@ -6,6 +6,7 @@
 
 #include "app/layer_choice.h"
 #include "app/number_text.h"
+#include "app/memory_limit.h"
 #include "app/prepare_inflow.h"
 #include "app/prepare_material.h"
 #include "app/prepare_obstacles.h"
@@ -154,6 +155,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.time.stop_moving_share = reading.scene.time.stop_moving_share;
     prepared.scene.time.moving_speed = reading.scene.time.moving_speed;
     prepared.scene.time.frame_interval = frame_interval(reading.scene);
+    refuse_too_much(reading, prepared.scene, release.area_m2);
     refuse_what_cannot_start(prepared.scene);
     const GridSpec& grid = prepared.scene.grid;
     if (!grid.crs_wkt.empty()) {

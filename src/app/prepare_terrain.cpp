@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/prepare_terrain.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/trace.h"
 #include "app/choose_crs.h"
 #include "app/flow_window.h"
+#include "app/memory_limit.h"
 #include "app/number_text.h"
 #include "app/transform_report.h"
 #include "core/json.h"
@@ -56,24 +54,15 @@ gis::Resampling resampling_of(const std::string& name) {
     return gis::Resampling::automatic;
 }
 
-/// What this program may use: the machine's memory, or less where a limit is set.
-double memory_bytes() {
-    const double machine =
-        static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-    rlimit limit{};
-    const bool limited = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-    return limited ? std::min(machine, static_cast<double>(limit.rlim_cur)) : machine;
-}
-
 void check_size(const SceneReading& reading, const GridSpec& grid) {
     const double cells = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
     const double needed = cells * k_bytes_per_cell;
-    if (needed > memory_bytes()) {
+    if (needed > usable_memory()) {
         throw Error(ErrorKind::input,
                     Problem{"a run on the working grid of " + grouped(cells) + " cells takes at least " +
                                 bytes_text(needed) + " of memory",
                             reading.where("terrain.cell-size"), shortest_text(grid.cell_size) + " m",
-                            bytes_text(memory_bytes()) + ", which there are",
+                            bytes_text(usable_memory()) + ", which there are",
                             "Choose larger cells or a part of the DTM with terrain.bounds"});
     }
     if (cells <= k_most_cells) return;

@@ -118,27 +118,6 @@ ComparisonInput comparison_input(const Finished& run) {
     return input;
 }
 
-/// A speed beyond 2 sqrt(g H), H from the highest surface to the lowest bed, is more than any fluid reaches
-/// even without friction (the front of a dam break of that height).
-void warn_of_impossible_speed(const Finished& run, RunLog& log) {
-    double highest = k_no_data, lowest = k_no_data;
-    const RunResult& result = run.result;
-    for (std::size_t i = 0; i < result.bed.values.size(); ++i) {
-        const double bed = result.bed.values[i];
-        if (std::isnan(bed)) continue;
-        const double surface = bed + (result.release.values[i] > 0 ? result.release.values[i] : 0);
-        if (!(surface <= highest)) highest = surface;
-        if (!(bed >= lowest)) lowest = bed;
-    }
-    const double bound = 2 * std::sqrt(run.prepared.scene.numerics.gravity * (highest - lowest));
-    const double speed = maximum(result.max_velocity);
-    if (speed > bound) {
-        log.warn("the greatest speed, " + figure(speed, 3) +
-                 " m/s, is more than the relief allows even without friction (" + figure(bound, 3) +
-                 " m/s): do not trust velocities and pressures of this run where they are so high");
-    }
-}
-
 double released_volume(const RunResult& result) {
     double sum = 0;
     for (const ReleasedArea& area : result.released) sum += area.volume;
@@ -162,7 +141,6 @@ void note_volumes(const RunResult& result, RunLog& log) {
 
 void warn_of_trouble(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
-    warn_of_impossible_speed(run, log);
     compare_volumes(run.prepared.release.file_volume_m3, released_volume(result), log);
     note_volumes(result, log);
     for (const std::string& note : result.notes) log.note("engine: " + note);

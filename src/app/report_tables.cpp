@@ -146,6 +146,8 @@ std::string numerics_table(const ReportInput& input) {
                .number("Speeds clamped", grouped(e.speed_clamped), "0 in a good run")
                .number("Particles over ground without elevation", grouped(e.entered_no_data),
                        "0 in a good run")
+               .number("Speeds above what the fall allows", grouped(e.impossible_speed), "0 in a good run")
+               .number("Steps after which the volume was off", grouped(e.volume_drift), "0 in a good run")
                .html() +
            "<p class=\"small\">Computed: " + html_escaped(terms) + "</p>\n";
 }

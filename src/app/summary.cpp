@@ -9,6 +9,7 @@
 #include "app/version.h"
 #include "core/json.h"
 #include "simulation/simulation.h"
+#include "simulation/trouble_watch.h"
 
 namespace frana::app {
 namespace {
@@ -84,7 +85,16 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
     const HardEvents& events = result.hard_events;
     json.begin_object("hard_events").integer("non_finite", events.non_finite);
     json.integer("depth_clamped", events.depth_clamped).integer("speed_clamped", events.speed_clamped);
-    json.integer("entered_no_data", events.entered_no_data).end_object();
+    json.integer("entered_no_data", events.entered_no_data);
+    json.integer("impossible_speed", events.impossible_speed);
+    json.integer("volume_drift", events.volume_drift).end_object();
+    json.begin_array("troubles");
+    for (const Trouble& trouble : result.troubles) {
+        json.begin_object().integer("step", trouble.step).number("time_s", trouble.time);
+        if (trouble.place) json.number("x", trouble.place->x).number("y", trouble.place->y);
+        json.text("what", describe(trouble)).end_object();
+    }
+    json.end_array();
 }
 
 }  // namespace
@@ -111,6 +121,10 @@ std::string stop_word(StopReason reason) {
             return "reached-no-data";
         case StopReason::non_finite:
             return "non-finite";
+        case StopReason::impossible_speed:
+            return "impossible-speed";
+        case StopReason::volume_drift:
+            return "volume-drift";
         case StopReason::end_time:
             break;
     }

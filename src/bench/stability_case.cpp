@@ -5,15 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "simulation/trouble_watch.h"
+
 namespace frana::bench {
 namespace {
 
 constexpr double k_radius = 15, k_deep = 3;
 constexpr Point k_middle{30, 40};
 
-// sqrt(2 g drop) + 2 sqrt(g depth): free fall from the highest surface to the lowest ground, and a dam
-// break's front of the deepest column.
-double speed_limit(const Setup& setup) {
+double speed_limit(const Setup& setup, double fastest) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const double z : setup.bed.values)
         if (!std::isnan(z)) lowest = std::min(lowest, z);
@@ -28,7 +28,7 @@ double speed_limit(const Setup& setup) {
         const double z = setup.bed.at(row, column);
         if (!std::isnan(z)) drop = std::max(drop, z + depth - lowest);
     }
-    return std::sqrt(2 * k_gravity * drop) + 2 * std::sqrt(k_gravity * deepest);
+    return speed_bound(k_gravity, drop, deepest, fastest);
 }
 
 std::int64_t count_non_finite(const ParticleSet& particles) {
@@ -49,7 +49,7 @@ Soundness watch(TimedFlow& run, const Setup& setup, double end) {
     double fastest = 0;
     for (std::size_t p = 0; p < setup.seeds.size(); ++p)
         fastest = std::max(fastest, std::hypot(setup.seeds[Field::u][p], setup.seeds[Field::v][p]));
-    const double limit = speed_limit(setup) + fastest;  // what moved before keeps its speed besides
+    const double limit = speed_limit(setup, fastest);
     run.advance_to(end, [&](const voellmy_bingham::StepReport& report) {
         s.speed_ratio =
             std::max({s.speed_ratio, report.particles.speed / limit, report.nodes.max_speed / limit});

@@ -38,22 +38,25 @@ void extend_into_gaps(std::vector<double>& bed, std::int64_t stride, std::int64_
 
 }  // namespace
 
-NodeGrid::NodeGrid(const Raster& terrain)
-    // One element more than nodes: the fast kernels read rows of three nodes four at a time.
-    : bed(static_cast<std::size_t>((terrain.grid.columns + 2 * k_ghost) * (terrain.grid.rows + 2 * k_ghost) + 1)),
-      columns_(terrain.grid.columns),
-      rows_(terrain.grid.rows),
-      cell_size_(terrain.grid.cell_size) {
-    double lowest = std::numeric_limits<double>::infinity();
-    bool gaps = false;
-    for (const double z : terrain.values) {
-        if (std::isnan(z)) {
-            gaps = true;
-        } else {
-            lowest = std::min(lowest, z);
-        }
+Ground::Ground(const Raster& bed) : terrain(bed), datum(std::numeric_limits<double>::infinity()) {
+    for (const double z : bed.values) {
+        if (!std::isnan(z)) datum = std::min(datum, z);
     }
-    datum_ = std::isfinite(lowest) ? lowest : 0;
+    if (!std::isfinite(datum)) datum = 0;
+}
+
+NodeGrid::NodeGrid(const Ground& ground)
+    // One element more than nodes: the fast kernels read rows of three nodes four at a time.
+    : bed(static_cast<std::size_t>((ground.terrain.grid.columns + 2 * k_ghost) *
+                                       (ground.terrain.grid.rows + 2 * k_ghost) +
+                                   1)),
+      columns_(ground.terrain.grid.columns),
+      rows_(ground.terrain.grid.rows),
+      cell_size_(ground.terrain.grid.cell_size),
+      datum_(ground.datum) {
+    const Raster& terrain = ground.terrain;
+    const bool gaps =
+        std::any_of(terrain.values.begin(), terrain.values.end(), [](double z) { return std::isnan(z); });
     if (gaps) solid_.assign(bed.size(), 0);
     for (std::int64_t j = 0; j < rows_; ++j) {
         for (std::int64_t i = 0; i < columns_; ++i) {

@@ -49,6 +49,17 @@ inline double shown_depth(double mass, double area, double support, double inver
     return by_volume + support * (share < 1 ? share : 1) * (mass / (area < most ? area : most) - by_volume);
 }
 
+/// A terrain, and the elevation that the engine counts from so that sums keep their digits: a run counts from the ground
+/// under its release, since what lies far off must not change a bit of it.
+struct Ground {
+    /// Counts from the lowest cell.
+    Ground(const Raster& bed);  // NOLINT(google-explicit-constructor): a terrain is a ground
+    Ground(const Raster& bed, double counted_from) : terrain(bed), datum(counted_from) {}
+
+    const Raster& terrain;
+    double datum;
+};
+
 /// The background grid: one node at each cell centre of the terrain, rows from the south, with ghost nodes
 /// around.
 ///
@@ -56,7 +67,7 @@ inline double shown_depth(double mass, double area, double support, double inver
 class NodeGrid {
   public:
     /// Takes bed elevations from a north-up raster; NaN marks cells without terrain, which become solid.
-    explicit NodeGrid(const Raster& bed);
+    explicit NodeGrid(const Ground& ground);
 
     [[nodiscard]] std::int64_t columns() const noexcept { return columns_; }
     [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }
@@ -91,7 +102,7 @@ class NodeGrid {
 
     static constexpr std::uint8_t k_gap = 1, k_wall = 2;  ///< why a node is solid
 
-    /// Elevation of the lowest cell; `bed` is relative to it so that sums keep their digits.
+    /// Ground::datum, which `bed` is relative to.
     [[nodiscard]] double datum() const noexcept { return datum_; }
 
     std::vector<double> bed;      ///< padded, relative to datum [m]
@@ -115,7 +126,7 @@ class NodeGrid {
     void extend_beyond_edges();
 
     std::int64_t columns_, rows_;
-    double cell_size_, datum_ = 0;
+    double cell_size_, datum_;
     std::vector<std::uint8_t> solid_;
 };
 

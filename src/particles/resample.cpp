@@ -17,6 +17,11 @@ struct Symmetric {
         const double mean = 0.5 * (xx + yy), half = 0.5 * (xx - yy);
         return mean + std::sqrt(half * half + xy * xy);
     }
+    // Whether it has no longer axis, but for rounding.
+    [[nodiscard]] bool round() const {
+        const double mean = 0.5 * (xx + yy);
+        return largest() - mean < 1e-9 * mean;
+    }
     // Unit vector of the largest eigenvalue.
     [[nodiscard]] Point axis() const {
         const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
@@ -32,11 +37,6 @@ void set_shape(ParticleRow& r, Symmetric q) {
     get(r, Field::q_xx) = q.xx;
     get(r, Field::q_xy) = q.xy;
     get(r, Field::q_yy) = q.yy;
-}
-
-// Extent along the longer axis [m].
-double extent(const ParticleRow& r) {
-    return std::sqrt(shape_of(r).largest());
 }
 
 // What merging looks at.
@@ -141,37 +141,54 @@ class TileResampler {
     }
 
     void split_one(std::size_t p) {
-        ParticleRow r = row(p);
+        const ParticleRow r = row(p);
         const Symmetric q = shape_of(r);
-        const Point axis = q.axis();
-        // Halves go at most half a cell away, which the sort's drift budget has room for.
-        const double quarter = std::min(0.25 * extent(r), k_split_reach * limits_.cell_size),
-                     ox = quarter * axis.x, oy = quarter * axis.y;
-        const double x = get(r, Field::x), y = get(r, Field::y);
-        const auto inside = [&](double a, double b) {
-            return a > 0 && a < limits_.width && b > 0 && b < limits_.height && !in_wall(a, b);
+        std::vector<ParticleRow> parts;
+        if (q.round()) {
+            // As long as wide: four quarters, so that no axis is preferred.
+            for (const ParticleRow& half : halves(r, {1, 0}))
+                for (const ParticleRow& quarter : halves(half, {0, 1})) parts.push_back(quarter);
+        } else {
+            parts = halves(r, q.axis());
+        }
+        const auto fits = [&](const ParticleRow& part) {
+            const double x = get(part, Field::x), y = get(part, Field::y);
+            return x > 0 && x < limits_.width && y > 0 && y < limits_.height && !in_wall(x, y);
         };
-        if (!inside(x + ox, y + oy) || !inside(x - ox, y - oy)) return;
+        if (!std::all_of(parts.begin(), parts.end(), fits)) return;
+        --counts_[cell_of(get(r, Field::x), get(r, Field::y))];
+        for (const ParticleRow& part : parts) {
+            ++counts_[cell_of(get(part, Field::x), get(part, Field::y))];
+            change_.come.push_back(part);
+        }
+        change_.gone.push_back(p);
+        ++change_.counts.split;
+    }
+
+    // The two halves of a particle along an axis (a unit vector).
+    [[nodiscard]] std::vector<ParticleRow> halves(ParticleRow r, Point axis) const {
+        const Symmetric q = shape_of(r);
+        const double length2 = axis.x * axis.x * q.xx + 2 * axis.x * axis.y * q.xy + axis.y * axis.y * q.yy;
+        // Halves go at most half a cell away, which the sort's drift budget has room for.
+        const double quarter = std::min(0.25 * std::sqrt(length2), k_split_reach * limits_.cell_size),
+                     ox = quarter * axis.x, oy = quarter * axis.y;
         const double du = get(r, Field::c_xx) * ox + get(r, Field::c_xy) * oy;
         const double dv = get(r, Field::c_yx) * ox + get(r, Field::c_yy) * oy;
         get(r, Field::volume) *= 0.5;
         get(r, Field::area) *= 0.5;
         // Half the extent along the axis, the same across it.
-        const double along = 0.75 * q.largest();
-        set_shape(r, {q.xx - along * axis.x * axis.x, q.xy - along * axis.x * axis.y,
-                      q.yy - along * axis.y * axis.y});
-        --counts_[cell_of(x, y)];
+        const double along = 0.75 * length2;
+        set_shape(r, {q.xx - along * axis.x * axis.x, q.xy - along * axis.x * axis.y, q.yy - along * axis.y * axis.y});
+        std::vector<ParticleRow> both;
         for (const double side : {-1.0, 1.0}) {
             ParticleRow half = r;
             get(half, Field::x) += side * ox;
             get(half, Field::y) += side * oy;
             get(half, Field::u) += side * du;
             get(half, Field::v) += side * dv;
-            ++counts_[cell_of(get(half, Field::x), get(half, Field::y))];
-            change_.come.push_back(half);
+            both.push_back(half);
         }
-        change_.gone.push_back(p);
-        ++change_.counts.split;
+        return both;
     }
 
     void merge() {

@@ -17,7 +17,7 @@ inline constexpr double k_split_reach = 0.5;
 /// Splitting and merging (specification 4, item 3 and its counterpart).
 struct ResampleLimits {
     double cell_size = 1;
-    double split_extent = 0.7;   ///< in cells: a particle longer than this becomes two along its longer axis
+    double split_extent = 0.7;   ///< in cells: a particle longer than this becomes two along its longer axis, or four
     double merge_extent = 0.9;   ///< in cells: two particles merge only if the result is not longer
     int split_below = 6;  ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
     int max_per_cell = 10;         ///< more than this in a cell: pairs merge

@@ -11,7 +11,7 @@ namespace frana {
 /// Fills an outline with particles on a square lattice, whatever the resolution of any raster.
 ///
 /// Each lattice cell that the outline covers, wholly or in part, gives one particle at the centroid of the
-/// covered part, with the area really covered (in all exact, but where parts overlap) and the thickness
+/// covered part, with the area really covered (exact, but where edges of overlapping parts cross) and the thickness
 /// there. Holes and overlapping parts are respected: ground is never filled twice.
 /// @param outline in local metres
 /// @param spacing of the lattice [m]; the lattice is anchored at the origin

@@ -73,8 +73,8 @@ TileGrid tile_grid(const NodeGrid& nodes) {
     return {nodes.columns(), nodes.rows(), k_ghost, nodes.cell_size()};
 }
 
-voellmy_bingham::State initial_state(const Raster& bed, ParticleSet particles) {
-    NodeGrid nodes(bed);
+voellmy_bingham::State initial_state(const Ground& ground, ParticleSet particles) {
+    NodeGrid nodes(ground);
     TileOrder order(tile_grid(nodes));
     return voellmy_bingham::State(std::move(particles), std::move(nodes), std::move(order));
 }
@@ -92,14 +92,14 @@ ZeroArray<BedLayer> bed_layers(const Entrainment& entrainment, const MaterialZon
 
 }  // namespace
 
-Flow::Flow(const Raster& bed, const ParticleSet& particles, const Material& material,
+Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& material,
            const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt,
            const MaterialZones& zones, const Entrainment& entrainment, Kernels kernels)
-    : grid_(bed.grid),
+    : grid_(ground.terrain.grid),
       numerics_(numerics),
       pool_(threads),
       stages_(choose_stages(material, zones, entrainment, numerics, kernels)),
-      state_(initial_state(bed, with_fields(particles, stages_.fields))),
+      state_(initial_state(ground, with_fields(particles, stages_.fields))),
       laws_(make_laws(material, zones, entrainment, numerics, state_.nodes,
                       tilt ? tilt->normal : numerics.gravity)),
       maxima_(state_.nodes.sums.size()) {
@@ -107,7 +107,7 @@ Flow::Flow(const Raster& bed, const ParticleSet& particles, const Material& mate
     if (numerics.scheme == Scheme::standard) state_.nodes.allocate_levels();
     laws_.resample.width = state_.nodes.width();
     laws_.resample.height = state_.nodes.height();
-    laws_.resample.minimum_depth = 1e-3 * bed.grid.cell_size;
+    laws_.resample.minimum_depth = 1e-3 * grid_.cell_size;
     if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.sums.size());
     if (entrainment.active()) {
         state_.bed_layers = bed_layers(entrainment, zones, state_.nodes);

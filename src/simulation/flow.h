@@ -26,11 +26,11 @@ class Flow {
     /// After a step the nodes show the moment it began.
     static constexpr bool k_shows_end = false;
 
-    /// @param bed elevation [m], NaN where there is none; its grid gives cell size and extent
+    /// @param ground elevation [m], NaN where there is none; its grid gives cell size and extent
     /// @param kernels plain: without the processor's vector instructions, for comparison
     /// @param particles in local metres; fields the scheme needs are added with their initial values
-    /// @param zones rasters on the bed's grid
-    Flow(const Raster& bed, const ParticleSet& particles, const Material& material, const Numerics& numerics,
+    /// @param zones rasters on the ground's grid
+    Flow(const Ground& ground, const ParticleSet& particles, const Material& material, const Numerics& numerics,
          int threads, std::optional<TiltedGravity> tilt = std::nullopt, const MaterialZones& zones = {},
          const Entrainment& entrainment = {}, Kernels kernels = Kernels::fastest);
 

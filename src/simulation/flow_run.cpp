@@ -22,6 +22,7 @@ StepFigures figures_of(const voellmy_bingham::StepReport& report) {
     f.volume = report.particles.volume;
     f.max_depth = report.nodes.max_depth;
     f.max_speed = report.nodes.max_speed;
+    f.fastest = report.particles.speed;
     f.front_distance = std::sqrt(report.particles.front_squared);
     f.kinetic = report.particles.kinetic;
     f.moving = report.nodes.moving;
@@ -53,11 +54,6 @@ SeriesRow series_row(const AnyFlow& flow, const StepFigures& figures, double den
     row.covered_area =
         static_cast<double>(figures.covered) * flow.nodes().cell_size() * flow.nodes().cell_size();
     return row;
-}
-
-// From where the front is measured: the centroid of everything released, else the middle of the first inflow.
-Point origin_of(const Release& release, const Arrivals& arrivals) {
-    return release.volume > 0 ? release.centroid : arrivals.sources().front().midpoint();
 }
 
 void note_scaling(const std::vector<ReleasedArea>& areas, std::vector<std::string>& notes) {
@@ -125,7 +121,35 @@ void give_exchanges(const Scene& scene, const Flow& flow, RunResult& result) {
 
 void give_exchanges(const Scene&, const StructuredFlow&, RunResult&) {}  // its bed stays as it is
 
+// What came from the bed less what went back [m3].
+double taken_from_bed(const Flow& flow) {
+    return flow.exchanged().eroded - flow.exchanged().deposited;
+}
+
+double taken_from_bed(const StructuredFlow&) {
+    return 0;
+}
+
+double pressure_factor(const Flow& flow) {
+    return flow.laws().stress.wave_factor;
+}
+
+double pressure_factor(const StructuredFlow&) {
+    return 1;
+}
+
+// After a run that ended in numbers that are none, its maps show only those that are.
+void hide_non_finite(Raster& raster) {
+    for (double& value : raster.values) {
+        if (!std::isfinite(value)) value = k_no_data;
+    }
+}
+
 }  // namespace
+
+Point origin_of(const Release& release, const Arrivals& arrivals) {
+    return release.volume > 0 ? release.centroid : arrivals.sources().front().midpoint();
+}
 
 template <class AnyFlow>
 FlowRun<AnyFlow>::FlowRun(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals,
@@ -140,7 +164,8 @@ FlowRun<AnyFlow>::FlowRun(const Scene& scene, const RunOptions& options, Release
       next_frame_(scene.time.frame_interval > 0 ? scene.time.frame_interval
                                                 : std::numeric_limits<double>::infinity()),
       fade_(scene.time),
-      recorder_(scene.recording, scene.grid, scene.numerics) {
+      recorder_(scene.recording, scene.grid, scene.numerics),
+      watch_(scene, release, arrivals, pressure_factor(flow)) {
     flow_.set_origin(origin_of(release, arrivals));
     flow_.set_moving_speed(scene.time.moving_speed);
     result_.terms = list_terms(scene);
@@ -164,6 +189,11 @@ void FlowRun<AnyFlow>::give_frame() {
     Frame taken = take_frame(flow_, frames_++);
     hide_walls(scene_, taken.depth);
     hide_walls(scene_, taken.velocity);
+    if (result_.hard_events.non_finite > 0) {
+        hide_non_finite(taken.depth);
+        hide_non_finite(taken.velocity);
+        for (NamedRaster& raster : taken.more) hide_non_finite(raster.values);
+    }
     options_.on_frame(taken);
     engine_.start();
 }
@@ -198,16 +228,18 @@ template <class AnyFlow>
 void FlowRun<AnyFlow>::count(const StepFigures& figures) {
     result_.series.push_back(series_row(flow_, figures, density_, result_.volume_entered));
     result_.particles_peak = std::max(result_.particles_peak, flow_.particle_count());
-    result_.hard_events.non_finite += figures.non_finite;
     result_.hard_events.depth_clamped += figures.clamped;
     result_.unsupported += figures.unsupported;
-    if (scene_.numerics.nodata == NodataPolicy::stop) result_.hard_events.entered_no_data += figures.no_data;
+    result_.troubles = watch_.look(flow_, figures, result_.volume_entered + taken_from_bed(flow_));
+    for (const Trouble& trouble : result_.troubles) {
+        add(trouble, result_.hard_events);
+        if (options_.on_trouble) options_.on_trouble(trouble);
+    }
 }
 
 template <class AnyFlow>
 std::optional<StopReason> FlowRun<AnyFlow>::reason_to_stop(const StepFigures& figures) {
-    if (figures.non_finite > 0) return StopReason::non_finite;
-    if (result_.hard_events.entered_no_data > 0) return StopReason::reached_no_data;
+    if (!result_.troubles.empty()) return reason_of(result_.troubles.front());
     if (arrivals_.done()) {
         if (flow_.empty()) return StopReason::all_left;
         if (scene_.time.stop_when_still && still_.still(figures.max_speed, figures.dt)) return StopReason::still;
@@ -231,7 +263,9 @@ void FlowRun<AnyFlow>::step() {
     const double stable = flow_.stable_step();
     const double limit = left <= stable ? left : left < 2 * stable ? 0.5 * left : left;
     const double began = flow_.time();
-    const StepFigures figures = figures_of(flow_.advance(limit));
+    StepFigures figures = figures_of(flow_.advance(limit));
+    // A step that does not move time comes from no number.
+    if (!(flow_.time() > began)) figures.non_finite = std::max<std::int64_t>(figures.non_finite, 1);
     if (!recorder_.idle()) recorder_.see(flow_, AnyFlow::k_shows_end ? flow_.time() : began, figures.dt);
     count(figures);
     if (target - flow_.time() <= 1e-9 * target) arrive(target);
@@ -245,9 +279,10 @@ void FlowRun<AnyFlow>::step() {
 template <class AnyFlow>
 RunResult FlowRun<AnyFlow>::finish() {
     RunResult& result = result_;
-    flow_.synchronise();
+    const bool finite = result.hard_events.non_finite == 0;
+    if (finite) flow_.synchronise();
     give_frame();
-    flow_.see_present();
+    if (finite) flow_.see_present();
     const Maxima& maxima = flow_.maxima();
     result.max_depth = flow_.to_raster(maxima.depth);
     result.max_velocity = flow_.to_raster(maxima.speed);
@@ -265,6 +300,12 @@ RunResult FlowRun<AnyFlow>::finish() {
         hide_walls(scene_, *raster);
     for (NamedRaster& raster : result.more) hide_walls(scene_, raster.values);
     recorder_.give(flow_, result);
+    if (!finite) {
+        for (Raster* raster : {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth,
+                               &result.max_flux, &result.max_head})
+            hide_non_finite(*raster);
+        for (NamedRaster& raster : result.more) hide_non_finite(raster.values);
+    }
     result.max_pressure = pressure_kpa(result.max_velocity, density_);
     result.bed = std::move(release_.bed);
     result.release = std::move(release_.depth);

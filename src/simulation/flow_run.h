@@ -9,6 +9,7 @@
 #include "simulation/result.h"
 #include "simulation/scene.h"
 #include "simulation/stopping.h"
+#include "simulation/trouble_watch.h"
 
 namespace frana {
 
@@ -43,6 +44,7 @@ class FlowRun {
     /// Whether a step is still to be done.
     [[nodiscard]] bool goes_on() const { return !stopped_ && flow_.time() < scene_.time.end; }
     void step();
+    [[nodiscard]] bool stopped_by_trouble() const { return !result_.troubles.empty(); }
     [[nodiscard]] bool stopped_on_request() const { return stopped_ && result_.stop_reason == StopReason::requested; }
     /// The result; once.
     RunResult finish();
@@ -52,7 +54,7 @@ class FlowRun {
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [scene, options, release, arrivals, flow, engine, density, result, stopped, frames,
-                                next_frame, still, fade, recorder] = *this;
+                                next_frame, still, fade, recorder, watch] = *this;
         engine.stop();
         archive(engine, arrivals, flow, frames, next_frame, still, fade, recorder);
         archive(result.series, result.particles_peak, result.hard_events, result.unsupported, result.volume_inflow,
@@ -87,6 +89,11 @@ class FlowRun {
     StillWatch still_;
     FadeWatch fade_;
     Recorder recorder_;
+    TroubleWatch watch_;
 };
+
+/// From where fronts are measured and elevations counted: the centroid of everything released, else the middle of the
+/// first inflow. Local metres.
+Point origin_of(const Release& release, const Arrivals& arrivals);
 
 }  // namespace frana

@@ -153,31 +153,54 @@ InflowSource::InflowSource(const Scene& scene, const Inflow& inflow) : gravity_(
     batches_ = cut_hydrograph(inflow.hydrograph, spacing, scene.time.end);
 }
 
+InflowSource::Piece InflowSource::piece_of(const Mouth& mouth, const InflowBatch& batch) const {
+    Piece piece{};
+    piece.length = batch.length * mouth.map_share;
+    piece.area = piece.length * mouth.width;
+    piece.depth = batch.volume * mouth.share / piece.area;
+    // What lies upstream of the line is not computed, but presses on it: the row brings that impulse with it,
+    // g h^2 / 2 a second and metre, so that the flux of momentum is h v^2 + g h^2 / 2. Slower than the critical speed a
+    // flow finds its depth from downstream, and more than half as fast again would be a jet.
+    piece.speed =
+        batch.speed + 0.5 * batch.speed * std::min(1.0, gravity_ * piece.depth / (batch.speed * batch.speed));
+    return piece;
+}
+
 double InflowSource::take(ParticleSet& particles) {
     const InflowBatch& batch = batches_[next_++];
     double given = 0;
-    for (std::size_t k = 0; k < mouths_.size(); ++k) {
-        const Mouth& mouth = mouths_[k];
-        const double length = batch.length * mouth.map_share, area = length * mouth.width;
-        // What lies upstream of the line is not computed, but presses on it: the row brings that impulse with
-        // it, g h^2 / 2 a second and metre, so that the flux of momentum is h v^2 + g h^2 / 2. Slower than
-        // the critical speed a flow finds its depth from downstream, and more than half as fast again would
-        // be a jet.
-        const double depth = batch.volume * mouth.share / area;
-        const double pressed =
-            0.5 * batch.speed * std::min(1.0, gravity_ * depth / (batch.speed * batch.speed));
-        const double speed = (batch.speed + pressed) * mouth.map_share;
+    for (const Mouth& mouth : mouths_) {
+        const Piece piece = piece_of(mouth, batch);
+        const double speed = piece.speed * mouth.map_share;
         ParticleRow row = ParticleSet::initial_row();
-        get(row, Field::x) = mouth.place.x + 0.5 * length * mouth.direction.x;
-        get(row, Field::y) = mouth.place.y + 0.5 * length * mouth.direction.y;
+        get(row, Field::x) = mouth.place.x + 0.5 * piece.length * mouth.direction.x;
+        get(row, Field::y) = mouth.place.y + 0.5 * piece.length * mouth.direction.y;
         get(row, Field::u) = speed * mouth.direction.x;
         get(row, Field::v) = speed * mouth.direction.y;
-        get(row, Field::area) = area;
+        get(row, Field::area) = piece.area;
         get(row, Field::volume) = batch.volume * mouth.share;
         given += get(row, Field::volume);
         particles.push_back(row);
     }
     return given;
+}
+
+std::vector<Point> InflowSource::places() const {
+    std::vector<Point> all;
+    for (const Mouth& mouth : mouths_) all.push_back(mouth.place);
+    return all;
+}
+
+InflowSource::Extremes InflowSource::extremes() const {
+    Extremes greatest;
+    for (const InflowBatch& batch : batches_) {
+        for (const Mouth& mouth : mouths_) {
+            const Piece piece = piece_of(mouth, batch);
+            greatest.depth = std::max(greatest.depth, piece.depth);
+            greatest.speed = std::max(greatest.speed, piece.speed);
+        }
+    }
+    return greatest;
 }
 
 Point InflowSource::midpoint() const {

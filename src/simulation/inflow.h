@@ -36,6 +36,12 @@ class InflowSource {
     double take(ParticleSet& particles);
 
     [[nodiscard]] Point midpoint() const;  ///< local metres
+    [[nodiscard]] std::vector<Point> places() const;  ///< where rows come in, local metres
+    /// Greatest depth [m] and speed along the bed [m/s] with which rows come in.
+    struct Extremes {
+        double depth = 0, speed = 0;
+    };
+    [[nodiscard]] Extremes extremes() const;
     /// Particles still to come.
     [[nodiscard]] std::size_t particles_left() const noexcept {
         return (batches_.size() - next_) * mouths_.size();
@@ -54,6 +60,12 @@ class InflowSource {
         double width;            ///< across the direction [m]
         double share;            ///< of the discharge
     };
+    // What a mouth brings of a row.
+    struct Piece {
+        double length, area, depth, speed;  ///< in map view, but for the speed along the bed
+    };
+    [[nodiscard]] Piece piece_of(const Mouth& mouth, const InflowBatch& batch) const;
+
     double gravity_;  ///< [m/s2]
     std::vector<Mouth> mouths_;
     std::vector<InflowBatch> batches_;

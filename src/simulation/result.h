@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/archive.h"
+#include "core/geometry.h"
 #include "core/raster.h"
 
 namespace frana {
@@ -54,6 +56,16 @@ struct Progress {
     std::int64_t particles = 0;
 };
 
+/// What must not happen in a good run and ends any other, at the step at which it appears.
+struct Trouble {
+    enum class Kind { non_finite, impossible_speed, volume_drift, no_data } kind;
+    std::int64_t step = 0;
+    double time = 0;              ///< [s]
+    std::optional<Point> place{};  ///< map coordinates; none: of the flow as a whole
+    std::int64_t count = 0;       ///< particles or cells; 0: does not apply
+    double value = 0, limit = 0;  ///< speed [m/s], or error of the volume as a share of all that came in
+};
+
 /// Writes the state of a run as it is now.
 using SaveState = std::function<void(StateWriter&)>;
 
@@ -62,8 +74,9 @@ struct RunOptions {
     std::function<void(Frame)> on_frame;  ///< called at time 0, at every frame interval and at the end
     std::function<void(const Progress&)> on_progress;  ///< called every step; must be cheap
     std::function<bool()> stop_requested;              ///< polled every step
+    std::function<void(const Trouble&)> on_trouble;    ///< called at the step at which it appears, which is the last
     std::function<bool()> save_due;                    ///< polled every step; must be cheap
-    /// Called between steps, when due and when stopped on request. What it does changes nothing of the run.
+    /// Called between steps, when due, when stopped on request and after trouble. What it does changes nothing of the run.
     std::function<void(const Progress&, const SaveState&)> save;
     StateReader* saved = nullptr;  ///< a state of the same scene to go on from; none: from the start
 };
@@ -74,16 +87,19 @@ struct HardEvents {
     std::int64_t depth_clamped = 0;    ///< particles whose area had to be bounded
     std::int64_t speed_clamped = 0;    ///< nodes whose speed had to be bounded
     std::int64_t entered_no_data = 0;  ///< particles found over a cell without terrain
+    std::int64_t impossible_speed = 0;  ///< steps with a speed above what the fall allows
+    std::int64_t volume_drift = 0;      ///< steps after which the volume did not add up
 
     [[nodiscard]] bool none() const noexcept {
-        return non_finite == 0 && depth_clamped == 0 && speed_clamped == 0 && entered_no_data == 0;
+        return non_finite == 0 && depth_clamped == 0 && speed_clamped == 0 && entered_no_data == 0 &&
+               impossible_speed == 0 && volume_drift == 0;
     }
 };
 
 template <class Archive>
 void serialise(Archive& archive, HardEvents& events) {
-    auto& [non_finite, depth_clamped, speed_clamped, entered_no_data] = events;
-    archive(non_finite, depth_clamped, speed_clamped, entered_no_data);
+    auto& [non_finite, depth_clamped, speed_clamped, entered_no_data, impossible_speed, volume_drift] = events;
+    archive(non_finite, depth_clamped, speed_clamped, entered_no_data, impossible_speed, volume_drift);
 }
 
 enum class StopReason {
@@ -95,6 +111,8 @@ enum class StopReason {
     requested,
     reached_no_data,
     non_finite,
+    impossible_speed,
+    volume_drift,
 };
 
 /// What one release area really released.
@@ -170,6 +188,7 @@ struct RunResult {
     double momentum_deposited = 0;  ///< that deposits took with them, size of the sum [kg m/s]
     std::int64_t unsupported = 0;   ///< nodes times steps at which the motion over a convex bed lifted off
     HardEvents hard_events;
+    std::vector<Trouble> troubles;  ///< of the run's last step
     std::vector<std::string> terms;  ///< physics and numerics really computed
     std::vector<std::string> notes;  ///< for log.txt: choices made, warnings
 };

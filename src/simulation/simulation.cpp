@@ -9,9 +9,17 @@
 #include "simulation/flow_run.h"
 #include "simulation/structured_flow.h"
 #include "simulation/terms.h"
+#include "simulation/terrain_sample.h"
 
 namespace frana {
 namespace {
+
+// A run counts elevations from where it begins.
+Ground ground_of(const Scene& scene, const Raster& bed, Point origin) {
+    const Cell cell = cell_of(scene.grid, origin);
+    const double z = scene.terrain.at(cell.row, cell.column);
+    return std::isnan(z) ? Ground(bed) : Ground(bed, z);
+}
 
 // Runs a flow to the scene's end.
 template <class AnyFlow>
@@ -27,7 +35,7 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
     while (run.goes_on()) {
         run.step();
         if (!options.save) continue;
-        const bool due = run.goes_on() ? options.save_due() : run.stopped_on_request();
+        const bool due = run.goes_on() ? options.save_due() : run.stopped_on_request() || run.stopped_by_trouble();
         if (due) options.save(run.progress(), save);
     }
     return run.finish();
@@ -82,6 +90,10 @@ const char* describe(StopReason reason) {
             return "the flow reached cells without terrain";
         case StopReason::non_finite:
             return "non-finite values appeared";
+        case StopReason::impossible_speed:
+            return "the flow became faster than its fall allows";
+        case StopReason::volume_drift:
+            return "the volume did not add up any more";
     }
     return "";
 }
@@ -91,12 +103,13 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     engine.start();
     Release release = make_release(scene);
     Arrivals arrivals(scene, std::exchange(release.later, {}));
+    const Ground ground = ground_of(scene, release.bed_at_start, origin_of(release, arrivals));
     if (scene.structured) {
-        StructuredFlow flow(release.bed_at_start, scene.walls, *scene.structured, scene.numerics,
+        StructuredFlow flow(ground, scene.walls, *scene.structured, scene.numerics,
                             std::exchange(release.particles, ParticleSet()), options.threads);
         return run_flow(scene, options, release, arrivals, flow, engine);
     }
-    Flow flow(release.bed_at_start, std::exchange(release.particles, ParticleSet()), scene.material,
+    Flow flow(ground, std::exchange(release.particles, ParticleSet()), scene.material,
               scene.numerics, options.threads, std::nullopt, scene.zones, scene.entrainment);
     if (scene.walls) flow.add_walls(*scene.walls);
     return run_flow(scene, options, release, arrivals, flow, engine);

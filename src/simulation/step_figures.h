@@ -11,6 +11,7 @@ struct StepFigures {
     double volume = 0;               ///< inside the domain [m3]
     double max_depth = 0;            ///< [m]
     double max_speed = 0;            ///< along the bed [m/s]
+    double fastest = 0;              ///< particle in map view, however thin [m/s]
     double front_distance = 0;       ///< from the run's origin, in map view [m]
     double kinetic = 0;              ///< energy over density [m5/s2]
     double moving = 0;               ///< volume faster than the run's moving speed [m3]

@@ -12,8 +12,8 @@ namespace {
 using structured::FluidSource;
 using structured::SolidState;
 
-NodeGrid ground(const Raster& bed, const std::optional<Raster>& walls) {
-    NodeGrid nodes(bed);
+NodeGrid walled(const Ground& ground, const std::optional<Raster>& walls) {
+    NodeGrid nodes(ground);
     if (walls) nodes.mark_walls(*walls);
     return nodes;
 }
@@ -36,16 +36,16 @@ double free_share(const StructuredMaterial& m) {
 
 }  // namespace
 
-StructuredFlow::StructuredFlow(const Raster& bed, const std::optional<Raster>& walls,
+StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>& walls,
                                const StructuredMaterial& material, const Numerics& numerics,
                                const ParticleSet& released, int threads)
-    : grid_(bed.grid),
+    : grid_(ground.terrain.grid),
       numerics_(numerics),
       material_(material),
       pool_(threads),
-      laws_(structured_laws(material, numerics, bed.grid.cell_size)),
-      state_(initial_state(ground(bed, walls), laws_, material, released)),
-      tiles_{state_.grid.columns(), state_.grid.rows(), k_ghost, bed.grid.cell_size},
+      laws_(structured_laws(material, numerics, grid_.cell_size)),
+      state_(initial_state(walled(ground, walls), laws_, material, released)),
+      tiles_{state_.grid.columns(), state_.grid.rows(), k_ghost, grid_.cell_size},
       maxima_(state_.grid.bed.size()) {
     receive(released, free_share(material));
     structured::prepare(state_, laws_, pool_);
@@ -101,6 +101,7 @@ StepFigures StructuredFlow::advance(double dt_limit) {
     figures.kinetic += report.kinetic / released_density(material_);
     figures.non_finite = report.fluid.non_finite + report.solids.non_finite;
     figures.clamped = report.solids.clamped;
+    figures.fastest = std::sqrt(report.solids.speed2);
     figures.no_data = report.no_data + (state_.fluid && state_.fluid->volume_into_gaps > into_gaps ? 1 : 0);
     return figures;
 }

@@ -22,10 +22,10 @@ class StructuredFlow {
     /// After a step the cells show the moment it ended.
     static constexpr bool k_shows_end = true;
 
-    /// @param bed elevation [m], NaN where there is none
+    /// @param ground elevation [m], NaN where there is none
     /// @param walls 1 where a wall stands, on the same grid
     /// @param released columns of whole thickness in local metres: fluid, or split into solids and fluid
-    StructuredFlow(const Raster& bed, const std::optional<Raster>& walls, const StructuredMaterial& material,
+    StructuredFlow(const Ground& ground, const std::optional<Raster>& walls, const StructuredMaterial& material,
                    const Numerics& numerics, const ParticleSet& released, int threads);
 
     /// Adds fluid, volume and momentum as particles hold them, to the cells they lie in. Not for solids.

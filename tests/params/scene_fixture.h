@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -16,10 +17,11 @@ namespace frana {
 /// A folder of its own for every test, with scene files in it.
 class SceneFixture : public ::testing::Test {
   protected:
-    SceneFixture()
-        : folder_(std::filesystem::temp_directory_path() /
-                  ("frana_params_" + std::to_string(::getpid()) + "_" +
-                   ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    SceneFixture() {
+        std::string name = "frana_params_" + std::to_string(::getpid()) + "_" +
+                           ::testing::UnitTest::GetInstance()->current_test_info()->name();
+        std::replace(name.begin(), name.end(), '/', '_');  // parameterised tests
+        folder_ = std::filesystem::temp_directory_path() / name;
         std::filesystem::create_directories(folder_);
     }
     ~SceneFixture() override {

@@ -6,6 +6,7 @@ the verdict that it writes at the end counts, not how it left."""
 import os
 import subprocess
 import sys
+import tempfile
 
 LIMIT = 120  # seconds for the two pictures, which take about two
 SKIPPED = 77
@@ -16,10 +17,13 @@ def judge(name, result):
     if os.path.exists(verdict):
         os.remove(verdict)
     script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "draw_style.py")
-    try:
-        code = subprocess.run([sys.executable, script, name, result], timeout=LIMIT).returncode
-    except subprocess.TimeoutExpired:
-        code = "none, ended after %d s" % LIMIT
+    # The drawing may leave in any way: its profile is removed here.
+    with tempfile.TemporaryDirectory(prefix="frana_qgis_", ignore_cleanup_errors=True) as profile:
+        environment = dict(os.environ, QGIS_CUSTOM_CONFIG_PATH=profile)
+        try:
+            code = subprocess.run([sys.executable, script, name, result], timeout=LIMIT, env=environment).returncode
+        except subprocess.TimeoutExpired:
+            code = "none, ended after %d s" % LIMIT
     if code == SKIPPED:
         return SKIPPED
     if not os.path.exists(verdict):

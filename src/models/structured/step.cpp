@@ -131,6 +131,12 @@ StepReport step(State& state, const Laws& laws, double dt_limit, ThreadPool& poo
         const Obstacles obstacles{&state.grid, laws.fluid.wall, laws.gaps_are_walls};
         report.substeps = run_substeps(solid, state.stages, laws.solid, state.grid, obstacles, dt, report.solids, pool);
 
+        // Without numbers there is nothing to gather or to put into order.
+        if (report.solids.non_finite > 0) {
+            state.time += dt;
+            return report;
+        }
+
         // What broke gives its water to the grid; then the solids show where they are now.
         if (state.stages.releases && state.fluid) {
             const Released released = release_fluid(solid, state.grid, laws.fluid, *state.fluid);

@@ -124,6 +124,8 @@ inline void close_faces(const SweepCells& cells, int c, double gravity, FaceValu
 inline void face_fluxes(const SweepCells& cells, int c, const FaceValues& left, const FaceValues& right,
                         double gravity, double dry, FaceFluxes& flux) {
     const double half_g = 0.5 * gravity;
+    // Where a surface ends exactly at a step of the bed, rounding must not decide whether the face is dry.
+    const double grain = 1e-6 * dry;
     for (int a = 0; a < k_side; ++a) {
         const double z = std::max(left.bed[a], right.bed[a]);
         const double hl = std::max(0.0, left.depth[a] + (left.bed[a] - z));
@@ -131,8 +133,9 @@ inline void face_fluxes(const SweepCells& cells, int c, const FaceValues& left, 
         const double ul = left.along[a], ur = right.along[a];
         const double cl = std::sqrt(gravity * left.factor[a] * hl);
         const double cr = std::sqrt(gravity * right.factor[a] * hr);
-        const double low = hl > 0 ? (hr > 0 ? std::min(ul - cl, ur - cr) : ul - cl) : ur - 2 * cr;
-        const double high = hr > 0 ? (hl > 0 ? std::max(ul + cl, ur + cr) : ur + cr) : ul + 2 * cl;
+        const bool wet_l = hl > grain, wet_r = hr > grain;
+        const double low = wet_l ? (wet_r ? std::min(ul - cl, ur - cr) : ul - cl) : ur - 2 * cr;
+        const double high = wet_r ? (wet_l ? std::max(ul + cl, ur + cr) : ur + cr) : ul + 2 * cl;
         const double s1 = std::min(low, 0.0), s2 = std::max(high, 0.0);
         const bool moves = std::max(cells.depth[c - 1][a], cells.depth[c][a]) >= dry && s2 > s1;
         const double inverse = moves ? 1 / (s2 - s1) : 0;

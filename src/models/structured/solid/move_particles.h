@@ -57,6 +57,12 @@ inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& o
                 v = 0;
             }
         }
+        // What has lost its numbers stays where it was, to be found; the run ends after this step.
+        const bool finite = std::isfinite(x + y + u * u + v * v);
+        if (!finite) {
+            x = w[PairWork::x][p];
+            y = w[PairWork::y][p];
+        }
         const double half = 0.5 * dt * (w[PairWork::l_xx][p] + w[PairWork::l_yy][p]);
         const bool sane = std::abs(half) < 0.5;
         if (sane) particles[Field::area][p] *= (1 + half) / (1 - half);
@@ -71,7 +77,7 @@ inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& o
         report.speed2 = std::max(report.speed2, speed2);
         report.apart2 = std::max(report.apart2, apart2);
         report.acceleration2 = std::max(report.acceleration2, ax * ax + ay * ay);
-        report.non_finite += std::isfinite(x + y + speed2) ? 0 : 1;
+        report.non_finite += finite ? 0 : 1;
     }
     return report;
 }

@@ -102,9 +102,14 @@ double stable_substep(const SolidState& state, const SolidLaws& laws) {
 
 int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
                  const Obstacles& obstacles, double dt, SolidReport& seen, ThreadPool& pool) {
+    constexpr double k_least_share = 1e-6;  // of a step in a substep; elastic waves take some hundred
     int count = 0;
     for (double left = dt; left > 0; ++count) {
         const double stable = stable_substep(state, laws);
+        if (!(stable > k_least_share * dt)) {  // a speed or force that is none
+            ++seen.non_finite;
+            return count;
+        }
         // Equal substeps for what is left, so that no sliver remains.
         const double part = left / std::ceil(left / stable * (1 - 1e-12));
         if (state.drift + part * std::sqrt(state.last.apart2) > 0.5 * state.order.slack())
