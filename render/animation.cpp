@@ -44,7 +44,7 @@ void check_values(const Raster& layer, const ColourScale& scale) {
 
 class MapAnimator::Page {
   public:
-    explicit Page(const MapSpec& base) : page_(with_fixed_scale(base), true) {}
+    explicit Page(const MapSpec& base) : page_(with_fixed_scale(base), true, ground_) {}
 
     Image frame(const Raster& layer, const std::string& subtitle) {
         check_values(layer, page_.scale());
@@ -52,6 +52,7 @@ class MapAnimator::Page {
     }
 
   private:
+    std::shared_ptr<const MapGround> ground_;
     MapPage page_;
 };
 
@@ -66,7 +67,7 @@ Image MapAnimator::frame(const Raster& layer, const std::string& subtitle) {
 
 class ViewAnimator::Stage {
   public:
-    explicit Stage(const ViewSpec& base) : stage_(with_fixed_scale(base), true) {}
+    explicit Stage(const ViewSpec& base) : stage_(with_fixed_scale(base), true, place_) {}
 
     Image frame(const Raster& layer, const std::string& subtitle) {
         check_values(layer, stage_.scale());
@@ -75,6 +76,7 @@ class ViewAnimator::Stage {
     void fly(double share) { stage_.fly(share); }
 
   private:
+    std::shared_ptr<ViewPlace> place_;
     ViewStage stage_;
 };
 

@@ -30,7 +30,10 @@ void keep_within(double& from, double& to, double least, double most) {
 Bounds map_window(const MapSpec& spec, double aspect) {
     std::optional<Bounds> shown = spec.window;
     if (!shown) {
-        if (spec.layer != nullptr) shown = data_bounds(*spec.layer);
+        for (const Raster* raster : {spec.extent, spec.layer}) {
+            if (raster == nullptr) continue;
+            if (const auto data = data_bounds(*raster)) include(shown, *data);
+        }
         for (const Outline& outline : spec.outlines) {
             if (!outline.polygons.empty()) include(shown, bounds(outline.polygons));
         }

@@ -14,11 +14,13 @@ namespace frana::render {
 /// on it.
 class ViewScene {
   public:
-    ViewScene(const ViewGround& ground, const PlacedCamera& camera, int width, int height);
+    ViewScene(const ViewGround& ground, int width, int height);
     ~ViewScene();
     ViewScene(const ViewScene&) = delete;
     ViewScene& operator=(const ViewScene&) = delete;
 
+    /// For another view of the same ground: its camera and size, no lines yet.
+    void start(const PlacedCamera& camera, int width, int height);
     void set_camera(const PlacedCamera& camera);
     /// A blue sky, or plain white.
     void set_sky(bool sky);

@@ -56,14 +56,47 @@ std::string scale_words(double exaggeration) {
                              : "heights exaggerated " + number(exaggeration) + " times";
 }
 
+const Raster* extent_of(const ViewSpec& spec) {
+    return spec.extent != nullptr ? spec.extent : spec.layer;
+}
+
+std::shared_ptr<ViewPlace> place_for(const ViewSpec& spec, std::shared_ptr<ViewPlace>& kept) {
+    const bool fits = kept && kept->terrain == spec.terrain && kept->extent == extent_of(spec) &&
+                      kept->exaggeration == spec.vertical_exaggeration;
+    if (!fits) kept = std::make_shared<ViewPlace>(spec);
+    return kept;
+}
+
+/// Round a box, half inside.
+void draw_rim(Image& page, const PageBox& box, int thick) {
+    const int left = static_cast<int>(box.left), top = static_cast<int>(box.top), right = static_cast<int>(box.right),
+              bottom = static_cast<int>(box.bottom);
+    const int out = (thick + 1) / 2, in = thick / 2;
+    for (int row = std::max(0, top - out); row < std::min(page.height, bottom + out); ++row) {
+        for (int column = std::max(0, left - out); column < std::min(page.width, right + out); ++column) {
+            const bool inside =
+                row >= top + in && row < bottom - in && column >= left + in && column < right - in;
+            if (inside) {
+                column = right - in - 1;
+                continue;
+            }
+            std::uint8_t* p = page.pixel(column, row);
+            p[0] = k_ink.r;
+            p[1] = k_ink.g;
+            p[2] = k_ink.b;
+        }
+    }
+}
+
 }  // namespace
 
 class ViewStage::Scene {
   public:
-    Scene(const ViewSpec& spec, bool for_frames)
-        : spec_(spec),
+    Scene(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place)
+        : spec_(checked(spec)),
           for_frames_(for_frames),
-          ground_(*checked(spec).terrain, spec.layer, spec.vertical_exaggeration, spec.background),
+          place_(place_for(spec, place)),
+          ground_(place_->ground),
           raise_by_layer_(spec.thickness != nullptr && spec.thickness == spec.layer) {
         const bool has_values = spec.layer != nullptr && data_bounds(*spec.layer).has_value();
         if (has_values || for_frames) {
@@ -71,7 +104,7 @@ class ViewStage::Scene {
                 {spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer, for_frames});
         }
         constexpr std::int64_t k_sample = 4000;
-        flow_ = ground_.sample(spec.layer, k_sample);
+        flow_ = ground_.sample(extent_of(spec), k_sample);
         const std::vector<ScenePoint>& flow = flow_;
         if (flow.empty()) {
             throw Error(ErrorKind::input, Problem{"a view needs terrain where its layer is", "", "", "",
@@ -83,8 +116,10 @@ class ViewStage::Scene {
         const PageBox& picture = layout_.picture;
         const PlacedCamera camera = place_camera(layout_.camera, flow, picture.width() / picture.height());
         note_flow(flow, camera);
-        scene_ = std::make_unique<ViewScene>(ground_, camera, static_cast<int>(picture.width()),
-                                             static_cast<int>(picture.height()));
+        const int width = static_cast<int>(picture.width()), height = static_cast<int>(picture.height());
+        if (!place_->scene) place_->scene = std::make_unique<ViewScene>(ground_, width, height);
+        scene_ = place_->scene.get();
+        scene_->start(camera, width, height);
         scene_->set_thickness(spec.thickness);
         scene_->set_sky(spec.sky);
         add_outlines(spec, camera, flow);
@@ -118,13 +153,14 @@ class ViewStage::Scene {
                                    static_cast<int>(layout_.picture.top) + row),
                         picture.pixel(0, row), 3 * static_cast<std::size_t>(picture.width));
         }
-        compose(page, above_);
+        const PageStyle look(page.width, page.height);
+        draw_rim(page, layout_.picture, std::max(1, static_cast<int>(std::lround(look.line(2)))));
+        above_.put(page);
         if (!subtitle.empty()) {
-            const PageStyle style(page.width, page.height);
             const Lettering lettering;
             lettering.write(
                 page, subtitle, subtitle_at_,
-                shrunk_to_fit(lettering, subtitle, style.subtitle, page.width - 2 * style.margin, 0.5),
+                shrunk_to_fit(lettering, subtitle, look.subtitle, page.width - 2 * look.margin, 0.5),
                 Across::left, Upright::top);
         }
         return page;
@@ -155,7 +191,6 @@ class ViewStage::Scene {
                                std::round(foot_top - style.gap)};
             const PageBox& picture = layout_.picture;
             if (picture.width() < 80 || picture.height() < 60) continue;
-            sheet.canvas().frame(picture, {style.line(2), k_ink});
             const double left = spec.width - style.margin - column;
             const double legend_bottom =
                 draw_legend(content, style, {left, picture.top}, column, sheet, layout_.legend);
@@ -273,18 +308,25 @@ class ViewStage::Scene {
     ViewSpec spec_;  // its rasters are not looked at after the construction
     bool for_frames_;
     ColourScale scale_;
-    ViewGround ground_;
+    std::shared_ptr<ViewPlace> place_;
+    const ViewGround& ground_;
     std::vector<ScenePoint> flow_;  // some points of it
     Camera first_camera_;
     ViewLayout layout_;
-    LayerImage above_;
+    Overlay above_;
     Point subtitle_at_;
-    std::unique_ptr<ViewScene> scene_;
+    ViewScene* scene_ = nullptr;  // the place's
     bool raise_by_layer_;
 };
 
-ViewStage::ViewStage(const ViewSpec& spec, bool for_frames)
-    : scene_(std::make_unique<Scene>(spec, for_frames)) {}
+ViewPlace::ViewPlace(const ViewSpec& spec)
+    : terrain(spec.terrain),
+      extent(extent_of(spec)),
+      exaggeration(spec.vertical_exaggeration),
+      ground(*spec.terrain, extent, exaggeration, spec.background) {}
+
+ViewStage::ViewStage(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place)
+    : scene_(std::make_unique<Scene>(spec, for_frames, place)) {}
 ViewStage::~ViewStage() = default;
 
 void ViewStage::fly(double share) {

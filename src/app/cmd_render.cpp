@@ -165,9 +165,10 @@ void render_film(const ResultReader& result, const MapSource& source, const Requ
 
 void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d, const std::string& folder) {
     make_folder(folder);
+    LayerDrawer drawer(source);
     for (const MapLayer& layer : layers) {
         const std::string stem = (fs::path(folder) / (layer.name + (view_3d ? "_3d" : ""))).string();
-        for (const std::string& file : draw_layer(source, layer, view_3d, stem)) std::cout << file << '\n';
+        for (const std::string& file : drawer.draw(layer, view_3d, stem)) std::cout << file << '\n';
     }
 }
 

@@ -22,6 +22,7 @@ struct MapLayer {
     std::optional<double> time;      ///< of what it shows at one instant [s]
     std::string source;              ///< "max_depth.tif, band 1"
     std::vector<std::string> notes;  ///< beside the map, under the result's own
+    bool notes_alone = false;        ///< without the result's
 };
 
 /// Reads the first band of a raster. What is known of frana's own files by their names, and what the file says

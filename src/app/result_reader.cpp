@@ -71,6 +71,13 @@ void add_figures(const std::string& path, std::vector<std::string>& notes) {
     add("dice", "Dice", "");
 }
 
+/// Gives cells without a value those of another raster of the same grid, where they are more than nothing.
+void include(Raster& extent, const Raster& more) {
+    if (!extent.grid.same_cells(more.grid)) return;
+    for (std::size_t i = 0; i < extent.values.size(); ++i)
+        if (std::isnan(extent.values[i]) && more.values[i] > 0) extent.values[i] = more.values[i];
+}
+
 }  // namespace
 
 ResultReader::ResultReader(std::string directory) : directory_(std::move(directory)) {
@@ -124,7 +131,7 @@ MultiPolygon ResultReader::outline(const std::string& layer, const std::string& 
     return all;
 }
 
-MapFacts ResultReader::facts() const {
+MapFacts ResultReader::facts(const Raster& max_depth, const Raster& release) const {
     MapFacts facts;
     facts.model = scene_value("material.model").value_or("");
     facts.scheme = scene_value("numerics.scheme").value_or("unknown");
@@ -138,9 +145,9 @@ MapFacts ResultReader::facts() const {
     }
     facts.volume_left = SeriesEnds::value(ends, ends.last, "volume_left_m3");
     facts.last_speed = SeriesEnds::value(ends, ends.last, "max_speed_ms");
-    const Raster trace = trace_mask(raster("max_depth"), facts.threshold);
+    const Raster trace = trace_mask(max_depth, facts.threshold);
     facts.covered_area = masked_area(trace);
-    facts.run_out = runout(raster("bed"), raster("release"), trace);
+    facts.run_out = runout(raster("bed"), release, trace);
     return facts;
 }
 
@@ -265,11 +272,18 @@ MapSource ResultReader::map_source() const {
     source.scar = outline("scar", grid.crs_wkt);
     source.marks = marks(grid.crs_wkt);
     source.style = style();
-    if (has("timeseries.csv") && has("max_depth.tif") && has("bed.tif") && has("release.tif")) {
-        const MapFacts known = facts();
+    source.longitude_latitude = longitude_latitude(grid.crs_wkt);
+    if (!has("max_depth.tif") || !has("release.tif")) return source;
+    const Raster release = raster("release");
+    Raster max_depth = raster("max_depth");
+    if (has("timeseries.csv") && has("bed.tif")) {
+        const MapFacts known = facts(max_depth, release);
         source.subtitle = map_subtitle(known);
         source.notes = map_notes(known);
     }
+    source.extent = std::move(max_depth);
+    include(source.extent, release);
+    if (has("comparison.tif")) include(source.extent, raster("comparison"));
     return source;
 }
 

@@ -41,7 +41,7 @@ class ResultReader {
     [[nodiscard]] MapStyle style() const;
     [[nodiscard]] std::vector<render::Outline> marks(const std::string& crs_wkt) const;
     [[nodiscard]] MultiPolygon outline(const std::string& layer, const std::string& crs_wkt) const;
-    [[nodiscard]] MapFacts facts() const;
+    [[nodiscard]] MapFacts facts(const Raster& max_depth, const Raster& release) const;
 
     std::string directory_;
 };
