@@ -8,7 +8,7 @@ namespace frana::render {
 Image MapSeries::draw(const MapSpec& spec, MapLayout* layout) {
     const MapPage page(spec, false, ground_);
     if (layout != nullptr) *layout = page.layout();
-    return page.draw(spec.layer, "");
+    return page.draw(spec.layer, spec.dots, "");
 }
 
 Image draw_map(const MapSpec& spec, MapLayout* layout) {

@@ -34,6 +34,19 @@ struct Outline {
     std::vector<NamedPlace> places{};  ///< small triangles; no names in a perspective view
 };
 
+/// A particle, coloured by a value.
+struct Dot {
+    Point place;
+    double above = 0;  ///< the bed [m], for views
+    double value = 0;
+};
+
+/// Particles at one instant.
+struct Dots {
+    std::vector<Dot> dots;  ///< later ones over earlier ones
+    double width_m = 1;     ///< of each on the ground; at least a pixel is drawn
+};
+
 /// Draws what lies under a map: `width` x `height` pixels of the ground inside `window`, opacity 0 where there is
 /// nothing.
 using Background = std::function<LayerImage(const Bounds& window, int width, int height)>;
@@ -58,6 +71,7 @@ struct MapSpec {
     /// Has values wherever a layer of the same series of maps has some: fixes the window, and contours' labels keep off
     /// it. May be absent: the layer itself.
     const Raster* extent = nullptr;
+    const Dots* dots = nullptr;       ///< over the layer, in the same colours; may be absent
     std::string palette = "depth";    ///< name known to core/colour.h
     std::optional<double>
         maximum;                  ///< end of the colour scale; values above it get an open class of their own

@@ -87,6 +87,29 @@ void paint_background(Image& page, const MapFrame& frame, const Background& back
     }
 }
 
+void paint_dots(Image& page, const MapFrame& frame, const Dots& dots, const ColourScale& scale) {
+    const double radius = std::max(0.5, dots.width_m / frame.metres_per_pixel() / 2);
+    const PageBox box = frame.box();
+    for (const Dot& dot : dots.dots) {
+        const ColourClass* found = scale.find(dot.value);
+        if (found == nullptr) continue;
+        const Point at = frame.page(dot.place);
+        const auto paint = [&](int column, int row) {
+            if (column < box.left || column >= box.right || row < box.top || row >= box.bottom) return;
+            std::uint8_t* p = page.pixel(column, row);
+            p[0] = found->colour.r;
+            p[1] = found->colour.g;
+            p[2] = found->colour.b;
+        };
+        paint(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
+        for (int row = static_cast<int>(at.y - radius); row <= static_cast<int>(at.y + radius); ++row) {
+            for (int column = static_cast<int>(at.x - radius); column <= static_cast<int>(at.x + radius); ++column) {
+                if (std::hypot(column + 0.5 - at.x, row + 0.5 - at.y) < radius) paint(column, row);
+            }
+        }
+    }
+}
+
 std::int64_t paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale) {
     std::int64_t n_coloured = 0;
     for (int row = 0; row < frame.height; ++row) {

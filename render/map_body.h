@@ -63,4 +63,7 @@ void paint_background(Image& page, const MapFrame& frame, const Background& back
 /// Returns the number of pixels coloured.
 std::int64_t paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale);
 
+/// Particles as dots in the pure colours of their values' classes.
+void paint_dots(Image& page, const MapFrame& frame, const Dots& dots, const ColourScale& scale);
+
 }  // namespace frana::render

@@ -6,6 +6,7 @@
 
 #include "render/graticule.h"
 #include "render/map_lines.h"
+#include "render/map_window.h"
 
 namespace frana::render {
 namespace {
@@ -42,7 +43,8 @@ bool same(const MapFrame& a, const MapFrame& b) {
 
 /// The cells that the layer, or all layers of a series, may colour.
 const Raster* coloured(const MapSpec& spec) {
-    if (spec.extent == nullptr || spec.layer == nullptr) return spec.layer;
+    if (spec.extent == nullptr) return spec.layer;
+    if (spec.layer == nullptr) return spec.extent;
     if (!spec.extent->grid.same_cells(spec.layer->grid)) return spec.layer;
     for (std::size_t i = 0; i < spec.layer->values.size(); ++i) {
         if (std::isnan(spec.extent->values[i]) && !std::isnan(spec.layer->values[i])) return spec.layer;
@@ -68,8 +70,7 @@ void draw_lines(const MapSpec& spec, const PageStyle& style, MapGround& ground) 
     draw_outlines(sheet, style, frame, spec.outlines);
     cover_outside(sheet.canvas(), {0, 0, static_cast<double>(ground.width), static_cast<double>(ground.height)},
                   frame.box());
-    const bool projected = !(spec.layer != nullptr ? spec.layer : spec.terrain)->grid.crs_wkt.empty();
-    draw_coordinates(sheet, style, frame, projected);
+    draw_coordinates(sheet, style, frame, !map_grid(spec).crs_wkt.empty());
     if (spec.longitude_latitude) draw_graticule(sheet, style, frame, spec.longitude_latitude);
     sheet.canvas().frame(frame.box(), {style.line(2), k_ink, 1, {}});
     ground.texts = sheet.texts();

@@ -38,8 +38,8 @@ void check(const MapSpec& spec) {
     if (spec.window && !(spec.window->width() > 0 && spec.window->height() > 0)) {
         problems.add({"the map's window is empty", "", "", "east over west, north over south", ""});
     }
-    if (spec.terrain == nullptr && spec.layer == nullptr && !spec.window) {
-        problems.add({"a map needs a terrain, a layer or a window", "", "", "", ""});
+    if (spec.terrain == nullptr && spec.layer == nullptr && spec.extent == nullptr) {
+        problems.add({"a map needs a terrain or a layer", "", "", "", ""});
     }
     problems.throw_if_any();
 }
@@ -78,7 +78,8 @@ double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spe
 
 MapPage::MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& ground) {
     check(spec);
-    const bool has_values = spec.layer != nullptr && data_bounds(*spec.layer).has_value();
+    const bool has_values = (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
+                            (spec.dots != nullptr && !spec.dots->dots.empty());
     if (has_values || for_frames) {
         scale_ =
             ColourScale({spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer,
@@ -159,7 +160,7 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
             layout_.inset_window = inset->window;
         }
 
-        if (scale_.classes().empty() && spec.layer != nullptr) {
+        if (scale_.classes().empty() && (spec.layer != nullptr || spec.dots != nullptr)) {
             TextStyle note = style.heading;
             note.halo_px = std::max(2.0, style.length(4));
             sheet.text("nothing to show: the layer has no values",
@@ -180,9 +181,10 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
                         "draw a larger picture, or fewer classes, outlines or notes"});
 }
 
-Image MapPage::draw(const Raster* layer, const std::string& subtitle) const {
+Image MapPage::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) const {
     Image image = ground_->paper;
     if (layer != nullptr) paint_cells(image, frame_, *layer, scale_);
+    if (dots != nullptr) paint_dots(image, frame_, *dots, scale_);
     ground_->above.put(image);
     if (layout_.inset) {
         for (int row = 0; row < inset_.height; ++row) {

@@ -18,9 +18,9 @@ class MapPage {
     /// taken where it fits, else drawn and put there.
     MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& ground);
 
-    /// The map with a layer (none if null) and a subtitle; the latter only where the page was made for
+    /// The map with a layer and dots (none if null) and a subtitle; the latter only where the page was made for
     /// frames.
-    [[nodiscard]] Image draw(const Raster* layer, const std::string& subtitle) const;
+    [[nodiscard]] Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle) const;
 
     [[nodiscard]] const MapLayout& layout() const noexcept { return layout_; }
     [[nodiscard]] const ColourScale& scale() const noexcept { return scale_; }

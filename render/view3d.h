@@ -38,6 +38,7 @@ struct ViewSpec {
     /// Has values wherever a layer of the same series of views has some: fixes the part of the terrain shown and the
     /// camera. May be absent: the layer itself.
     const Raster* extent = nullptr;
+    const Dots* dots = nullptr;         ///< may be absent
     const Raster* thickness = nullptr;  ///< raises the surface where it has values [m]; may be absent
     std::vector<Outline> outlines;
     std::vector<std::string> side_notes;

@@ -24,6 +24,7 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
 
 namespace frana::render {
 namespace {
@@ -56,6 +57,8 @@ class ViewScene::Parts {
     void start(const PlacedCamera& camera, int width, int height) {
         for (const auto& line : lines_) renderer_->RemoveActor(line);
         lines_.clear();
+        if (dots_) renderer_->RemoveActor(dots_);
+        dots_ = nullptr;
         window_.resize(width, height);
         set_camera(camera);
     }
@@ -110,6 +113,31 @@ class ViewScene::Parts {
         actor->GetProperty()->SetLineWidth(static_cast<float>(width_px));
         renderer_->AddActor(actor);
         lines_.emplace_back(actor);
+    }
+
+    void set_dots(const std::vector<ScenePoint>& places, const std::vector<Rgb>& colours, double width_px) {
+        if (dots_) renderer_->RemoveActor(dots_);
+        vtkNew<vtkPoints> points;
+        vtkNew<vtkCellArray> cells;
+        vtkNew<vtkUnsignedCharArray> inks;
+        inks->SetNumberOfComponents(3);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const ScenePoint& p = places[i];
+            cells->InsertNextCell({points->InsertNextPoint(p.x, p.y, p.z)});
+            inks->InsertNextTuple3(colours[i].r, colours[i].g, colours[i].b);
+        }
+        vtkNew<vtkPolyData> cloud;
+        cloud->SetPoints(points);
+        cloud->SetVerts(cells);
+        cloud->GetPointData()->SetScalars(inks);
+        vtkNew<vtkPolyDataMapper> mapper;
+        mapper->SetInputData(cloud);
+        mapper->SetColorModeToDirectScalars();
+        dots_ = vtkSmartPointer<vtkActor>::New();
+        dots_->SetMapper(mapper);
+        dots_->GetProperty()->LightingOff();
+        dots_->GetProperty()->SetPointSize(static_cast<float>(width_px));
+        if (!places.empty()) renderer_->AddActor(dots_);
     }
 
     Image draw() {
@@ -228,12 +256,16 @@ class ViewScene::Parts {
     vtkNew<vtkTexture> texture_;
     vtkNew<vtkPoints> points_;
     std::vector<vtkSmartPointer<vtkActor>> lines_;
+    vtkSmartPointer<vtkActor> dots_;
 };
 
 ViewScene::ViewScene(const ViewGround& ground, int width, int height)
     : parts_(std::make_unique<Parts>(ground, width, height)) {}
 ViewScene::~ViewScene() = default;
 
+void ViewScene::set_dots(const std::vector<ScenePoint>& places, const std::vector<Rgb>& colours, double width_px) {
+    parts_->set_dots(places, colours, width_px);
+}
 void ViewScene::start(const PlacedCamera& camera, int width, int height) {
     parts_->start(camera, width, height);
 }

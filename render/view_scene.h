@@ -30,6 +30,9 @@ class ViewScene {
     void set_thickness(const Raster* thickness);
     void add_line(const std::vector<ScenePoint>& points, double width_px, Rgb colour);
 
+    /// Particles of a width in pixels, in the place of those before.
+    void set_dots(const std::vector<ScenePoint>& places, const std::vector<Rgb>& colours, double width_px);
+
     /// Throws Error(environment) when VTK or OpenGL fails.
     [[nodiscard]] Image draw();
 

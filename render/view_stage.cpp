@@ -98,7 +98,8 @@ class ViewStage::Scene {
           place_(place_for(spec, place)),
           ground_(place_->ground),
           raise_by_layer_(spec.thickness != nullptr && spec.thickness == spec.layer) {
-        const bool has_values = spec.layer != nullptr && data_bounds(*spec.layer).has_value();
+        const bool has_values = (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
+                                (spec.dots != nullptr && !spec.dots->dots.empty());
         if (has_values || for_frames) {
             scale_ = ColourScale(
                 {spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer, for_frames});
@@ -112,7 +113,7 @@ class ViewStage::Scene {
         }
         layout_.camera =
             spec.camera.value_or(find_camera(has_values ? std::span(flow) : std::span<const ScenePoint>()));
-        arrange(spec, for_frames, !has_values && spec.layer != nullptr);
+        arrange(spec, for_frames, !has_values && (spec.layer != nullptr || spec.dots != nullptr));
         const PageBox& picture = layout_.picture;
         const PlacedCamera camera = place_camera(layout_.camera, flow, picture.width() / picture.height());
         note_flow(flow, camera);
@@ -122,7 +123,8 @@ class ViewStage::Scene {
         scene_->start(camera, width, height);
         scene_->set_thickness(spec.thickness);
         scene_->set_sky(spec.sky);
-        add_outlines(spec, camera, flow);
+        metres_per_pixel_ = pixel_in_the_middle(camera);
+        add_outlines(spec);
         first_camera_ = layout_.camera;
     }
 
@@ -143,7 +145,8 @@ class ViewStage::Scene {
         scene_->set_camera(place_camera(layout_.camera, seen, picture.width() / picture.height()));
     }
 
-    Image draw(const Raster* layer, const std::string& subtitle) {
+    Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
+        if (dots != nullptr) put_dots(*dots);
         scene_->set_colours(ground_.colours(layer, scale_));
         if (raise_by_layer_) scene_->set_thickness(layer);
         const Image picture = scene_->draw();
@@ -228,6 +231,13 @@ class ViewStage::Scene {
                 (picture.top + picture.bottom) / 2 - projected.y * picture.height() / 2};
     }
 
+    [[nodiscard]] double pixel_in_the_middle(const PlacedCamera& camera) const {
+        const ScenePoint middle = flow_[flow_.size() / 2];
+        const double away = std::hypot(middle.x - camera.position.x, middle.y - camera.position.y,
+                                       middle.z - camera.position.z);
+        return 2 * away * std::tan(camera.opening_deg / 2 * std::numbers::pi / 180) / layout_.picture.height();
+    }
+
     void note_flow(const std::vector<ScenePoint>& flow, const PlacedCamera& camera) {
         const Point first = on_page(camera.project(flow.front()));
         PageBox box{first.x, first.y, first.x, first.y};
@@ -239,30 +249,40 @@ class ViewStage::Scene {
         layout_.flow = box;
     }
 
-    /// Lines over the ground, following it closely; metres for a pixel taken in the middle of the flow.
-    void add_outlines(const ViewSpec& spec, const PlacedCamera& camera, const std::vector<ScenePoint>& flow) {
+    void put_dots(const Dots& dots) {
+        std::vector<ScenePoint> places;
+        std::vector<Rgb> colours;
+        // A little above the ground, whose mesh is coarser than the bed.
+        const double lift = 0.35 * ground_.heights().grid.cell_size;
+        for (const Dot& dot : dots.dots) {
+            const ColourClass* found = scale_.find(dot.value);
+            const ScenePoint place = ground_.scene(dot.place, dot.above + lift);
+            if (found == nullptr || std::isnan(place.z)) continue;
+            places.push_back(place);
+            colours.push_back(found->colour);
+        }
+        scene_->set_dots(places, colours, std::max(1.5, dots.width_m / metres_per_pixel_));
+    }
+
+    /// Lines over the ground, following it closely.
+    void add_outlines(const ViewSpec& spec) {
         const PageStyle style(spec.width, spec.height);
-        const ScenePoint middle = flow[flow.size() / 2];
-        const double away = std::hypot(middle.x - camera.position.x, middle.y - camera.position.y,
-                                       middle.z - camera.position.z);
-        const double metres_per_pixel =
-            2 * away * std::tan(camera.opening_deg / 2 * std::numbers::pi / 180) / layout_.picture.height();
         const double cell = ground_.heights().grid.cell_size;
         for (const Outline& outline : spec.outlines) {
             const double width = style.line(outline.width_px);
             for (const Polygon& polygon : outline.polygons) {
-                add_line(polygon.outer, true, outline, width, metres_per_pixel, cell, spec.thickness);
+                add_line(polygon.outer, true, outline, width, cell, spec.thickness);
                 for (const Ring& hole : polygon.holes)
-                    add_line(hole, true, outline, width, metres_per_pixel, cell, spec.thickness);
+                    add_line(hole, true, outline, width, cell, spec.thickness);
             }
             for (const Polyline& line : outline.lines) {
-                add_line(line, false, outline, width, metres_per_pixel, cell, spec.thickness);
+                add_line(line, false, outline, width, cell, spec.thickness);
             }
         }
     }
 
-    void add_line(const Polyline& ring, bool is_ring, const Outline& outline, double width,
-                  double metres_per_pixel, double cell, const Raster* thickness) {
+    void add_line(const Polyline& ring, bool is_ring, const Outline& outline, double width, double cell,
+                  const Raster* thickness) {
         Polyline closed;
         for (std::size_t i = 0; i < ring.size() + (is_ring ? 1 : 0); ++i) {
             const Point to = ring[i % ring.size()];
@@ -296,7 +316,7 @@ class ViewStage::Scene {
         };
         put(closed, 0.35 * cell, width + 2.6, {255, 255, 255});
         std::vector<double> dashes = outline_dashes(outline, width);
-        for (double& length : dashes) length *= metres_per_pixel;
+        for (double& length : dashes) length *= metres_per_pixel_;
         if (dashes.empty()) {
             put(closed, 0.6 * cell, width, outline.colour);
         } else {
@@ -311,6 +331,7 @@ class ViewStage::Scene {
     std::shared_ptr<ViewPlace> place_;
     const ViewGround& ground_;
     std::vector<ScenePoint> flow_;  // some points of it
+    double metres_per_pixel_ = 1;  // in the middle of the flow
     Camera first_camera_;
     ViewLayout layout_;
     Overlay above_;
@@ -333,8 +354,8 @@ void ViewStage::fly(double share) {
     scene_->fly(share);
 }
 
-Image ViewStage::draw(const Raster* layer, const std::string& subtitle) {
-    return scene_->draw(layer, subtitle);
+Image ViewStage::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
+    return scene_->draw(layer, dots, subtitle);
 }
 
 const ViewLayout& ViewStage::layout() const noexcept {

@@ -29,9 +29,9 @@ class ViewStage {
     ViewStage(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place);
     ~ViewStage();
 
-    /// The view with a layer (none if null) and a subtitle; the latter only where the stage was made for
+    /// The view with a layer and dots (none if null) and a subtitle; the latter only where the stage was made for
     /// frames.
-    [[nodiscard]] Image draw(const Raster* layer, const std::string& subtitle);
+    [[nodiscard]] Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle);
 
     /// See ViewAnimator::fly; the specification's texts must still be there.
     void fly(double share);

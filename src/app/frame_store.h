@@ -63,6 +63,7 @@ struct StoredFrame {
     double time = 0;  ///< [s]
     std::string depth_file;
     std::string velocity_file;
+    std::string particle_file;  ///< there only where output.formats asked for it
 };
 
 /// What frames.csv lists. Throws Error(input) when it is missing or broken.

@@ -19,6 +19,7 @@ struct MapLayer {
     std::vector<double> classes;                 ///< bounds; empty: chosen from the values
     std::vector<render::ClassLabel> categories;  ///< of a raster of classes
     Raster values;
+    std::optional<render::Dots> dots;  ///< drawn instead of the values, which then only say where and how much
     std::optional<double> time;      ///< of what it shows at one instant [s]
     std::string source;              ///< "max_depth.tif, band 1"
     std::vector<std::string> notes;  ///< beside the map, under the result's own

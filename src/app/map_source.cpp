@@ -57,8 +57,11 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
     spec.categories = layer.categories;
     spec.continuous = source.style.continuous && layer.categories.empty();
     if (source.terrain.grid.columns > 0) spec.terrain = &source.terrain;
-    spec.layer = &layer.values;
-    if (source.extent.grid.columns > 0) spec.extent = &source.extent;
+    if (layer.dots)
+        spec.dots = &*layer.dots;
+    else
+        spec.layer = &layer.values;
+    spec.extent = source.extent.grid.columns > 0 ? &source.extent : layer.dots ? &layer.values : nullptr;
     spec.outlines = outlines_of(source, !layer.categories.empty());
     if (!layer.notes_alone) spec.side_notes = source.notes;
     spec.side_notes.insert(spec.side_notes.end(), layer.notes.begin(), layer.notes.end());

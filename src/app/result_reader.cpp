@@ -10,6 +10,7 @@
 #include "app/error_estimate.h"
 #include "app/layers.h"
 #include "app/number_text.h"
+#include "app/particle_dots.h"
 #include "core/error.h"
 #include "core/json.h"
 #include "gis/crs.h"
@@ -151,10 +152,21 @@ MapFacts ResultReader::facts(const Raster& max_depth, const Raster& release) con
     return facts;
 }
 
+MapLayer ResultReader::particle_layer(const StoredFrame& frame) const {
+    MapLayer layer = map_layer("max_velocity");  // its colours: maps of different times compare
+    layer.dots = read_particle_dots(frame.particle_file);
+    layer.name = "particles_t" + shortest_text(frame.time);
+    layer.title = "Speed of particles";
+    layer.time = frame.time;
+    layer.source = "frames/" + fs::path(frame.particle_file).filename().string() + ", speed_ms";
+    layer.notes.push_back(grouped(static_cast<double>(layer.dots->dots.size())) + " particles");
+    return layer;
+}
+
 MapLayer ResultReader::map_layer(const std::string& name) const {
     const auto at = name.find('@');
     const std::string kind = name.substr(0, at);
-    if (at != std::string::npos && (kind == "depth" || kind == "velocity")) {
+    if (at != std::string::npos && (kind == "depth" || kind == "velocity" || kind == "particles")) {
         const auto time = number_from_text(name.substr(at + 1));
         if (!time)
             throw Error(ErrorKind::input, Problem{"names no time", "--map", name, kind + "@SECONDS", ""});
@@ -164,6 +176,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         const auto nearest = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
             return std::abs(a.time - *time) < std::abs(b.time - *time);
         });
+        if (kind == "particles") return particle_layer(*nearest);
         MapLayer layer = read_map_layer(kind == "depth" ? nearest->depth_file : nearest->velocity_file);
         layer.source.insert(0, "frames/");
         layer.name = kind + "_t" + shortest_text(nearest->time);
@@ -179,7 +192,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
     const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
     if (name == "uncertainty" && fs::exists(study)) return read_map_layer(study);
     std::string known = joined(drawable(), ", ");
-    if (has("frames/frames.csv")) known += ", depth@SECONDS, velocity@SECONDS";
+    if (has("frames/frames.csv")) known += ", depth@SECONDS, velocity@SECONDS, particles@SECONDS";
     throw Error(ErrorKind::input, Problem{"is not a raster of this result", "map", name, known, ""});
 }
 
