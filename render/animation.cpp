@@ -26,32 +26,42 @@ const Spec& with_fixed_scale(const Spec& base) {
 
 /// A value without a colour would vanish from the picture: better no film than one that hides the highest
 /// flow.
-void check_values(const Raster& layer, const ColourScale& scale) {
-    const ValueRange range = value_range(layer);
-    if (range.empty() || scale.categorical()) return;
-    for (const double value : {range.least, range.greatest}) {
-        if (scale.find(value) == nullptr) {
-            throw Error(
-                ErrorKind::input,
+void check_value(double value, const ColourScale& scale) {
+    if (scale.categorical() || scale.find(value) != nullptr) return;
+    throw Error(ErrorKind::input,
                 Problem{"a frame's value lies outside the animation's colour scale", "", number(value),
                         number(scale.classes().front().lower) + " to " + number(scale.classes().back().upper),
                         "make the scale from the greatest values over time"});
-        }
-    }
+}
+
+void check_values(const Raster& layer, const ColourScale& scale) {
+    const ValueRange range = value_range(layer);
+    if (range.empty()) return;
+    check_value(range.least, scale);
+    check_value(range.greatest, scale);
+}
+
+void check_values(const Dots& dots, const ColourScale& scale) {
+    for (const Dot& dot : dots.dots) check_value(dot.value, scale);
 }
 
 }  // namespace
 
 class MapAnimator::Page {
   public:
-    explicit Page(const MapSpec& base) : page_(with_fixed_scale(base), true) {}
+    explicit Page(const MapSpec& base) : page_(with_fixed_scale(base), true, ground_) {}
 
     Image frame(const Raster& layer, const std::string& subtitle) {
         check_values(layer, page_.scale());
-        return page_.draw(&layer, subtitle);
+        return page_.draw(&layer, nullptr, subtitle);
+    }
+    Image frame(const Dots& dots, const std::string& subtitle) {
+        check_values(dots, page_.scale());
+        return page_.draw(nullptr, &dots, subtitle);
     }
 
   private:
+    std::shared_ptr<const MapGround> ground_;
     MapPage page_;
 };
 
@@ -64,17 +74,26 @@ Image MapAnimator::frame(const Raster& layer, const std::string& subtitle) {
     return page_->frame(layer, subtitle);
 }
 
+Image MapAnimator::frame(const Dots& dots, const std::string& subtitle) {
+    return page_->frame(dots, subtitle);
+}
+
 class ViewAnimator::Stage {
   public:
-    explicit Stage(const ViewSpec& base) : stage_(with_fixed_scale(base), true) {}
+    explicit Stage(const ViewSpec& base) : stage_(with_fixed_scale(base), true, place_) {}
 
     Image frame(const Raster& layer, const std::string& subtitle) {
         check_values(layer, stage_.scale());
-        return stage_.draw(&layer, subtitle);
+        return stage_.draw(&layer, nullptr, subtitle);
+    }
+    Image frame(const Dots& dots, const std::string& subtitle) {
+        check_values(dots, stage_.scale());
+        return stage_.draw(nullptr, &dots, subtitle);
     }
     void fly(double share) { stage_.fly(share); }
 
   private:
+    std::shared_ptr<ViewPlace> place_;
     ViewStage stage_;
 };
 
@@ -89,6 +108,10 @@ void ViewAnimator::fly(double share) {
 
 Image ViewAnimator::frame(const Raster& layer, const std::string& subtitle) {
     return stage_->frame(layer, subtitle);
+}
+
+Image ViewAnimator::frame(const Dots& dots, const std::string& subtitle) {
+    return stage_->frame(dots, subtitle);
 }
 
 }  // namespace frana::render

@@ -25,6 +25,8 @@ class MapAnimator {
 
     /// The map with this layer in place of the base's, and this subtitle.
     Image frame(const Raster& layer, const std::string& subtitle);
+    /// The map with these particles and no layer.
+    Image frame(const Dots& dots, const std::string& subtitle);
 
   private:
     class Page;
@@ -42,6 +44,7 @@ class ViewAnimator {
     ViewAnimator& operator=(ViewAnimator&&) noexcept;
 
     Image frame(const Raster& layer, const std::string& subtitle);
+    Image frame(const Dots& dots, const std::string& subtitle);
 
     /// Brings the camera to its place on a flight along the flow, from the highest part of the base's layer (0) to
     /// the lowest (1), close to the ground and turning slowly.

@@ -119,9 +119,32 @@ void Canvas::frame(const PageBox& box, const LineStyle& style) {
          style.opacity);
 }
 
+LayerImage Canvas::covered() const {
+    float left = 1e9F, right = -1e9F, low = 1e9F, high = -1e9F;
+    for (std::size_t i = 0; i < corners_.size(); i += 2) {
+        left = std::min(left, corners_[i]);
+        right = std::max(right, corners_[i]);
+        low = std::min(low, corners_[i + 1]);
+        high = std::max(high, corners_[i + 1]);
+    }
+    // Samples lie up to half a pixel from a pixel's centre.
+    const auto within = [](double edge, int length) {
+        return static_cast<int>(std::clamp(edge, 0.0, static_cast<double>(length)));
+    };
+    LayerImage part;
+    part.left = within(std::floor(left), width_);
+    part.top = height_ - within(std::ceil(high), height_);
+    part.width = within(std::ceil(right), width_) - part.left;
+    part.height = height_ - within(std::floor(low), height_) - part.top;
+    if (part.width < 1 || part.height < 1) return {};
+    return part;
+}
+
 LayerImage Canvas::draw() const {
+    const LayerImage part = covered();
+    if (part.width == 0) return {};
     VtkErrors errors;
-    OsmesaWindow window(width_, height_);
+    OsmesaWindow window(part.width, part.height);
     const auto n_corners = static_cast<vtkIdType>(colours_.size());
     vtkNew<vtkFloatArray> positions;
     positions->SetNumberOfComponents(3);
@@ -158,17 +181,18 @@ LayerImage Canvas::draw() const {
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(0, 0, 0);
     renderer->SetBackgroundAlpha(0);
-    if (n_corners > 0) renderer->AddActor(actor);
+    renderer->AddActor(actor);
     window.vtk().AddRenderer(renderer);
     vtkCamera* camera = renderer->GetActiveCamera();
     camera->ParallelProjectionOn();
-    camera->SetParallelScale(height_ / 2.0);
+    camera->SetParallelScale(part.height / 2.0);
     camera->SetClippingRange(0.5, 1.05);
 
-    std::vector<std::uint16_t> sum(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    std::vector<std::uint16_t> sum(4 * static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
+    const Point middle{part.left + part.width / 2.0, height_ - part.top - part.height / 2.0};
     LayerImage picture;
     for (const auto& sample : k_samples) {
-        const double x = width_ / 2.0 + sample[0], y = height_ / 2.0 + sample[1];
+        const double x = middle.x + sample[0], y = middle.y + sample[1];
         camera->SetFocalPoint(x, y, 0);
         camera->SetPosition(x, y, 1);
         window.render();
@@ -180,23 +204,28 @@ LayerImage Canvas::draw() const {
     for (std::size_t i = 0; i < sum.size(); ++i) {
         picture.rgba[i] = static_cast<std::uint8_t>((sum[i] + n_samples / 2) / n_samples);
     }
+    picture.left = part.left;
+    picture.top = part.top;
     window.vtk().RemoveRenderer(renderer);
     errors.throw_if_any("a picture's lines could not be drawn");
     return picture;
 }
 
 void compose(Image& page, const LayerImage& layer) {
-    if (page.width != layer.width || page.height != layer.height) {
-        throw Error(ErrorKind::input, Problem{"a layer and its page differ in size", "", "", "", ""});
+    if (layer.left < 0 || layer.top < 0 || layer.left + layer.width > page.width ||
+        layer.top + layer.height > page.height) {
+        throw Error(ErrorKind::input, Problem{"a layer lies outside its page", "", "", "", ""});
     }
-    const std::size_t n_pixels = page.rgb.size() / 3;
-    for (std::size_t i = 0; i < n_pixels; ++i) {
-        const unsigned through = 255U - layer.rgba[4 * i + 3];
-        if (through == 255U) continue;
-        for (std::size_t band = 0; band < 3; ++band) {
-            const unsigned mixed =
-                layer.rgba[4 * i + band] + (page.rgb[3 * i + band] * through + 127U) / 255U;
-            page.rgb[3 * i + band] = static_cast<std::uint8_t>(std::min(mixed, 255U));
+    const std::uint8_t* ink = layer.rgba.data();
+    for (int row = 0; row < layer.height; ++row) {
+        std::uint8_t* to = page.pixel(layer.left, layer.top + row);
+        for (int column = 0; column < layer.width; ++column, ink += 4, to += 3) {
+            const unsigned through = 255U - ink[3];
+            if (through == 255U) continue;
+            for (int band = 0; band < 3; ++band) {
+                const unsigned mixed = ink[band] + (to[band] * through + 127U) / 255U;
+                to[band] = static_cast<std::uint8_t>(std::min(mixed, 255U));
+            }
         }
     }
 }

@@ -32,20 +32,23 @@ class Canvas {
     void fill(const PageBox& box, Rgb colour, double opacity = 1);
     void frame(const PageBox& box, const LineStyle& style);
 
-    /// Draws everything so far. Throws Error(environment) when VTK or OpenGL fails.
+    /// Draws everything so far: the part of the page that it covers. Throws Error(environment) when VTK or OpenGL
+    /// fails.
     [[nodiscard]] LayerImage draw() const;
 
   private:
     using Colour = std::uint32_t;  ///< red, green, blue, opacity from the lowest byte up
     void triangle(Point a, Point b, Point c, Colour colour);
     void stroke(std::span<const Point> points, const LineStyle& style);
+    /// The smallest rectangle of whole pixels of the page round everything; empty when there is nothing on it.
+    [[nodiscard]] LayerImage covered() const;
 
     int width_, height_;
     std::vector<float> corners_;   ///< x, y of each triangle's corners
     std::vector<Colour> colours_;  ///< of each corner
 };
 
-/// Lays a layer over an opaque image of the same size.
+/// Lays a layer over an opaque image, in which it must lie.
 void compose(Image& page, const LayerImage& layer);
 
 }  // namespace frana::render

@@ -220,7 +220,7 @@ Image draw_chart(const ChartContent& content, int width, int height, ChartLayout
     sheet.text(content.y_label, {style.margin + 0.5 * style.label.size_px, (y + bottom) / 2}, upright,
                Across::centre, Upright::middle);
     Image page(width, height);
-    compose(page, sheet.draw());
+    sheet.draw().put(page);
     drawn.texts = sheet.texts();
     if (layout != nullptr) *layout = std::move(drawn);
     return page;

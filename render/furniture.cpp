@@ -16,6 +16,14 @@ std::string length_words(double metres) {
     return metres >= 1000 ? number(metres / 1000) + " km" : number(metres) + " m";
 }
 
+std::string foot_text(const std::vector<std::string>& parts) {
+    std::string all;
+    for (const std::string& part : parts) {
+        if (!part.empty()) all += (all.empty() ? "" : "  \u00B7  ") + part;
+    }
+    return all;
+}
+
 double bar_thickness(const PageStyle& style) {
     return std::max(5.0, style.length(10));
 }
@@ -112,21 +120,21 @@ TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string&
     return result;
 }
 
+double foot_height(const Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double width) {
+    const std::vector<std::string> lines = sheet.wrapped(foot_text(parts), style.small, width);
+    if (lines.empty()) return 0;
+    // The last line's descenders stay above the bottom.
+    return 0.3 * style.small.size_px + Sheet::line_height(style.small) * static_cast<double>(lines.size() - 1) +
+           Lettering::capital_height(style.small) + style.gap / 2;
+}
+
 double draw_foot(Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double left,
                  double bottom, double width) {
-    std::string all;
-    for (const std::string& part : parts) {
-        if (!part.empty()) all += (all.empty() ? "" : "  \u00B7  ") + part;
-    }
-    const std::vector<std::string> lines = sheet.wrapped(all, style.small, width);
-    if (lines.empty()) return bottom;
-    // The last line's descenders stay above the bottom.
-    const double height = Sheet::line_height(style.small);
-    double y = bottom - 0.3 * style.small.size_px - height * static_cast<double>(lines.size() - 1);
-    const double top = y - Lettering::capital_height(style.small) - style.gap / 2;
-    for (const std::string& line : lines) {
+    const double top = bottom - foot_height(sheet, style, parts, width);
+    double y = top + style.gap / 2 + Lettering::capital_height(style.small);
+    for (const std::string& line : sheet.wrapped(foot_text(parts), style.small, width)) {
         sheet.text(line, {left, y}, style.small, Across::left, Upright::baseline);
-        y += height;
+        y += Sheet::line_height(style.small);
     }
     return top;
 }

@@ -43,6 +43,8 @@ TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string&
 TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, TextStyle style, double width,
                         double least_share);
 
+/// Height of draw_foot's small print.
+double foot_height(const Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double width);
 /// Small print at the foot of the page, from below upwards; returns the y of its upper edge.
 double draw_foot(Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double left,
                  double bottom, double width);

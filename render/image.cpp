@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/image.h"
 
+#include <png.h>
+
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
 #include "core/error.h"
 #include "core/file_aside.h"
-#include "render/vtk_errors.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPNGWriter.h"
-#include "vtkUnsignedCharArray.h"
 
 namespace frana::render {
 namespace {
@@ -19,6 +17,36 @@ namespace {
 [[noreturn]] void fail(const std::string& path, const char* what) {
     throw Error(ErrorKind::environment, Problem{what, path, std::strerror(errno), "",
                                                 "check the folder, its permissions and the free space"});
+}
+
+/// False when libpng or the stream fails. libpng leaves by longjmp: nothing here may need a destructor.
+bool encode(std::FILE* stream, const Image& image, double dots_per_inch) {
+    png_infop info = nullptr;
+    png_structp png = png_create_write_struct(
+        PNG_LIBPNG_VER_STRING, nullptr,
+        [](png_structp failed, png_const_charp) { png_longjmp(failed, 1); }, [](png_structp, png_const_charp) {});
+    if (png == nullptr) return false;
+    info = png_create_info_struct(png);
+    if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) {
+        png_destroy_write_struct(&png, &info);
+        return false;
+    }
+    png_init_io(png, stream);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (dots_per_inch > 0) {
+        constexpr double k_inches_in_metre = 1 / 0.0254;
+        const auto dots = static_cast<png_uint_32>(std::lround(dots_per_inch * k_inches_in_metre));
+        png_set_pHYs(png, info, dots, dots, PNG_RESOLUTION_METER);
+    }
+    // One filter and a low level: a third of the time of libpng's own choice, and a tenth more bytes.
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_set_compression_level(png, 2);
+    png_write_info(png, info);
+    for (int row = 0; row < image.height; ++row) png_write_row(png, image.pixel(0, row));
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    return true;
 }
 
 }  // namespace
@@ -32,31 +60,14 @@ Image::Image(int columns, int rows, Rgb fill) : width(columns), height(rows) {
     }
 }
 
-void write_png(const std::string& path, const Image& image) {
+void write_png(const std::string& path, const Image& image, double dots_per_inch) {
     if (image.width < 1 || image.height < 1) {
         throw Error(ErrorKind::environment, Problem{"an empty picture is not written", path, "", "", ""});
     }
-    VtkErrors errors;
-    vtkNew<vtkImageData> pixels;
-    pixels->SetDimensions(image.width, image.height, 1);
-    pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-    const std::size_t line = 3 * static_cast<std::size_t>(image.width);
-    for (int row = 0; row < image.height; ++row) {  // VTK counts rows from below
-        std::memcpy(pixels->GetScalarPointer(0, image.height - 1 - row, 0), image.pixel(0, row), line);
-    }
-    vtkNew<vtkPNGWriter> writer;
-    writer->SetInputData(pixels);
-    writer->SetCompressionLevel(5);
-    writer->WriteToMemoryOn();
-    writer->Write();
-    errors.throw_if_any("the picture could not be coded: " + path);
-    vtkUnsignedCharArray* bytes = writer->GetResult();
-
     FileAside file(path);
     std::FILE* stream = std::fopen(file.partial_path().c_str(), "wb");
     if (stream == nullptr) fail(path, "the picture cannot be written");
-    const auto size = static_cast<std::size_t>(bytes->GetNumberOfValues());
-    const bool written = std::fwrite(bytes->GetPointer(0), 1, size, stream) == size;
+    const bool written = encode(stream, image, dots_per_inch);
     const bool closed = std::fclose(stream) == 0;
     if (!written || !closed) fail(path, "the picture could not be written whole");
     file.rename_into_place();

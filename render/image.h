@@ -33,8 +33,9 @@ struct Image {
     }
 };
 
-/// Writes a PNG, aside first and then renamed, so that `path` is whole or untouched.
+/// Writes a PNG, aside first and then renamed, so that `path` is whole or untouched; `dots_per_inch`, where not 0,
+/// says how large it is to be printed.
 /// Throws Error(environment) when it cannot be written (unwritable folder, full disk) and on an empty image.
-void write_png(const std::string& path, const Image& image);
+void write_png(const std::string& path, const Image& image, double dots_per_inch = 0);
 
 }  // namespace frana::render

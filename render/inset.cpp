@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/canvas.h"
 
 namespace frana::render {
 
@@ -28,20 +27,21 @@ std::optional<MapFrame> inset_frame(const Bounds& terrain, const Bounds& window,
     return inset;
 }
 
-Image draw_inset(const PageStyle& style, MapFrame inset, const Raster& terrain, const Bounds& window) {
-    inset.left = inset.top = 0;
+Image draw_inset(Sheet& sheet, const PageStyle& style, const MapFrame& inset, const Raster& terrain,
+                 const Bounds& window) {
     Image picture(inset.width, inset.height, k_no_terrain);
-    paint_relief(picture, inset, terrain);
+    MapFrame alone = inset;
+    alone.left = alone.top = 0;
+    paint_relief(picture, alone, terrain);
     const PageBox box = inset.box();
     const Point low = inset.page({window.west, window.south}), high = inset.page({window.east, window.north});
     const PageBox shown{std::max(low.x, box.left), std::max(high.y, box.top), std::min(high.x, box.right),
                         std::min(low.y, box.bottom)};
     constexpr Rgb k_here{180, 0, 40};
-    Canvas canvas(inset.width, inset.height);
+    Canvas& canvas = sheet.canvas();
     canvas.frame(shown, {style.line(2) + 2 * style.line(1.2), {255, 255, 255}});
     canvas.frame(shown, {style.line(2), k_here});
-    canvas.frame(box, {2 * style.line(1.2), k_ink});
-    compose(picture, canvas.draw());
+    canvas.frame(box, {style.line(1.2), k_ink});
     return picture;
 }
 

@@ -5,6 +5,7 @@
 
 #include "render/map_body.h"
 #include "render/page_style.h"
+#include "render/sheet.h"
 
 namespace frana::render {
 
@@ -13,7 +14,9 @@ namespace frana::render {
 std::optional<MapFrame> inset_frame(const Bounds& terrain, const Bounds& window, const PageStyle& style,
                                     const PageBox& room);
 
-/// The relief of all the terrain with the map's window as a rectangle in it, framed; of the inset's size.
-Image draw_inset(const PageStyle& style, MapFrame inset, const Raster& terrain, const Bounds& window);
+/// The relief of all the terrain, of the inset's size; its frame and the map's window as a rectangle in it go to the
+/// sheet.
+Image draw_inset(Sheet& sheet, const PageStyle& style, const MapFrame& inset, const Raster& terrain,
+                 const Bounds& window);
 
 }  // namespace frana::render

@@ -63,26 +63,14 @@ std::string printable(const std::string& text) {
     return clean;
 }
 
-void mix(std::uint8_t* pixel, Rgb colour, double share) {
-    const std::array<std::uint8_t, 3> ink{colour.r, colour.g, colour.b};
-    for (std::size_t k = 0; k < 3; ++k) {
-        pixel[k] = static_cast<std::uint8_t>(std::lround(pixel[k] + (ink[k] - pixel[k]) * share));
-    }
-}
-
 Point rotated(Point p, double angle_deg) {
     const double angle = angle_deg * std::numbers::pi / 180;
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * p.x - s * p.y, s * p.x + c * p.y};
 }
 
-struct Drawn {
-    vtkNew<vtkImageData> pixels;
-    double descent = 0;  ///< from the lower edge of VTK's box to the baseline
-};
-
-void draw_with_vtk(const std::string& text, const std::string& font, int size, double angle_deg,
-                   Drawn& drawn) {
+/// Draws white letters; returns the distance from the lower edge of VTK's box to the baseline.
+double draw_with_vtk(const std::string& text, const std::string& font, int size, double angle_deg, vtkImageData* pixels) {
     VtkErrors errors;
     vtkNew<vtkTextProperty> property;
     property->SetFontFamily(VTK_FONT_FILE);
@@ -92,68 +80,36 @@ void draw_with_vtk(const std::string& text, const std::string& font, int size, d
     property->SetOrientation(angle_deg);
     vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
     bool good = renderer != nullptr;
+    vtkTextRenderer::Metrics metrics;
     if (good) {
         renderer->SetScaleToPowerOfTwo(false);
-        vtkTextRenderer::Metrics metrics;
         std::array<int, 2> extent{};
         const vtkStdString words(text);
         // Backend FreeType: the default one would read a pair of dollar signs as mathematics.
         good = renderer->GetMetrics(property, words, metrics, k_dots_per_inch, vtkTextRenderer::FreeType) &&
-               renderer->RenderString(property, words, drawn.pixels, extent.data(), k_dots_per_inch,
+               renderer->RenderString(property, words, pixels, extent.data(), k_dots_per_inch,
                                       vtkTextRenderer::FreeType);
-        drawn.descent = std::hypot(metrics.Descent[0], metrics.Descent[1]) + 1;
     }
     errors.throw_if_any("a text could not be drawn: \"" + text + "\"");
     if (!good) {
         throw Error(ErrorKind::environment, Problem{"a text could not be drawn", "VTK", text, "", ""});
     }
+    return std::hypot(metrics.Descent[0], metrics.Descent[1]) + 1;
 }
 
 }  // namespace
 
-/// Coverage of each pixel by ink, in page orientation (rows downwards), trimmed to the ink.
-struct Lettering::Glyphs {
-    int left = 0, top = 0;  ///< of the first pixel, from the point where the text is put
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> ink;
-};
-
 Lettering::Lettering() : regular_(find_font("DejaVuSans.ttf")), bold_(find_font("DejaVuSans-Bold.ttf")) {}
 
-Lettering::Glyphs Lettering::set(const std::string& text, const TextStyle& style, Across across,
-                                 Upright upright) const {
-    if (style.angle_deg == 90) {
-        // Turned pixel by pixel, upright labels keep their letters and their exact place.
-        TextStyle level = style;
-        level.angle_deg = 0;
-        const Glyphs straight = set(text, level, across, upright);
-        Glyphs turned{straight.top, -(straight.left + straight.width), straight.height, straight.width, {}};
-        for (int row = 0; row < turned.height; ++row) {
-            for (int column = 0; column < turned.width; ++column) {
-                turned.ink.push_back(
-                    straight.ink[static_cast<std::size_t>(column) * static_cast<std::size_t>(straight.width) +
-                                 static_cast<std::size_t>(straight.width - 1 - row)]);
-            }
-        }
-        return turned;
-    }
-    const std::string clean = printable(text);
-    Glyphs glyphs;
-    if (clean.find_first_not_of(' ') == std::string::npos) return glyphs;
-
-    double ink_left = 0, ink_width = 0;
-    if (style.angle_deg != 0 && across != Across::left) {
-        TextStyle level = style;
-        level.angle_deg = 0;
-        const Glyphs straight = set(text, level, Across::left, Upright::baseline);
-        ink_left = straight.left;
-        ink_width = straight.width;
-    }
-    Drawn drawn;
-    draw_with_vtk(clean, style.bold ? bold_ : regular_, style.size_px, style.angle_deg, drawn);
-    const int* extent = drawn.pixels->GetExtent();
-    const int bands = drawn.pixels->GetNumberOfScalarComponents();
-    const auto* values = static_cast<const unsigned char*>(drawn.pixels->GetScalarPointer());
+const Lettering::Drawn& Lettering::drawn(const std::string& text, const TextStyle& style) const {
+    const auto [place, is_new] = kept_.try_emplace({text, style.size_px, style.bold, style.angle_deg});
+    Drawn& drawn = place->second;
+    if (!is_new || text.find_first_not_of(' ') == std::string::npos) return drawn;
+    vtkNew<vtkImageData> pixels;
+    drawn.descent = draw_with_vtk(text, style.bold ? bold_ : regular_, style.size_px, style.angle_deg, pixels);
+    const int* extent = pixels->GetExtent();
+    const int bands = pixels->GetNumberOfScalarComponents();
+    const auto* values = static_cast<const unsigned char*>(pixels->GetScalarPointer());
     const int columns = extent[1] - extent[0] + 1, rows = extent[3] - extent[2] + 1;
     const auto alpha = [&](int column, int row) {  // row 0 at the bottom
         return values[static_cast<std::size_t>(bands) *
@@ -171,30 +127,65 @@ Lettering::Glyphs Lettering::set(const std::string& text, const TextStyle& style
             last_row = std::max(last_row, row);
         }
     }
-    if (last_column < 0) return glyphs;
-    if (style.angle_deg == 0) {
-        ink_left = extent[0] + first_column;
-        ink_width = last_column - first_column + 1;
+    if (last_column < 0) return drawn;
+    drawn.first_column = extent[0] + first_column;
+    drawn.last_row = extent[2] + last_row;
+    drawn.glyphs.width = last_column - first_column + 1;
+    drawn.glyphs.height = last_row - first_row + 1;
+    for (int row = last_row; row >= first_row; --row) {
+        for (int column = first_column; column <= last_column; ++column) drawn.glyphs.ink.push_back(alpha(column, row));
     }
+    return drawn;
+}
+
+Glyphs Lettering::set(const std::string& text, const TextStyle& style, Across across, Upright upright) const {
+    if (style.angle_deg == 90) {
+        // Turned pixel by pixel, upright labels keep their letters and their exact place.
+        TextStyle level = style;
+        level.angle_deg = 0;
+        const Glyphs straight = set(text, level, across, upright);
+        Glyphs turned{straight.top, -(straight.left + straight.width), straight.height, straight.width, {}};
+        for (int row = 0; row < turned.height; ++row) {
+            for (int column = 0; column < turned.width; ++column) {
+                turned.ink.push_back(
+                    straight.ink[static_cast<std::size_t>(column) * static_cast<std::size_t>(straight.width) +
+                                 static_cast<std::size_t>(straight.width - 1 - row)]);
+            }
+        }
+        return turned;
+    }
+    const std::string clean = printable(text);
+    const Drawn& letters = drawn(clean, style);
+    Glyphs glyphs = letters.glyphs;
+    if (glyphs.width == 0) return glyphs;
 
     // The reference point in the unturned text, from the left end of the baseline.
+    double ink_left = 0, ink_width = 0;
+    if (style.angle_deg == 0 || across != Across::left) {
+        TextStyle level = style;
+        level.angle_deg = 0;
+        const Drawn& straight = drawn(clean, level);
+        ink_left = style.angle_deg == 0 ? straight.first_column : 0;
+        ink_width = straight.glyphs.width;
+    }
     const double capital = capital_height(style);
-    const Point reference{across == Across::left     ? (style.angle_deg == 0 ? ink_left : 0)
+    const Point reference{across == Across::left     ? ink_left
                           : across == Across::centre ? ink_left + ink_width / 2
                                                      : ink_left + ink_width,
                           upright == Upright::baseline ? 0
                           : upright == Upright::middle ? capital / 2
                                                        : capital};
-    const Point origin = rotated({reference.x, reference.y + drawn.descent}, style.angle_deg);
-    glyphs.width = last_column - first_column + 1;
-    glyphs.height = last_row - first_row + 1;
-    glyphs.left = static_cast<int>(std::lround(extent[0] + first_column - origin.x));
-    glyphs.top = -static_cast<int>(std::lround(extent[2] + last_row + 1 - origin.y));
-    glyphs.ink.reserve(static_cast<std::size_t>(glyphs.width) * static_cast<std::size_t>(glyphs.height));
-    for (int row = last_row; row >= first_row; --row) {
-        for (int column = first_column; column <= last_column; ++column)
-            glyphs.ink.push_back(alpha(column, row));
-    }
+    const Point origin = rotated({reference.x, reference.y + letters.descent}, style.angle_deg);
+    glyphs.left = static_cast<int>(std::lround(letters.first_column - origin.x));
+    glyphs.top = -static_cast<int>(std::lround(letters.last_row + 1 - origin.y));
+    return glyphs;
+}
+
+Glyphs Lettering::set(const std::string& text, Point at, const TextStyle& style, Across across,
+                      Upright upright) const {
+    Glyphs glyphs = set(text, style, across, upright);
+    glyphs.left += static_cast<int>(std::lround(at.x));
+    glyphs.top += static_cast<int>(std::lround(at.y));
     return glyphs;
 }
 
@@ -204,73 +195,64 @@ double Lettering::width(const std::string& text, const TextStyle& style) const {
     return set(text, level, Across::left, Upright::baseline).width;
 }
 
-TextBox Lettering::place(const std::string& text, Point at, const TextStyle& style, Across across,
-                         Upright upright) const {
-    const Glyphs glyphs = set(text, style, across, upright);
-    const double left = std::round(at.x) + glyphs.left, top = std::round(at.y) + glyphs.top;
+TextBox text_box(const std::string& text, const Glyphs& glyphs, const TextStyle& style) {
+    const double left = glyphs.left, top = glyphs.top;
     return {text, {left, top, left + glyphs.width, top + glyphs.height}, static_cast<double>(style.size_px)};
 }
 
-template <class Blend>
-TextBox Lettering::ink(const Blend& blend, const std::string& text, Point at, const TextStyle& style,
-                       Across across, Upright upright) const {
-    const Glyphs glyphs = set(text, style, across, upright);
-    const int left = static_cast<int>(std::lround(at.x)) + glyphs.left;
-    const int top = static_cast<int>(std::lround(at.y)) + glyphs.top;
+TextBox Lettering::place(const std::string& text, Point at, const TextStyle& style, Across across,
+                         Upright upright) const {
+    return text_box(text, set(text, at, style, across, upright), style);
+}
+
+TextBox Lettering::write(Image& page, const std::string& text, Point at, const TextStyle& style,
+                         Across across, Upright upright) const {
+    const Glyphs glyphs = set(text, at, style, across, upright);
+    blend(page, glyphs, style);
+    return text_box(text, glyphs, style);
+}
+
+void blend(Image& page, const Glyphs& glyphs, const TextStyle& style) {
+    const auto mix = [&page](int column, int row, Rgb colour, double share) {
+        if (column < 0 || row < 0 || column >= page.width || row >= page.height) return;
+        std::uint8_t* pixel = page.pixel(column, row);
+        const std::array<std::uint8_t, 3> ink{colour.r, colour.g, colour.b};
+        for (std::size_t k = 0; k < 3; ++k)
+            pixel[k] = static_cast<std::uint8_t>(std::lround(pixel[k] + (ink[k] - pixel[k]) * share));
+    };
     const auto coverage = [&](int column, int row) -> int {
         if (column < 0 || row < 0 || column >= glyphs.width || row >= glyphs.height) return 0;
         return glyphs.ink[static_cast<std::size_t>(row) * static_cast<std::size_t>(glyphs.width) +
                           static_cast<std::size_t>(column)];
     };
-    if (style.halo_px > 0) {
+    if (style.halo_px > 0 && glyphs.width > 0) {
         const int reach = static_cast<int>(std::ceil(style.halo_px));
+        struct Near {
+            int dx, dy;
+            double share;
+        };
+        std::vector<Near> nears;
+        for (int dy = -reach; dy <= reach; ++dy) {
+            for (int dx = -reach; dx <= reach; ++dx) {
+                const double share = std::clamp(style.halo_px + 0.5 - std::hypot(dx, dy), 0.0, 1.0);
+                if (share > 0) nears.push_back({dx, dy, share});
+            }
+        }
         for (int row = -reach; row < glyphs.height + reach; ++row) {
             for (int column = -reach; column < glyphs.width + reach; ++column) {
                 double most = 0;
-                for (int dy = -reach; dy <= reach; ++dy) {
-                    for (int dx = -reach; dx <= reach; ++dx) {
-                        const double near = std::clamp(style.halo_px + 0.5 - std::hypot(dx, dy), 0.0, 1.0);
-                        most = std::max(most, near * coverage(column + dx, row + dy));
-                    }
-                }
-                if (most > 0) blend(left + column, top + row, style.halo, most / 255);
+                for (const Near& one : nears)
+                    most = std::max(most, one.share * coverage(column + one.dx, row + one.dy));
+                if (most > 0) mix(glyphs.left + column, glyphs.top + row, style.halo, most / 255);
             }
         }
     }
     for (int row = 0; row < glyphs.height; ++row) {
         for (int column = 0; column < glyphs.width; ++column) {
-            if (const int share = coverage(column, row); share > 0) {
-                blend(left + column, top + row, style.colour, share / 255.0);
-            }
+            if (const int share = coverage(column, row); share > 0)
+                mix(glyphs.left + column, glyphs.top + row, style.colour, share / 255.0);
         }
     }
-    return {text,
-            {static_cast<double>(left), static_cast<double>(top), static_cast<double>(left + glyphs.width),
-             static_cast<double>(top + glyphs.height)},
-            static_cast<double>(style.size_px)};
-}
-
-TextBox Lettering::write(Image& page, const std::string& text, Point at, const TextStyle& style,
-                         Across across, Upright upright) const {
-    const auto blend = [&page](int column, int row, Rgb colour, double share) {
-        if (column < 0 || row < 0 || column >= page.width || row >= page.height) return;
-        mix(page.pixel(column, row), colour, share);
-    };
-    return ink(blend, text, at, style, across, upright);
-}
-
-TextBox Lettering::write(LayerImage& layer, const std::string& text, Point at, const TextStyle& style,
-                         Across across, Upright upright) const {
-    const auto blend = [&layer](int column, int row, Rgb colour, double share) {
-        if (column < 0 || row < 0 || column >= layer.width || row >= layer.height) return;
-        std::uint8_t* p =
-            layer.rgba.data() + 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(layer.width) +
-                                     static_cast<std::size_t>(column));
-        // Colours are multiplied by opacity already, so ink over them mixes like ink over paper.
-        mix(p, colour, share);
-        p[3] = static_cast<std::uint8_t>(std::lround(p[3] + (255 - p[3]) * share));
-    };
-    return ink(blend, text, at, style, across, upright);
 }
 
 }  // namespace frana::render

@@ -223,7 +223,7 @@ Image draw_curves(const CurveChart& chart, int width, int height, ChartLayout* l
         if (i % across + 1 == across) y += cell_height;
     }
     Image page(width, height);
-    compose(page, sheet.draw());
+    sheet.draw().put(page);
     drawn.texts = sheet.texts();
     if (layout != nullptr) *layout = std::move(drawn);
     return page;

@@ -5,10 +5,14 @@
 
 namespace frana::render {
 
-Image draw_map(const MapSpec& spec, MapLayout* layout) {
-    const MapPage page(spec, false);
+Image MapSeries::draw(const MapSpec& spec, MapLayout* layout) {
+    const MapPage page(spec, false, ground_);
     if (layout != nullptr) *layout = page.layout();
-    return page.draw(spec.layer, "");
+    return page.draw(spec.layer, spec.dots, "");
+}
+
+Image draw_map(const MapSpec& spec, MapLayout* layout) {
+    return MapSeries().draw(spec, layout);
 }
 
 }  // namespace frana::render

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,19 @@ struct Outline {
     std::vector<NamedPlace> places{};  ///< small triangles; no names in a perspective view
 };
 
+/// A particle, coloured by a value.
+struct Dot {
+    Point place;
+    double above = 0;  ///< the bed [m], for views
+    double value = 0;
+};
+
+/// Particles at one instant.
+struct Dots {
+    std::vector<Dot> dots;  ///< later ones over earlier ones
+    double width_m = 1;     ///< of each on the ground; at least a pixel is drawn
+};
+
 /// Draws what lies under a map: `width` x `height` pixels of the ground inside `window`, opacity 0 where there is
 /// nothing.
 using Background = std::function<LayerImage(const Bounds& window, int width, int height)>;
@@ -54,6 +68,10 @@ struct MapSpec {
     std::string source;               ///< the same: file, band and time shown
     const Raster* terrain = nullptr;  ///< hillshade and contour lines; may be absent
     const Raster* layer = nullptr;    ///< coloured cells; NaN is transparent; may be absent
+    /// Has values wherever a layer of the same series of maps has some: fixes the window, and contours' labels keep off
+    /// it. May be absent: the layer itself.
+    const Raster* extent = nullptr;
+    const Dots* dots = nullptr;       ///< over the layer, in the same colours; may be absent
     std::string palette = "depth";    ///< name known to core/colour.h
     std::optional<double>
         maximum;                  ///< end of the colour scale; values above it get an open class of their own
@@ -80,5 +98,19 @@ struct MapSpec {
 /// contradicts itself or the page is too small for its texts, and Error(environment) when the picture cannot
 /// be drawn (missing font, broken OpenGL).
 Image draw_map(const MapSpec& spec, MapLayout* layout = nullptr);
+
+struct MapGround;
+
+/// Maps of one place that differ in layer, legend and words: relief, lines and coordinates are drawn once where the
+/// frame stays the same. All specifications share the terrain, the extent, the background and `longitude_latitude`,
+/// and the rasters outlive the series.
+class MapSeries {
+  public:
+    /// The same map as draw_map's; throws as it does.
+    Image draw(const MapSpec& spec, MapLayout* layout = nullptr);
+
+  private:
+    std::shared_ptr<const MapGround> ground_;
+};
 
 }  // namespace frana::render

@@ -16,7 +16,18 @@ ReliefTones::ReliefTones(const Raster& shade) {
     for (const double value : shade.values) {
         if (!std::isnan(value)) values.push_back(value);
     }
-    if (values.empty()) return;
+    double gamma = 1;
+    if (!values.empty()) gamma = fit(values);
+    for (int i = 0; i <= k_steps; ++i) {
+        const double share = std::pow(static_cast<double>(i) / k_steps, gamma);
+        // From a cool mid grey to a warm near-white.
+        const double bright = 138 + 110 * share, warm = 5 * share - 2.5;
+        const auto byte = [](double v) { return static_cast<std::uint8_t>(std::lround(v)); };
+        tones_[static_cast<std::size_t>(i)] = {byte(bright + warm), byte(bright + 0.4 * warm), byte(bright - warm)};
+    }
+}
+
+double ReliefTones::fit(std::vector<double>& values) {
     // One cell in a hundred may be a cliff or a wall; it must not set the tones of the rest.
     const auto quantile = [&values](double share) {
         const auto place =
@@ -36,15 +47,7 @@ ReliefTones::ReliefTones(const Raster& shade) {
     // tones.
     constexpr double k_middle_tone = 0.6;
     const double middle = std::clamp((quantile(0.5) - darkest_) / (brightest_ - darkest_), 0.05, 0.95);
-    gamma_ = std::clamp(std::log(k_middle_tone) / std::log(middle), 0.75, 2.5);
-}
-
-Rgb ReliefTones::colour(double shade) const {
-    const double share = std::pow(std::clamp((shade - darkest_) / (brightest_ - darkest_), 0.0, 1.0), gamma_);
-    // From a cool mid grey to a warm near-white.
-    const double bright = 138 + 110 * share, warm = 5 * share - 2.5;
-    const auto byte = [](double v) { return static_cast<std::uint8_t>(std::lround(v)); };
-    return {byte(bright + warm), byte(bright + 0.4 * warm), byte(bright - warm)};
+    return std::clamp(std::log(k_middle_tone) / std::log(middle), 0.75, 2.5);
 }
 
 void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain) {
@@ -79,6 +82,29 @@ void paint_background(Image& page, const MapFrame& frame, const Background& back
                 const double under = to[k] * (255 - from[3]) / 255.0;
                 const double lit = from[k] + k_lighter * (from[3] - from[k]);
                 to[k] = static_cast<std::uint8_t>(std::lround(under + lit));
+            }
+        }
+    }
+}
+
+void paint_dots(Image& page, const MapFrame& frame, const Dots& dots, const ColourScale& scale) {
+    const double radius = std::max(0.5, dots.width_m / frame.metres_per_pixel() / 2);
+    const PageBox box = frame.box();
+    for (const Dot& dot : dots.dots) {
+        const ColourClass* found = scale.find(dot.value);
+        if (found == nullptr) continue;
+        const Point at = frame.page(dot.place);
+        const auto paint = [&](int column, int row) {
+            if (column < box.left || column >= box.right || row < box.top || row >= box.bottom) return;
+            std::uint8_t* p = page.pixel(column, row);
+            p[0] = found->colour.r;
+            p[1] = found->colour.g;
+            p[2] = found->colour.b;
+        };
+        paint(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
+        for (int row = static_cast<int>(at.y - radius); row <= static_cast<int>(at.y + radius); ++row) {
+            for (int column = static_cast<int>(at.x - radius); column <= static_cast<int>(at.x + radius); ++column) {
+                if (std::hypot(column + 0.5 - at.x, row + 0.5 - at.y) < radius) paint(column, row);
             }
         }
     }

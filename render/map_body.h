@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "render/colour_scale.h"
 #include "render/image.h"
 #include "render/map2d.h"
@@ -36,10 +39,18 @@ struct MapFrame {
 class ReliefTones {
   public:
     explicit ReliefTones(const Raster& shade);
-    [[nodiscard]] Rgb colour(double shade) const;
+    [[nodiscard]] Rgb colour(double shade) const {
+        const double share = std::clamp((shade - darkest_) / (brightest_ - darkest_), 0.0, 1.0);
+        return tones_[static_cast<std::size_t>(share * k_steps + 0.5)];
+    }
 
   private:
-    double darkest_ = 0, brightest_ = 1, gamma_ = 1;
+    /// Sets the range of the values and returns the exponent of the tones.
+    double fit(std::vector<double>& values);
+
+    static constexpr int k_steps = 1023;  // four to a step of a byte
+    double darkest_ = 0, brightest_ = 1;
+    std::array<Rgb, k_steps + 1> tones_{};
 };
 
 /// Shaded relief of a terrain; pale grey where there is none.
@@ -51,5 +62,8 @@ void paint_background(Image& page, const MapFrame& frame, const Background& back
 /// Cells in the pure colours of their classes, each pixel from the cell that holds its centre.
 /// Returns the number of pixels coloured.
 std::int64_t paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale);
+
+/// Particles as dots in the pure colours of their values' classes.
+void paint_dots(Image& page, const MapFrame& frame, const Dots& dots, const ColourScale& scale);
 
 }  // namespace frana::render

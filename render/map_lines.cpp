@@ -53,9 +53,9 @@ class LabelPlaces {
     }
 
     void put(const Polyline& line, const std::string& words, const TextStyle& label, Sheet& sheet) {
-        const double wanted = sheet.lettering().width(words, label) + 1.2 * label.size_px;
+        const double length = sheet.lettering().width(words, label), wanted = length + 1.2 * label.size_px;
         double best_straight = 0.97;  // chord over arc; less looks pasted across the line
-        std::optional<TextBox> best;
+        std::optional<PageBox> best;
         TextStyle best_style = label;
         Point best_at;
         std::size_t end = 0;
@@ -74,9 +74,8 @@ class LabelPlaces {
                 if (turned.angle_deg > 90) turned.angle_deg -= 180;
                 if (turned.angle_deg <= -90) turned.angle_deg += 180;
                 const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
-                const TextBox box =
-                    sheet.lettering().place(words, middle, turned, Across::centre, Upright::middle);
-                if (is_free(box.box)) {
+                const PageBox box = box_of(middle, length, label.size_px, turned.angle_deg);
+                if (is_free(box)) {
                     best_straight = straight;
                     best = box;
                     best_style = turned;
@@ -86,11 +85,18 @@ class LabelPlaces {
             along -= distance(line[begin], line[begin + 1]);
         }
         if (!best) return;
-        sheet.text(words, best_at, best_style, Across::centre, Upright::middle);
-        taken_.push_back(best->box);
+        taken_.push_back(sheet.text(words, best_at, best_style, Across::centre, Upright::middle).box);
     }
 
   private:
+    /// Round figures of this length, turned; a pixel of grace, since they are not set yet.
+    static PageBox box_of(Point middle, double length, double size, double angle_deg) {
+        const double angle = angle_deg * std::numbers::pi / 180, capital = 0.75 * size;
+        const double across = (length * std::fabs(std::cos(angle)) + capital * std::fabs(std::sin(angle))) / 2 + 1;
+        const double upright = (length * std::fabs(std::sin(angle)) + capital * std::fabs(std::cos(angle))) / 2 + 1;
+        return {middle.x - across, middle.y - upright, middle.x + across, middle.y + upright};
+    }
+
     /// Small boxes along an outline, as if labels stood there.
     void keep_off(const Polyline& ring, bool closed) {
         const double step = style_.gap;

@@ -2,7 +2,6 @@
 #include "render/map_page.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -39,8 +38,8 @@ void check(const MapSpec& spec) {
     if (spec.window && !(spec.window->width() > 0 && spec.window->height() > 0)) {
         problems.add({"the map's window is empty", "", "", "east over west, north over south", ""});
     }
-    if (spec.terrain == nullptr && spec.layer == nullptr && !spec.window) {
-        problems.add({"a map needs a terrain, a layer or a window", "", "", "", ""});
+    if (spec.terrain == nullptr && spec.layer == nullptr && spec.extent == nullptr) {
+        problems.add({"a map needs a terrain or a layer", "", "", "", ""});
     }
     problems.throw_if_any();
 }
@@ -49,14 +48,6 @@ void check(const MapSpec& spec) {
 struct Column {
     double left, top, width, bottom;
 };
-
-void cover_outside(Canvas& canvas, const PageBox& page, const PageBox& map) {
-    const Rgb paper{255, 255, 255};
-    canvas.fill(PageBox{page.left, page.top, page.right, map.top}, paper);
-    canvas.fill(PageBox{page.left, map.bottom, page.right, page.bottom}, paper);
-    canvas.fill(PageBox{page.left, map.top, map.left, map.bottom}, paper);
-    canvas.fill(PageBox{map.right, map.top, page.right, map.bottom}, paper);
-}
 
 /// Draws scale bar, north arrow and its words upwards from the column's foot; returns the y of their upper
 /// edge.
@@ -85,18 +76,19 @@ double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spe
 
 }  // namespace
 
-MapPage::MapPage(const MapSpec& spec, bool for_frames) {
+MapPage::MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& ground) {
     check(spec);
-    const bool has_values = spec.layer != nullptr && data_bounds(*spec.layer).has_value();
+    const bool has_values = (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
+                            (spec.dots != nullptr && !spec.dots->dots.empty());
     if (has_values || for_frames) {
         scale_ =
             ColourScale({spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer,
                          for_frames});
     }
-    arrange(spec, for_frames);
+    arrange(spec, for_frames, ground);
 }
 
-void MapPage::arrange(const MapSpec& spec, bool for_frames) {
+void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& kept) {
     const PageBox page{0, 0, static_cast<double>(spec.width), static_cast<double>(spec.height)};
     const LegendContent content{spec.legend_title, spec.unit, &scale_, &spec.outlines, &spec.side_notes};
     constexpr double k_last_density = 0.66;
@@ -113,21 +105,22 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames) {
                                                {style.margin, style.margin}, page.width() - 2 * style.margin);
         subtitle_at_ = titles.subtitle_at;
 
-        constexpr double k_most_of_page = 0.32, k_least_of_page = 0.15;
-        const double column_width =
-            std::max(k_least_of_page * page.width(),
-                     legend_width(content, style, sheet, k_most_of_page * page.width()));
+        constexpr double k_most_of_page = 0.32, k_least_of_page = 0.2;
+        // In steps, so that the maps of a series have the same frame although their legends differ a little.
+        const double step = 0.04 * page.width();
+        const double wanted = legend_width(content, style, sheet, k_most_of_page * page.width());
+        const double column_width = std::clamp(step * std::ceil(wanted / step), k_least_of_page * page.width(),
+                                               k_most_of_page * page.width());
         const double band = tick_band(style), graticule_band = spec.longitude_latitude ? band : 0;
-        // The foot's height is known only by setting it; contour and grid remarks join it below, on the final
-        // sheet.
-        std::string remark;
-        const auto foot_parts = [&] {
+        // The contours' interval is known later; any takes about as much room.
+        const auto foot_parts = [&](double interval) {
+            const std::string remark = interval > 0 ? "contour interval " + number(interval) + " m" : "";
             return std::vector<std::string>{spec.source, spec.crs_label, remark, spec.attribution};
         };
-        if (spec.terrain != nullptr && spec.contours) remark = "contour interval 1000 m";
-        Sheet trial(spec.width, spec.height);
-        const double foot_top = draw_foot(trial, style, foot_parts(), style.margin,
-                                          page.bottom - style.margin, page.width() - 2 * style.margin);
+        const double inner = page.width() - 2 * style.margin;
+        const bool contours = spec.terrain != nullptr && spec.contours;
+        const double foot_top =
+            page.bottom - style.margin - foot_height(sheet, style, foot_parts(contours ? 1000 : 0), inner);
 
         frame_.left = static_cast<int>(std::lround(style.margin + band));
         frame_.top = static_cast<int>(std::lround(titles.bottom + style.gap + graticule_band));
@@ -147,27 +140,14 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames) {
         const double column_top = frame_.top - (density == k_last_density ? graticule_band : 0);
         const Column column{page.right - style.margin - column_width, column_top, column_width,
                             static_cast<double>(frame_.top + frame_.height)};
-        Canvas& canvas = sheet.canvas();
-        draw_place_names(sheet, style, frame_, spec.outlines);
-        double interval = 0;
-        if (spec.terrain != nullptr && spec.contours) {
-            interval = draw_contours(sheet, style, frame_, *spec.terrain, spec.layer, spec.outlines);
-        }
-        draw_outlines(sheet, style, frame_, spec.outlines);
-        cover_outside(canvas, page, frame_.box());
-        const bool projected = !(spec.layer != nullptr ? spec.layer : spec.terrain)->grid.crs_wkt.empty();
-        draw_coordinates(sheet, style, frame_, projected);
-        if (spec.longitude_latitude) draw_graticule(sheet, style, frame_, spec.longitude_latitude);
-        canvas.frame(frame_.box(), {style.line(2), k_ink, 1, {}});
-        remark = interval > 0 ? "contour interval " + number(interval) + " m" : "";
-        draw_foot(sheet, style, foot_parts(), style.margin, page.bottom - style.margin,
-                  page.width() - 2 * style.margin);
-
         const double legend_bottom =
             draw_legend(content, style, {column.left, column.top}, column.width, sheet, layout_.legend);
         const double arrow_top = draw_orientation(sheet, style, spec, frame_, column, layout_);
         lacking = legend_bottom + style.gap - arrow_top;
         if (lacking > 0) continue;
+        const MapGround& ground = ground_for(spec, frame_, density, kept);
+        ground_ = kept;
+        draw_foot(sheet, style, foot_parts(ground.contour_interval), style.margin, page.bottom - style.margin, inner);
         std::optional<MapFrame> inset;
         if (spec.inset && spec.terrain != nullptr) {
             inset = inset_frame(spec.terrain->grid.bounds(), frame_.window, style,
@@ -175,12 +155,12 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames) {
                                  arrow_top - style.gap});
         }
         if (inset) {
-            inset_ = draw_inset(style, *inset, *spec.terrain, frame_.window);
+            inset_ = draw_inset(sheet, style, *inset, *spec.terrain, frame_.window);
             layout_.inset = inset->box();
             layout_.inset_window = inset->window;
         }
 
-        if (scale_.classes().empty() && spec.layer != nullptr) {
+        if (scale_.classes().empty() && (spec.layer != nullptr || spec.dots != nullptr)) {
             TextStyle note = style.heading;
             note.halo_px = std::max(2.0, style.length(4));
             sheet.text("nothing to show: the layer has no values",
@@ -190,21 +170,8 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames) {
                        Across::centre, Upright::middle);
         }
         layout_.texts = sheet.texts();
-        above_ = sheet.draw();
-        ground_ = Image(spec.width, spec.height);
-        for (int row = frame_.top; row < frame_.top + frame_.height; ++row) {
-            for (int x = frame_.left; x < frame_.left + frame_.width; ++x) {
-                std::uint8_t* p = ground_.pixel(x, row);
-                p[0] = k_no_terrain.r;
-                p[1] = k_no_terrain.g;
-                p[2] = k_no_terrain.b;
-            }
-        }
-        if (spec.background) {
-            paint_background(ground_, frame_, spec.background);
-        } else if (spec.terrain != nullptr) {
-            paint_relief(ground_, frame_, *spec.terrain);
-        }
+        layout_.texts.insert(layout_.texts.end(), ground.texts.begin(), ground.texts.end());
+        words_ = sheet.draw();
         return;
     }
     throw Error(ErrorKind::input,
@@ -214,16 +181,18 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames) {
                         "draw a larger picture, or fewer classes, outlines or notes"});
 }
 
-Image MapPage::draw(const Raster* layer, const std::string& subtitle) const {
-    Image image = ground_;
+Image MapPage::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) const {
+    Image image = ground_->paper;
     if (layer != nullptr) paint_cells(image, frame_, *layer, scale_);
-    compose(image, above_);
+    if (dots != nullptr) paint_dots(image, frame_, *dots, scale_);
+    ground_->above.put(image);
     if (layout_.inset) {
         for (int row = 0; row < inset_.height; ++row) {
             std::memcpy(image.pixel(static_cast<int>(layout_.inset->left), static_cast<int>(layout_.inset->top) + row),
                         inset_.pixel(0, row), 3 * static_cast<std::size_t>(inset_.width));
         }
     }
+    words_.put(image);
     if (!subtitle.empty()) {
         const PageStyle style(image.width, image.height);
         const Lettering lettering;

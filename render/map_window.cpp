@@ -27,14 +27,21 @@ void keep_within(double& from, double& to, double least, double most) {
 
 }  // namespace
 
+const GridSpec& map_grid(const MapSpec& spec) {
+    return (spec.layer != nullptr ? spec.layer : spec.extent != nullptr ? spec.extent : spec.terrain)->grid;
+}
+
 Bounds map_window(const MapSpec& spec, double aspect) {
     std::optional<Bounds> shown = spec.window;
     if (!shown) {
-        if (spec.layer != nullptr) shown = data_bounds(*spec.layer);
+        for (const Raster* raster : {spec.extent, spec.layer}) {
+            if (raster == nullptr) continue;
+            if (const auto data = data_bounds(*raster)) include(shown, *data);
+        }
         for (const Outline& outline : spec.outlines) {
             if (!outline.polygons.empty()) include(shown, bounds(outline.polygons));
         }
-        const GridSpec& grid = (spec.layer != nullptr ? spec.layer : spec.terrain)->grid;
+        const GridSpec& grid = map_grid(spec);
         if (shown) {
             constexpr double k_margin = 0.14, k_least_cells = 20;
             const double side = std::max({shown->width(), shown->height(), k_least_cells * grid.cell_size});
@@ -42,7 +49,7 @@ Bounds map_window(const MapSpec& spec, double aspect) {
             *shown = {shown->west - margin, shown->south - margin, shown->east + margin,
                       shown->north + margin};
         } else {
-            shown = (spec.terrain != nullptr ? spec.terrain : spec.layer)->grid.bounds();
+            shown = spec.terrain != nullptr ? spec.terrain->grid.bounds() : grid.bounds();
         }
     }
     Bounds window = *shown;

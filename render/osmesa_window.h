@@ -12,11 +12,12 @@ class vtkRenderWindow;
 namespace frana::render {
 
 /// Pixels with opacity, colours already multiplied by it (as OpenGL blends over transparent black), from the
-/// top.
+/// top; `left` and `top` say where on a page the first one lies.
 struct LayerImage {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgba;
+    int left = 0, top = 0;
 };
 
 /// A VTK render window that draws into memory through OSMesa: no display, no X server, no GPU.

@@ -28,7 +28,7 @@ Image draw_plate(const Plate& plate, int width, int height, std::vector<TextBox>
                         page.pixel(wide * (i % across), top + high * (i / across) + row));
         }
     }
-    compose(page, sheet.draw());
+    sheet.draw().put(page);
     if (texts != nullptr) *texts = sheet.texts();
     return page;
 }

@@ -7,8 +7,8 @@ namespace frana::render {
 
 const TextBox& Sheet::text(const std::string& words, Point at, const TextStyle& style, Across across,
                            Upright upright) {
-    texts_.push_back({words, at, style, across, upright});
-    return boxes_.emplace_back(lettering_.place(words, at, style, across, upright));
+    texts_.push_back({lettering_.set(words, at, style, across, upright), style});
+    return boxes_.emplace_back(text_box(words, texts_.back().glyphs, style));
 }
 
 double Sheet::lines(const std::vector<std::string>& words, Point top, const TextStyle& style, Across across) {
@@ -21,12 +21,9 @@ double Sheet::lines(const std::vector<std::string>& words, Point top, const Text
 
 std::vector<std::string> Sheet::wrapped(const std::string& words, const TextStyle& style,
                                         double width) const {
-    std::vector<std::string> lines;
+    const auto fits = [&](const std::string& candidate) { return lettering_.width(candidate, style) <= width; };
+    std::vector<std::string> lines, parts;
     std::istringstream stream(words);
-    std::string line;
-    const auto fits = [&](const std::string& candidate) {
-        return lettering_.width(candidate, style) <= width;
-    };
     for (std::string word; stream >> word;) {
         if (!fits(word)) {  // shorten by whole UTF-8 characters
             while (word.size() > 1 && !fits(word + "\u2026")) {
@@ -36,25 +33,37 @@ std::vector<std::string> Sheet::wrapped(const std::string& words, const TextStyl
             }
             word += "\u2026";
         }
-        if (line.empty()) {
-            line = word;
-        } else if (fits(line + " " + word)) {
-            line += " " + word;
-        } else {
-            lines.push_back(line);
-            line = word;
-        }
+        parts.push_back(std::move(word));
     }
-    if (!line.empty()) lines.push_back(line);
+    // Each line takes as many words as fit, found by halving: setting a text to measure it is what costs.
+    for (std::size_t first = 0; first < parts.size();) {
+        const auto line = [&](std::size_t end) {
+            std::string all = parts[first];
+            for (std::size_t i = first + 1; i < end; ++i) all += " " + parts[i];
+            return all;
+        };
+        std::size_t good = first + 1, bad = parts.size() + 1;
+        if (fits(line(parts.size()))) good = parts.size();
+        while (good + 1 < bad) {
+            const std::size_t middle = (good + bad) / 2;
+            (fits(line(middle)) ? good : bad) = middle;
+        }
+        lines.push_back(line(good));
+        first = good;
+    }
     return lines;
 }
 
-LayerImage Sheet::draw() const {
-    LayerImage layer = canvas_.draw();
-    for (const Text& text : texts_) {
-        lettering_.write(layer, text.words, text.at, text.style, text.across, text.upright);
-    }
-    return layer;
+Overlay Sheet::draw() const {
+    Overlay overlay;
+    overlay.shapes_ = canvas_.draw();
+    overlay.texts_ = texts_;
+    return overlay;
+}
+
+void Overlay::put(Image& page) const {
+    compose(page, shapes_);
+    for (const Text& text : texts_) blend(page, text.glyphs, text.style);
 }
 
 }  // namespace frana::render

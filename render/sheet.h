@@ -9,6 +9,21 @@
 
 namespace frana::render {
 
+/// Drawn lines and shapes with the texts over them, ready to be put on one picture after the other.
+class Overlay {
+  public:
+    void put(Image& page) const;
+
+  private:
+    friend class Sheet;
+    struct Text {
+        Glyphs glyphs;
+        TextStyle style;
+    };
+    LayerImage shapes_;
+    std::vector<Text> texts_;
+};
+
 /// Lines, shapes and texts that will lie over a picture, and where the texts are.
 class Sheet {
   public:
@@ -30,19 +45,13 @@ class Sheet {
     /// From one line's capitals to the next line's [px].
     [[nodiscard]] static double line_height(const TextStyle& style) { return 1.35 * style.size_px; }
 
-    [[nodiscard]] LayerImage draw() const;
+    /// Throws Error(environment) when VTK or OpenGL fails.
+    [[nodiscard]] Overlay draw() const;
 
   private:
-    struct Text {
-        std::string words;
-        Point at;
-        TextStyle style;
-        Across across;
-        Upright upright;
-    };
     Canvas canvas_;
     Lettering lettering_;
-    std::vector<Text> texts_;
+    std::vector<Overlay::Text> texts_;
     std::vector<TextBox> boxes_;
 };
 

@@ -5,10 +5,14 @@
 
 namespace frana::render {
 
-Image draw_view(const ViewSpec& spec, ViewLayout* layout) {
-    ViewStage stage(spec, false);
+Image ViewSeries::draw(const ViewSpec& spec, ViewLayout* layout) {
+    ViewStage stage(spec, false, place_);
     if (layout != nullptr) *layout = stage.layout();
-    return stage.draw(spec.layer, "");
+    return stage.draw(spec.layer, spec.dots, "");
+}
+
+Image draw_view(const ViewSpec& spec, ViewLayout* layout) {
+    return ViewSeries().draw(spec, layout);
 }
 
 }  // namespace frana::render

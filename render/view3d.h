@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ struct ViewSpec {
     std::vector<ClassLabel> categories;
     const Raster* terrain = nullptr;    ///< needed
     const Raster* layer = nullptr;      ///< draped over it; may be absent
+    /// Has values wherever a layer of the same series of views has some: fixes the part of the terrain shown and the
+    /// camera. May be absent: the layer itself.
+    const Raster* extent = nullptr;
+    const Dots* dots = nullptr;         ///< may be absent
     const Raster* thickness = nullptr;  ///< raises the surface where it has values [m]; may be absent
     std::vector<Outline> outlines;
     std::vector<std::string> side_notes;
@@ -61,5 +66,18 @@ struct ViewLayout {
 /// Draws the terrain in perspective with the layer draped over it. Throws as draw_map does, and Error(input)
 /// without terrain.
 Image draw_view(const ViewSpec& spec, ViewLayout* layout = nullptr);
+
+struct ViewPlace;
+
+/// Views of one place that differ in layer, legend and words: the terrain is built once. All specifications share the
+/// terrain, the extent and the background, and the rasters outlive the series.
+class ViewSeries {
+  public:
+    /// The same view as draw_view's; throws as it does.
+    Image draw(const ViewSpec& spec, ViewLayout* layout = nullptr);
+
+  private:
+    std::shared_ptr<ViewPlace> place_;
+};
 
 }  // namespace frana::render

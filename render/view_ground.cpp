@@ -12,8 +12,7 @@
 namespace frana::render {
 namespace {
 
-constexpr std::int64_t k_mesh_cells =
-    300;  // a side: 180,000 triangles, finer than the eye can tell under a texture
+constexpr std::int64_t k_mesh_cells = 200;    // a side: 80,000 triangles, finer than the eye can tell under a texture
 constexpr std::int64_t k_texels = 2048;        // a side at most
 constexpr std::int64_t k_texels_per_cell = 3;  // keeps the edges of cells sharp between interpolated texels
 

@@ -22,14 +22,16 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
 
 namespace frana::render {
 namespace {
 
-/// Four looks through each pixel, averaged: smooth edges with the memory of one picture.
-constexpr std::array<std::array<double, 2>, 4> k_samples{
-    {{-0.375, -0.125}, {-0.125, 0.375}, {0.125, -0.375}, {0.375, 0.125}}};
+/// Three looks through each pixel, averaged: smooth edges with the memory of one picture.
+constexpr std::array<std::array<double, 2>, 3> k_samples{
+    {{-1.0 / 3, 0}, {0, 1.0 / 3}, {1.0 / 3, -1.0 / 3}}};
 
 void colour(vtkActor& actor, Rgb c) {
     actor.GetProperty()->SetColor(c.r / 255.0, c.g / 255.0, c.b / 255.0);
@@ -40,19 +42,26 @@ void colour(vtkActor& actor, Rgb c) {
 
 class ViewScene::Parts {
   public:
-    Parts(const ViewGround& ground, const PlacedCamera& camera, int width, int height)
+    Parts(const ViewGround& ground, int width, int height)
         : ground_(ground), window_(width, height) {
         VtkErrors errors;
         build_ground();
         build_walls();
-        set_sky(true);
-        set_camera(camera);
         window_.vtk().AddRenderer(renderer_);
         errors.throw_if_any("a view's terrain could not be built");
     }
     ~Parts() { window_.vtk().RemoveRenderer(renderer_); }
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
+
+    void start(const PlacedCamera& camera, int width, int height) {
+        for (const auto& line : lines_) renderer_->RemoveActor(line);
+        lines_.clear();
+        if (dots_) renderer_->RemoveActor(dots_);
+        dots_ = nullptr;
+        window_.resize(width, height);
+        set_camera(camera);
+    }
 
     void set_sky(bool sky) {
         renderer_->SetGradientBackground(sky);
@@ -103,6 +112,32 @@ class ViewScene::Parts {
         colour(*actor, ink);
         actor->GetProperty()->SetLineWidth(static_cast<float>(width_px));
         renderer_->AddActor(actor);
+        lines_.emplace_back(actor);
+    }
+
+    void set_dots(const std::vector<ScenePoint>& places, const std::vector<Rgb>& colours, double width_px) {
+        if (dots_) renderer_->RemoveActor(dots_);
+        vtkNew<vtkPoints> points;
+        vtkNew<vtkCellArray> cells;
+        vtkNew<vtkUnsignedCharArray> inks;
+        inks->SetNumberOfComponents(3);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const ScenePoint& p = places[i];
+            cells->InsertNextCell({points->InsertNextPoint(p.x, p.y, p.z)});
+            inks->InsertNextTuple3(colours[i].r, colours[i].g, colours[i].b);
+        }
+        vtkNew<vtkPolyData> cloud;
+        cloud->SetPoints(points);
+        cloud->SetVerts(cells);
+        cloud->GetPointData()->SetScalars(inks);
+        vtkNew<vtkPolyDataMapper> mapper;
+        mapper->SetInputData(cloud);
+        mapper->SetColorModeToDirectScalars();
+        dots_ = vtkSmartPointer<vtkActor>::New();
+        dots_->SetMapper(mapper);
+        dots_->GetProperty()->LightingOff();
+        dots_->GetProperty()->SetPointSize(static_cast<float>(width_px));
+        if (!places.empty()) renderer_->AddActor(dots_);
     }
 
     Image draw() {
@@ -171,7 +206,8 @@ class ViewScene::Parts {
         actor->SetTexture(texture_);
         colour(*actor, {255, 255, 255});
         texture_->InterpolateOn();
-        texture_->MipmapOn();
+        // The looks through each pixel smooth what is far; smaller copies of the texture would cost as much again.
+        texture_->MipmapOff();
         texture_->SetMaximumAnisotropicFiltering(1);  // more costs several times the frame in software
         renderer_->AddActor(actor);
     }
@@ -219,12 +255,20 @@ class ViewScene::Parts {
     vtkNew<vtkRenderer> renderer_;
     vtkNew<vtkTexture> texture_;
     vtkNew<vtkPoints> points_;
+    std::vector<vtkSmartPointer<vtkActor>> lines_;
+    vtkSmartPointer<vtkActor> dots_;
 };
 
-ViewScene::ViewScene(const ViewGround& ground, const PlacedCamera& camera, int width, int height)
-    : parts_(std::make_unique<Parts>(ground, camera, width, height)) {}
+ViewScene::ViewScene(const ViewGround& ground, int width, int height)
+    : parts_(std::make_unique<Parts>(ground, width, height)) {}
 ViewScene::~ViewScene() = default;
 
+void ViewScene::set_dots(const std::vector<ScenePoint>& places, const std::vector<Rgb>& colours, double width_px) {
+    parts_->set_dots(places, colours, width_px);
+}
+void ViewScene::start(const PlacedCamera& camera, int width, int height) {
+    parts_->start(camera, width, height);
+}
 void ViewScene::set_camera(const PlacedCamera& camera) {
     parts_->set_camera(camera);
 }

@@ -14,11 +14,13 @@ namespace frana::render {
 /// on it.
 class ViewScene {
   public:
-    ViewScene(const ViewGround& ground, const PlacedCamera& camera, int width, int height);
+    ViewScene(const ViewGround& ground, int width, int height);
     ~ViewScene();
     ViewScene(const ViewScene&) = delete;
     ViewScene& operator=(const ViewScene&) = delete;
 
+    /// For another view of the same ground: its camera and size, no lines yet.
+    void start(const PlacedCamera& camera, int width, int height);
     void set_camera(const PlacedCamera& camera);
     /// A blue sky, or plain white.
     void set_sky(bool sky);
@@ -27,6 +29,9 @@ class ViewScene {
     /// Raises the surface by a thickness where it has values; null: the bare ground.
     void set_thickness(const Raster* thickness);
     void add_line(const std::vector<ScenePoint>& points, double width_px, Rgb colour);
+
+    /// Particles of a width in pixels, in the place of those before.
+    void set_dots(const std::vector<ScenePoint>& places, const std::vector<Rgb>& colours, double width_px);
 
     /// Throws Error(environment) when VTK or OpenGL fails.
     [[nodiscard]] Image draw();

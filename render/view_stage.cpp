@@ -56,22 +56,56 @@ std::string scale_words(double exaggeration) {
                              : "heights exaggerated " + number(exaggeration) + " times";
 }
 
+const Raster* extent_of(const ViewSpec& spec) {
+    return spec.extent != nullptr ? spec.extent : spec.layer;
+}
+
+std::shared_ptr<ViewPlace> place_for(const ViewSpec& spec, std::shared_ptr<ViewPlace>& kept) {
+    const bool fits = kept && kept->terrain == spec.terrain && kept->extent == extent_of(spec) &&
+                      kept->exaggeration == spec.vertical_exaggeration;
+    if (!fits) kept = std::make_shared<ViewPlace>(spec);
+    return kept;
+}
+
+/// Round a box, half inside.
+void draw_rim(Image& page, const PageBox& box, int thick) {
+    const int left = static_cast<int>(box.left), top = static_cast<int>(box.top), right = static_cast<int>(box.right),
+              bottom = static_cast<int>(box.bottom);
+    const int out = (thick + 1) / 2, in = thick / 2;
+    for (int row = std::max(0, top - out); row < std::min(page.height, bottom + out); ++row) {
+        for (int column = std::max(0, left - out); column < std::min(page.width, right + out); ++column) {
+            const bool inside =
+                row >= top + in && row < bottom - in && column >= left + in && column < right - in;
+            if (inside) {
+                column = right - in - 1;
+                continue;
+            }
+            std::uint8_t* p = page.pixel(column, row);
+            p[0] = k_ink.r;
+            p[1] = k_ink.g;
+            p[2] = k_ink.b;
+        }
+    }
+}
+
 }  // namespace
 
 class ViewStage::Scene {
   public:
-    Scene(const ViewSpec& spec, bool for_frames)
-        : spec_(spec),
+    Scene(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place)
+        : spec_(checked(spec)),
           for_frames_(for_frames),
-          ground_(*checked(spec).terrain, spec.layer, spec.vertical_exaggeration, spec.background),
+          place_(place_for(spec, place)),
+          ground_(place_->ground),
           raise_by_layer_(spec.thickness != nullptr && spec.thickness == spec.layer) {
-        const bool has_values = spec.layer != nullptr && data_bounds(*spec.layer).has_value();
+        const bool has_values = (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
+                                (spec.dots != nullptr && !spec.dots->dots.empty());
         if (has_values || for_frames) {
             scale_ = ColourScale(
                 {spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer, for_frames});
         }
         constexpr std::int64_t k_sample = 4000;
-        flow_ = ground_.sample(spec.layer, k_sample);
+        flow_ = ground_.sample(extent_of(spec), k_sample);
         const std::vector<ScenePoint>& flow = flow_;
         if (flow.empty()) {
             throw Error(ErrorKind::input, Problem{"a view needs terrain where its layer is", "", "", "",
@@ -79,15 +113,18 @@ class ViewStage::Scene {
         }
         layout_.camera =
             spec.camera.value_or(find_camera(has_values ? std::span(flow) : std::span<const ScenePoint>()));
-        arrange(spec, for_frames, !has_values && spec.layer != nullptr);
+        arrange(spec, for_frames, !has_values && (spec.layer != nullptr || spec.dots != nullptr));
         const PageBox& picture = layout_.picture;
         const PlacedCamera camera = place_camera(layout_.camera, flow, picture.width() / picture.height());
         note_flow(flow, camera);
-        scene_ = std::make_unique<ViewScene>(ground_, camera, static_cast<int>(picture.width()),
-                                             static_cast<int>(picture.height()));
+        const int width = static_cast<int>(picture.width()), height = static_cast<int>(picture.height());
+        if (!place_->scene) place_->scene = std::make_unique<ViewScene>(ground_, width, height);
+        scene_ = place_->scene.get();
+        scene_->start(camera, width, height);
         scene_->set_thickness(spec.thickness);
         scene_->set_sky(spec.sky);
-        add_outlines(spec, camera, flow);
+        metres_per_pixel_ = pixel_in_the_middle(camera);
+        add_outlines(spec);
         first_camera_ = layout_.camera;
     }
 
@@ -108,7 +145,8 @@ class ViewStage::Scene {
         scene_->set_camera(place_camera(layout_.camera, seen, picture.width() / picture.height()));
     }
 
-    Image draw(const Raster* layer, const std::string& subtitle) {
+    Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
+        if (dots != nullptr) put_dots(*dots);
         scene_->set_colours(ground_.colours(layer, scale_));
         if (raise_by_layer_) scene_->set_thickness(layer);
         const Image picture = scene_->draw();
@@ -118,13 +156,14 @@ class ViewStage::Scene {
                                    static_cast<int>(layout_.picture.top) + row),
                         picture.pixel(0, row), 3 * static_cast<std::size_t>(picture.width));
         }
-        compose(page, above_);
+        const PageStyle look(page.width, page.height);
+        draw_rim(page, layout_.picture, std::max(1, static_cast<int>(std::lround(look.line(2)))));
+        above_.put(page);
         if (!subtitle.empty()) {
-            const PageStyle style(page.width, page.height);
             const Lettering lettering;
             lettering.write(
                 page, subtitle, subtitle_at_,
-                shrunk_to_fit(lettering, subtitle, style.subtitle, page.width - 2 * style.margin, 0.5),
+                shrunk_to_fit(lettering, subtitle, look.subtitle, page.width - 2 * look.margin, 0.5),
                 Across::left, Upright::top);
         }
         return page;
@@ -155,7 +194,6 @@ class ViewStage::Scene {
                                std::round(foot_top - style.gap)};
             const PageBox& picture = layout_.picture;
             if (picture.width() < 80 || picture.height() < 60) continue;
-            sheet.canvas().frame(picture, {style.line(2), k_ink});
             const double left = spec.width - style.margin - column;
             const double legend_bottom =
                 draw_legend(content, style, {left, picture.top}, column, sheet, layout_.legend);
@@ -193,6 +231,13 @@ class ViewStage::Scene {
                 (picture.top + picture.bottom) / 2 - projected.y * picture.height() / 2};
     }
 
+    [[nodiscard]] double pixel_in_the_middle(const PlacedCamera& camera) const {
+        const ScenePoint middle = flow_[flow_.size() / 2];
+        const double away = std::hypot(middle.x - camera.position.x, middle.y - camera.position.y,
+                                       middle.z - camera.position.z);
+        return 2 * away * std::tan(camera.opening_deg / 2 * std::numbers::pi / 180) / layout_.picture.height();
+    }
+
     void note_flow(const std::vector<ScenePoint>& flow, const PlacedCamera& camera) {
         const Point first = on_page(camera.project(flow.front()));
         PageBox box{first.x, first.y, first.x, first.y};
@@ -204,30 +249,40 @@ class ViewStage::Scene {
         layout_.flow = box;
     }
 
-    /// Lines over the ground, following it closely; metres for a pixel taken in the middle of the flow.
-    void add_outlines(const ViewSpec& spec, const PlacedCamera& camera, const std::vector<ScenePoint>& flow) {
+    void put_dots(const Dots& dots) {
+        std::vector<ScenePoint> places;
+        std::vector<Rgb> colours;
+        // A little above the ground, whose mesh is coarser than the bed.
+        const double lift = 0.35 * ground_.heights().grid.cell_size;
+        for (const Dot& dot : dots.dots) {
+            const ColourClass* found = scale_.find(dot.value);
+            const ScenePoint place = ground_.scene(dot.place, dot.above + lift);
+            if (found == nullptr || std::isnan(place.z)) continue;
+            places.push_back(place);
+            colours.push_back(found->colour);
+        }
+        scene_->set_dots(places, colours, std::max(1.5, dots.width_m / metres_per_pixel_));
+    }
+
+    /// Lines over the ground, following it closely.
+    void add_outlines(const ViewSpec& spec) {
         const PageStyle style(spec.width, spec.height);
-        const ScenePoint middle = flow[flow.size() / 2];
-        const double away = std::hypot(middle.x - camera.position.x, middle.y - camera.position.y,
-                                       middle.z - camera.position.z);
-        const double metres_per_pixel =
-            2 * away * std::tan(camera.opening_deg / 2 * std::numbers::pi / 180) / layout_.picture.height();
         const double cell = ground_.heights().grid.cell_size;
         for (const Outline& outline : spec.outlines) {
             const double width = style.line(outline.width_px);
             for (const Polygon& polygon : outline.polygons) {
-                add_line(polygon.outer, true, outline, width, metres_per_pixel, cell, spec.thickness);
+                add_line(polygon.outer, true, outline, width, cell, spec.thickness);
                 for (const Ring& hole : polygon.holes)
-                    add_line(hole, true, outline, width, metres_per_pixel, cell, spec.thickness);
+                    add_line(hole, true, outline, width, cell, spec.thickness);
             }
             for (const Polyline& line : outline.lines) {
-                add_line(line, false, outline, width, metres_per_pixel, cell, spec.thickness);
+                add_line(line, false, outline, width, cell, spec.thickness);
             }
         }
     }
 
-    void add_line(const Polyline& ring, bool is_ring, const Outline& outline, double width,
-                  double metres_per_pixel, double cell, const Raster* thickness) {
+    void add_line(const Polyline& ring, bool is_ring, const Outline& outline, double width, double cell,
+                  const Raster* thickness) {
         Polyline closed;
         for (std::size_t i = 0; i < ring.size() + (is_ring ? 1 : 0); ++i) {
             const Point to = ring[i % ring.size()];
@@ -261,7 +316,7 @@ class ViewStage::Scene {
         };
         put(closed, 0.35 * cell, width + 2.6, {255, 255, 255});
         std::vector<double> dashes = outline_dashes(outline, width);
-        for (double& length : dashes) length *= metres_per_pixel;
+        for (double& length : dashes) length *= metres_per_pixel_;
         if (dashes.empty()) {
             put(closed, 0.6 * cell, width, outline.colour);
         } else {
@@ -273,26 +328,34 @@ class ViewStage::Scene {
     ViewSpec spec_;  // its rasters are not looked at after the construction
     bool for_frames_;
     ColourScale scale_;
-    ViewGround ground_;
+    std::shared_ptr<ViewPlace> place_;
+    const ViewGround& ground_;
     std::vector<ScenePoint> flow_;  // some points of it
+    double metres_per_pixel_ = 1;  // in the middle of the flow
     Camera first_camera_;
     ViewLayout layout_;
-    LayerImage above_;
+    Overlay above_;
     Point subtitle_at_;
-    std::unique_ptr<ViewScene> scene_;
+    ViewScene* scene_ = nullptr;  // the place's
     bool raise_by_layer_;
 };
 
-ViewStage::ViewStage(const ViewSpec& spec, bool for_frames)
-    : scene_(std::make_unique<Scene>(spec, for_frames)) {}
+ViewPlace::ViewPlace(const ViewSpec& spec)
+    : terrain(spec.terrain),
+      extent(extent_of(spec)),
+      exaggeration(spec.vertical_exaggeration),
+      ground(*spec.terrain, extent, exaggeration, spec.background) {}
+
+ViewStage::ViewStage(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place)
+    : scene_(std::make_unique<Scene>(spec, for_frames, place)) {}
 ViewStage::~ViewStage() = default;
 
 void ViewStage::fly(double share) {
     scene_->fly(share);
 }
 
-Image ViewStage::draw(const Raster* layer, const std::string& subtitle) {
-    return scene_->draw(layer, subtitle);
+Image ViewStage::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
+    return scene_->draw(layer, dots, subtitle);
 }
 
 const ViewLayout& ViewStage::layout() const noexcept {

@@ -10,6 +10,7 @@
 
 #include "analysis/trace.h"
 #include "app/number_text.h"
+#include "app/particle_dots.h"
 #include "gis/raster_in.h"
 #include "render/animation.h"
 #include "render/movie.h"
@@ -62,6 +63,13 @@ class FilmOut {
 
 const std::string& file_of(const StoredFrame& frame, const std::string& quantity) {
     return quantity == "velocity" ? frame.velocity_file : frame.depth_file;
+}
+
+/// The picture of a frame, of its particles or its raster.
+template <class Animator>
+render::Image draw_frame(Animator& animator, const StoredFrame& frame, const std::string& quantity) {
+    if (quantity == "particles") return animator.frame(read_particle_dots(frame.particle_file), time_text(frame.time));
+    return animator.frame(gis::read_result_raster(file_of(frame, quantity)), time_text(frame.time));
 }
 
 /// The last frame not later than a time; the first where all are.
@@ -135,8 +143,7 @@ void film(const FilmRequest& request, const std::string& path) {
             if (request.fly) animator.fly(along);
             along += 1 / static_cast<double>(std::max<std::size_t>(1, frames.size() - 1));
         }
-        const render::Image picture = animator.frame(
-            gis::read_result_raster(file_of(frame, request.first.quantity)), time_text(frame.time));
+        const render::Image picture = draw_frame(animator, frame, request.first.quantity);
         if (!right) {
             out.add(picture);
             continue;
@@ -144,9 +151,7 @@ void film(const FilmRequest& request, const std::string& path) {
         render::Image page(request.size.width, request.size.height);
         beside(page, picture, 0);
         const StoredFrame& other = frame_at(request.second->frames, frame.time);
-        beside(page, right->frame(gis::read_result_raster(file_of(other, request.second->quantity)),
-                                  time_text(other.time)),
-               half.width);
+        beside(page, draw_frame(*right, other, request.second->quantity), half.width);
         out.add(page);
     }
     out.finish();
@@ -161,9 +166,10 @@ Size film_size(Size map) {
 }
 
 FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {
-    FilmSource film{source, result.map_layer("max_" + quantity), result.frames(), quantity};
-    film.layer.title = quantity == "depth" ? "Flow depth" : "Flow velocity";
-    film.layer.source = "frames/" + quantity + "_*.tif, band 1";
+    const bool particles = quantity == "particles";
+    FilmSource film{source, result.map_layer(particles ? "max_velocity" : "max_" + quantity), result.frames(), quantity};
+    film.layer.title = particles ? "Speed of particles" : quantity == "depth" ? "Flow depth" : "Flow velocity";
+    film.layer.source = "frames/" + quantity + (particles ? "_*.gpkg, speed_ms" : "_*.tif, band 1");
     return film;
 }
 

@@ -20,10 +20,10 @@ struct FilmSource {
     MapSource source;
     MapLayer layer;  ///< the greatest values over time: they fix the colours and the window
     std::vector<StoredFrame> frames;
-    std::string quantity;  ///< "depth" or "velocity"
+    std::string quantity;  ///< "depth", "velocity" or "particles"
 };
 
-/// Of a result, with its frames of "depth" or "velocity". Throws Error(input) where it has none.
+/// Of a result, with its frames of "depth", "velocity" or "particles". Throws Error(input) where it has none.
 FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity);
 
 /// Frame by frame what a film shows; 2-D or 3-D, of one result or of two beside each other (with the colours, the

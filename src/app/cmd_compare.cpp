@@ -121,7 +121,8 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
     write_comparison(comparison, simulated.input, folder);
     if (comparison.figures) {
         simulated.source.scar = simulated.input.survey.scar;
-        draw_comparison(comparison, simulated.source, (fs::path(folder) / "comparison").string());
+        LayerDrawer drawer(simulated.source);
+        draw_comparison(comparison, drawer, (fs::path(folder) / "comparison").string());
     }
     return comparison;
 }

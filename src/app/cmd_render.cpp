@@ -31,12 +31,11 @@ CommandForm render_form() {
         {}};
     form.options.add_options()(
         "map", texts(),
-        "raster to draw, for example max_depth; depth@12.5 is the frame nearest to 12.5 s; "
+        "raster to draw, for example max_depth; depth@12.5 is the frame nearest to 12.5 s, particles@12.5 its particles; "
         "repeatable (default: all)")("view", text(), "2d (default) or 3d")(
         "animation", text(),
         "write the frames as FILE.mp4 or FILE.gif, or as pictures into FOLDER/, instead of maps; --map "
-        "velocity "
-        "shows speeds")("beside", text(), "film: another result to show beside, with the same colours")(
+        "velocity shows speeds, --map particles the particles")("beside", text(), "film: another result to show beside, with the same colours")(
         "fly", "film, 3d: the camera glides along the flow")("charts",
                                                              "draw the charts of a result instead of maps")(
         "plates", "draw its plates instead: initial state, snapshots, stresses, profile beside comparison")(
@@ -136,8 +135,9 @@ Request read_request(const Values& values, Problems& problems) {
     if (request.fly && (!request.view_3d || request.beside))
         problems.add({"needs --view 3d and one result", "--fly", "", "", ""});
     if (!request.maps.empty()) request.film_of = request.maps.front();
-    if (request.maps.size() > 1 || (request.film_of != "depth" && request.film_of != "velocity"))
-        problems.add({"is not what frames hold", "--map", joined(request.maps, ", "), "depth, velocity", ""});
+    if (request.maps.size() > 1 ||
+        (request.film_of != "depth" && request.film_of != "velocity" && request.film_of != "particles"))
+        problems.add({"is not what frames hold", "--map", joined(request.maps, ", "), "depth, velocity, particles", ""});
     return request;
 }
 
@@ -156,6 +156,12 @@ void render_film(const ResultReader& result, const MapSource& source, const Requ
         const ResultReader other(*request.beside);
         MapSource second = other.map_source();
         second.style = source.style;
+        if (second.crs_label != source.crs_label) {
+            throw Error(ErrorKind::input,
+                        Problem{"has another coordinate reference system than the result", "--beside", *request.beside,
+                                source.crs_label + ", not " + second.crs_label,
+                                "Run one of the scenes with the other's terrain.crs"});
+        }
         film.second = film_source(other, second, request.film_of);
     }
     if (request.film->ends_with('/')) make_folder(*request.film);
@@ -165,9 +171,10 @@ void render_film(const ResultReader& result, const MapSource& source, const Requ
 
 void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d, const std::string& folder) {
     make_folder(folder);
+    LayerDrawer drawer(source);
     for (const MapLayer& layer : layers) {
         const std::string stem = (fs::path(folder) / (layer.name + (view_3d ? "_3d" : ""))).string();
-        for (const std::string& file : draw_layer(source, layer, view_3d, stem)) std::cout << file << '\n';
+        for (const std::string& file : drawer.draw(layer, view_3d, stem)) std::cout << file << '\n';
     }
 }
 

@@ -74,7 +74,7 @@ std::string comparison_curve_csv(const Comparison& comparison);
 void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder);
 
 /// The map of hits, false alarms and misses with the figures beside it: STEM.png, or what the style asks for.
-void draw_comparison(const Comparison& comparison, MapSource source, const std::string& stem);
+void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& stem);
 
 /// What `compare` found, in one line for the terminal and the log.
 std::string comparison_headline(const Comparison& comparison);

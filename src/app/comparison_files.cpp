@@ -152,9 +152,11 @@ void write_comparison(const Comparison& comparison, const ComparisonInput& input
     gis::write_styles(raster, stops, "", gis::StyleKind::exact);
 }
 
-void draw_comparison(const Comparison& comparison, MapSource source, const std::string& stem) {
+void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& stem) {
     const ComparisonFigures& f = *comparison.figures;
-    source.notes = {"Deeper than " + figure(f.threshold_m) + " m counts",
+    MapLayer layer;
+    layer.notes_alone = true;
+    layer.notes = {"Deeper than " + figure(f.threshold_m) + " m counts",
                     "Observed " + grouped(f.observed_area_m2) + " m²",
                     "Simulated " + grouped(f.simulated_area_m2) + " m²",
                     "Area difference " + figure(f.area_difference_percent, 3) + " %",
@@ -164,14 +166,13 @@ void draw_comparison(const Comparison& comparison, MapSource source, const std::
                     "Jaccard " + figure(f.jaccard, 3),
                     "Dice " + figure(f.dice, 3)};
     if (comparison.outline)
-        source.notes.push_back("Outlines " + figure(comparison.outline->mean_m, 3) + " m apart");
-    MapLayer layer;
+        layer.notes.push_back("Outlines " + figure(comparison.outline->mean_m, 3) + " m apart");
     layer.title = "Comparison with the scar";
     layer.values = comparison.classes;
     layer.source = "comparison.tif, band 1";
     for (const ClassText& entry : k_classes)
         layer.categories.push_back({static_cast<double>(entry.kind), entry.label, entry.colour});
-    draw_layer(source, layer, false, stem);
+    drawer.draw(layer, false, stem);
 }
 
 }  // namespace frana::app

@@ -44,6 +44,7 @@ ForeignMap read_foreign_map(const std::string& file, const std::optional<std::st
                                                   "Check the coordinate reference systems of both files"});
         }
     }
+    source.longitude_latitude = longitude_latitude(grid.crs_wkt);
     source.title = map.layer.name;
     source.foreign = true;
     source.crs_label = gis::crs_name(grid.crs_wkt);

@@ -160,7 +160,8 @@ std::vector<StoredFrame> stored_frames(const std::string& folder) {
         if (!time)
             throw Error(ErrorKind::input, Problem{"is not index,time_s", list_file(folder), line, "", ""});
         frames.push_back({*time, frame_file(folder, "depth", frames.size()),
-                          frame_file(folder, "velocity", frames.size())});
+                          frame_file(folder, "velocity", frames.size()),
+                          (fs::path(frame_file(folder, "particles", frames.size())).replace_extension("gpkg")).string()});
     }
     return frames;
 }

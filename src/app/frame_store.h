@@ -71,6 +71,7 @@ struct StoredFrame {
     double time = 0;  ///< [s]
     std::string depth_file;
     std::string velocity_file;
+    std::string particle_file;  ///< there only where output.formats asked for it
 };
 
 /// The number in a frame's name: "depth_0012.tif" is 12; none for other names.

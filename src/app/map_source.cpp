@@ -57,9 +57,13 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
     spec.categories = layer.categories;
     spec.continuous = source.style.continuous && layer.categories.empty();
     if (source.terrain.grid.columns > 0) spec.terrain = &source.terrain;
-    spec.layer = &layer.values;
+    if (layer.dots)
+        spec.dots = &*layer.dots;
+    else
+        spec.layer = &layer.values;
+    spec.extent = source.extent.grid.columns > 0 ? &source.extent : layer.dots ? &layer.values : nullptr;
     spec.outlines = outlines_of(source, !layer.categories.empty());
-    spec.side_notes = source.notes;
+    if (!layer.notes_alone) spec.side_notes = source.notes;
     spec.side_notes.insert(spec.side_notes.end(), layer.notes.begin(), layer.notes.end());
     spec.convergence_deg = source.convergence_deg;
     spec.crs_label = source.crs_label;
@@ -96,29 +100,6 @@ render::Image face_of(const render::Image& page, const render::PageBox& map) {
     return face;
 }
 
-std::vector<std::string> write_map(const MapSource& source, const MapLayer& layer, const std::string& stem) {
-    const render::MapSpec spec = map_spec(source, layer);
-    render::MapLayout layout;
-    const render::Image image = render::draw_map(spec, &layout);
-    const std::string& crs = layer.values.grid.crs_wkt;
-    std::vector<std::string> files;
-    for (const std::string& format : source.style.formats) {
-        const std::string file = files.emplace_back(stem + "." + format);
-        if (format == "png") {
-            render::write_png(file, image);
-        } else if (format == "pdf") {
-            gis::write_picture_pdf(file, pixels(image), source.style.size.dots_per_inch,
-                                   gis::PicturePlace{ground_of_page(layout), layout.window, crs}, spec.title);
-        } else {
-            const render::Image face = face_of(image, layout.map);
-            gis::write_picture_geotiff(
-                file, pixels(face), layout.window, crs,
-                {{"TITLE", spec.title}, {"SOURCE", spec.source}, {"ATTRIBUTION", spec.attribution}});
-        }
-    }
-    return files;
-}
-
 }  // namespace
 
 std::string map_subtitle(const MapFacts& facts) {
@@ -145,13 +126,15 @@ std::vector<std::string> map_notes(const MapFacts& facts) {
 render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
     render::MapSpec spec = furnished<render::MapSpec>(source, layer);
     spec.inset = true;
-    const std::string& crs = layer.values.grid.crs_wkt;
-    if (!crs.empty()) {
-        const auto transform =
-            std::make_shared<const gis::CrsTransform>(crs, gis::crs_from_user("EPSG:4326", "EPSG:4326"));
-        spec.longitude_latitude = [transform](Point map) { return (*transform)(map); };
-    }
+    spec.longitude_latitude = source.longitude_latitude;
     return spec;
+}
+
+std::function<Point(Point)> longitude_latitude(const std::string& crs_wkt) {
+    if (crs_wkt.empty()) return {};
+    const auto transform =
+        std::make_shared<const gis::CrsTransform>(crs_wkt, gis::crs_from_user("EPSG:4326", "EPSG:4326"));
+    return [transform](Point map) { return (*transform)(map); };
 }
 
 render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer) {
@@ -174,7 +157,7 @@ std::vector<std::string> write_plain_picture(const render::Image& image, const M
         if (format == "tif") continue;
         const std::string file = files.emplace_back(stem + "." + format);
         if (format == "png") {
-            render::write_png(file, image);
+            render::write_png(file, image, style.size.dots_per_inch);
         } else {
             gis::write_picture_pdf(file, pixels(image), style.size.dots_per_inch, std::nullopt, title);
         }
@@ -182,11 +165,33 @@ std::vector<std::string> write_plain_picture(const render::Image& image, const M
     return files;
 }
 
-std::vector<std::string> draw_layer(const MapSource& source, const MapLayer& layer, bool view_3d,
-                                    const std::string& stem) {
-    if (!view_3d) return write_map(source, layer, stem);
-    const render::ViewSpec spec = view_spec(source, layer);
-    return write_plain_picture(render::draw_view(spec), source.style, spec.title, stem);
+std::vector<std::string> LayerDrawer::draw_map(const MapLayer& layer, const std::string& stem) {
+    const render::MapSpec spec = map_spec(source_, layer);
+    render::MapLayout layout;
+    const render::Image image = maps_.draw(spec, &layout);
+    const std::string& crs = layer.values.grid.crs_wkt;
+    std::vector<std::string> files;
+    for (const std::string& format : source_.style.formats) {
+        const std::string file = files.emplace_back(stem + "." + format);
+        if (format == "png") {
+            render::write_png(file, image, source_.style.size.dots_per_inch);
+        } else if (format == "pdf") {
+            gis::write_picture_pdf(file, pixels(image), source_.style.size.dots_per_inch,
+                                   gis::PicturePlace{ground_of_page(layout), layout.window, crs}, spec.title);
+        } else {
+            const render::Image face = face_of(image, layout.map);
+            gis::write_picture_geotiff(
+                file, pixels(face), layout.window, crs,
+                {{"TITLE", spec.title}, {"SOURCE", spec.source}, {"ATTRIBUTION", spec.attribution}});
+        }
+    }
+    return files;
+}
+
+std::vector<std::string> LayerDrawer::draw(const MapLayer& layer, bool view_3d, const std::string& stem) {
+    if (!view_3d) return draw_map(layer, stem);
+    const render::ViewSpec spec = view_spec(source_, layer);
+    return write_plain_picture(views_.draw(spec), source_.style, spec.title, stem);
 }
 
 }  // namespace frana::app

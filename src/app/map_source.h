@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +55,9 @@ struct MapSource {
     std::string crs_label;
     double convergence_deg = 0;
     Raster terrain;  ///< no columns: none
+    Raster extent;   ///< has values wherever the flow came, was released or surveyed; no columns: not known
+    /// Longitude and latitude of a map point; may be absent.
+    std::function<Point(Point)> longitude_latitude;
     MultiPolygon release;
     MultiPolygon scar;                   ///< empty: none
     std::vector<render::Outline> marks;  ///< zones, gauges, sections, profiles
@@ -66,10 +70,26 @@ render::MapSpec map_spec(const MapSource& source, const MapLayer& layer);
 /// The same in perspective.
 render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer);
 
-/// Draws the map STEM.png (or .pdf, .tif, as the style asks) or a view, and returns the names of the files. A view is
-/// no GeoTIFF. Throws Error.
-std::vector<std::string> draw_layer(const MapSource& source, const MapLayer& layer, bool view_3d,
-                                    const std::string& stem);
+/// Where a map point of a CRS lies on the globe; absent without CRS.
+std::function<Point(Point)> longitude_latitude(const std::string& crs_wkt);
+
+/// Draws layers of one result, one after the other: what they share is drawn once.
+class LayerDrawer {
+  public:
+    /// The source must outlive the drawer and stay as it is.
+    explicit LayerDrawer(const MapSource& source) : source_(source) {}
+
+    /// Draws the map STEM.png (or .pdf, .tif, as the style asks) or a view, and returns the names of the files. A view
+    /// is no GeoTIFF. Throws Error.
+    std::vector<std::string> draw(const MapLayer& layer, bool view_3d, const std::string& stem);
+
+  private:
+    std::vector<std::string> draw_map(const MapLayer& layer, const std::string& stem);
+
+    const MapSource& source_;
+    render::MapSeries maps_;
+    render::ViewSeries views_;
+};
 
 /// Writes a picture that lies nowhere on the ground (a chart, a view) as PNG, and as PDF where the style asks.
 std::vector<std::string> write_plain_picture(const render::Image& image, const MapStyle& style,

@@ -64,7 +64,7 @@ class Drawings {
     bool all_drawn_ = true;
 };
 
-void publish_maps(const std::vector<std::string>& asked, const ResultReader& written, const MapSource& source,
+void publish_maps(const std::vector<std::string>& asked, const ResultReader& written, LayerDrawer& drawer,
                   const ResultDirectory& directory, Drawings& drawings) {
     if (asked.front() == "off") return;
     directory.make_folder("maps");
@@ -83,7 +83,7 @@ void publish_maps(const std::vector<std::string>& asked, const ResultReader& wri
         const std::string layer = view_3d ? name.substr(0, name.size() - ending.size()) : name;
         if (all && !written.has(layer + ".tif")) continue;
         drawings.attempt("maps/" + name, [&] {
-            draw_layer(source, written.map_layer(layer), view_3d, directory.path("maps/" + name));
+            drawer.draw(written.map_layer(layer), view_3d, directory.path("maps/" + name));
         });
     }
 }
@@ -196,9 +196,10 @@ void draw_everything(const Finished& run, const std::optional<Comparison>& compa
     const OutputSpec& output = run.prepared.spec.output;
     const ResultReader written(directory.path(""));
     const MapSource source = map_source(written, run.prepared.spec);
-    publish_maps(output.maps, written, source, directory, drawings);
+    LayerDrawer drawer(source);
+    publish_maps(output.maps, written, drawer, directory, drawings);
     if (comparison && comparison->figures)
-        drawings.attempt("comparison", [&] { draw_comparison(*comparison, source, directory.path("comparison")); });
+        drawings.attempt("comparison", [&] { draw_comparison(*comparison, drawer, directory.path("comparison")); });
     if (output.charts && output.maps.front() != "off") {
         directory.make_folder("charts");
         drawings.attempt("charts", [&] { draw_charts(written, source, directory.path("charts")); });

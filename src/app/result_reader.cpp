@@ -10,6 +10,7 @@
 #include "app/error_estimate.h"
 #include "app/layers.h"
 #include "app/number_text.h"
+#include "app/particle_dots.h"
 #include "app/version.h"
 #include "core/error.h"
 #include "core/json.h"
@@ -89,6 +90,13 @@ void refuse_newer_summary(const std::string& path) {
     if (format && *format > k_result_format) throw newer(path, *format, k_result_format);
 }
 
+/// Gives cells without a value those of another raster of the same grid, where they are more than nothing.
+void include(Raster& extent, const Raster& more) {
+    if (!extent.grid.same_cells(more.grid)) return;
+    for (std::size_t i = 0; i < extent.values.size(); ++i)
+        if (std::isnan(extent.values[i]) && more.values[i] > 0) extent.values[i] = more.values[i];
+}
+
 }  // namespace
 
 ResultReader::ResultReader(std::string directory) : directory_(std::move(directory)) {
@@ -145,7 +153,7 @@ MultiPolygon ResultReader::outline(const std::string& layer, const std::string& 
     return all;
 }
 
-MapFacts ResultReader::facts() const {
+MapFacts ResultReader::facts(const Raster& max_depth, const Raster& release) const {
     MapFacts facts;
     facts.model = scene_value("material.model").value_or("");
     facts.scheme = scene_value("numerics.scheme").value_or("unknown");
@@ -159,16 +167,27 @@ MapFacts ResultReader::facts() const {
     }
     facts.volume_left = SeriesEnds::value(ends, ends.last, "volume_left_m3");
     facts.last_speed = SeriesEnds::value(ends, ends.last, "max_speed_ms");
-    const Raster trace = trace_mask(raster("max_depth"), facts.threshold);
+    const Raster trace = trace_mask(max_depth, facts.threshold);
     facts.covered_area = masked_area(trace);
-    facts.run_out = runout(raster("bed"), raster("release"), trace);
+    facts.run_out = runout(raster("bed"), release, trace);
     return facts;
+}
+
+MapLayer ResultReader::particle_layer(const StoredFrame& frame) const {
+    MapLayer layer = map_layer("max_velocity");  // its colours: maps of different times compare
+    layer.dots = read_particle_dots(frame.particle_file);
+    layer.name = "particles_t" + shortest_text(frame.time);
+    layer.title = "Speed of particles";
+    layer.time = frame.time;
+    layer.source = "frames/" + fs::path(frame.particle_file).filename().string() + ", speed_ms";
+    layer.notes.push_back(grouped(static_cast<double>(layer.dots->dots.size())) + " particles");
+    return layer;
 }
 
 MapLayer ResultReader::map_layer(const std::string& name) const {
     const auto at = name.find('@');
     const std::string kind = name.substr(0, at);
-    if (at != std::string::npos && (kind == "depth" || kind == "velocity")) {
+    if (at != std::string::npos && (kind == "depth" || kind == "velocity" || kind == "particles")) {
         const auto time = number_from_text(name.substr(at + 1));
         if (!time)
             throw Error(ErrorKind::input, Problem{"names no time", "--map", name, kind + "@SECONDS", ""});
@@ -178,6 +197,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         const auto nearest = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
             return std::abs(a.time - *time) < std::abs(b.time - *time);
         });
+        if (kind == "particles") return particle_layer(*nearest);
         MapLayer layer = read_map_layer(kind == "depth" ? nearest->depth_file : nearest->velocity_file);
         layer.source.insert(0, "frames/");
         layer.name = kind + "_t" + shortest_text(nearest->time);
@@ -193,7 +213,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
     const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
     if (name == "uncertainty" && fs::exists(study)) return read_map_layer(study);
     std::string known = joined(drawable(), ", ");
-    if (has("frames/frames.csv")) known += ", depth@SECONDS, velocity@SECONDS";
+    if (has("frames/frames.csv")) known += ", depth@SECONDS, velocity@SECONDS, particles@SECONDS";
     throw Error(ErrorKind::input, Problem{"is not a raster of this result", "map", name, known, ""});
 }
 
@@ -286,11 +306,18 @@ MapSource ResultReader::map_source() const {
     source.scar = outline("scar", grid.crs_wkt);
     source.marks = marks(grid.crs_wkt);
     source.style = style();
-    if (has("timeseries.csv") && has("max_depth.tif") && has("bed.tif") && has("release.tif")) {
-        const MapFacts known = facts();
+    source.longitude_latitude = longitude_latitude(grid.crs_wkt);
+    if (!has("max_depth.tif") || !has("release.tif")) return source;
+    const Raster release = raster("release");
+    Raster max_depth = raster("max_depth");
+    if (has("timeseries.csv") && has("bed.tif")) {
+        const MapFacts known = facts(max_depth, release);
         source.subtitle = map_subtitle(known);
         source.notes = map_notes(known);
     }
+    source.extent = std::move(max_depth);
+    include(source.extent, release);
+    if (has("comparison.tif")) include(source.extent, raster("comparison"));
     return source;
 }
 

@@ -27,9 +27,11 @@ class ResultReader {
     /// The same as a number, or a default.
     [[nodiscard]] double scene_number(const std::string& key, double otherwise) const;
 
-    /// NAME.tif as a map shows it; "depth@12.5" and "velocity@12.5" name the frame nearest in time [s];
+    /// NAME.tif as a map shows it; "depth@12.5", "velocity@12.5" and "particles@12.5" name the frame nearest in time [s];
     /// "uncertainty" is that of `frana converge` beside the result. Throws Error(input) naming what there is.
     [[nodiscard]] MapLayer map_layer(const std::string& name) const;
+    /// The particles of a frame as a map shows them. Throws Error(input) where they were not written.
+    [[nodiscard]] MapLayer particle_layer(const StoredFrame& frame) const;
     /// The rasters that can be drawn, by name; terrain and bed are under all maps and not among them.
     [[nodiscard]] std::vector<std::string> drawable() const;
     [[nodiscard]] std::vector<StoredFrame> frames() const { return stored_frames(path("frames")); }
@@ -41,7 +43,7 @@ class ResultReader {
     [[nodiscard]] MapStyle style() const;
     [[nodiscard]] std::vector<render::Outline> marks(const std::string& crs_wkt) const;
     [[nodiscard]] MultiPolygon outline(const std::string& layer, const std::string& crs_wkt) const;
-    [[nodiscard]] MapFacts facts() const;
+    [[nodiscard]] MapFacts facts(const Raster& max_depth, const Raster& release) const;
 
     std::string directory_;
 };

@@ -8,8 +8,12 @@
 namespace frana::render {
 namespace {
 
+/// A pixel of the page; nothing where the layer does not reach.
 const std::uint8_t* at(const LayerImage& layer, int column, int row) {
-    return layer.rgba.data() + 4 * (row * layer.width + column);
+    static constexpr std::uint8_t k_nothing[4]{};
+    const int x = column - layer.left, y = row - layer.top;
+    if (x < 0 || y < 0 || x >= layer.width || y >= layer.height) return k_nothing;
+    return layer.rgba.data() + 4 * (y * layer.width + x);
 }
 
 TEST(Canvas, BoxesCoverTheirPixelsExactly) {

@@ -36,6 +36,20 @@ TEST(WritePng, IsReadBackPixelForPixel) {
     EXPECT_EQ(folder.count(), 1U);  // nothing left aside
 }
 
+TEST(WritePng, SaysHowLargeItIsPrinted) {
+    const test::Folder folder("png_dpi");
+    write_png(folder.file("a.png"), Image(4, 4), 300);
+    std::ifstream file(folder.file("a.png"), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const auto place = bytes.find("pHYs");
+    ASSERT_NE(place, std::string::npos);
+    // 300 dots in 0.0254 m are 11811 in a metre, in four bytes, most significant first, across and down; 1: metre.
+    EXPECT_EQ(bytes.substr(place + 4, 9), std::string("\0\0\x2e\x23\0\0\x2e\x23\1", 9));
+    write_png(folder.file("b.png"), Image(4, 4));
+    std::ifstream other(folder.file("b.png"), std::ios::binary);
+    EXPECT_EQ((std::string{std::istreambuf_iterator<char>(other), {}}).find("pHYs"), std::string::npos);
+}
+
 TEST(WritePng, AFolderThatIsNotThereIsAnEnvironmentError) {
     const test::Folder folder("png_missing");
     try {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/map2d.h"
+#include "render/view3d.h"
 #include "scenes.h"
 
 namespace frana::render {
@@ -154,6 +155,57 @@ TEST(Background, LiesUnderTheMapInItsPlaceAndTheLayerOverIt) {
     EXPECT_NEAR(north.r, north.g, 3);  // the paper of no terrain shows through
     const Rgb flow = at(layer.grid.cell_centre(52, 59).x + 2, layer.grid.cell_centre(52, 59).y + 2);
     EXPECT_EQ(flow, layout.legend.front().colour);
+}
+
+TEST(MapSeries, SharesTheGroundAndDrawsWhatSingleMapsShow) {
+    const Raster ground = test::terrain(), deep = test::tongue(), shallow = test::tongue(2);
+    MapSpec first = test::full_map(ground, deep, 800, 600), second = test::full_map(ground, shallow, 800, 600);
+    second.legend_title = "Velocity";
+    second.palette = "velocity";
+    first.extent = second.extent = &deep;
+    MapSeries series;
+    MapLayout shared, alone;
+    EXPECT_EQ(series.draw(first).rgb, draw_map(first).rgb);
+    EXPECT_EQ(series.draw(second, &shared).rgb, draw_map(second, &alone).rgb);
+    EXPECT_EQ(shared.texts.size(), alone.texts.size());
+    EXPECT_EQ(shared.window.west, alone.window.west);
+    second.outlines.pop_back();  // another ground
+    EXPECT_EQ(series.draw(second).rgb, draw_map(second).rgb);
+}
+
+TEST(MapSeries, AnExtentFixesTheWindow) {
+    const Raster ground = test::terrain(), all = test::tongue();
+    Raster part = all;
+    for (std::int64_t row = 0; row < 60; ++row)
+        for (std::int64_t column = 0; column < part.grid.columns; ++column) part.at(row, column) = k_no_data;
+    MapSpec spec = test::full_map(ground, part, 800, 600);
+    spec.outlines.clear();
+    spec.extent = &all;
+    MapLayout of_part, of_all;
+    draw_map(spec, &of_part);
+    spec.layer = &all;
+    draw_map(spec, &of_all);
+    EXPECT_EQ(of_part.window.north, of_all.window.north);
+    EXPECT_EQ(of_part.window.west, of_all.window.west);
+}
+
+TEST(ViewSeries, SharesTheTerrainAndDrawsWhatSingleViewsShow) {
+    const Raster ground = test::terrain(), deep = test::tongue();
+    ViewSpec first;
+    first.legend_title = "Depth";
+    first.terrain = &ground;
+    first.layer = first.thickness = first.extent = &deep;
+    first.outlines = test::full_map(ground, deep, 640, 480).outlines;
+    first.width = 640;
+    first.height = 480;
+    ViewSpec second = first;
+    second.thickness = nullptr;
+    second.legend_title = "A longer title of the legend";
+    second.sky = false;
+    ViewSeries series;
+    EXPECT_EQ(series.draw(first).rgb, draw_view(first).rgb);
+    EXPECT_EQ(series.draw(second).rgb, draw_view(second).rgb);
+    EXPECT_EQ(series.draw(first).rgb, draw_view(first).rgb);
 }
 
 }  // namespace
