@@ -46,9 +46,10 @@ ExitCode exit_code(const RunResult& result, bool all_drawn) {
     }
 }
 
-RunOptions run_options(int threads, FrameWriter* frames, ProgressReporter& progress) {
+RunOptions run_options(int threads, FrameWriter* frames, bool with_particles, ProgressReporter& progress) {
     RunOptions run_with;
     run_with.threads = threads;
+    run_with.particles_in_frames = with_particles;
     if (frames != nullptr) run_with.on_frame = [frames](Frame frame) { frames->add(std::move(frame)); };
     run_with.on_progress = [&progress](const Progress& now) { progress.show(now); };
     run_with.stop_requested = [] { return stop_signal() != 0; };
@@ -84,12 +85,13 @@ int cmd_run(const Arguments& arguments) {
 
     catch_stop_signals();
     ResultDirectory directory(target, overwrite);
-    FrameWriter frames(directory.path("frames"), provenance(prepared));
+    const ParticleFormats particles = particle_formats(prepared.spec.output.formats);
+    FrameWriter frames(directory.path("frames"), provenance(prepared), particles);
     const bool wants_frames = prepared.scene.time.frame_interval > 0;
     if (wants_frames) directory.make_folder("frames");
     ProgressReporter progress(quiet);
     const RunResult result =
-        run(prepared.scene, run_options(threads, wants_frames ? &frames : nullptr, progress));
+        run(prepared.scene, run_options(threads, wants_frames ? &frames : nullptr, particles.any(), progress));
     progress.finish();
     log.tell("computed " + figure(result.simulated_seconds, 4) + " s in " + std::to_string(result.steps) +
              " steps and " + figure(result.engine_seconds, 3) +

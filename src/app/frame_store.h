@@ -15,13 +15,22 @@
 
 namespace frana::app {
 
-/// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, and frames.csv (index,
+/// How a frame's particles are written, where it has any: frames/particles_0000.gpkg, .vtp.
+struct ParticleFormats {
+    bool gpkg = false, vtp = false;
+
+    [[nodiscard]] bool any() const noexcept { return gpkg || vtp; }
+};
+/// What output.formats says of them.
+ParticleFormats particle_formats(const std::vector<std::string>& formats);
+
+/// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, particles, and frames.csv (index,
 /// time_s). A thread of its own writes them while the run goes on; at most two wait, so that a slow disk
 /// holds the run back and not the memory.
 class FrameWriter {
   public:
     /// `metadata` goes into every raster.
-    FrameWriter(std::string folder, std::map<std::string, std::string> metadata);
+    FrameWriter(std::string folder, std::map<std::string, std::string> metadata, ParticleFormats particles = {});
     /// Writes what was added, if nothing has failed.
     ~FrameWriter();
     FrameWriter(const FrameWriter&) = delete;
@@ -44,11 +53,14 @@ class FrameWriter {
     static constexpr std::size_t k_most_waiting = 2;
 
     void write(const Job& job) const;
+    void write_particles(const Job& job) const;
+    void list_particles() const;
     void serve();
     void throw_failure();
 
     std::string folder_;
     std::map<std::string, std::string> metadata_;
+    ParticleFormats particles_;
     std::vector<double> times_;
     double seconds_ = 0;
     std::mutex mutex_;

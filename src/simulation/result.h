@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/point_table.h"
 #include "core/raster.h"
 
 namespace frana {
@@ -38,6 +39,7 @@ struct Frame {
     Raster depth;     ///< vertical [m]
     Raster velocity;  ///< speed along the bed [m/s]
     std::vector<NamedRaster> more;  ///< what else the model shows
+    PointTable particles;           ///< only with RunOptions::particles_in_frames
 };
 
 struct Progress {
@@ -50,6 +52,7 @@ struct Progress {
 struct RunOptions {
     int threads = 1;
     std::function<void(Frame)> on_frame;  ///< called at time 0, at every frame interval and at the end
+    bool particles_in_frames = false;
     std::function<void(const Progress&)> on_progress;  ///< called every step; must be cheap
     std::function<bool()> stop_requested;              ///< polled every step
 };

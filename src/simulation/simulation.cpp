@@ -10,12 +10,12 @@
 
 #include "simulation/arrivals.h"
 #include "simulation/flow.h"
+#include "simulation/particle_table.h"
 #include "simulation/recorder.h"
 #include "simulation/release.h"
 #include "simulation/step_figures.h"
 #include "simulation/stopping.h"
 #include "simulation/structured_flow.h"
-#include "simulation/structured_laws.h"
 #include "simulation/terms.h"
 
 namespace frana {
@@ -105,11 +105,12 @@ bool frames_show_more(const AnyFlow& flow) {
 }
 
 template <class AnyFlow>
-Frame take_frame(AnyFlow& flow, int index) {
+Frame take_frame(AnyFlow& flow, int index, bool with_particles) {
     flow.synchronise();
     auto shot = flow.snapshot();
     return {index, flow.time(), std::move(shot.depth), std::move(shot.speed),
-            frames_show_more(flow) ? more_of(flow) : std::vector<NamedRaster>{}};
+            frames_show_more(flow) ? more_of(flow) : std::vector<NamedRaster>{},
+            with_particles ? particle_table(flow) : PointTable{}};
 }
 
 // A wall's cell holds nothing, though the nodes there gather a share of what leans against it.
@@ -126,8 +127,25 @@ Raster pressure_kpa(const Raster& speed, double density) {
     return pressure;
 }
 
-double density_of(const Scene& scene) {
-    return scene.structured ? released_density(*scene.structured) : scene.material.density;
+double density_of(const Scene& scene, const Flow&) {
+    return scene.material.density;
+}
+
+double density_of(const Scene&, const StructuredFlow& flow) {
+    return flow.density();
+}
+
+// What comes later: whole columns that fail, and what flows in, which in the structured model is fluid.
+void add_arrivals(const Arrivals::Taken& taken, Flow& flow) {
+    flow.add_particles(taken.particles);
+}
+
+void add_arrivals(const Arrivals::Taken& taken, StructuredFlow& flow) {
+    flow.add_release(taken.failed);
+    ParticleSet inflow;
+    for (std::size_t p = taken.failed.size(); p < taken.particles.size(); ++p)
+        inflow.push_back(taken.particles.row(p));
+    flow.add_fluid(inflow);
 }
 
 void give_exchanges(const Scene& scene, const Flow& flow, RunResult& result) {
@@ -147,7 +165,6 @@ void give_exchanges(const Scene&, const StructuredFlow&, RunResult&) {}  // its 
 template <class AnyFlow>
 RunResult run_flow(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals,
                    AnyFlow& flow, Stopwatch& engine) {
-    const double density = density_of(scene);
     flow.set_origin(origin_of(release, arrivals));
     flow.set_moving_speed(scene.time.moving_speed);
     RunResult result;
@@ -161,7 +178,7 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
         const Arrivals::Taken taken = arrivals.take(flow.time());
         if (scene.terrain_contains_release && taken.failed.size() > 0)
             flow.lower_bed(cell_depth(taken.failed, scene.grid));
-        flow.add_particles(taken.particles);
+        add_arrivals(taken, flow);
         result.volume_inflow += taken.inflow;
         result.volume_entered += taken.inflow;
         for (const std::size_t i : taken.areas) {
@@ -175,7 +192,7 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
     const auto give_frame = [&] {
         if (!options.on_frame || interval <= 0) return;
         engine.stop();
-        Frame taken = take_frame(flow, frame++);
+        Frame taken = take_frame(flow, frame++, options.particles_in_frames);
         hide_walls(scene, taken.depth);
         hide_walls(scene, taken.velocity);
         options.on_frame(taken);
@@ -197,7 +214,7 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
         const double began = flow.time();
         const StepFigures report = figures_of(flow.advance(limit));
         if (!recorder.idle()) recorder.see(flow, AnyFlow::k_shows_end ? flow.time() : began, report.dt);
-        result.series.push_back(series_row(flow, report, density, result.volume_entered));
+        result.series.push_back(series_row(flow, report, density_of(scene, flow), result.volume_entered));
         result.particles_peak = std::max(result.particles_peak, flow.particle_count());
         result.hard_events.non_finite += report.non_finite;
         result.hard_events.depth_clamped += report.clamped;
@@ -254,7 +271,7 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
         hide_walls(scene, *raster);
     for (NamedRaster& raster : result.more) hide_walls(scene, raster.values);
     recorder.give(flow, result);
-    result.max_pressure = pressure_kpa(result.max_velocity, density);
+    result.max_pressure = pressure_kpa(result.max_velocity, density_of(scene, flow));
     result.bed = std::move(release.bed);
     result.release = std::move(release.depth);
     result.steps = flow.steps();
@@ -277,7 +294,7 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
 // trial steps then cost what the fullest would.
 template <class AnyFlow>
 void estimate_flow(const Scene& scene, const Arrivals::Taken& rest, AnyFlow& flow, RunEstimate& e) {
-    flow.add_particles(rest.particles);
+    add_arrivals(rest, flow);
     e.first_step_seconds = flow.stable_step();
     // Rasters: terrain, bed, release and five results as doubles; nodes only where material may come, taken
     // as all.
@@ -354,7 +371,8 @@ RunEstimate estimate(const Scene& scene, int threads) {
     if (scene.structured) {
         StructuredFlow flow(release.bed, scene.walls, *scene.structured, scene.numerics, release.particles,
                             threads);
-        e.particles = flow.particle_count();
+        const std::size_t solids = scene.structured->solids ? rest.failed.size() : 0;
+        e.particles = flow.particle_count() + static_cast<std::int64_t>(solids);
         estimate_flow(scene, rest, flow, e);
         return e;
     }
