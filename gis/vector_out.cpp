@@ -8,20 +8,11 @@
 #include <memory>
 #include <set>
 
-#include "core/error.h"
-#include "core/file_aside.h"
-#include "gis/gdal_session.h"
+#include "gis/geopackage.h"
 #include "gis/polygon_geometry.h"
 
 namespace frana::gis {
 namespace {
-
-[[noreturn]] void refuse(const std::string& path, const GdalSession& session) {
-    const std::string message = session.last_message();
-    throw Error(ErrorKind::environment,
-                Problem{"the vector file cannot be written" + (message.empty() ? "" : ": " + message), path,
-                        "", "", "Check that the folder exists, may be written and has room"});
-}
 
 struct Fields {
     std::set<std::string> numbers, texts;
@@ -116,31 +107,6 @@ bool write_layer(GDALDataset& dataset, OGRSpatialReference* crs, const std::stri
         if (layer->CreateFeature(&row) != OGRERR_NONE) return false;
     }
     return true;
-}
-
-/// Makes a GeoPackage aside, fills it by `write_layers(dataset, crs)`, and renames it.
-template <class WriteLayers>
-void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt,
-                      const WriteLayers& write_layers) {
-    const GdalSession session;
-    FileAside file(gpkg_path);
-    OGRSpatialReference crs;
-    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    if (crs_wkt.empty()) {
-        crs.SetLocalCS("Undefined Cartesian SRS");  // GeoPackage's own name for plain metres
-    } else {
-        crs.importFromWkt(crs_wkt.c_str());
-    }
-    {
-        GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
-        const GDALDatasetUniquePtr dataset(
-            driver ? driver->Create(file.partial_path().c_str(), 0, 0, 0, GDT_Unknown, nullptr) : nullptr);
-        if (!dataset || !write_layers(*dataset, &crs)) refuse(gpkg_path, session);
-        dataset->FlushCache();
-    }
-    // Closing writes the last bytes and reports only through the error handler.
-    if (session.failed()) refuse(gpkg_path, session);
-    file.rename_into_place();
 }
 
 }  // namespace

@@ -57,10 +57,11 @@ ExitCode exit_code(const RunResult& result, bool all_drawn) {
     }
 }
 
-RunOptions run_options(int threads, FrameWriter* frames, ProgressReporter& progress, Checkpoints& checkpoints,
-                       RunLog& log) {
+RunOptions run_options(int threads, FrameWriter* frames, bool with_particles, ProgressReporter& progress,
+                       Checkpoints& checkpoints, RunLog& log) {
     RunOptions run_with;
     run_with.threads = threads;
+    run_with.particles_in_frames = with_particles;
     if (frames != nullptr) run_with.on_frame = [frames](Frame frame) { frames->add(std::move(frame)); };
     run_with.on_progress = [&progress](const Progress& now) { progress.show(now); };
     run_with.on_trouble = [&progress, &log](const Trouble& trouble) {
@@ -133,7 +134,8 @@ void tell_of_run(const RunResult& result, double end, RunLog& log) {
 // Computes and writes; the exit code.
 int run_into(const Session& session, CheckpointFile* from, ResultDirectory& directory, RunLog& log) {
     const Prepared& prepared = session.prepared;
-    FrameWriter frames(directory.path("frames"), provenance(prepared),
+    const ParticleFormats particles = particle_formats(prepared.spec.output.formats);
+    FrameWriter frames(directory.path("frames"), provenance(prepared), particles,
                        from != nullptr ? from->head().frame_times : std::vector<double>{});
     const bool wants_frames = prepared.scene.time.frame_interval > 0;
     if (wants_frames) directory.make_folder("frames");
@@ -141,7 +143,7 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared,
                             written_frames, session.since_start, session.earlier_seconds, log);
     ProgressReporter progress(session.quiet);
-    RunOptions options = run_options(session.threads, written_frames, progress, checkpoints, log);
+    RunOptions options = run_options(session.threads, written_frames, particles.any(), progress, checkpoints, log);
     if (from != nullptr) options.saved = &from->state();
     const RunResult result = run(prepared.scene, options);
     progress.finish();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/frame_store.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -11,18 +12,21 @@
 #include "core/error.h"
 #include "core/file_aside.h"
 #include "core/json.h"
+#include "gis/points_out.h"
 #include "gis/raster_out.h"
 #include "params/value_text.h"
+#include "render/vtk_points.h"
 
 namespace frana::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string frame_file(const std::string& folder, const std::string& what, std::size_t index) {
+std::string frame_file(const std::string& folder, const std::string& what, std::size_t index,
+                       const char* ending = ".tif") {
     char number[16];
-    std::snprintf(number, sizeof number, "_%04zu.tif", index);
-    return (fs::path(folder) / (what + number)).string();
+    std::snprintf(number, sizeof number, "_%04zu", index);
+    return (fs::path(folder) / (what + number + ending)).string();
 }
 
 std::string list_file(const std::string& folder) {
@@ -31,9 +35,16 @@ std::string list_file(const std::string& folder) {
 
 }  // namespace
 
-FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata, std::vector<double> times)
+ParticleFormats particle_formats(const std::vector<std::string>& formats) {
+    const auto has = [&](const char* word) { return std::find(formats.begin(), formats.end(), word) != formats.end(); };
+    return {has("particles-gpkg"), has("particles-vtp")};
+}
+
+FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata, ParticleFormats particles,
+                         std::vector<double> times)
     : folder_(std::move(folder)),
       metadata_(std::move(metadata)),
+      particles_(particles),
       times_(std::move(times)),
       settled_(times_.size()),
       thread_([this] { serve(); }) {}
@@ -72,6 +83,31 @@ void FrameWriter::write(const Job& job) const {
         gis::write_geotiff(frame_file(folder_, raster.name, job.index), raster.values,
                            {raster.name, layer.title + " at one instant", layer.unit, time});
     }
+    if (particles_.any()) write_particles(job);
+}
+
+void FrameWriter::write_particles(const Job& job) const {
+    const PointTable& table = job.frame.particles;
+    if (particles_.gpkg)
+        gis::write_points(frame_file(folder_, "particles", job.index, ".gpkg"), job.frame.depth.grid.crs_wkt,
+                          "particles", table);
+    if (!particles_.vtp) return;
+    std::vector<double> heights(table.places.size());
+    const std::vector<double>*bed = table.find("bed_m"), *depth = table.find("depth_m");
+    for (std::size_t p = 0; p < heights.size(); ++p) heights[p] = (*bed)[p] + (*depth)[p];
+    render::write_vtk_points(frame_file(folder_, "particles", job.index, ".vtp"), table, heights, job.frame.time);
+}
+
+// ParaView's list of files and their times.
+void FrameWriter::list_particles() const {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+    for (std::size_t i = 0; i < times_.size(); ++i) {
+        const fs::path file = frame_file(folder_, "particles", i, ".vtp");
+        text += "    <DataSet timestep=\"" + shortest_text(times_[i]) + "\" file=\"" + file.filename().string() +
+                "\"/>\n";
+    }
+    write_text_file((fs::path(folder_) / "particles.pvd").string(), text + "  </Collection>\n</VTKFile>\n");
 }
 
 void FrameWriter::serve() {
@@ -127,6 +163,7 @@ void FrameWriter::finish() {
     for (std::size_t i = 0; i < times_.size(); ++i)
         text += std::to_string(i) + "," + shortest_text(times_[i]) + "\n";
     write_text_file(list_file(folder_), text);
+    if (particles_.vtp) list_particles();
 }
 
 std::optional<std::size_t> frame_index(const std::string& name) {

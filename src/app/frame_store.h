@@ -16,14 +16,24 @@
 
 namespace frana::app {
 
-/// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, and frames.csv (index,
+/// How a frame's particles are written, where it has any: frames/particles_0000.gpkg, .vtp.
+struct ParticleFormats {
+    bool gpkg = false, vtp = false;
+
+    [[nodiscard]] bool any() const noexcept { return gpkg || vtp; }
+};
+/// What output.formats says of them.
+ParticleFormats particle_formats(const std::vector<std::string>& formats);
+
+/// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, particles, and frames.csv (index,
 /// time_s). A thread of its own writes them while the run goes on; at most two wait, so that a slow disk
 /// holds the run back and not the memory.
 class FrameWriter {
   public:
     /// `metadata` goes into every raster.
     /// @param times of frames that are there already [s]
-    FrameWriter(std::string folder, std::map<std::string, std::string> metadata, std::vector<double> times = {});
+    FrameWriter(std::string folder, std::map<std::string, std::string> metadata, ParticleFormats particles = {},
+                std::vector<double> times = {});
     /// Writes what was added, if nothing has failed.
     ~FrameWriter();
     FrameWriter(const FrameWriter&) = delete;
@@ -51,11 +61,14 @@ class FrameWriter {
 
     void write(const Job& job) const;
     void wait_until_written();
+    void write_particles(const Job& job) const;
+    void list_particles() const;
     void serve();
     void throw_failure();
 
     std::string folder_;
     std::map<std::string, std::string> metadata_;
+    ParticleFormats particles_;
     std::vector<double> times_;
     std::size_t settled_;  // frames that are on the disk for good
     double seconds_ = 0;

@@ -10,6 +10,7 @@
 #include "app/prepare_inflow.h"
 #include "app/prepare_material.h"
 #include "app/prepare_obstacles.h"
+#include "app/prepare_structured.h"
 #include "app/prepare_zones.h"
 #include "app/transform_report.h"
 #include "core/json.h"
@@ -127,6 +128,8 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     ReleaseInput release = prepare_release(reading, known_ground, log, problems);
     std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, site, log, problems);
     MaterialZones zones = prepare_zones(reading, known_ground, site, log, problems);
+    std::optional<StructuredMaterial> structured =
+        prepare_structured(reading, known_ground, release, walls, site, log, problems);
     std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, log, problems);
     ExtraInput extra;
     if (ground) extra = prepare_extra(reading, ground->terrain.grid, log, problems);
@@ -141,9 +144,10 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     const auto& volume = reading.scene.release.volume;
     if (volume && volume->kind == SourceSpec::Kind::number) prepared.scene.release_volume = volume->number;
     prepared.scene.walls = std::move(walls);
+    if (structured && !inflows.empty()) structured->more_fluid = true;
     prepared.scene.inflows = std::move(inflows);
     prepared.scene.zones = std::move(zones);
-    prepared.scene.structured = structured_of(reading.scene);
+    prepared.scene.structured = std::move(structured);
     prepared.scene.material = material_of(reading.scene.material);
     prepared.scene.entrainment = entrainment_of(reading.scene.entrainment);
     prepared.scene.numerics = numerics_of(reading.scene);

@@ -18,6 +18,12 @@ void set_tangent(double& target, const std::optional<double>& angle_deg) {
     if (angle_deg) target = std::tan(*angle_deg * std::numbers::pi / 180);
 }
 
+/// The number, where a property is the same everywhere.
+std::optional<double> constant(const std::optional<SourceSpec>& source) {
+    if (!source || source->kind != SourceSpec::Kind::number) return std::nullopt;
+    return source->number;
+}
+
 BedTerm term_of(const std::string& word) {
     static const std::map<std::string, BedTerm> terms{{"coulomb", BedTerm::coulomb},
                                                       {"turbulence", BedTerm::turbulence},
@@ -79,13 +85,14 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     m.solids_shape = s.solids_shape;
     m.manning = s.manning;
     m.dry_depth = s.dry_depth;
-    m.solid_fraction = s.solid_fraction;
-    m.confined_share = s.confined_share;
-    m.grain_density = s.grain_density;
-    m.grain_diameter = s.grain_diameter;
-    set(m.cohesion, s.cohesion);
-    set_tangent(m.friction, s.internal_friction_angle);
-    set_tangent(m.bed_friction, s.bed_friction_angle ? s.bed_friction_angle : s.internal_friction_angle);
+    m.spread_evenly = s.placement == "r2";
+    set(m.solid_fraction, constant(s.solid_fraction));
+    set(m.confined_share, constant(s.confined_share));
+    set(m.grain_density, constant(s.grain_density));
+    set(m.grain_diameter, constant(s.grain_diameter));
+    set(m.cohesion, constant(s.cohesion));
+    set_tangent(m.friction, constant(s.internal_friction_angle));
+    set_tangent(m.bed_friction, constant(s.bed_friction_angle ? s.bed_friction_angle : s.internal_friction_angle));
     m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
     m.young_modulus = s.young_modulus;
     m.bulk_modulus = s.bulk_modulus;

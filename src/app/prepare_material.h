@@ -10,7 +10,7 @@ namespace frana::app {
 
 /// [material] in SI units, angles as tangents.
 Material material_of(const MaterialSpec& spec);
-/// [structured], where the scene's model is that.
+/// [structured], where the scene's model is that; without what differs from place to place (prepare_structured.h).
 std::optional<StructuredMaterial> structured_of(const SceneSpec& spec);
 /// [entrainment] in SI units, angles as tangents.
 Entrainment entrainment_of(const EntrainmentSpec& spec);

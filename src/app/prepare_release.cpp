@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/prepare_release.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/check_release.h"
@@ -19,18 +20,32 @@ namespace {
 
 using Kind = ThicknessSpec::Kind;
 
-/// The thickness raster on the working grid: the file itself, or the positive part of before less after or of the
+/// Depth of solids and fluid together; keeps the solids' share. One that is missing counts as none; callers have seen
+/// to it that none is negative.
+Raster sum_of_phases(const Raster& solids, const Raster& fluid, ReleaseInput& release) {
+    Raster sum(solids.grid, k_no_data), share(solids.grid, k_no_data);
+    for (std::size_t i = 0; i < sum.values.size(); ++i) {
+        const double s = solids.values[i] > 0 ? solids.values[i] : 0, f = fluid.values[i] > 0 ? fluid.values[i] : 0;
+        if (!(s + f > 0)) continue;
+        sum.values[i] = s + f;
+        share.values[i] = s / (s + f);
+    }
+    release.solid_fraction = std::move(share);
+    return sum;
+}
+
+/// The thickness raster on the working grid: the file itself, the sum of two, or the positive part of before less after or of the
 /// ground less the slip surface.
 std::optional<Raster> thickness_raster(const SceneReading& reading, const ThicknessSpec& spec,
                                        const TerrainInput* ground, ReleaseInput& release, RunLog& log,
                                        Problems& problems) {
     const std::string where = reading.where("release.thickness");
     // A thickness has its own unit; the others hold elevations.
-    const bool elevations = spec.kind != Kind::raster;
+    const bool elevations = spec.kind != Kind::raster && spec.kind != Kind::phases;
     const std::string unit = elevations ? reading.scene.terrain.vertical_unit : "auto";
     const std::optional<double> nodata = elevations ? reading.scene.terrain.nodata_value : std::nullopt;
     std::vector<std::string> files{spec.raster};
-    if (spec.kind == Kind::difference) files.push_back(spec.post);
+    if (!spec.post.empty()) files.push_back(spec.post);
     std::vector<Raster> rasters;
     for (const std::string& file : files) {
         try {
@@ -60,6 +75,18 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
     }
     if (rasters.size() != files.size()) return std::nullopt;
     if (spec.kind == Kind::raster) return std::move(rasters.front());
+    if (spec.kind == Kind::phases) {
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            const double least = *std::min_element(rasters[i].values.begin(), rasters[i].values.end(), [](double a, double b) {
+                return (std::isnan(a) ? 0 : a) < (std::isnan(b) ? 0 : b);
+            });
+            if (!(least < 0)) continue;
+            problems.add({"a depth is negative", where, files[i] + ": " + shortest_text(least) + " m", "0 or more",
+                          "Correct the raster"});
+            return std::nullopt;
+        }
+        return sum_of_phases(rasters[0], rasters[1], release);
+    }
     const Raster& above = spec.kind == Kind::difference ? rasters[0] : ground->terrain;
     const Raster& below = spec.kind == Kind::difference ? rasters[1] : rasters[0];
     Raster thickness(above.grid);

@@ -25,6 +25,7 @@ struct ReleaseInput {
     std::optional<gis::PolygonLayer> perimeter;    ///< none: outlined by the thickness raster
     std::vector<RasterUse> thickness_uses;         ///< rasters that gave the thickness
     std::optional<double> file_volume_m3;          ///< of the thickness raster, see match_file_volume
+    std::optional<Raster> solid_fraction;          ///< where the thickness is that of two phases
     double area_m2 = 0;                            ///< of the outlines, in map view
 };
 

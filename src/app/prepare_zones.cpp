@@ -164,26 +164,28 @@ void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground,
         burn(reading, layer, ground->terrain.grid, list, zones, log, problems);
 }
 
-void read_raster_zone(const SceneReading& reading, const TerrainInput* ground, const Quantity& quantity,
-                      MaterialZones& zones, std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
-    const std::string where = reading.where(quantity.key), file = quantity.source->name;
+}  // namespace
+
+std::optional<Raster> read_zone_raster(const SceneReading& reading, const TerrainInput* ground, const std::string& key,
+                                       const std::string& file, const std::string& elsewhere,
+                                       std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+    const std::string where = reading.where(key);
     const gis::RasterInfo info = gis::inspect_raster(file, where);
-    if (ground == nullptr) return;
+    if (ground == nullptr) return std::nullopt;
     const GridSpec& grid = ground->terrain.grid;
     if (!grid.crs_wkt.empty() && info.crs_wkt.empty()) {
         problems.add({"has no coordinate reference system", where, file, "",
                       "Write one into the file, for example with gdal_edit.py -a_srs EPSG:..."});
-        return;
+        return std::nullopt;
     }
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic, "metre");
-    for (const std::string& warning : read.warnings) log.warn(quantity.key + ": " + warning);
-    report_transform(quantity.key, read.transform, grid.cell_size, log);
-    files.push_back(used_raster("Zones: " + quantity.key, info, read.transform, read.resampling_used,
-                                read.nodata_cells));
+    for (const std::string& warning : read.warnings) log.warn(key + ": " + warning);
+    report_transform(key, read.transform, grid.cell_size, log);
+    files.push_back(used_raster("Zones: " + key, info, read.transform, read.resampling_used, read.nodata_cells));
     if (read.nodata_cells >= grid.cell_count()) {
         problems.add({"has no value anywhere on the working grid", where, file, "",
                       "Check its place and coordinate reference system"});
-        return;
+        return std::nullopt;
     }
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
     for (const double value : read.raster.values) {
@@ -191,16 +193,13 @@ void read_raster_zone(const SceneReading& reading, const TerrainInput* ground, c
         least = std::min(least, value);
         greatest = std::max(greatest, value);
     }
-    if (!within_limits(reading, quantity.key, least, "the raster's least value", problems)) return;
-    if (!within_limits(reading, quantity.key, greatest, "the raster's greatest value", problems)) return;
-    if (read.nodata_cells > 0)
-        log.warn(quantity.key + " has no value on " + share_text(read.nodata_cells, grid) +
-                 ": the material's own holds there");
-    for (double& value : read.raster.values) value = converted(value, quantity.degrees);
-    zones.*quantity.target = std::move(read.raster);
+    if (!within_limits(reading, key, least, "the raster's least value", problems) ||
+        !within_limits(reading, key, greatest, "the raster's greatest value", problems))
+        return std::nullopt;
+    if (read.nodata_cells > 0 && !elsewhere.empty())
+        log.warn(key + " has no value on " + share_text(read.nodata_cells, grid) + ": " + elsewhere);
+    return std::move(read.raster);
 }
-
-}  // namespace
 
 MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files,
                             RunLog& log, Problems& problems) {
@@ -215,7 +214,12 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
     for (const Quantity& quantity : list) {
         if (!quantity.source || quantity.source->kind != SourceSpec::Kind::raster) continue;
         try {
-            read_raster_zone(reading, ground, quantity, zones, files, log, problems);
+            std::optional<Raster> raster =
+                read_zone_raster(reading, ground, quantity.key, quantity.source->name,
+                                 "the material's own holds there", files, log, problems);
+            if (!raster) continue;
+            for (double& value : raster->values) value = converted(value, quantity.degrees);
+            zones.*quantity.target = std::move(raster);
         } catch (const Error& error) {
             problems.add(error);
         }

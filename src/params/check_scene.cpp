@@ -161,6 +161,15 @@ void check_output(const SceneSpec& scene, const std::string& file, Problems& pro
         problems.add({"netcdf and zarr hold the frames, but the scene makes none", file + ": output.formats",
                       joined(scene.output.formats, ", "), "", "Set output.frames = on"});
     }
+    const bool particles = has("particles-gpkg") || has("particles-vtp");
+    if (particles && !scene.output.frames) {
+        problems.add({"particles are written with the frames, but the scene keeps none", file + ": output.formats",
+                      joined(scene.output.formats, ", "), "", "Set output.frames = on"});
+    }
+    if (particles && scene.material.model == "structured" && scene.structured.phases == "fluid") {
+        problems.add({"fluid alone has no particles", file + ": output.formats", joined(scene.output.formats, ", "), "",
+                      "Remove particles-gpkg and particles-vtp"});
+    }
     if (has("ascii") && scene.output.names != "avaframe") {
         problems.add({"ascii is a format of the AvaFrame rasters", file + ": output.formats",
                       joined(scene.output.formats, ", "), "", "Set output.names = avaframe or remove ascii"});

@@ -18,7 +18,8 @@ const std::set<std::string> k_voellmy_bingham_only{
 // Keys of [structured] that fluid alone reads too.
 const std::set<std::string> k_fluid_keys{"structured.phases",          "structured.fluid-density",
                                          "structured.fluid-viscosity", "structured.velocity-shape",
-                                         "structured.manning",         "structured.dry-depth"};
+                                         "structured.manning",         "structured.dry-depth",
+                                         "structured.zones",           "structured.initial-fluid-depth"};
 
 bool has_solids(const SceneSpec& scene) {
     return scene.structured.phases == "solids-and-fluid";
@@ -39,14 +40,14 @@ void check_solids(const SceneSpec& scene, const std::set<std::string>& given, co
              "less than 9 times structured.bulk-modulus, " + shortest_text(9 * s.bulk_modulus) + " Pa",
              "Lower it or raise the bulk modulus"});
     }
+    const auto& thickness = scene.release.thickness;
+    if (thickness && thickness->kind == ThicknessSpec::Kind::phases && given.count("structured.solid-fraction") > 0) {
+        problems.add({"is given twice", file + ": structured.solid-fraction", "",
+                      "", "Remove it: release.thickness = " + text_of(*thickness) + " tells it"});
+    }
     if (scene.numerics.particles_per_cell < 9) {
         problems.add({"is too few for the neighbour sums of solids", file + ": numerics.particles-per-cell",
                       std::to_string(scene.numerics.particles_per_cell), "9, 16", "Set it to 9"});
-    }
-    for (const std::string& name : given) {
-        if (name != "release.start" && !in_section(name, "inflow")) continue;
-        problems.add({"is not available in this version with structured.phases = solids-and-fluid",
-                      file + ": " + name, "", "", "Remove it, or set structured.phases = fluid"});
     }
 }
 
@@ -93,6 +94,11 @@ void check_model(const SceneSpec& scene, const std::set<std::string>& given, con
                                  : "Remove it, or choose the other model"});
     }
     if (structured) check_structured(scene, given, file, problems);
+    const auto& thickness = scene.release.thickness;
+    if (thickness && thickness->kind == ThicknessSpec::Kind::phases && !(structured && has_solids(scene))) {
+        problems.add({"tells solids from fluid, but the scene's material does not", file + ": release.thickness",
+                      text_of(*thickness), "", "Set structured.phases = solids-and-fluid, or give the sum as raster:FILE"});
+    }
 }
 
 }  // namespace frana

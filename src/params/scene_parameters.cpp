@@ -95,9 +95,10 @@ void add_rest(std::vector<Parameter>& list) {
                           "Write depth and velocity at the frame interval as GeoTIFFs."));
     list.push_back(on_off("output.animation", FRANA_MEMBER(output.animation), "Write animation.mp4."));
     list.push_back(word_list("output.formats", FRANA_MEMBER(output.formats), {},
-                             {"geotiff", "netcdf", "zarr", "ascii"},
+                             {"geotiff", "netcdf", "zarr", "ascii", "particles-gpkg", "particles-vtp"},
                              "Formats: GeoTIFF is always written; netcdf and zarr add the frames as one file "
-                             "each, ascii writes the AvaFrame rasters as ESRI ASCII grids."));
+                             "each, particles-gpkg and particles-vtp the particles of each frame as GeoPackage "
+                             "points and VTK polydata, ascii writes the AvaFrame rasters as ESRI ASCII grids."));
     list.push_back(number("output.checkpoint-interval", FRANA_MEMBER(output.checkpoint_interval), "s", Range{0, 1e6},
                           "Wall time between checkpoints, from which --resume goes on; 0: only when a signal stops "
                           "the run."));

@@ -91,8 +91,14 @@ struct StructuredSpec {
     std::optional<std::string> phases;
     double fluid_density = 1000, fluid_viscosity = 0, viscosity_growth = 10, velocity_shape = 3;
     double mobility = 1, solids_shape = 2, manning = 0.1, dry_depth = 1e-4;
-    double solid_fraction = 0.5, confined_share = 1, grain_density = 2400, grain_diameter = 1e-3;
-    std::optional<double> cohesion, internal_friction_angle, bed_friction_angle;
+    std::optional<std::string> zones;
+    std::optional<SourceSpec> initial_fluid_depth;
+    std::string placement = "lattice";
+    std::optional<SourceSpec> solid_fraction = SourceSpec{SourceSpec::Kind::number, 0.5, {}};
+    std::optional<SourceSpec> confined_share = SourceSpec{SourceSpec::Kind::number, 1, {}};
+    std::optional<SourceSpec> grain_density = SourceSpec{SourceSpec::Kind::number, 2400, {}};
+    std::optional<SourceSpec> grain_diameter = SourceSpec{SourceSpec::Kind::number, 1e-3, {}};
+    std::optional<SourceSpec> cohesion, internal_friction_angle, bed_friction_angle;
     double dilatancy_angle = 0, young_modulus = 12e6, bulk_modulus = 23e6;
     double critical_strain = 0.05;
     std::string damage = "volumetric", earth_pressure = "hydrostatic";

@@ -59,10 +59,11 @@ Parameter thickness_parameter() {
     result.unit = "m";
     result.limits =
         "a number greater than 0, attribute:NAME, raster:FILE, difference:PRE,POST, slip-surface:FILE, "
-        "slip-surface";
+        "slip-surface, phases:SOLIDS,FLUID";
     result.meaning =
         "Thickness of what fails: one number, a column of the perimeter, a raster, a DTM before less one "
-        "after, the DTM above a raster of the slip surface's elevation, or above one fitted to each polygon.";
+        "after, the DTM above a raster of the slip surface's elevation, or above one fitted to each polygon; of the "
+        "structured model, rasters of the depths of solids and of fluid, whose sum it is.";
     result.absent = "required, unless there is an inflow";
     result.map_files = [](SceneSpec& scene, const FileMap& map) {
         if (!scene.release.thickness) return;

@@ -9,6 +9,16 @@ namespace {
 using declare::choice;
 using declare::number;
 using declare::Range;
+using declare::source;
+using declare::text;
+
+/// A property that may differ from place to place.
+template <class Member>
+Parameter by_place(const std::string& name, Member member, const std::string& unit, Range range,
+                   const std::string& meaning, const std::string& absent = {}) {
+    using Kind = SourceSpec::Kind;
+    return source(name, member, unit, range, {Kind::number, Kind::attribute, Kind::raster}, meaning, absent);
+}
 
 void add_fluid(std::vector<Parameter>& list) {
     list.push_back(number("structured.fluid-density", FRANA_MEMBER(structured.fluid_density), "kg/m3",
@@ -20,25 +30,34 @@ void add_fluid(std::vector<Parameter>& list) {
                           "Shape of the velocity over depth, chi, in the viscous shear at the bed."));
     list.push_back(number("structured.manning", FRANA_MEMBER(structured.manning), "s/m^(1/3)", Range{0, 1},
                           "Manning's n of the ground under free fluid; 0: smooth."));
+    list.push_back(by_place("structured.initial-fluid-depth", FRANA_MEMBER(structured.initial_fluid_depth), "m",
+                            Range{0, 1000}, "Depth of free fluid that lies on the ground or on the solids at the start, "
+                            "besides what is released.", "none"));
     list.push_back(number("structured.dry-depth", FRANA_MEMBER(structured.dry_depth), "m", Range{1e-8, 0.1},
                           "Depth under which free fluid does not move."));
 }
 
 void add_solids(std::vector<Parameter>& list) {
-    list.push_back(number("structured.solid-fraction", FRANA_MEMBER(structured.solid_fraction), "",
+    list.push_back(by_place("structured.solid-fraction", FRANA_MEMBER(structured.solid_fraction), "",
                           Range{0, 1, true}, "Share of solids in the volume released; the rest is fluid."));
-    list.push_back(number("structured.confined-share", FRANA_MEMBER(structured.confined_share), "", Range{0, 1},
+    list.push_back(by_place("structured.confined-share", FRANA_MEMBER(structured.confined_share), "", Range{0, 1},
                           "Share of that fluid which the structure confines; the rest is free from the start."));
-    list.push_back(number("structured.grain-density", FRANA_MEMBER(structured.grain_density), "kg/m3",
+    list.push_back(by_place("structured.grain-density", FRANA_MEMBER(structured.grain_density), "kg/m3",
                           Range{1000, 5000}, "Density of the solids' grains."));
-    list.push_back(number("structured.grain-diameter", FRANA_MEMBER(structured.grain_diameter), "m",
+    list.push_back(by_place("structured.grain-diameter", FRANA_MEMBER(structured.grain_diameter), "m",
                           Range{1e-6, 1}, "Diameter of the grains, for the drag."));
-    list.push_back(number("structured.cohesion", FRANA_MEMBER(structured.cohesion), "Pa", Range{0, 1e12},
+    list.push_back(by_place("structured.cohesion", FRANA_MEMBER(structured.cohesion), "Pa", Range{0, 1e12},
                           "Cohesion of the whole material; 0: loose from the start.", "required with solids"));
-    list.push_back(number("structured.internal-friction-angle", FRANA_MEMBER(structured.internal_friction_angle),
+    list.push_back(by_place("structured.internal-friction-angle", FRANA_MEMBER(structured.internal_friction_angle),
                           "degrees", Range{0, 60, true}, "Internal friction angle.", "required with solids"));
-    list.push_back(number("structured.bed-friction-angle", FRANA_MEMBER(structured.bed_friction_angle), "degrees",
+    list.push_back(by_place("structured.bed-friction-angle", FRANA_MEMBER(structured.bed_friction_angle), "degrees",
                           Range{0, 60}, "Friction angle at the bed.", "the internal friction angle"));
+    list.push_back(text("structured.zones", FRANA_MEMBER(structured.zones), "file",
+                        "Polygons, in their own CRS, whose columns attribute:NAME of this section takes.",
+                        "the release's perimeter"));
+    list.push_back(choice("structured.placement", FRANA_MEMBER(structured.placement), {"lattice", "r2"},
+                          "Where particles stand at the start: on a square lattice, or in each cell as many as its "
+                          "depth calls for along the R2 sequence."));
     list.push_back(number("structured.dilatancy-angle", FRANA_MEMBER(structured.dilatancy_angle), "degrees",
                           Range{0, 30}, "Dilatancy angle of plastic flow."));
     list.push_back(number("structured.young-modulus", FRANA_MEMBER(structured.young_modulus), "Pa",

@@ -30,10 +30,10 @@ std::optional<ThicknessSpec> thickness_from_text(const std::string& text) {
     } else if (word == "slip-surface") {
         spec.kind = Kind::slip_surface;
         spec.raster = rest;
-    } else if (word == "difference") {
+    } else if (word == "difference" || word == "phases") {
         const auto comma = rest.find(',');
         if (comma == std::string::npos) return std::nullopt;
-        spec.kind = Kind::difference;
+        spec.kind = word == "phases" ? Kind::phases : Kind::difference;
         spec.raster = trimmed(rest.substr(0, comma));
         spec.post = trimmed(rest.substr(comma + 1));
         if (spec.raster.empty() || spec.post.empty()) return std::nullopt;
@@ -52,6 +52,8 @@ std::string text_of(const ThicknessSpec& thickness) {
             return "raster:" + thickness.raster;
         case Kind::difference:
             return "difference:" + thickness.raster + "," + thickness.post;
+        case Kind::phases:
+            return "phases:" + thickness.raster + "," + thickness.post;
         case Kind::slip_surface:
             return thickness.fitted() ? "slip-surface" : "slip-surface:" + thickness.raster;
         case Kind::number:

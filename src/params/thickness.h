@@ -7,14 +7,15 @@
 namespace frana {
 
 /// How thick the release is: a number, a column of the perimeter, a raster, the difference of two DTMs, the DTM
-/// above a slip surface (a raster of its elevation, or one fitted to the perimeter).
+/// above a slip surface (a raster of its elevation, or one fitted to the perimeter), the sum of the depths of solids and
+/// fluid.
 struct ThicknessSpec {
-    enum class Kind { number, attribute, raster, difference, slip_surface };
+    enum class Kind { number, attribute, raster, difference, slip_surface, phases };
     Kind kind = Kind::number;
     double metres = 0;      ///< number
     std::string attribute;  ///< attribute: the column's name
-    std::string raster;     ///< raster, slip surface: the file; difference: the DTM before the failure
-    std::string post;       ///< difference: the DTM after the failure
+    std::string raster;     ///< raster, slip surface: the file; difference: the DTM before the failure; phases: solids
+    std::string post;       ///< difference: the DTM after the failure; phases: fluid
 
     /// Thickness by place, from rasters alone: a perimeter is not needed.
     [[nodiscard]] bool by_raster() const noexcept { return !raster.empty(); }
@@ -22,8 +23,8 @@ struct ThicknessSpec {
     [[nodiscard]] bool fitted() const noexcept { return kind == Kind::slip_surface && raster.empty(); }
 };
 
-/// Reads "12.5", "attribute:NAME", "raster:FILE", "difference:PRE,POST", "slip-surface" or
-/// "slip-surface:FILE"; none: not understood.
+/// Reads "12.5", "attribute:NAME", "raster:FILE", "difference:PRE,POST", "slip-surface",
+/// "slip-surface:FILE" or "phases:SOLIDS,FLUID"; none: not understood.
 std::optional<ThicknessSpec> thickness_from_text(const std::string& text);
 std::string text_of(const ThicknessSpec& thickness);
 

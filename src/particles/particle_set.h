@@ -36,6 +36,8 @@ enum class Field : unsigned char {
     q_yy,  // squared extents: the shape that the flow has given the particle
     // What structured solids carry besides; `volume` is their solids alone, depth is (volume + confined) / area.
     confined,  // volume of the confined fluid
+    confined_start,  // that it held when it was placed
+    pores,           // volume of the pores between the solids when they were placed
     t_xx,
     t_yy,
     t_zz,
@@ -84,6 +86,8 @@ inline constexpr std::array<FieldInfo, k_fields> k_field_table{{
     {"q_xy", "m2", 0},
     {"q_yy", "m2", 0},
     {"confined", "m3", 0},
+    {"confined_start", "m3", 0},
+    {"pores", "m3", 0},
     {"t_xx", "Pa", 0},
     {"t_yy", "Pa", 0},
     {"t_zz", "Pa", 0},

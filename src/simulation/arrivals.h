@@ -20,9 +20,9 @@ class Arrivals {
     [[nodiscard]] bool done() const { return next_time() == std::numeric_limits<double>::infinity(); }
 
     struct Taken {
-        ParticleSet particles;
+        ParticleSet particles;           ///< of areas, then of lines
         std::vector<std::size_t> areas;  ///< release areas that fail now
-        ParticleSet failed;              ///< their particles, for the bed under them
+        ParticleSet failed;              ///< their particles
         double inflow = 0;               ///< volume through lines [m3]
     };
     /// What is due by `time`, areas before lines, each in the scene's order.

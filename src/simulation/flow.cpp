@@ -226,14 +226,13 @@ Flow::Snapshot Flow::snapshot() {
     const NodalFields fields = nodal_fields();
     Snapshot shot{Raster(grid_, k_no_data), Raster(grid_, k_no_data)};
     const std::vector<double>& bed = state_.nodes.bed;
-    const bool metric = numerics_.slope_correction != SlopeCorrection::none;
     for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t) {
         const std::size_t c = shot.depth.index(row, column);
         const double depth = fields.depth.values[c];
         if (depth < laws_.minimum_depth) return;
         const double u = fields.momentum_x.values[c] / depth, v = fields.momentum_y.values[c] / depth;
         double climb = 0;
-        if (metric) {
+        if (metric()) {
             const std::int64_t j = grid_.rows - 1 - row;
             const NodeGrid& n = state_.nodes;
             climb = (u * (bed[n.index(column + 1, j)] - bed[n.index(column - 1, j)]) +

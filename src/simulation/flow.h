@@ -64,6 +64,9 @@ class Flow {
     /// Bytes that a node of the map takes once it was touched.
     [[nodiscard]] std::size_t bytes_per_node() const noexcept;
     [[nodiscard]] const NodeGrid& nodes() const noexcept { return state_.nodes; }
+    [[nodiscard]] const GridSpec& grid() const noexcept { return grid_; }
+    /// Whether speeds along the bed and in map view differ.
+    [[nodiscard]] bool metric() const noexcept { return numerics_.slope_correction != SlopeCorrection::none; }
     /// Calls visit(index) for every node of the terrain that may hold material, as the last step left it.
     template <class Visit>
     void for_each_active_node(const Visit& visit) const {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "simulation/flow.h"
+#include "simulation/particle_table.h"
 #include "simulation/step_figures.h"
 #include "simulation/structured_flow.h"
-#include "simulation/structured_laws.h"
 #include "simulation/terms.h"
 
 namespace frana {
@@ -83,11 +83,12 @@ bool frames_show_more(const AnyFlow& flow) {
 }
 
 template <class AnyFlow>
-Frame take_frame(AnyFlow& flow, int index) {
+Frame take_frame(AnyFlow& flow, int index, bool with_particles) {
     flow.synchronise();
     auto shot = flow.snapshot();
     return {index, flow.time(), std::move(shot.depth), std::move(shot.speed),
-            frames_show_more(flow) ? more_of(flow) : std::vector<NamedRaster>{}};
+            frames_show_more(flow) ? more_of(flow) : std::vector<NamedRaster>{},
+            with_particles ? particle_table(flow) : PointTable{}};
 }
 
 // A wall's cell holds nothing, though the nodes there gather a share of what leans against it.
@@ -104,8 +105,12 @@ Raster pressure_kpa(const Raster& speed, double density) {
     return pressure;
 }
 
-double density_of(const Scene& scene) {
-    return scene.structured ? released_density(*scene.structured) : scene.material.density;
+double density_of(const Scene& scene, const Flow&) {
+    return scene.material.density;
+}
+
+double density_of(const Scene&, const StructuredFlow& flow) {
+    return flow.density();
 }
 
 void give_exchanges(const Scene& scene, const Flow& flow, RunResult& result) {
@@ -147,6 +152,18 @@ void hide_non_finite(Raster& raster) {
 
 }  // namespace
 
+void add_arrivals(const Arrivals::Taken& taken, Flow& flow) {
+    flow.add_particles(taken.particles);
+}
+
+void add_arrivals(const Arrivals::Taken& taken, StructuredFlow& flow) {
+    flow.add_release(taken.failed);
+    ParticleSet inflow;
+    for (std::size_t p = taken.failed.size(); p < taken.particles.size(); ++p)
+        inflow.push_back(taken.particles.row(p));
+    flow.add_fluid(inflow);
+}
+
 Point origin_of(const Release& release, const Arrivals& arrivals) {
     return release.volume > 0 ? release.centroid : arrivals.sources().front().midpoint();
 }
@@ -160,7 +177,6 @@ FlowRun<AnyFlow>::FlowRun(const Scene& scene, const RunOptions& options, Release
       arrivals_(arrivals),
       flow_(flow),
       engine_(engine),
-      density_(density_of(scene)),
       next_frame_(scene.time.frame_interval > 0 ? scene.time.frame_interval
                                                 : std::numeric_limits<double>::infinity()),
       fade_(scene.time),
@@ -186,7 +202,7 @@ template <class AnyFlow>
 void FlowRun<AnyFlow>::give_frame() {
     if (!options_.on_frame || scene_.time.frame_interval <= 0) return;
     engine_.stop();
-    Frame taken = take_frame(flow_, frames_++);
+    Frame taken = take_frame(flow_, frames_++, options_.particles_in_frames);
     hide_walls(scene_, taken.depth);
     hide_walls(scene_, taken.velocity);
     if (result_.hard_events.non_finite > 0) {
@@ -204,7 +220,7 @@ void FlowRun<AnyFlow>::receive() {
     const Arrivals::Taken taken = arrivals_.take(flow_.time());
     if (scene_.terrain_contains_release && taken.failed.size() > 0)
         flow_.lower_bed(cell_depth(taken.failed, scene_.grid));
-    flow_.add_particles(taken.particles);
+    add_arrivals(taken, flow_);
     result_.volume_inflow += taken.inflow;
     result_.volume_entered += taken.inflow;
     for (const std::size_t i : taken.areas) {
@@ -226,7 +242,7 @@ void FlowRun<AnyFlow>::arrive(double target) {
 
 template <class AnyFlow>
 void FlowRun<AnyFlow>::count(const StepFigures& figures) {
-    result_.series.push_back(series_row(flow_, figures, density_, result_.volume_entered));
+    result_.series.push_back(series_row(flow_, figures, density_of(scene_, flow_), result_.volume_entered));
     result_.particles_peak = std::max(result_.particles_peak, flow_.particle_count());
     result_.hard_events.depth_clamped += figures.clamped;
     result_.unsupported += figures.unsupported;
@@ -306,7 +322,7 @@ RunResult FlowRun<AnyFlow>::finish() {
             hide_non_finite(*raster);
         for (NamedRaster& raster : result.more) hide_non_finite(raster.values);
     }
-    result.max_pressure = pressure_kpa(result.max_velocity, density_);
+    result.max_pressure = pressure_kpa(result.max_velocity, density_of(scene_, flow_));
     result.bed = std::move(release_.bed);
     result.release = std::move(release_.depth);
     result.steps = flow_.steps();

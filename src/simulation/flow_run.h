@@ -13,6 +13,9 @@
 
 namespace frana {
 
+class Flow;
+class StructuredFlow;
+
 /// Wall time while it runs; it can be stopped and started again.
 class Stopwatch {
   public:
@@ -53,7 +56,7 @@ class FlowRun {
     /// The whole run, between two steps.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [scene, options, release, arrivals, flow, engine, density, result, stopped, frames,
+        [[maybe_unused]] auto& [scene, options, release, arrivals, flow, engine, result, stopped, frames,
                                 next_frame, still, fade, recorder, watch] = *this;
         engine.stop();
         archive(engine, arrivals, flow, frames, next_frame, still, fade, recorder);
@@ -81,7 +84,6 @@ class FlowRun {
     Arrivals& arrivals_;
     AnyFlow& flow_;
     Stopwatch& engine_;
-    double density_;
     RunResult result_;
     bool stopped_ = false;
     int frames_ = 0;
@@ -91,6 +93,10 @@ class FlowRun {
     Recorder recorder_;
     TroubleWatch watch_;
 };
+
+/// What comes later: whole columns that fail, and what flows in, which in the structured model is fluid.
+void add_arrivals(const Arrivals::Taken& taken, Flow& flow);
+void add_arrivals(const Arrivals::Taken& taken, StructuredFlow& flow);
 
 /// From where fronts are measured and elevations counted: the centroid of everything released, else the middle of the
 /// first inflow. Local metres.

@@ -9,6 +9,7 @@
 
 #include "core/archive.h"
 #include "core/geometry.h"
+#include "core/point_table.h"
 #include "core/raster.h"
 
 namespace frana {
@@ -47,6 +48,7 @@ struct Frame {
     Raster depth;     ///< vertical [m]
     Raster velocity;  ///< speed along the bed [m/s]
     std::vector<NamedRaster> more;  ///< what else the model shows
+    PointTable particles;           ///< only with RunOptions::particles_in_frames
 };
 
 struct Progress {
@@ -72,6 +74,7 @@ using SaveState = std::function<void(StateWriter&)>;
 struct RunOptions {
     int threads = 1;
     std::function<void(Frame)> on_frame;  ///< called at time 0, at every frame interval and at the end
+    bool particles_in_frames = false;
     std::function<void(const Progress&)> on_progress;  ///< called every step; must be cheap
     std::function<bool()> stop_requested;              ///< polled every step
     std::function<void(const Trouble&)> on_trouble;    ///< called at the step at which it appears, which is the last

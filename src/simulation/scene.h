@@ -80,6 +80,18 @@ struct Material {
     }
 };
 
+/// What differs from place to place in the structured model's release: rasters on the working grid, in the units of
+/// StructuredMaterial, whose value holds where one is NaN.
+struct StructuredZones {
+    std::optional<Raster> solid_fraction, confined_share, grain_density, grain_diameter, cohesion, friction,
+        bed_friction;
+
+    [[nodiscard]] bool any() const noexcept {
+        return solid_fraction || confined_share || grain_density || grain_diameter || cohesion || friction ||
+               bed_friction;
+    }
+};
+
 /// What the structured model is made of: blocks of solids with the fluid they confine, or fluid alone.
 struct StructuredMaterial {
     bool solids = false;  ///< false: the release is fluid, and nothing below the fluid's lines is read
@@ -112,6 +124,10 @@ struct StructuredMaterial {
     double sound_speed = 0;            ///< of the artificial viscosity [m/s]; 0: the elastic waves'
     enum class VirtualMass { none, pudasaini_2012, pudasaini_2019 } virtual_mass = VirtualMass::pudasaini_2012;
     double linear_viscosity = 1, quadratic_viscosity = 1, artificial_stress = 0.5;  ///< [-]
+    bool spread_evenly = false;  ///< particles placed by depth along the R2 sequence; false: on a lattice
+    StructuredZones zones;
+    std::optional<Raster> initial_fluid;  ///< depth of free fluid that lies there at the start [m]; NaN: none
+    bool more_fluid = false;              ///< fluid comes from elsewhere than the release: it lies there or flows in
 };
 
 enum class ErosionLaw { none, shear_stress, growth, mechanical };

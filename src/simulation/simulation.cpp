@@ -45,7 +45,7 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
 // trial steps then cost what the fullest would.
 template <class AnyFlow>
 void estimate_flow(const Scene& scene, const Arrivals::Taken& rest, AnyFlow& flow, RunEstimate& e) {
-    flow.add_particles(rest.particles);
+    add_arrivals(rest, flow);
     e.first_step_seconds = flow.stable_step();
     // Rasters: terrain, bed, release and five results as doubles; nodes only where material may come, taken
     // as all.
@@ -127,7 +127,8 @@ RunEstimate estimate(const Scene& scene, int threads) {
     if (scene.structured) {
         StructuredFlow flow(release.bed, scene.walls, *scene.structured, scene.numerics, release.particles,
                             threads);
-        e.particles = flow.particle_count();
+        const std::size_t solids = scene.structured->solids ? rest.failed.size() : 0;
+        e.particles = flow.particle_count() + static_cast<std::int64_t>(solids);
         estimate_flow(scene, rest, flow, e);
         return e;
     }

@@ -10,7 +10,7 @@ namespace frana {
 namespace {
 
 using structured::FluidSource;
-using structured::SolidState;
+using structured::SolidStages;
 
 NodeGrid walled(const Ground& ground, const std::optional<Raster>& walls) {
     NodeGrid nodes(ground);
@@ -18,20 +18,25 @@ NodeGrid walled(const Ground& ground, const std::optional<Raster>& walls) {
     return nodes;
 }
 
-structured::State initial_state(NodeGrid nodes, const structured::Laws& laws, const StructuredMaterial& material,
-                                const ParticleSet& released) {
-    if (!material.solids) return {std::move(nodes), laws, ParticleSet(), {}, true};
-    const structured::SolidStages stages = structured::choose_solid_stages(can_fracture(material), has_fluid(material));
-    const auto of_place = [&](Point) { return solid_material(material); };
-    return {std::move(nodes), laws,
-            structured::give_material(structured::split_phases(released, of_place), stages.fields, of_place), stages,
-            has_fluid(material)};
+SolidStages stages_for(const StructuredMaterial& material) {
+    return structured::choose_solid_stages(can_fracture(material), has_fluid(material));
 }
 
-// Share of what is released that is free fluid from the start.
-double free_share(const StructuredMaterial& m) {
-    if (!m.solids) return 1;
-    return (1 - m.solid_fraction) * (can_fracture(m) ? 1 - m.confined_share : 1);
+// Columns of whole thickness as particles of solids with what they hold.
+ParticleSet solids_of(const ParticleSet& columns, const StructuredMaterial& material, const Numerics& numerics,
+                      const GridSpec& grid, FieldMask fields) {
+    const auto of_place = [&](Point local) { return material_at(material, grid, local); };
+    ParticleSet placed = structured::split_phases(columns, of_place);
+    if (material.spread_evenly) placed = structured::place_anew(placed, grid, numerics.particles_per_cell);
+    return structured::give_material(placed, fields, of_place);
+}
+
+structured::State initial_state(NodeGrid nodes, const structured::Laws& laws, const StructuredMaterial& material,
+                                const Numerics& numerics, const GridSpec& grid, const ParticleSet& released) {
+    if (!material.solids) return {std::move(nodes), laws, ParticleSet(), {}, true};
+    const SolidStages stages = stages_for(material);
+    return {std::move(nodes), laws, solids_of(released, material, numerics, grid, stages.fields), stages,
+            has_fluid(material)};
 }
 
 }  // namespace
@@ -43,41 +48,79 @@ StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>
       numerics_(numerics),
       material_(material),
       pool_(threads),
-      laws_(structured_laws(material, numerics, grid_.cell_size)),
-      state_(initial_state(walled(ground, walls), laws_, material, released)),
+      laws_(structured_laws(material, numerics, grid_)),
+      state_(initial_state(walled(ground, walls), laws_, material, numerics, grid_, released)),
       tiles_{state_.grid.columns(), state_.grid.rows(), k_ghost, grid_.cell_size},
       maxima_(state_.grid.bed.size()) {
-    receive(released, free_share(material));
+    receive(released, true);
+    receive_lying();
     structured::prepare(state_, laws_, pool_);
     see_present();
 }
 
 void StructuredFlow::lower_bed(const Raster& depth) {
     state_.grid.lower_bed(depth);
-    structured::set_ground(*state_.fluid, state_.grid, laws_.fluid);
+    if (state_.fluid) structured::set_ground(*state_.fluid, state_.grid, laws_.fluid);
 }
 
-void StructuredFlow::add_particles(const ParticleSet& particles) {
-    receive(particles, 1);
+void StructuredFlow::add_fluid(const ParticleSet& particles) {
+    receive(particles, false);
     see_present();
 }
 
-void StructuredFlow::receive(const ParticleSet& particles, double share) {
-    if (!state_.fluid || !(share > 0)) return;
-    const double inverse = 1 / grid_.cell_size, inverse_area = share / grid_.cell_area();
+void StructuredFlow::add_release(const ParticleSet& columns) {
+    if (columns.size() == 0) return;
+    if (material_.solids) {
+        const ParticleSet solids = solids_of(columns, material_, numerics_, grid_, state_.stages.fields);
+        structured::add_solids(state_, laws_, solids);
+        structured::prepare(state_, laws_, pool_);
+    }
+    receive(columns, true);
+    see_present();
+}
+
+// Free fluid that lies on the ground from the start.
+void StructuredFlow::receive_lying() {
+    if (!material_.initial_fluid) return;
+    const Raster& depth = *material_.initial_fluid;
+    std::vector<FluidSource> sources;
+    for (std::int64_t row = 0; row < grid_.rows; ++row)
+        for (std::int64_t column = 0; column < grid_.columns; ++column)
+            if (depth.at(row, column) > 0)
+                sources.push_back({state_.grid.index(column, grid_.rows - 1 - row), depth.at(row, column), 0, 0});
+    state_.fluid->volume_left += structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
+}
+
+// Takes in particles' fluid: of columns as released the share that is free from the start, else all.
+void StructuredFlow::receive(const ParticleSet& particles, bool columns) {
+    const double inverse = 1 / grid_.cell_size, inverse_area = 1 / grid_.cell_area();
     std::vector<FluidSource> sources;
     sources.reserve(particles.size());
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double x = particles[Field::x][p] * inverse, y = particles[Field::y][p] * inverse;
+        const Point place{particles[Field::x][p], particles[Field::y][p]};
+        const structured::SolidMaterial solid = material_at(material_, grid_, place);
+        const double volume = particles[Field::volume][p];
+        if (columns) {
+            released_mass_ += volume * whole_density(material_, solid);
+            released_volume_ += volume;
+        }
+        const double share = columns && material_.solids ? solid.free() : 1;
+        if (!state_.fluid || !(share > 0)) continue;
+        const double x = place.x * inverse, y = place.y * inverse;
         if (!(x >= 0 && y >= 0 && x < static_cast<double>(grid_.columns) && y < static_cast<double>(grid_.rows))) {
-            state_.fluid->volume_left += share * particles[Field::volume][p];
+            state_.fluid->volume_left += share * volume;
             continue;
         }
-        const double depth = particles[Field::volume][p] * inverse_area;
+        const double depth = share * volume * inverse_area;
         sources.push_back({state_.grid.index(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)), depth,
                            depth * particles[Field::u][p], depth * particles[Field::v][p]});
     }
+    if (!state_.fluid) return;
     state_.fluid->volume_left += structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
+}
+
+double StructuredFlow::density() const {
+    return released_volume_ > 0 ? released_mass_ / released_volume_ : material_.fluid_density;
 }
 
 // The longest step where next to nothing moves.
@@ -98,7 +141,7 @@ StepFigures StructuredFlow::advance(double dt_limit) {
     particle_steps_ += particle_count() * report.substeps;
     StepFigures figures = observe();
     figures.dt = report.dt;
-    figures.kinetic += report.kinetic / released_density(material_);
+    figures.kinetic += report.kinetic / density();
     figures.non_finite = report.fluid.non_finite + report.solids.non_finite;
     figures.clamped = report.solids.clamped;
     figures.fastest = std::sqrt(report.solids.speed2);
@@ -148,7 +191,7 @@ StepFigures StructuredFlow::observe() {
     const std::vector<std::int64_t> tiles = shown_tiles();
     std::vector<StepFigures> figures(tiles.size());
     const double dx = grid_.cell_size, area = grid_.cell_area();
-    const double fluid_share = material_.fluid_density / released_density(material_);
+    const double fluid_share = material_.fluid_density / density();
     pool_.for_each(tiles.size(), [&](std::size_t t) {
         StepFigures& f = figures[t];
         NodeRange(tiles[t], tiles_, state_.grid)

@@ -28,9 +28,11 @@ class StructuredFlow {
     StructuredFlow(const Ground& ground, const std::optional<Raster>& walls, const StructuredMaterial& material,
                    const Numerics& numerics, const ParticleSet& released, int threads);
 
-    /// Adds fluid, volume and momentum as particles hold them, to the cells they lie in. Not for solids.
-    void add_particles(const ParticleSet& particles);
-    /// Takes ground away between two steps: depth in each cell [m], NaN for none. Not for solids.
+    /// Adds fluid, volume and momentum as particles hold them, to the cells they lie in.
+    void add_fluid(const ParticleSet& particles);
+    /// Columns of whole thickness that fail now: fluid, or split into solids and fluid.
+    void add_release(const ParticleSet& columns);
+    /// Takes ground away between two steps: depth in each cell [m], NaN for none.
     void lower_bed(const Raster& depth);
     void set_origin(Point origin) { origin_ = origin; }
     void set_moving_speed(double speed) { moving_speed_ = speed; }
@@ -48,6 +50,8 @@ class StructuredFlow {
     /// Solids and all fluid inside [m3].
     [[nodiscard]] double volume();
     [[nodiscard]] double volume_left() const noexcept;
+    /// Mean of what was released so far, solids and fluid together [kg/m3]; of fluid where only fluid came in.
+    [[nodiscard]] double density() const;
     [[nodiscard]] std::int64_t particle_count() const noexcept;
     [[nodiscard]] std::int64_t particle_steps() const noexcept { return particle_steps_; }
     [[nodiscard]] std::size_t bytes_per_particle() const noexcept;
@@ -55,6 +59,9 @@ class StructuredFlow {
     [[nodiscard]] std::size_t bytes_per_node() const noexcept;
     [[nodiscard]] const NodeGrid& nodes() const noexcept { return state_.grid; }
     [[nodiscard]] const structured::State& state() const noexcept { return state_; }
+    [[nodiscard]] const GridSpec& grid() const noexcept { return grid_; }
+    /// Whether speeds along the bed and in map view differ.
+    [[nodiscard]] bool metric() const noexcept { return laws_.fluid.steep; }
 
     /// Depth and speed along the bed, as north-up rasters; NaN under the minimum depth.
     struct Snapshot {
@@ -91,9 +98,9 @@ class StructuredFlow {
     /// Everything that steps change.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, origin, moving_speed, steps,
-                                particle_steps] = *this;
-        archive(state, maxima, steps, particle_steps);
+        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, origin, moving_speed,
+                                released_mass, released_volume, steps, particle_steps] = *this;
+        archive(state, maxima, released_mass, released_volume, steps, particle_steps);
         if constexpr (Archive::k_reads) {
             if (state.fluid) structured::set_ground(*state.fluid, state.grid, laws.fluid);
         }
@@ -112,7 +119,8 @@ class StructuredFlow {
     }
     [[nodiscard]] double fluid_speed(std::size_t cell) const;
     [[nodiscard]] double solid_speed(std::size_t cell) const;
-    void receive(const ParticleSet& particles, double share);
+    void receive(const ParticleSet& particles, bool columns);
+    void receive_lying();
     StepFigures observe();
     template <class Value>
     [[nodiscard]] Raster raster_of(const Value& value) const;
@@ -127,6 +135,7 @@ class StructuredFlow {
     Maxima maxima_;
     Point origin_;
     double moving_speed_ = 0;
+    double released_mass_ = 0, released_volume_ = 0;  // [kg], [m3]
     std::int64_t steps_ = 0, particle_steps_ = 0;
 };
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/structured_laws.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "simulation/terrain_sample.h"
 
 namespace frana {
 namespace {
@@ -26,10 +30,45 @@ structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& nu
     return laws;
 }
 
+structured::SolidMaterial uniform_material(const StructuredMaterial& m) {
+    return {m.solid_fraction, m.confined_share, m.cohesion, m.friction, m.bed_friction, m.grain_density,
+            m.grain_diameter};
+}
+
+structured::SolidMaterial material_of_cell(const StructuredMaterial& m, std::size_t cell) {
+    structured::SolidMaterial solid = uniform_material(m);
+    const StructuredZones& zones = m.zones;
+    for (const auto& [raster, value] :
+         {std::pair{&zones.solid_fraction, &solid.solid_fraction}, {&zones.confined_share, &solid.confined_share},
+          {&zones.cohesion, &solid.cohesion}, {&zones.friction, &solid.friction},
+          {&zones.bed_friction, &solid.bed_friction}, {&zones.grain_density, &solid.grain_density},
+          {&zones.grain_diameter, &solid.grain_diameter}})
+        if (*raster && !std::isnan((*raster)->values[cell])) *value = (*raster)->values[cell];
+    return solid;
+}
+
 // Of solids with what they confine [kg/m3].
-double coupled_density(const StructuredMaterial& m) {
-    const double confined = can_fracture(m) ? (1 - m.solid_fraction) * m.confined_share : 0;
-    return (m.solid_fraction * m.grain_density + confined * m.fluid_density) / (m.solid_fraction + confined);
+double coupled_density(const StructuredMaterial& m, const structured::SolidMaterial& solid) {
+    return (solid.solid_fraction * solid.grain_density + solid.held() * m.fluid_density) /
+           (solid.solid_fraction + solid.held());
+}
+
+// Elastic waves are fastest in the lightest.
+double least_coupled_density(const StructuredMaterial& m, std::size_t cells) {
+    if (!m.zones.any()) return coupled_density(m, uniform_material(m));
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        const structured::SolidMaterial solid = material_of_cell(m, cell);
+        if (solid.solid_fraction > 0) least = std::min(least, coupled_density(m, solid));
+    }
+    return least;
+}
+
+// Whether a value that may differ from place to place passes a test anywhere.
+template <class Test>
+bool anywhere(double uniform, const std::optional<Raster>& zones, const Test& test) {
+    if (!zones) return test(uniform);
+    return std::any_of(zones->values.begin(), zones->values.end(), test);  // NaN passes none
 }
 
 VirtualMassLaw law_of(StructuredMaterial::VirtualMass law) {
@@ -58,26 +97,28 @@ structured::EarthPressure law_of(StructuredMaterial::EarthPressure law) {
 
 }  // namespace
 
-bool can_fracture(const StructuredMaterial& material) {
-    return material.cohesion > 0;
+bool can_fracture(const StructuredMaterial& m) {
+    return anywhere(m.cohesion, m.zones.cohesion, [](double cohesion) { return cohesion > 0; });
 }
 
-bool has_fluid(const StructuredMaterial& material) {
-    return !material.solids || material.solid_fraction < 1;
+bool has_fluid(const StructuredMaterial& m) {
+    return !m.solids || m.more_fluid ||
+           anywhere(m.solid_fraction, m.zones.solid_fraction, [](double fraction) { return fraction < 1; });
 }
 
-double released_density(const StructuredMaterial& m) {
+double whole_density(const StructuredMaterial& m, const structured::SolidMaterial& solid) {
     if (!m.solids) return m.fluid_density;
-    return m.solid_fraction * m.grain_density + (1 - m.solid_fraction) * m.fluid_density;
+    return solid.solid_fraction * solid.grain_density + (1 - solid.solid_fraction) * m.fluid_density;
 }
 
-structured::SolidMaterial solid_material(const StructuredMaterial& m) {
-    return {m.solid_fraction, m.confined_share, m.cohesion, m.friction, m.bed_friction, m.grain_density,
-            m.grain_diameter};
+structured::SolidMaterial material_at(const StructuredMaterial& m, const GridSpec& grid, Point local) {
+    if (!m.zones.any()) return uniform_material(m);
+    const Cell cell = cell_of(grid, local);
+    return material_of_cell(m, static_cast<std::size_t>(cell.row * grid.columns + cell.column));
 }
 
-structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& numerics, double cell_size) {
-    structured::Laws laws(0.5 * cell_size);
+structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& numerics, const GridSpec& grid) {
+    structured::Laws laws(0.5 * grid.cell_size);
     laws.fluid = fluid_laws(m, numerics);
     laws.gaps_are_walls = numerics.nodata != NodataPolicy::stop;
     structured::SolidLaws& solid = laws.solid;
@@ -91,8 +132,8 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     solid.fragmentation.critical_strain = m.critical_strain;
     solid.fragmentation.measure =
         m.damage_by_distortion ? structured::DamageMeasure::equivalent : structured::DamageMeasure::volumetric;
-    solid.wave_speed = solid.elastic.wave_speed(coupled_density(m));
-    solid.spacing = cell_size / std::round(std::sqrt(static_cast<double>(numerics.particles_per_cell)));
+    solid.wave_speed = solid.elastic.wave_speed(least_coupled_density(m, static_cast<std::size_t>(grid.cell_count())));
+    solid.spacing = grid.cell_size / std::round(std::sqrt(static_cast<double>(numerics.particles_per_cell)));
     solid.viscosity = {m.linear_viscosity, m.quadratic_viscosity, m.sound_speed > 0 ? m.sound_speed : solid.wave_speed,
                        solid.kernel.length()};
     solid.artificial_stress = m.artificial_stress;
@@ -104,7 +145,6 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     coupling.drag.smoothing_velocity = m.smoothing_velocity;
     coupling.virtual_mass.law = law_of(m.virtual_mass);
     coupling.block_size = m.block_size;
-    coupling.void_ratio = (1 - m.solid_fraction) / m.solid_fraction;
     coupling.dry = m.dry_depth;
     return laws;
 }

@@ -9,15 +9,15 @@ namespace frana {
 
 /// The structured model's laws for a scene's material and numerics. Solids: the smoothing length is half a cell, and
 /// particles stand as far apart as numerics.particles-per-cell says.
-structured::Laws structured_laws(const StructuredMaterial& material, const Numerics& numerics, double cell_size);
+structured::Laws structured_laws(const StructuredMaterial& material, const Numerics& numerics, const GridSpec& grid);
 
-/// What the solids are made of; the same everywhere.
-structured::SolidMaterial solid_material(const StructuredMaterial& material);
+/// What the solids are made of at a place, in local metres.
+structured::SolidMaterial material_at(const StructuredMaterial& material, const GridSpec& grid, Point local);
 
 /// Whether solids can lose cohesion, and whether there is or can be fluid.
 bool can_fracture(const StructuredMaterial& material);
 bool has_fluid(const StructuredMaterial& material);
-/// Of what is released, solids and fluid together [kg/m3].
-double released_density(const StructuredMaterial& material);
+/// Solids and fluid together, as released [kg/m3].
+double whole_density(const StructuredMaterial& material, const structured::SolidMaterial& solid);
 
 }  // namespace frana

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/particle_table.h"
 #include "simulation/structured_flow.h"
 #include "simulation/terrain_sample.h"
 
@@ -23,13 +24,6 @@ Raster mean_by_cell(const ParticleSet& particles, const GridSpec& grid, const Va
     for (std::size_t i = 0; i < sum.values.size(); ++i)
         sum.values[i] = weight.values[i] > 0 ? sum.values[i] / weight.values[i] : k_no_data;
     return sum;
-}
-
-// Greatest principal strain by size.
-double greatest_strain(const ParticleSet& particles, std::size_t p) {
-    const double xx = particles[Field::e_xx][p], yy = particles[Field::e_yy][p], xy = particles[Field::e_xy][p];
-    const double mean = 0.5 * (xx + yy), radius = std::hypot(0.5 * (xx - yy), xy);
-    return std::max(std::abs(mean + radius), std::abs(mean - radius));
 }
 
 }  // namespace
@@ -121,14 +115,13 @@ std::vector<NamedRaster> StructuredFlow::phases() const {
             return column(cell).depth >= least ? solid_depth(cell) / column(cell).depth : k_no_data;
         }));
     if (particles[Field::confined] != nullptr) {
-        // What each particle confined at the start is known from its solids.
-        const double confined = material_.cohesion > 0 ? laws_.coupling.void_ratio * material_.confined_share : 0;
+        const double *left = particles[Field::confined], *start = particles[Field::confined_start];
         Raster lost(grid_, k_no_data);
         for (std::size_t p = 0; p < particles.size(); ++p) {
-            const double volume = confined * particles[Field::volume][p] - particles[Field::confined][p];
             const Cell c = cell_of(grid_, {particles[Field::x][p], particles[Field::y][p]});
             double& depth = lost.at(c.row, c.column);
-            depth = (std::isnan(depth) ? 0 : depth) + std::max(0.0, volume) / grid_.cell_area();
+            const double volume = start != nullptr ? start[p] - left[p] : 0;
+            depth = (std::isnan(depth) ? 0 : depth) + volume / grid_.cell_area();
         }
         add("released_water", std::move(lost));
     }

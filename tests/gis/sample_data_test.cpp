@@ -12,6 +12,7 @@
 #include "gis/vector_in.h"
 #include "sample_data/bindo_landslide.h"
 #include "sample_data/bindo_sample.h"
+#include "sample_data/structured_samples.h"
 
 namespace frana::gis {
 namespace {
@@ -28,10 +29,23 @@ TEST(SampleData, ComesOutBitForBitAsCommitted) {
     std::size_t compared = 0;
     for (const std::string& name : folder.names()) {
         EXPECT_TRUE(test::text_in(folder.file(name)) == test::text_in(committed(name.c_str())))
-            << name << " differs: run generate_sample sample_data/bindo if the change is wanted";
+            << name << " differs: run generate_sample bindo sample_data/bindo if the change is wanted";
         ++compared;
     }
     EXPECT_EQ(compared, 12U);  // two rasters, two shapefiles of five files each
+}
+
+TEST(SampleData, ScenesOfTheStructuredModelComeOutBitForBitAsCommitted) {
+    for (const auto& [name, write] : {std::pair{"flume", sample::write_flume_sample},
+                                      {"fracture", sample::write_fracture_sample}}) {
+        const test::Folder folder;
+        write(folder.file("."));
+        for (const std::string& file : folder.names())
+            EXPECT_TRUE(test::text_in(folder.file(file)) ==
+                        test::text_in((k_committed / ".." / name / file).string()))
+                << name << '/' << file << " differs: run generate_sample " << name << " if the change is wanted";
+        EXPECT_EQ(folder.names().size(), name == std::string("flume") ? 3U : 4U);
+    }
 }
 
 TEST(SampleData, ReleaseHasItsVolumeAndLiesInItsPerimeter) {

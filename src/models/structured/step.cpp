@@ -67,11 +67,21 @@ void look_at_particles(const State& state, const Laws& laws, StepReport& report,
 
 State::State(NodeGrid terrain, const Laws& laws, ParticleSet solids, const SolidStages& chosen, bool with_fluid)
     : grid(std::move(terrain)), stages(chosen) {
-    if (solids.size() > 0) {
-        SolidNodes nodes(grid, laws.gaps_are_walls, with_fluid);
-        solid = std::make_unique<SolidState>(std::move(solids), laws.solid, std::move(nodes));
-    }
     if (with_fluid) fluid = std::make_unique<FluidState>(grid, laws.fluid);
+    add_solids(*this, laws, solids);
+}
+
+void add_solids(State& state, const Laws& laws, const ParticleSet& solids) {
+    if (solids.size() == 0) return;
+    if (!state.solid) {
+        SolidNodes nodes(state.grid, laws.gaps_are_walls, state.fluid != nullptr);
+        state.solid = std::make_unique<SolidState>(solids, laws.solid, std::move(nodes));
+        return;
+    }
+    ParticleSet& all = state.solid->particles;
+    const std::size_t before = all.size();
+    all.resize(before + solids.size());
+    for (std::size_t p = 0; p < solids.size(); ++p) all.set_row(before + p, solids.row(p));
 }
 
 SolidLayer solid_layer(const State& state) {

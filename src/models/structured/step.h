@@ -52,6 +52,9 @@ struct StepReport {
     double kinetic = 0;    ///< of the solids with their confined fluid [J]
 };
 
+/// Adds solids with the fields of the state's stages, between two steps; then call prepare.
+void add_solids(State& state, const Laws& laws, const ParticleSet& solids);
+
 /// Solids in order, on the nodes and in the fluid's sight; call before the first step and whenever particles were
 /// added.
 void prepare(State& state, const Laws& laws, ThreadPool& pool);

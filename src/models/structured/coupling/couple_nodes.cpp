@@ -33,7 +33,8 @@ Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity,
     const double inverse_area = 1 / (grid.cell_size() * grid.cell_size());
     CellPhases cell;
     cell.free = fluid.now.depth[n];
-    const double filled = std::min(1.0, cell.free / (laws.void_ratio * sums.solids * inverse_area));
+    const double pores = more.pores * inverse_area;
+    const double filled = cell.free < pores ? cell.free / pores : 1;
     nodes.push[n].submergence = filled;
     if (!(cell.free > laws.dry)) return push;
     const Point surface = surface_gradient(grid, nodes, fluid, laws.dry, n);

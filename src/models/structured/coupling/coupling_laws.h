@@ -13,7 +13,6 @@ struct CouplingLaws {
     Drag drag;
     VirtualMass virtual_mass;
     double block_size = 0;   ///< d_sc of the structured part [m]; 0: the local depth
-    double void_ratio = 1;   ///< pore volume over solid volume of the material as placed
     double dry = 1e-4;       ///< depth of free fluid from which there is any [m]
 };
 

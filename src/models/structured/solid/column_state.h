@@ -21,8 +21,10 @@ inline constexpr FieldMask k_solid_fields =
               Field::e_yy, Field::e_xy,     Field::friction,     Field::bed_friction,  Field::grain_density,
               Field::push_x, Field::push_y, Field::flatness};
 inline constexpr FieldMask k_cohesion_fields{Field::cohesion, Field::cohesion_ratio, Field::damage};
-inline constexpr FieldMask k_wet_fields{Field::confined, Field::submergence, Field::grain_diameter};
-inline constexpr FieldMask k_release_fields{Field::released, Field::released_x, Field::released_y};
+inline constexpr FieldMask k_wet_fields{Field::confined, Field::pores, Field::submergence,
+                                        Field::grain_diameter};
+inline constexpr FieldMask k_release_fields{Field::confined_start, Field::released, Field::released_x,
+                                            Field::released_y};
 
 /// The fields of a scene's solids.
 inline constexpr FieldMask solid_fields(bool cohesive, bool wet) {

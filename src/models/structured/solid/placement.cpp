@@ -79,14 +79,40 @@ ParticleSet place_by_depth(const Raster& solid_depth, const Raster& confined_dep
     return particles;
 }
 
+ParticleSet place_anew(const ParticleSet& placed, const GridSpec& grid, int per_column) {
+    Raster solids(grid, 0), confined(grid, 0), u(grid, 0), v(grid, 0);
+    const auto index = [&](double x, double y) {
+        const auto cell = [&](double place, std::int64_t count) {
+            return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(place / grid.cell_size)), 0, count - 1);
+        };
+        return solids.index(grid.rows - 1 - cell(y, grid.rows), cell(x, grid.columns));
+    };
+    for (std::size_t p = 0; p < placed.size(); ++p) {
+        const std::size_t c = index(placed[Field::x][p], placed[Field::y][p]);
+        const double depth = placed[Field::volume][p] / grid.cell_area();
+        solids.values[c] += depth;
+        confined.values[c] += placed[Field::confined][p] / grid.cell_area();
+        u.values[c] += depth * placed[Field::u][p];
+        v.values[c] += depth * placed[Field::v][p];
+    }
+    ParticleSet particles = place_by_depth(solids, confined, per_column);
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const std::size_t c = index(particles[Field::x][p], particles[Field::y][p]);
+        particles[Field::u][p] = u.values[c] / solids.values[c];
+        particles[Field::v][p] = v.values[c] / solids.values[c];
+    }
+    return particles;
+}
+
 ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMaterial(Point)>& material) {
     ParticleSet particles(k_placed_fields);
     for (std::size_t p = 0; p < columns.size(); ++p) {
         ParticleRow r = columns.row(p);
         const double whole = get(r, Field::volume);
         const SolidMaterial m = material({get(r, Field::x), get(r, Field::y)});
+        if (!(m.solid_fraction > 0)) continue;
         get(r, Field::volume) = m.solid_fraction * whole;
-        get(r, Field::confined) = m.cohesion > 0 ? (1 - m.solid_fraction) * m.confined_share * whole : 0;
+        get(r, Field::confined) = m.held() * whole;
         particles.push_back(r);
     }
     return particles;
@@ -99,6 +125,8 @@ ParticleSet give_material(const ParticleSet& placed, FieldMask fields,
     for (std::size_t p = 0; p < placed.size(); ++p) {
         ParticleRow r = placed.row(p);
         const SolidMaterial m = material({get(r, Field::x), get(r, Field::y)});
+        get(r, Field::confined_start) = get(r, Field::confined);
+        get(r, Field::pores) = (1 - m.solid_fraction) / m.solid_fraction * get(r, Field::volume);
         get(r, Field::cohesion) = m.cohesion;
         get(r, Field::cohesion_ratio) = m.cohesion > 0 ? 1 : 0;
         get(r, Field::friction) = m.friction;

@@ -21,6 +21,10 @@ Point r2_point(std::int64_t n);
 /// @param per_column particles in the cell that holds most solids
 ParticleSet place_by_depth(const Raster& solid_depth, const Raster& confined_depth, int per_column);
 
+/// Solids placed on a lattice (fields volume, confined, area, u, v) laid out anew by place_by_depth: the same volumes in
+/// each cell but for what it passes on, and the mean velocity there.
+ParticleSet place_anew(const ParticleSet& placed, const GridSpec& grid, int per_column);
+
 /// What the solids of a scene are made of at a place.
 struct SolidMaterial {
     double solid_fraction = 0.5;    ///< alpha_s of solids with pore fluid [-]
@@ -30,11 +34,17 @@ struct SolidMaterial {
     double bed_friction = 0;        ///< tan(phi_b) [-]
     double grain_density = 2400;    ///< [kg/m3]
     double grain_diameter = 1e-3;   ///< [m]
+
+    /// Share of the whole volume that is confined fluid, and that is free fluid. Without cohesion nothing is held.
+    [[nodiscard]] double held() const noexcept {
+        return solid_fraction > 0 && cohesion > 0 ? (1 - solid_fraction) * confined_share : 0;
+    }
+    [[nodiscard]] double free() const noexcept { return 1 - solid_fraction - held(); }
 };
 
 /// Splits columns of whole thickness (fields volume, area) into solids and confined fluid: volume becomes that of the
-/// solids, confined the rest that the structure holds. The share that it does not hold is left out: it is free fluid.
-/// Without cohesion nothing is held.
+/// solids, confined the rest that the structure holds. The share that it does not hold is left out: it is free fluid;
+/// where there are no solids that is all.
 ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMaterial(Point)>& material);
 
 /// Gives particles (x, y, u, v, volume, area, confined) their material, and all fields of a scene.

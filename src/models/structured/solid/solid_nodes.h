@@ -25,7 +25,7 @@ struct alignas(32) CouplingSums {
     double diameter = 0;  ///< volume of solids times grain diameter [m4]
     double friction = 0;  ///< greatest force of friction at the bed [N]
     double area = 0;      ///< that the particles claim [m2]
-    double spare = 0;
+    double pores = 0;     ///< volume between the solids when they were placed [m3]
 };
 
 /// What a node gives back to the particles.

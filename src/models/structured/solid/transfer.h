@@ -38,6 +38,7 @@ void solids_to_nodes(ParticleRun run, const SolidLaws& laws, const ParticleSet& 
                     more.diameter += w * solids * particles[Field::grain_diameter][p];
                     more.friction += w * friction;
                     more.area += w * area;
+                    more.pores += w * particles[Field::pores][p];
                 }
             }
         }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <map>
+
+#include "core/error.h"
+#include "sample_data/bindo_sample.h"
+#include "sample_data/structured_samples.h"
+
+/// generate_sample NAME DIR: writes a sample's files into a folder, which is made if it is not there.
+int main(int argc, char** argv) {
+    const std::map<std::string, std::function<void(const std::string&)>> samples{
+        {"bindo", frana::sample::write_bindo_sample},
+        {"flume", frana::sample::write_flume_sample},
+        {"fracture", frana::sample::write_fracture_sample}};
+    const auto sample = argc == 3 ? samples.find(argv[1]) : samples.end();
+    if (sample == samples.end()) {
+        std::cerr << "usage: generate_sample bindo|flume|fracture DIR\n";
+        return 2;
+    }
+    try {
+        std::filesystem::create_directories(argv[2]);
+        sample->second(argv[2]);
+    } catch (const std::exception& error) {
+        std::cerr << "generate_sample: " << error.what() << '\n';
+        return 4;
+    }
+    return 0;
+}

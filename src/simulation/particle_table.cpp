@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/particle_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/structured/solid/stress.h"
+
+namespace frana {
+namespace {
+
+// Elevation of the bed between the nodes' centres, and its slope in the cell as the rasters of speed have it.
+struct Ground {
+    double height = 0;
+    Point slope;
+};
+
+Ground ground_under(const NodeGrid& nodes, double x, double y) {
+    const double dx = nodes.cell_size();
+    const auto cell = [&](double place, std::int64_t count) {
+        return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(place / dx)), 0, count - 1);
+    };
+    const auto bed = [&](std::int64_t i, std::int64_t j) { return nodes.bed[nodes.index(i, j)]; };
+    const std::int64_t column = cell(x, nodes.columns()), row = cell(y, nodes.rows());
+    Ground ground;
+    ground.slope = {(bed(column + 1, row) - bed(column - 1, row)) / (2 * dx),
+                    (bed(column, row + 1) - bed(column, row - 1)) / (2 * dx)};
+    const double s = x / dx - 0.5, t = y / dx - 0.5;
+    const auto i = std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(s)), -1, nodes.columns() - 1);
+    const auto j = std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(t)), -1, nodes.rows() - 1);
+    const double a = s - static_cast<double>(i), b = t - static_cast<double>(j);
+    ground.height = nodes.datum() + (1 - a) * (1 - b) * bed(i, j) + a * (1 - b) * bed(i + 1, j) +
+                    (1 - a) * b * bed(i, j + 1) + a * b * bed(i + 1, j + 1);
+    return ground;
+}
+
+// What particles of either model have.
+PointTable common_table(const ParticleSet& particles, const GridSpec& grid, const NodeGrid& nodes, bool metric) {
+    PointTable table;
+    const std::size_t count = particles.size();
+    table.places.reserve(count);
+    const double* const x = particles[Field::x];
+    const double* const y = particles[Field::y];
+    for (std::size_t p = 0; p < count; ++p) table.places.push_back(grid.map_from_local({x[p], y[p]}));
+    for (const char* name : {"depth_m", "bed_m", "speed_ms", "velocity_x_ms", "velocity_y_ms", "volume_m3"})
+        table.add(name);
+    const double* const confined = particles[Field::confined];
+    for (std::size_t p = 0; p < count; ++p) {
+        const Ground ground = ground_under(nodes, x[p], y[p]);
+        const double u = particles[Field::u][p], v = particles[Field::v][p];
+        const double climb = metric ? u * ground.slope.x + v * ground.slope.y : 0;
+        const double volume = particles[Field::volume][p] + (confined != nullptr ? confined[p] : 0);
+        const double values[] = {volume / particles[Field::area][p], ground.height, std::hypot(u, v, climb), u, v,
+                                 volume};
+        for (std::size_t c = 0; c < std::size(values); ++c) table.columns[c].values[p] = values[c];
+    }
+    return table;
+}
+
+}  // namespace
+
+double greatest_strain(const ParticleSet& particles, std::size_t p) {
+    const double xx = particles[Field::e_xx][p], yy = particles[Field::e_yy][p], xy = particles[Field::e_xy][p];
+    const double mean = 0.5 * (xx + yy), radius = std::hypot(0.5 * (xx - yy), xy);
+    return std::max(std::abs(mean + radius), std::abs(mean - radius));
+}
+
+PointTable particle_table(const Flow& flow) {
+    return common_table(flow.particles(), flow.grid(), flow.nodes(), flow.metric());
+}
+
+PointTable particle_table(const StructuredFlow& flow) {
+    if (!flow.state().solid) return {};
+    const ParticleSet& particles = flow.state().solid->particles;
+    PointTable table = common_table(particles, flow.grid(), flow.nodes(), flow.metric());
+    const std::size_t count = particles.size();
+    const auto fill = [&](const char* name, const auto& value) {
+        std::vector<double>& values = table.add(name);
+        for (std::size_t p = 0; p < count; ++p) values[p] = value(p);
+    };
+    const auto copy = [&](const char* name, Field field, double unit) {
+        if (particles[field] != nullptr) fill(name, [&](std::size_t p) { return unit * particles[field][p]; });
+    };
+    constexpr double k_kpa = 1e-3;
+    copy("confined_fluid_m3", Field::confined, 1);
+    copy("stress_xx_kpa", Field::t_xx, k_kpa);
+    copy("stress_yy_kpa", Field::t_yy, k_kpa);
+    copy("stress_zz_kpa", Field::t_zz, k_kpa);
+    copy("stress_xy_kpa", Field::t_xy, k_kpa);
+    const auto stress = [&](std::size_t p) {
+        return structured::Stress{particles[Field::t_xx][p], particles[Field::t_yy][p], particles[Field::t_zz][p],
+                                  particles[Field::t_xy][p]};
+    };
+    fill("mean_stress_kpa", [&](std::size_t p) { return k_kpa * stress(p).i1() / 3; });
+    fill("shear_stress_kpa", [&](std::size_t p) { return k_kpa * std::sqrt(stress(p).j2()); });
+    fill("strain", [&](std::size_t p) { return greatest_strain(particles, p); });
+    copy("strain_xx", Field::e_xx, 1);
+    copy("strain_yy", Field::e_yy, 1);
+    copy("strain_xy", Field::e_xy, 1);
+    const double* const ratio = particles[Field::cohesion_ratio];
+    if (ratio == nullptr) return table;
+    copy("cohesion_ratio", Field::cohesion_ratio, 1);
+    fill("fractured_fraction", [&](std::size_t p) { return 1 - ratio[p]; });
+    return table;
+}
+
+}  // namespace frana
