@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "app/command_line.h"
 #include "app/number_text.h"
+#include "app/prepare_inflow.h"
 #include "core/error.h"
 #include "core/json.h"
 #include "params/value_text.h"
@@ -27,8 +29,10 @@ constexpr double k_least_particle_bytes = 2 * 100;
 // Terrain, bed, release and five results, two more while files are written.
 constexpr double k_least_cell_bytes = 80;
 
-// What a run of the least scene takes with its libraries, and what drawing adds; measured.
-constexpr std::int64_t k_libraries_bytes = 100'000'000, k_drawing_bytes = 180'000'000;
+// What a run of the least scene takes with its libraries, and what is added by any picture, by maps of everything and by
+// a film; measured with GDAL 3.6, VTK 9.1, Mesa 22.
+constexpr std::int64_t k_libraries_bytes = 147'000'000, k_picture_bytes = 138'000'000, k_all_maps_bytes = 20'000'000,
+                       k_film_bytes = 40'000'000;
 
 std::optional<double> bytes_from_text(const std::string& text) {
     static const std::map<std::string, double> k_units{{"", 1},      {"B", 1},      {"kB", 1e3},       {"MB", 1e6},
@@ -40,6 +44,17 @@ std::optional<double> bytes_from_text(const std::string& text) {
     const auto unit = k_units.find(trimmed(text.substr(end + 1)));
     if (!number || !(*number > 0) || unit == k_units.end()) return std::nullopt;
     return *number * unit->second;
+}
+
+// Rows of particles that a hydrograph brings until the scene's end, times their number in a row.
+double particles_of(const Inflow& inflow, double spacing, double end) {
+    double way = 0;
+    for (std::size_t i = 0; i + 1 < inflow.hydrograph.size(); ++i) {
+        const HydrographPoint &a = inflow.hydrograph[i], &b = inflow.hydrograph[i + 1];
+        const double from = std::min(a.time, end), to = std::min(b.time, end);
+        way += std::max(a.speed, b.speed) * (to - from);
+    }
+    return way / spacing * (length_of(inflow.line) / spacing + 1);
 }
 
 }  // namespace
@@ -67,7 +82,12 @@ double usable_memory() {
 }
 
 void refuse_too_much(const SceneReading& reading, const Scene& scene, double released_area) {
-    const double spacing = lattice_spacing(scene), particles = released_area / (spacing * spacing);
+    const double spacing = lattice_spacing(scene),
+                 of_inflows = std::accumulate(scene.inflows.begin(), scene.inflows.end(), 0.0,
+                                              [&](double sum, const Inflow& inflow) {
+                                                  return sum + particles_of(inflow, spacing, scene.time.end);
+                                              }),
+                 particles = released_area / (spacing * spacing) + of_inflows;
     const double cells = static_cast<double>(scene.grid.columns) * static_cast<double>(scene.grid.rows);
     const double needed = cells * k_least_cell_bytes + particles * k_least_particle_bytes;
     const std::string cell = shortest_text(scene.grid.cell_size) + " m";
@@ -80,7 +100,7 @@ void refuse_too_much(const SceneReading& reading, const Scene& scene, double rel
     }
     if (particles > k_most_particles) {
         throw Error(ErrorKind::input,
-                    Problem{"the release would take " + grouped(particles) + " particles",
+                    Problem{"release and inflow would take " + grouped(particles) + " particles",
                             reading.where("terrain.cell-size"), cell, "at most " + grouped(k_most_particles),
                             "Choose larger cells or fewer numerics.particles-per-cell"});
     }
@@ -98,10 +118,14 @@ void refuse_over_limit(std::int64_t needed) {
 std::int64_t memory_of_run(const Prepared& prepared, const RunEstimate& expected,
                            const std::optional<TimeEstimate>& trial) {
     const OutputSpec& output = prepared.spec.output;
-    const bool draws = output.maps.front() != "off" || output.animation;
-    const std::int64_t more = trial ? trial->particles_peak - expected.particles : 0;
-    return k_libraries_bytes + (draws ? k_drawing_bytes : 0) + expected.memory_bytes +
-           RunEstimate::k_particle_copies * std::max<std::int64_t>(more, 0) * expected.bytes_per_particle;
+    const bool maps = output.maps.front() != "off", film = output.animation && prepared.scene.time.frame_interval > 0;
+    std::int64_t bytes = k_libraries_bytes + expected.memory_bytes;
+    if (maps || film || prepared.scar) bytes += k_picture_bytes;
+    if (output.maps.front() == "on") bytes += k_all_maps_bytes;
+    if (film) bytes += k_film_bytes;
+    if (trial && trial->particles_peak > expected.particles)
+        bytes += expected.bytes_of_particles(trial->particles_peak - expected.particles);
+    return bytes;
 }
 
 }  // namespace frana::app

@@ -30,6 +30,9 @@ std::optional<std::size_t> column_of(const gis::Table& table, const std::string&
     return std::nullopt;
 }
 
+// Of seconds, cubic metres, cubic metres a second and metres a second: more than any flood, and sums stay numbers.
+constexpr double k_greatest = 1e12;
+
 struct Row {
     double time = 0, amount = 0, speed = 0;
 };
@@ -66,9 +69,9 @@ std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const 
             if (!value)
                 problems.add({line + ", column " + table.columns[column] + " is not a number", place, text, "",
                               "Write decimals after a point"});
-            else if (*value < 0)
-                problems.add({line + ", column " + table.columns[column] + " is negative", place, text, "0 or more",
-                              "Correct the file"});
+            else if (*value < 0 || *value > k_greatest)
+                problems.add({line + ", column " + table.columns[column] + " is out of range", place, text,
+                              "0 to " + shortest_text(k_greatest), "Correct the file"});
             return value.value_or(0);
         };
         Row row{number(columns.time), number(columns.amount), columns.speed ? number(*columns.speed) : 0};

@@ -203,7 +203,10 @@ struct RunEstimate {
     double inflow = 0;              ///< through lines until the end [m3]
     std::int64_t memory_bytes = 0;  ///< engine and rasters, with the particles of the start
     std::int64_t bytes_per_particle = 0, bytes_per_node = 0;
-    static constexpr std::int64_t k_particle_copies = 3;  ///< while they are put into order
+    /// Their fields, and those few of which there is a second while they are put into order.
+    [[nodiscard]] std::int64_t bytes_of_particles(std::int64_t count) const noexcept {
+        return count * bytes_per_particle * 13 / 10;
+    }
     double first_step_seconds = 0;  ///< stable step at the start [s]
     double wall_seconds = 0;        ///< rough
     std::vector<std::string> terms;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/simulation.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -44,17 +45,18 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
 // How long a flow's first steps take and what it holds, with all that comes later on the ground at once: the
 // trial steps then cost what the fullest would.
 template <class AnyFlow>
-void estimate_flow(const Scene& scene, const Arrivals::Taken& rest, AnyFlow& flow, RunEstimate& e) {
+void estimate_flow(const Scene& scene, const Arrivals::Taken& rest, std::int64_t released_cells, AnyFlow& flow,
+                   RunEstimate& e) {
     add_arrivals(rest, flow);
     e.first_step_seconds = flow.stable_step();
-    // Rasters: terrain, bed, release and five results as doubles; nodes only where material may come, taken
-    // as all.
-    const std::int64_t cells = scene.grid.cell_count();
-    constexpr std::int64_t k_rasters = 10;
     e.bytes_per_particle = static_cast<std::int64_t>(flow.bytes_per_particle());
     e.bytes_per_node = static_cast<std::int64_t>(flow.bytes_per_node());
-    e.memory_bytes = cells * (k_rasters * static_cast<std::int64_t>(sizeof(double)) + e.bytes_per_node) +
-                     RunEstimate::k_particle_copies * e.particles * e.bytes_per_particle;
+    // Rasters read, kept and written, as doubles; nodes only where material comes.
+    constexpr std::int64_t k_rasters = 14, k_spread = 4;
+    const std::int64_t cells = scene.grid.cell_count();
+    const std::int64_t reached = released_cells > 0 ? std::min(cells, k_spread * released_cells) : cells;
+    e.memory_bytes = cells * k_rasters * static_cast<std::int64_t>(sizeof(double)) + reached * e.bytes_per_node +
+                     e.bytes_of_particles(e.particles);
     // Time of the first steps, for as many steps as the end time would take at the first step's length.
     constexpr int k_trial_steps = 3;
     const auto begin = std::chrono::steady_clock::now();
@@ -124,19 +126,21 @@ RunEstimate estimate(const Scene& scene, int threads) {
     const std::size_t arriving = arrivals.particles_left();
     const Arrivals::Taken rest = arrivals.take(scene.time.end);
     e.inflow = rest.inflow;
+    const auto released_cells = static_cast<std::int64_t>(
+        std::count_if(release.depth.values.begin(), release.depth.values.end(), [](double d) { return d > 0; }));
     if (scene.structured) {
         StructuredFlow flow(release.bed, scene.walls, *scene.structured, scene.numerics, release.particles,
                             threads);
         const std::size_t solids = scene.structured->solids ? rest.failed.size() : 0;
         e.particles = flow.particle_count() + static_cast<std::int64_t>(solids);
-        estimate_flow(scene, rest, flow, e);
+        estimate_flow(scene, rest, released_cells, flow, e);
         return e;
     }
     Flow flow(release.bed, release.particles, scene.material, scene.numerics, threads, std::nullopt,
               scene.zones, scene.entrainment);
     if (scene.walls) flow.add_walls(*scene.walls);
     e.particles = static_cast<std::int64_t>(flow.particles().size() + arriving);
-    estimate_flow(scene, rest, flow, e);
+    estimate_flow(scene, rest, released_cells, flow, e);
     return e;
 }
 
