@@ -9,8 +9,8 @@
 #include "app/stopwatch.h"
 #include "app/text_file.h"
 #include "core/error.h"
-#include "core/file_aside.h"
 #include "core/json.h"
+#include "core/sync_path.h"
 #include "gis/raster_out.h"
 #include "params/value_text.h"
 
