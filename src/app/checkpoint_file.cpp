@@ -14,6 +14,7 @@
 #include "app/version.h"
 #include "core/error.h"
 #include "core/file_aside.h"
+#include "core/sync_path.h"
 #include "mpm/vector/kernels.h"
 
 namespace frana::app {
@@ -50,8 +51,9 @@ class SummedOutput {
         std::setvbuf(file_.get(), nullptr, _IOFBF, k_buffer);
     }
     void write(const void* data, std::size_t count) {
+        if (count == 0) return;  // of an empty list, whose null pointer would begin the sum anew
         sum_ = crc32_z(sum_, static_cast<const Bytef*>(data), count);
-        if (count > 0 && std::fwrite(data, 1, count, file_.get()) != count) fail(path_, errno);
+        if (std::fwrite(data, 1, count, file_.get()) != count) fail(path_, errno);
         written_ += count;
     }
     // Writes anew at the beginning, where the size is told; the sum then begins with it.

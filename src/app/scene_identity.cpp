@@ -17,7 +17,7 @@ namespace {
 class Sum {
   public:
     Sum() : writer_([this](const void* data, std::size_t count) {
-        sum_ = crc32_z(sum_, static_cast<const Bytef*>(data), count);
+        if (count > 0) sum_ = crc32_z(sum_, static_cast<const Bytef*>(data), count);  // null would begin it anew
     }) {}
     void add(double value) { writer_(value); }
     void add(Point point) { writer_(point.x, point.y); }

@@ -25,7 +25,4 @@ class FileAside {
     bool done_ = false;
 };
 
-/// Waits until a file, or a folder's names, is on the disk and outlasts a power cut. What cannot be is left.
-void sync_path(const std::string& path);
-
 }  // namespace frana

@@ -2,6 +2,7 @@
 // Runs that are killed, stopped by signals and gone on with, as a user meets them.
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <random>
 #include <thread>
 
@@ -49,10 +50,10 @@ class Killed : public Resuming {
                 program.send(SIGKILL);
                 const Outcome outcome = program.wait();
                 // Under its name there is a whole result or none.
-                if (fs::exists(path(result))) EXPECT_TRUE(fs::exists(path(result + "/summary.json")));
+                EXPECT_EQ(fs::exists(path(result)), fs::exists(path(result + "/summary.json")));
                 goes_on = outcome.exit_code == -SIGKILL && random() % 2 == 0;
                 if (outcome.exit_code == -SIGKILL) ++survived;
-                if (outcome.exit_code != -SIGKILL) EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+                EXPECT_TRUE(outcome.exit_code == -SIGKILL || outcome.exit_code == 0) << outcome.err;
                 if (fs::exists(path(result + "/summary.json"))) goes_on = false;
             }
             // A moment between the result's name and the program's end: all is there already.
