@@ -63,10 +63,10 @@ std::string in(const std::string& folder, const char* name) {
 }  // namespace
 
 void write_flume_sample(const std::string& folder) {
-    constexpr double k_cell = 0.01, k_length = 2.7, k_block_front = 0.6, k_block_length = 0.3;
+    constexpr double k_cell = 0.005, k_length = 2.7, k_block_front = 0.6, k_block_length = 0.3;
     constexpr double k_obstacle_length = 0.1, k_steep = 40, k_flat = 2;
     const double foot = (k_length - k_flume_break) * tangent(k_flat);
-    write_ground(in(folder, "dtm.tif"), 270, 60, k_cell, [&](double x) {
+    write_ground(in(folder, "dtm.tif"), 540, 120, k_cell, [&](double x) {
         return x < k_flume_break ? foot + (k_flume_break - x) * tangent(k_steep) : (k_length - x) * tangent(k_flat);
     });
     const double plan = std::round(1e4 * k_block_length * std::cos(k_steep * std::numbers::pi / 180)) / 1e4;

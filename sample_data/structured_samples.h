@@ -10,7 +10,7 @@ inline constexpr double k_flume_break = 1.2, k_flume_width = 0.6;
 inline constexpr double k_block_south = 0.175, k_block_north = 0.425, k_obstacle_north = 0.275;
 
 /// The flume of section 3 of van den Bout et al. (2021), as far as its text tells, in plain metres: dtm.tif (2.7 m x
-/// 0.6 m, cells of 1 cm), block.geojson, obstacle.geojson. The folder must exist. Throws Error(environment).
+/// 0.6 m, cells of 5 mm), block.geojson, obstacle.geojson. The folder must exist. Throws Error(environment).
 void write_flume_sample(const std::string& folder);
 
 /// The two grounds of its section 4 in plain metres, cells of 10 m: break_dtm.tif and valley_dtm.tif with their blocks,

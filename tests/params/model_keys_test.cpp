@@ -58,14 +58,30 @@ TEST_F(ModelKeys, FluidAloneRefusesWhatIsOfSolids) {
 }
 
 TEST_F(ModelKeys, SolidsNeedStrengthAndNeighbours) {
-    const std::string all = messages(k_fluid, {"structured.phases=solids-and-fluid", "release.start=3"});
+    const std::string all = messages(k_fluid, {"structured.phases=solids-and-fluid"});
     for (const char* words :
          {"structured.cohesion: is missing", "structured.internal-friction-angle: is missing",
-          "numerics.particles-per-cell: is too few", "release.start: is not available"})
+          "numerics.particles-per-cell: is too few"})
         EXPECT_NE(all.find(words), std::string::npos) << words << " in\n" << all;
     EXPECT_NE(messages(k_solids, {"structured.bulk-modulus=1e6"}).find("structured.young-modulus"),
               std::string::npos);
     EXPECT_NE(messages(k_solids, {"structured.drag-exponent=1.5"}).find("is neither 1 nor 2"),
+              std::string::npos);
+}
+
+TEST_F(ModelKeys, SolidsTakeTheirMaterialByPlace) {
+    EXPECT_EQ(messages(k_solids, {"structured.zones=lithology.gpkg", "structured.cohesion=attribute:c",
+                                  "structured.solid-fraction=raster:alpha.tif", "structured.placement=r2",
+                                  "release.start=3", "structured.initial-fluid-depth=raster:lake.tif"}),
+              "");
+    EXPECT_NE(messages(k_solids, {"structured.solid-fraction=1.5"}).find("structured.solid-fraction: is out of range"),
+              std::string::npos);
+    EXPECT_EQ(messages(k_solids, {"release.thickness=phases:solids.tif,fluid.tif"}), "");
+    EXPECT_NE(messages(k_fluid, {"release.thickness=phases:solids.tif,fluid.tif"}).find("tells solids from fluid"),
+              std::string::npos);
+    EXPECT_NE(messages(k_solids, {"release.thickness=phases:solids.tif"}).find("is not understood"),
+              std::string::npos);
+    EXPECT_NE(messages(k_fluid, {"output.formats=particles-gpkg"}).find("fluid alone has no particles"),
               std::string::npos);
 }
 
