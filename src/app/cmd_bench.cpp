@@ -30,7 +30,7 @@ CommandForm bench_form() {
                      "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
                      "with --out also writes\naccuracy.csv and accuracy.png, stability.csv or "
                      "speed.csv,\nspeed_stages.csv, speed_terms.csv, law_costs.csv and speed.png.\n"
-                     "accuracy takes some ten minutes, with --quick half a minute.",
+                     "accuracy takes some ten minutes, with --quick under a minute.",
                      "accuracy|stability|speed",
                      {}};
     form.options.add_options()("out", options::value<std::string>(), "folder for the files")(

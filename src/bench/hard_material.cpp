@@ -71,20 +71,16 @@ HardFigure slab_speed(const Setup&, Flow& flow) {
 
 // Coulomb friction alone does not know the density: ten of them must flow alike, bit for bit.
 HardFigure ten_densities(int threads, Soundness& sound) {
-    std::optional<Raster> first;
-    double greatest = 0;
+    DepthAgreement agreement;
     for (const double density :
          {1.0, 100.0, 500.0, 1000.0, 1200.0, 1500.0, 2000.0, 2700.0, 5000.0, 20000.0}) {
         Setup setup = usual_slide();
         setup.material.density = density;
         TimedFlow run(setup, threads);
         merge(sound, watch(run, setup, 8));
-        const Raster depth = run.flow().nodal_fields().depth;
-        if (!first) first = depth;
-        for (std::size_t c = 0; c < depth.values.size(); ++c)
-            greatest = std::max(greatest, std::abs(depth.values[c] - first->values[c]));
+        agreement.see(run);
     }
-    return {"greatest difference of depth [m]", greatest, 0};
+    return agreement.figure();
 }
 
 }  // namespace

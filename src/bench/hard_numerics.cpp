@@ -95,18 +95,14 @@ HardFigure far_coordinates(int threads, Soundness& sound) {
 
 // A second thread must not change a bit.
 HardFigure threads_alike(int threads, Soundness& sound) {
-    std::optional<Raster> first;
-    double greatest = 0;
+    DepthAgreement agreement;
     for (const int n : {1, 2, 5, std::max(1, threads)}) {
         const Setup setup = usual_slide();
         TimedFlow run(setup, n);
         merge(sound, watch(run, setup, 8));
-        const Raster depth = run.flow().nodal_fields().depth;
-        if (!first) first = depth;
-        for (std::size_t c = 0; c < depth.values.size(); ++c)
-            greatest = std::max(greatest, std::abs(depth.values[c] - first->values[c]));
+        agreement.see(run);
     }
-    return {"greatest difference of depth [m]", greatest, 0};
+    return agreement.figure();
 }
 
 }  // namespace

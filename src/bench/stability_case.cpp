@@ -64,6 +64,13 @@ Soundness watch(TimedFlow& run, const Setup& setup, double end) {
     return s;
 }
 
+void DepthAgreement::see(TimedFlow& run) {
+    const Raster depth = run.flow().nodal_fields().depth;
+    if (!first_) first_ = depth;
+    for (std::size_t c = 0; c < depth.values.size(); ++c)
+        greatest_ = std::max(greatest_, std::abs(depth.values[c] - first_->values[c]));
+}
+
 void merge(Soundness& into, const Soundness& other) {
     into.non_finite += other.non_finite;
     into.volume_error = std::max(into.volume_error, other.volume_error);

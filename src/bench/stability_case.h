@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,17 @@ struct HardCase {
 
 /// Runs one flow to its end and watches it.
 Soundness watch(TimedFlow& run, const Setup& setup, double end);
+/// How far the depths of runs that must agree lie apart.
+class DepthAgreement {
+  public:
+    void see(TimedFlow& run);
+    [[nodiscard]] HardFigure figure() const { return {"greatest difference of depth [m]", greatest_, 0}; }
+
+  private:
+    std::optional<Raster> first_;
+    double greatest_ = 0;
+};
+
 /// Takes the worse of two.
 void merge(Soundness& into, const Soundness& other);
 

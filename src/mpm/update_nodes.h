@@ -30,9 +30,9 @@ struct Curved : Slope {
 
 /// What a tile's nodes showed in a step.
 struct NodeReport {
-    double max_depth = 0;      ///< [m]
-    double max_speed = 0;      ///< along the bed [m/s]
-    std::int64_t covered = 0;  ///< nodes deeper than the minimum
+    double max_depth = 0;          ///< [m]
+    double max_speed = 0;          ///< along the bed [m/s]
+    std::int64_t covered = 0;      ///< nodes deeper than the minimum
     std::int64_t unsupported = 0;  ///< of those, nodes whose motion over a convex bed lifts them off it
     bool moves = false;            ///< whether any node moves on
     double moving = 0;             ///< volume that is faster than NodeUpdate::moving_speed [m3]
@@ -52,7 +52,8 @@ struct NodeDrive {
     double ax, ay;            ///< acceleration by pressure and slope [m/s2]
     double slope_x, slope_y;  ///< of the bed [-]
     double n;                 ///< 1 + |grad Z|^2; 1 without slope correction
-    double load;              ///< what the bed's curvature adds to gravity, at least -g (no support) [m/s2]
+    double load;              ///< what the bed's curvature adds to what it supports, at least -g [m/s2]
+    BedCurvature curvature;   ///< zero unless the slope is Curved
 };
 
 /// The ground under a node and what its curvature adds to gravity; no acceleration yet.
@@ -61,7 +62,7 @@ NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, s
                     std::int64_t row) {
     const double half_inverse_dx = 0.5 / nodes.cell_size();
     const double* bed = nodes.bed.data();
-    NodeDrive d{0, 0, 0, 0, 1, 0};
+    NodeDrive d{0, 0, 0, 0, 1, 0, {}};
     if (column > 0 && column < nodes.stride() - 1) d.slope_x = (bed[i + 1] - bed[i - 1]) * half_inverse_dx;
     if (row > 0 && row < nodes.padded_rows() - 1) {
         const auto step = static_cast<std::size_t>(nodes.stride());
@@ -70,8 +71,8 @@ NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, s
     if constexpr (Slope::metric) d.n += d.slope_x * d.slope_x + d.slope_y * d.slope_y;
     if constexpr (Slope::curved) {
         const NodeSums& node = nodes.sums[i];
-        d.load = std::max(-k.gravity,
-                          curvature_load(nodes, i, column, row, node.px / node.mass, node.py / node.mass));
+        d.curvature = bed_curvature(nodes, i, column, row);
+        d.load = std::max(-k.gravity, d.curvature.load(node.px / node.mass, node.py / node.mass));
     }
     return d;
 }
@@ -80,7 +81,7 @@ NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, s
 ///     gentle   a = -g grad(h + Z)
 ///     surface  a = -(g/n) grad(h + Z)
 ///     normal   a = -(g/n) [ grad Z + G^-1 grad h ], the G^-1 part only where material does not pond
-///     curved   a <- a - (load / n) grad Z, the load of the motion over the bed's curvature
+/// The load of the motion over the bed's curvature is not in it: see follow_bed.
 /// Reads NodeSums mass, fx, fy; NodeLevel (if allocated); bed.
 template <class Slope>
 NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column,
@@ -100,10 +101,6 @@ NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, st
         d.ax -= d.slope_x * along;
         d.ay -= d.slope_y * along;
     }
-    if constexpr (Slope::curved) {
-        d.ax -= d.load * d.slope_x;
-        d.ay -= d.load * d.slope_y;
-    }
     d.ax = (d.ax - weight * d.slope_x) / d.n + k.gravity_x;
     d.ay = (d.ay - weight * d.slope_y) / d.n + k.gravity_y;
     return d;
@@ -118,7 +115,8 @@ template <class Slope, class Friction>
 void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, NodeGrid& nodes) {
     constexpr double k_slow = 4;
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
-    // What a node would have after the step without friction, and its share in the bound: nine nodes ask for it.
+    // What a node would have after the step without friction, and its share in the bound: nine nodes ask for
+    // it.
     struct Pull {
         double px, py, held;
     };
@@ -177,7 +175,12 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         if (!(node.mass > 0)) return;
         const NodeDrive drive = drive_of<Slope>(nodes, k, i, column, row);
         const double old_u = node.px / node.mass, old_v = node.py / node.mass;
-        double u = old_u + k.dt * drive.ax, v = old_v + k.dt * drive.ay;
+        double u = old_u, v = old_v;
+        if constexpr (Slope::curved)
+            follow_bed(nodes, i, column, row, drive.curvature, drive.slope_x, drive.slope_y, drive.n, k.dt, u,
+                       v);
+        u += k.dt * drive.ax;
+        v += k.dt * drive.ay;
         const auto along_bed = [&](double a, double b) {
             const double climb = Slope::metric ? a * drive.slope_x + b * drive.slope_y : 0;
             return std::sqrt(a * a + b * b + climb * climb);

@@ -141,13 +141,25 @@ TEST_F(Laws, AnotherLawThanThePresetsForgetsItsFriction) {
     EXPECT_EQ(messages(scene_text(reading.scene, {})), "");
 }
 
+// What a preset could not take from a source, the scene must give.
+std::string given_beside(const std::string& preset) {
+    return preset == "earthflow" ? "viscosity = 20000\n" : "";
+}
+
 TEST_F(Laws, EchoOfEveryPresetIsAScene) {
     for (const MaterialPreset& preset : material_presets(FRANA_SOURCE_SHARE "/materials")) {
-        const SceneReading reading = read(k_ground + "[material]\npreset = " + preset.name + "\n");
+        const SceneReading reading =
+            read(k_ground + "[material]\npreset = " + preset.name + "\n" + given_beside(preset.name));
         EXPECT_TRUE(reading.problems.empty())
             << preset.name << ": " << (reading.problems.empty() ? "" : describe(reading.problems.list()[0]));
         EXPECT_EQ(messages(scene_text(reading.scene, {})), "") << preset.name;
     }
+}
+
+TEST_F(Laws, EarthflowWithoutAViscosityIsRefused) {
+    const SceneReading reading = read(k_ground + "[material]\npreset = earthflow\n");
+    ASSERT_EQ(reading.problems.list().size(), 1u);
+    EXPECT_NE(describe(reading.problems.list()[0]).find("material.viscosity"), std::string::npos);
 }
 
 }  // namespace
