@@ -5,14 +5,14 @@
 #include <array>
 #include <cmath>
 
-#include "render/page_style.h"
-#include "render/sheet.h"
+#include "render/chart_parts.h"
 #include "render/ticks.h"
 
 namespace frana::render {
 namespace {
 
 constexpr Rgb k_grid{222, 225, 229}, k_fine_grid{240, 241, 243};
+constexpr double k_width = 2.2;  // of a series [px] on a page 1600 x 1200
 
 std::string power_of_ten(int exponent) {
     if (exponent >= -3 && exponent <= 4) return number(std::pow(10.0, exponent));
@@ -72,25 +72,22 @@ class Axes {
     }
 
     void draw(const PageStyle& style, Sheet& sheet) const {
-        const double hair = style.line(1);
-        for (int e = x_.low; e <= x_.high; ++e) {
-            for (int k = 2; k < 10 && e < x_.high && x_.high - x_.low < 5; ++k)
-                vertical(across(k * std::pow(10.0, e)), {hair, k_fine_grid}, sheet);
+        const LineStyle fine{style.line(1), k_fine_grid}, whole{style.line(1), k_grid};
+        for (int e = x_.low; e < x_.high && x_.high - x_.low < 5; ++e) {
+            for (int k = 2; k < 10; ++k) grid_upright(sheet, box_, across(k * std::pow(10.0, e)), fine);
         }
-        for (int e = y_.low; e <= y_.high; ++e) {
-            for (int k = 2; k < 10 && e < y_.high && y_.high - y_.low < 5; ++k)
-                horizontal(down(k * std::pow(10.0, e)), {hair, k_fine_grid}, sheet);
+        for (int e = y_.low; e < y_.high && y_.high - y_.low < 5; ++e) {
+            for (int k = 2; k < 10; ++k) grid_level(sheet, box_, down(k * std::pow(10.0, e)), fine);
         }
-        const double room = 0.55 * style.small.size_px;
         for (int e = x_.low; e <= x_.high; e += stride(x_, 5)) {
             const double x = across(std::pow(10.0, e));
-            vertical(x, {hair, k_grid}, sheet);
-            sheet.text(power_of_ten(e), {x, box_.bottom + room}, style.small, Across::centre, Upright::top);
+            grid_upright(sheet, box_, x, whole);
+            number_below(sheet, style, box_, x, power_of_ten(e));
         }
         for (int e = y_.low; e <= y_.high; e += stride(y_, 5)) {
             const double y = down(std::pow(10.0, e));
-            horizontal(y, {hair, k_grid}, sheet);
-            sheet.text(power_of_ten(e), {box_.left - room, y}, style.small, Across::right, Upright::middle);
+            grid_level(sheet, box_, y, whole);
+            number_beside(sheet, style, box_, y, power_of_ten(e));
         }
         sheet.canvas().frame(box_, {style.line(1.5), k_soft_ink});
     }
@@ -98,12 +95,6 @@ class Axes {
   private:
     static int stride(Decades decades, int labels) {
         return std::max(1, (decades.high - decades.low + labels - 1) / labels);
-    }
-    void vertical(double x, const LineStyle& line, Sheet& sheet) const {
-        sheet.canvas().line(std::array{Point{x, box_.top}, Point{x, box_.bottom}}, line);
-    }
-    void horizontal(double y, const LineStyle& line, Sheet& sheet) const {
-        sheet.canvas().line(std::array{Point{box_.left, y}, Point{box_.right, y}}, line);
     }
 
     PageBox box_;
@@ -115,9 +106,7 @@ void draw_series(const ChartSeries& series, const Axes& axes, const PageStyle& s
     std::vector<Point> places;
     for (const Point p : series.points)
         if (drawable(p)) places.push_back({axes.across(p.x), axes.down(p.y)});
-    LineStyle line{style.line(2.2), series.colour};
-    if (series.dashed) line.dashes = {3 * line.width_px, 2.2 * line.width_px};
-    sheet.canvas().line(places, line);
+    sheet.canvas().line(places, chart_line(style, series.colour, k_width, series.dashed));
     for (const Point place : places)
         draw_marker(sheet, series.marker, place, 1.2 + style.line(3.2), series.colour);
     layout.points.push_back(std::move(places));
@@ -140,8 +129,8 @@ void draw_panel(const ChartPanel& panel, const PageBox& box, const PageStyle& st
     layout.panels.push_back(box);
 }
 
-// One line of swatches, from the left; every label once. Returns the y under it.
-double draw_key(const ChartContent& content, const PageStyle& style, double width, double y, Sheet& sheet) {
+// Every label once.
+std::vector<const ChartSeries*> kinds_of(const ChartContent& content) {
     std::vector<const ChartSeries*> kinds;
     for (const ChartPanel& panel : content.panels) {
         for (const ChartSeries& series : panel.series) {
@@ -151,24 +140,21 @@ double draw_key(const ChartContent& content, const PageStyle& style, double widt
             if (!known) kinds.push_back(&series);
         }
     }
-    const double swatch = 2.4 * style.label.size_px, line_height = 1.6 * style.label.size_px;
-    double x = style.margin;
-    for (const ChartSeries* kind : kinds) {
-        const double length =
-            swatch + 0.5 * style.label.size_px + sheet.lettering().width(kind->label, style.label);
-        if (x + length > width - style.margin && x > style.margin) {
-            x = style.margin;
-            y += line_height;
-        }
-        LineStyle line{style.line(2.2), kind->colour};
-        if (kind->dashed) line.dashes = {3 * line.width_px, 2.2 * line.width_px};
-        sheet.canvas().line(std::array{Point{x, y}, Point{x + swatch, y}}, line);
-        draw_marker(sheet, kind->marker, {x + swatch / 2, y}, 1.2 + style.line(3.2), kind->colour);
-        sheet.text(kind->label, {x + swatch + 0.5 * style.label.size_px, y}, style.label, Across::left,
-                   Upright::middle);
-        x += length + 1.6 * style.label.size_px;
-    }
-    return kinds.empty() ? y : y + line_height;
+    return kinds;
+}
+
+// Swatches in rows, from the left. Returns the y under them.
+double draw_key(const ChartContent& content, const PageStyle& style, double width, double y, Sheet& sheet) {
+    const std::vector<const ChartSeries*> kinds = kinds_of(content);
+    std::vector<std::string> names;
+    for (const ChartSeries* kind : kinds) names.push_back(kind->label);
+    const ChartKey key(sheet, style.label, names, width - 2 * style.margin);
+    key.draw(sheet, {style.margin, y}, [&](std::size_t i, Point from, Point to) {
+        const ChartSeries& kind = *kinds[i];
+        sheet.canvas().line(std::array{from, to}, chart_line(style, kind.colour, k_width, kind.dashed));
+        draw_marker(sheet, kind.marker, {(from.x + to.x) / 2, from.y}, 1.2 + style.line(3.2), kind.colour);
+    });
+    return y + key.height();
 }
 
 }  // namespace
@@ -215,10 +201,7 @@ Image draw_chart(const ChartContent& content, int width, int height, ChartLayout
     }
     sheet.text(content.x_label, {(left + width) / 2, height - style.margin}, style.label, Across::centre,
                Upright::baseline);
-    TextStyle upright = style.label;
-    upright.angle_deg = 90;
-    sheet.text(content.y_label, {style.margin + 0.5 * style.label.size_px, (y + bottom) / 2}, upright,
-               Across::centre, Upright::middle);
+    upright_name(sheet, style.label, {style.margin + 0.5 * style.label.size_px, (y + bottom) / 2}, content.y_label);
     Image page(width, height);
     sheet.draw().put(page);
     drawn.texts = sheet.texts();

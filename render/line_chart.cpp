@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "render/chart_parts.h"
 #include "render/furniture.h"
-#include "render/page_style.h"
-#include "render/sheet.h"
 #include "render/ticks.h"
 
 namespace frana::render {
@@ -62,16 +61,15 @@ class LinearAxes {
 
     void draw(const PageStyle& style, Sheet& sheet) const {
         const LineStyle hair{style.line(1), k_grid};
-        const double room = 0.55 * style.small.size_px;
         for (const auto& [place, words] : x_ticks()) {
             const double x = box_.left + box_.width() * (place - x_.least) / (x_.most - x_.least);
-            sheet.canvas().line(std::array{Point{x, box_.top}, Point{x, box_.bottom}}, hair);
-            sheet.text(words, {x, box_.bottom + room}, style.small, Across::centre, Upright::top);
+            grid_upright(sheet, box_, x, hair);
+            number_below(sheet, style, box_, x, words);
         }
         for (const double value : multiples(y_.least, y_.most, y_step_)) {
             const double y = page({0, value}).y;
-            sheet.canvas().line(std::array{Point{box_.left, y}, Point{box_.right, y}}, hair);
-            sheet.text(number(value), {box_.left - room, y}, style.small, Across::right, Upright::middle);
+            grid_level(sheet, box_, y, hair);
+            number_beside(sheet, style, box_, y, number(value));
         }
     }
 
@@ -98,9 +96,7 @@ class LinearAxes {
 };
 
 LineStyle stroke_of(const Curve& curve, const PageStyle& style) {
-    LineStyle line{style.line(curve.width_px), curve.colour};
-    if (curve.dashed) line.dashes = {3 * line.width_px, 2.2 * line.width_px};
-    return line;
+    return chart_line(style, curve.colour, curve.width_px, curve.dashed);
 }
 
 void fill_under(const Curve& curve, const LinearAxes& axes, Sheet& sheet) {
@@ -135,34 +131,17 @@ void draw_curve(const Curve& curve, const LinearAxes& axes, const PageStyle& sty
     layout.points.push_back(std::move(all));
 }
 
-/// Curves' names in a row over the panel's right end; as many rows as it takes. Returns their height.
-double key_height(const CurvePanel& panel, const PageStyle& style, double width, const Sheet& sheet,
-                  std::vector<Point>& places) {
-    const double swatch = 2.2 * style.small.size_px, gap = 0.5 * style.small.size_px,
-                 line_height = 1.5 * style.small.size_px;
-    double x = 0, y = 0;
-    for (const Curve& curve : panel.curves) {
-        const double length = swatch + gap + sheet.lettering().width(curve.label, style.small);
-        if (x > 0 && x + length > width) {
-            x = 0;
-            y += line_height;
-        }
-        places.push_back({x, y});
-        x += length + 2 * gap;
-    }
-    return y + line_height;
-}
-
 void draw_panel(const CurvePanel& panel, const PageBox& cell, const PageStyle& style, Sheet& sheet,
                 ChartLayout& layout) {
     const double side = 5.6 * style.small.size_px + 1.6 * style.label.size_px, below = 4.2 * style.small.size_px;
     const double left = cell.left + side, right = cell.right - style.gap;
     sheet.text(panel.title, {left, cell.top + Lettering::capital_height(style.heading)}, style.heading, Across::left,
                Upright::baseline);
-    std::vector<Point> keys;
+    std::vector<std::string> names;
+    for (const Curve& curve : panel.curves) names.push_back(curve.label);
+    const ChartKey key(sheet, style.small, names, right - left);
     const double key_top = cell.top + 1.6 * style.heading.size_px;
-    const double keys_high = key_height(panel, style, right - left, sheet, keys);
-    const PageBox box{left, key_top + keys_high, right, cell.bottom - below};
+    const PageBox box{left, key_top + key.height(), right, cell.bottom - below};
     if (box.width() < 60 || box.height() < 40) {
         throw Error(ErrorKind::input,
                     Problem{"the page is too small for its charts", "", "", "", "draw a larger picture"});
@@ -176,16 +155,12 @@ void draw_panel(const CurvePanel& panel, const PageBox& cell, const PageStyle& s
         if (x >= box.left && x <= box.right) {
             LineStyle line{style.line(1.4), k_soft_ink};
             line.dashes = {style.length(8), style.length(6)};
-            sheet.canvas().line(std::array{Point{x, box.top}, Point{x, box.bottom}}, line);
+            grid_upright(sheet, box, x, line);
         }
     }
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        const double x = left + keys[i].x, y = key_top + keys[i].y + 0.5 * style.small.size_px;
-        const double swatch = 2.2 * style.small.size_px;
-        sheet.canvas().line(std::array{Point{x, y}, Point{x + swatch, y}}, stroke_of(panel.curves[i], style));
-        sheet.text(panel.curves[i].label, {x + swatch + 0.5 * style.small.size_px, y}, style.small, Across::left,
-                   Upright::middle);
-    }
+    key.draw(sheet, {left, key_top}, [&](std::size_t i, Point from, Point to) {
+        sheet.canvas().line(std::array{from, to}, stroke_of(panel.curves[i], style));
+    });
     sheet.canvas().frame(box, {style.line(1.5), k_soft_ink});
     if (!axes.any()) {
         sheet.text("no values", {(box.left + box.right) / 2, (box.top + box.bottom) / 2}, style.small, Across::centre,
@@ -193,10 +168,8 @@ void draw_panel(const CurvePanel& panel, const PageBox& cell, const PageStyle& s
     }
     sheet.text(panel.x_label, {(box.left + box.right) / 2, box.bottom + 2.2 * style.small.size_px}, style.small,
                Across::centre, Upright::top);
-    TextStyle upright = style.small;
-    upright.angle_deg = 90;
-    sheet.text(panel.y_label, {cell.left + 0.6 * style.small.size_px, (box.top + box.bottom) / 2}, upright,
-               Across::centre, Upright::middle);
+    upright_name(sheet, style.small, {cell.left + 0.6 * style.small.size_px, (box.top + box.bottom) / 2},
+                 panel.y_label);
     layout.panels.push_back(box);
 }
 

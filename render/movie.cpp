@@ -70,7 +70,7 @@ class MovieWriter::Encoder {
         open_file();
     }
 
-    void add(const Image& image) {
+    void add(const Image& image, int frames) {
         if (image.width != source_width_ || image.height != source_height_) {
             throw Error(ErrorKind::input,
                         Problem{"a film's pictures must all have its size", file_.path(),
@@ -83,9 +83,11 @@ class MovieWriter::Encoder {
         } else {
             fill_indexed(image);
         }
-        frame_->pts = n_frames_++;
-        check(avcodec_send_frame(codec_.get(), frame_.get()), "a film's frame cannot be coded");
-        write_packets();
+        for (int k = 0; k < frames; ++k) {
+            frame_->pts = n_frames_++;
+            check(avcodec_send_frame(codec_.get(), frame_.get()), "a film's frame cannot be coded");
+            write_packets();
+        }
     }
 
     void finish() {
@@ -244,8 +246,8 @@ MovieWriter::MovieWriter(std::string path, int width, int height, double frames_
     : encoder_(std::make_unique<Encoder>(std::move(path), width, height, frames_per_second)) {}
 MovieWriter::~MovieWriter() = default;
 
-void MovieWriter::add(const Image& image) {
-    encoder_->add(image);
+void MovieWriter::add(const Image& image, int frames) {
+    encoder_->add(image, frames);
 }
 
 void MovieWriter::finish() {

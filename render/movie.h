@@ -21,8 +21,8 @@ class MovieWriter {
     MovieWriter(const MovieWriter&) = delete;
     MovieWriter& operator=(const MovieWriter&) = delete;
 
-    /// Adds one frame. Throws Error(input) for another size, Error(environment) when writing fails.
-    void add(const Image& image);
+    /// Adds a picture as so many frames. Throws Error(input) for another size, Error(environment) when writing fails.
+    void add(const Image& image, int frames = 1);
 
     /// Completes the file and gives it its name. Throws Error(environment), also when no frame was added.
     void finish();

@@ -314,7 +314,7 @@ class ViewStage::Scene {
                 }
             }
         };
-        put(closed, 0.35 * cell, width + 2.6, {255, 255, 255});
+        put(closed, 0.5 * cell, width + 2.6, {255, 255, 255});
         std::vector<double> dashes = outline_dashes(outline, width);
         for (double& length : dashes) length *= metres_per_pixel_;
         if (dashes.empty()) {

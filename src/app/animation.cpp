@@ -48,7 +48,7 @@ class FilmOut {
             render::write_png(path_ + name.data(), image);
             return;
         }
-        for (int k = 0; k < repeats_; ++k) movie_->add(image);
+        movie_->add(image, repeats_);
     }
     void finish() {
         if (movie_) movie_->finish();

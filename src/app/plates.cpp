@@ -22,7 +22,6 @@ render::Image lean_map(const MapSource& source, const MapLayer& layer, const std
     spec.title.clear();
     spec.subtitle = subtitle;
     spec.attribution.clear();
-    spec.source = layer.source;
     spec.crs_label.clear();
     spec.side_notes = layer.notes;
     spec.inset = false;

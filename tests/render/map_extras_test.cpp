@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
+#include "render/animation.h"
 #include "render/map2d.h"
 #include "render/view3d.h"
 #include "scenes.h"
@@ -206,6 +208,67 @@ TEST(ViewSeries, SharesTheTerrainAndDrawsWhatSingleViewsShow) {
     EXPECT_EQ(series.draw(first).rgb, draw_view(first).rgb);
     EXPECT_EQ(series.draw(second).rgb, draw_view(second).rgb);
     EXPECT_EQ(series.draw(first).rgb, draw_view(first).rgb);
+}
+
+TEST(Dots, LieWhereTheirParticlesAreInTheLegendsColours) {
+    const Raster ground = test::terrain(), extent = test::tongue();
+    const Dots dots{{{{527600, 5094500}, 1, 1}, {{527560, 5094300}, 1, 7}, {{527560, 5094301}, 1, 3}}, 12};
+    MapSpec spec = test::full_map(ground, extent, 800, 600);
+    spec.layer = nullptr;
+    spec.extent = &extent;
+    spec.outlines.clear();
+    spec.contours = false;
+    spec.classes = {0, 2, 4, 8};
+    spec.dots = &dots;
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    const auto pixel = [&](Point place) {
+        return map.colour(
+            static_cast<int>(layout.map.left + (place.x - layout.window.west) / layout.metres_per_pixel),
+            static_cast<int>(layout.map.top + (layout.window.north - place.y) / layout.metres_per_pixel));
+    };
+    ASSERT_EQ(layout.legend.size(), 3U);  // the greatest on top
+    EXPECT_EQ(pixel({527600, 5094500}), layout.legend[2].colour);
+    EXPECT_EQ(pixel({527560, 5094298}), layout.legend[1].colour) << "the later dot covers the earlier one";
+    EXPECT_NE(pixel({527600, 5094514}), layout.legend[2].colour) << "8 m beyond the dot's rim";
+}
+
+TEST(Dots, ShowInViewsAndThoseOfTheFrameBeforeAreGone) {
+    const Raster ground = test::terrain(), extent = test::tongue();
+    Dots left{{}, 20}, right{{}, 20};
+    for (int i = 0; i < 20; ++i) {
+        left.dots.push_back({{527540, 5094300 + 20.0 * i}, 2, 7});
+        right.dots.push_back({{527660, 5094300 + 20.0 * i}, 2, 1});
+    }
+    ViewSpec spec;
+    spec.legend_title = "Speed";
+    spec.terrain = &ground;
+    spec.layer = spec.extent = &extent;
+    spec.classes = {0, 2, 4, 8};
+    spec.width = 640;
+    spec.height = 480;
+    ViewSpec alone = spec;
+    alone.layer = nullptr;
+    alone.dots = &left;
+    ViewLayout layout;
+    const Image picture = draw_view(alone, &layout);
+    const auto count = [&](const Image& image, Rgb colour) {
+        int n = 0;
+        for (int y = static_cast<int>(layout.picture.top); y < static_cast<int>(layout.picture.bottom); ++y)
+            for (int x = static_cast<int>(layout.picture.left); x < static_cast<int>(layout.picture.right); ++x)
+                n += image.colour(x, y) == colour ? 1 : 0;
+        return n;
+    };
+    const Rgb slow = layout.legend.back().colour, fast = layout.legend.front().colour;
+    EXPECT_GT(count(picture, fast), 100);
+    EXPECT_EQ(count(picture, slow), 0);
+    ViewAnimator film(spec);
+    film.frame(left, "t = 0 s");
+    const Image second = film.frame(right, "t = 1 s");
+    EXPECT_EQ(count(second, fast), 0);
+    // The film's scale is open above: its slowest class has the same colour only where both scales begin.
+    EXPECT_GT(count(second, slow), 100);
+    EXPECT_THROW(film.frame(Dots{{{{527600, 5094500}, 0, -1}}, 1}, ""), Error) << "a speed that the legend has not";
 }
 
 }  // namespace

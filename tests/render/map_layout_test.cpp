@@ -2,6 +2,7 @@
 // No text is cut off or covers another, at any size and with any of the things a map may hold.
 #include <gtest/gtest.h>
 
+#include "render/line_chart.h"
 #include "render/map2d.h"
 #include "render/view3d.h"
 #include "scenes.h"
@@ -106,11 +107,44 @@ TEST_P(AtSize, ViewsAreTidy) {
     for (const TextBox& text : layout.texts) EXPECT_FALSE(text.box.overlaps(layout.picture)) << text.text;
 }
 
+/// A3 at 300 dpi, once: it takes as long as all the others.
+TEST(AtPrintSize, MapsAreTidy) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapLayout layout;
+    const Image map = draw_map(test::crowded_map(ground, layer, 4961, 3508), &layout);
+    expect_tidy(layout.texts, layout.page, map);
+}
+
+TEST_P(AtSize, ChartsAreTidy) {
+    const auto [width, height] = GetParam();
+    CurveChart chart{"Rock slide above the village in the second scenario: profile along the flow path",
+                     "Voellmy-Bingham, scheme default, 20 s simulated", "profiles.csv  ·  survey of 2019", 1, {}};
+    const auto curve = [](const std::string& label, double factor) {
+        Curve one{label, {0, 114, 178}, {}};
+        for (int i = 0; i <= 100; ++i) one.points.push_back({5.0 * i, 600 + factor * i});
+        return one;
+    };
+    for (const char* title : {"Surfaces", "Depths, vertical", "Greatest speed, along the bed"}) {
+        chart.panels.push_back({title,
+                                "distance along the line [m]",
+                                "elevation [m]",
+                                {curve("final surface", 1), curve("initial surface", 2),
+                                 curve("bed plus maximum depth", 3), curve("bed", 0.5)}});
+    }
+    ChartLayout layout;
+    const Image image = draw_curves(chart, width, height, &layout);
+    const PageBox page{0, 0, static_cast<double>(width), static_cast<double>(height)};
+    expect_tidy(layout.texts, page, image);
+    for (const TextBox& text : layout.texts)
+        for (const PageBox& panel : layout.panels) EXPECT_FALSE(text.box.overlaps(panel)) << text.text;
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, AtSize,
                          testing::Values(std::pair{800, 600}, std::pair{1600, 1200}, std::pair{1280, 720},
                                          std::pair{640, 480}, std::pair{900, 1200}, std::pair{2400, 1000},
                                          std::pair{1754, 1240}, std::pair{1240, 1754},  // A4 at 150 dpi
-                                         std::pair{3508, 2480}),                        // A4 at 300 dpi
+                                         std::pair{3508, 2480},                         // A4 at 300 dpi
+                                         std::pair{2480, 1754}),                        // A3 at 150 dpi
                          [](const auto& size) {
                              return std::to_string(size.param.first) + "x" +
                                     std::to_string(size.param.second);
