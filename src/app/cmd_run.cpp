@@ -96,9 +96,14 @@ void tell_of_resuming(const CheckpointFile& from, RunLog& log) {
 
 // What can be saved of a run that the disk has stopped is said with the fault.
 [[noreturn]] void explain_trouble(const Error& error, const std::string& folder) {
-    const bool saved = error.kind() == ErrorKind::environment && !checkpoints_in(folder).empty();
+    if (error.kind() != ErrorKind::environment) throw error;
     std::vector<Problem> problems = error.problems();
-    if (saved)
+    std::error_code failure;
+    const auto space = std::filesystem::space(std::filesystem::path(folder).parent_path(), failure);
+    if (!failure)
+        problems.push_back({"the disk has " + figure(static_cast<double>(space.available) / 1e6, 2) + " MB free",
+                            std::filesystem::path(folder).parent_path().string(), "", "", ""});
+    if (!checkpoints_in(folder).empty())
         problems.push_back({"the run up to its last checkpoint is kept", folder, "", "",
                             "When the trouble is over, the same command with --resume goes on from there"});
     throw Error(error.kind(), problems);

@@ -121,7 +121,7 @@ Scene breaking() {
     material.young_modulus = 2e5;
     material.bulk_modulus = 4e5;
     scene.recording.gauges = {{"a", {90, 60}}};
-    scene.time.end = 3;
+    scene.time.end = 5;
     scene.time.frame_interval = 1;
     return scene;
 }
