@@ -19,7 +19,8 @@ ValuedPoints read_valued_points(const std::string& path, const std::vector<std::
     for (const std::string& name : names) {
         fields.push_back(layer.GetLayerDefn()->GetFieldIndex(name.c_str()));
         if (fields.back() < 0)
-            throw vector_fault(source, "the layer has no such attribute", name, "Take a file that frana wrote");
+            throw vector_fault(source, "the layer has no such attribute", name,
+                               "Take a file that frana wrote");
     }
     ValuedPoints points;
     points.columns.resize(names.size());
@@ -32,7 +33,8 @@ ValuedPoints read_valued_points(const std::string& path, const std::vector<std::
             points.columns[k].push_back(feature->GetFieldAsDouble(fields[k]));
     }
     if (session.failed())
-        throw vector_fault(source, "the file is damaged: " + session.last_message(), "", "Run the scene again");
+        throw vector_fault(source, "the file is damaged: " + session.last_message(), "",
+                           "Run the scene again");
     return points;
 }
 

@@ -14,8 +14,8 @@ struct ValuedPoints {
     std::vector<std::vector<double>> columns;
 };
 
-/// The points of the only point layer of a file, in its own coordinates, with the numeric attributes named. Throws
-/// Error(input): missing or damaged file, no such attribute.
+/// The points of the only point layer of a file, in its own coordinates, with the numeric attributes named.
+/// Throws Error(input): missing or damaged file, no such attribute.
 ValuedPoints read_valued_points(const std::string& path, const std::vector<std::string>& names,
                                 const std::string& where);
 

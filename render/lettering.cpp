@@ -70,7 +70,8 @@ Point rotated(Point p, double angle_deg) {
 }
 
 /// Draws white letters; returns the distance from the lower edge of VTK's box to the baseline.
-double draw_with_vtk(const std::string& text, const std::string& font, int size, double angle_deg, vtkImageData* pixels) {
+double draw_with_vtk(const std::string& text, const std::string& font, int size, double angle_deg,
+                     vtkImageData* pixels) {
     VtkErrors errors;
     vtkNew<vtkTextProperty> property;
     property->SetFontFamily(VTK_FONT_FILE);

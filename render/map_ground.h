@@ -11,8 +11,8 @@
 
 namespace frana::render {
 
-/// What lies under and over the layer of a map and does not depend on it: relief or picture, contour lines, outlines,
-/// frame and coordinates. It is most of a map's work.
+/// What lies under and over the layer of a map and does not depend on it: relief or picture, contour lines,
+/// outlines, frame and coordinates. It is most of a map's work.
 struct MapGround {
     /// What it was drawn for.
     int width = 0, height = 0;
@@ -28,8 +28,8 @@ struct MapGround {
     double contour_interval = 0;  ///< [m]; 0: no contours
 };
 
-/// The same ground again where `kept` was drawn for the same frame, terrain and outlines, else a new one, which is
-/// then kept.
+/// The same ground again where `kept` was drawn for the same frame, terrain and outlines, else a new one,
+/// which is then kept.
 const MapGround& ground_for(const MapSpec& spec, const MapFrame& frame, double density,
                             std::shared_ptr<const MapGround>& kept);
 

@@ -7,8 +7,8 @@
 
 namespace frana::app {
 
-/// The particles of a frame, a file particles_NNNN.gpkg of a result, valued by their speed [m/s], the fastest last. Their
-/// width is that of the ground a mean particle stands for. Throws Error(input).
+/// The particles of a frame, a file particles_NNNN.gpkg of a result, valued by their speed [m/s], the fastest
+/// last. Their width comes from the ground that a mean particle stands for. Throws Error(input).
 render::Dots read_particle_dots(const std::string& path);
 
 }  // namespace frana::app

@@ -115,6 +115,31 @@ TEST_F(Render, MistakesAreRefused) {
     EXPECT_EQ(frana({"render", "result", "--fly"}).exit_code, 2);
     EXPECT_EQ(frana({"render", "result", "--charts", "--map", "max_depth"}).exit_code, 2);
     EXPECT_EQ(frana({"render", "result", "--map", "depth@soon"}).exit_code, 2);
+    const Outcome particles = frana({"render", "result", "--map", "particles@1"});
+    EXPECT_EQ(particles.exit_code, 2);
+    EXPECT_NE(particles.err.find("particles-gpkg"), std::string::npos) << particles.err;
+}
+
+TEST_F(Render, ResultsInUnequalCrsAreNotPutBesideEachOther) {
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "other", "--quiet", "--set", "terrain.crs=EPSG:32633"}).exit_code, 0);
+    const Outcome beside =
+        frana({"render", "result", "--animation", "two.mp4", "--beside", "other", "--size", "1280x480"});
+    EXPECT_EQ(beside.exit_code, 2);
+    EXPECT_NE(beside.err.find("EPSG:32633"), std::string::npos) << beside.err;
+    EXPECT_FALSE(fs::exists(path("two.mp4")));
+}
+
+TEST_F(Render, MapsOfOneResultShareTheirWindow) {
+    // Drawn alone or in a series a map is the same, byte for byte.
+    ASSERT_EQ(frana({"render", "result", "--size", "800x600", "--map", "max_depth", "--map", "max_velocity", "--map",
+                     "depth@1", "--out", "series"})
+                  .exit_code,
+              0);
+    ASSERT_EQ(
+        frana({"render", "result", "--size", "800x600", "--map", "max_velocity", "--out", "alone"}).exit_code, 0);
+    ASSERT_EQ(frana({"render", "result", "--size", "800x600", "--map", "depth@1", "--out", "alone"}).exit_code, 0);
+    EXPECT_EQ(read_text(path("series/max_velocity.png")), read_text(path("alone/max_velocity.png")));
+    EXPECT_EQ(read_text(path("series/depth_t1.png")), read_text(path("alone/depth_t1.png")));
 }
 
 }  // namespace
