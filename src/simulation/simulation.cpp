@@ -15,8 +15,9 @@
 namespace frana {
 namespace {
 
-// A run counts elevations from where it begins.
-Ground ground_of(const Scene& scene, const Raster& bed, Point origin) {
+// A run counts elevations from where it begins, whatever fails later.
+Ground ground_of(const Scene& scene, const Raster& bed, const ParticleSet& first, Point otherwise) {
+    const Point origin = first.size() > 0 ? Point{first[Field::x][0], first[Field::y][0]} : otherwise;
     const Cell cell = cell_of(scene.grid, origin);
     const double z = scene.terrain.at(cell.row, cell.column);
     return std::isnan(z) ? Ground(bed) : Ground(bed, z);
@@ -105,7 +106,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     engine.start();
     Release release = make_release(scene);
     Arrivals arrivals(scene, std::exchange(release.later, {}));
-    const Ground ground = ground_of(scene, release.bed_at_start, origin_of(release, arrivals));
+    const Ground ground = ground_of(scene, release.bed_at_start, release.particles, origin_of(release, arrivals));
     if (scene.structured) {
         StructuredFlow flow(ground, scene.walls, *scene.structured, scene.numerics,
                             std::exchange(release.particles, ParticleSet()), options.threads);

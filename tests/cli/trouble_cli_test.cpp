@@ -43,7 +43,7 @@ TEST_F(MemoryLimit, RefusesBeforehandInRunAndCheck) {
     for (const char* command : {"run", "check"}) {
         const Outcome outcome = frana({command, "scene.ini", "--memory-limit", "1MB"});
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find("--memory-limit"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("1 MB"), std::string::npos) << outcome.err;
         EXPECT_NE(outcome.err.find("of memory"), std::string::npos) << outcome.err;
     }
     EXPECT_EQ(files().size(), before.size() + 2) << "only what the test itself keeps: .stdout and .stderr";
