@@ -36,7 +36,8 @@ TEST(SampleData, ComesOutBitForBitAsCommitted) {
 }
 
 TEST(SampleData, ScenesOfTheStructuredModelComeOutBitForBitAsCommitted) {
-    for (const auto& [name, write] : {std::pair{"flume", sample::write_flume_sample},
+    using Write = void (*)(const std::string&);
+    for (const auto& [name, write] : {std::pair<const char*, Write>{"flume", sample::write_flume_sample},
                                       {"fracture", sample::write_fracture_sample}}) {
         const test::Folder folder;
         write(folder.file("."));
