@@ -158,7 +158,8 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
                                     session.earlier_seconds, session.since_start},
                                    directory, frames, log);
     directory.publish();
-    if (result.stop_reason != StopReason::requested) directory.forget_the_way(!prepared.spec.output.frames);
+    const bool came_through = result.stop_reason != StopReason::requested && result.troubles.empty();
+    if (came_through) directory.forget_the_way(!prepared.spec.output.frames);
     if (const auto estimate = read_error_estimate(directory.target(), prepared.spec))
         log.tell("error estimate of `frana converge`:\n" + *estimate);
     log.tell("result in " + directory.target());

@@ -29,15 +29,15 @@ constexpr double k_least_particle_bytes = 2 * 100;
 // Terrain, bed, release and five results, two more while files are written.
 constexpr double k_least_cell_bytes = 80;
 
-// What a run of the least scene takes with its libraries, and what is added by any picture, by maps of everything and by
-// a film; measured with GDAL 3.6, VTK 9.1, Mesa 22.
-constexpr std::int64_t k_libraries_bytes = 147'000'000, k_picture_bytes = 138'000'000, k_all_maps_bytes = 20'000'000,
-                       k_film_bytes = 40'000'000;
+// What a run of the least scene takes with its libraries, and what is added by any picture, by maps of
+// everything and by a film; measured with GDAL 3.6, VTK 9.1, Mesa 22.
+constexpr std::int64_t k_libraries_bytes = 147'000'000, k_picture_bytes = 138'000'000,
+                       k_all_maps_bytes = 20'000'000, k_film_bytes = 40'000'000;
 
 std::optional<double> bytes_from_text(const std::string& text) {
-    static const std::map<std::string, double> k_units{{"", 1},      {"B", 1},      {"kB", 1e3},       {"MB", 1e6},
-                                                       {"GB", 1e9},  {"TB", 1e12},  {"KiB", 0x1p10},   {"MiB", 0x1p20},
-                                                       {"GiB", 0x1p30}, {"TiB", 0x1p40}};
+    static const std::map<std::string, double> k_units{
+        {"", 1},      {"B", 1},        {"kB", 1e3},     {"MB", 1e6},     {"GB", 1e9},
+        {"TB", 1e12}, {"KiB", 0x1p10}, {"MiB", 0x1p20}, {"GiB", 0x1p30}, {"TiB", 0x1p40}};
     const std::size_t end = text.find_last_of("0123456789.");
     if (end == std::string::npos) return std::nullopt;
     const auto number = number_from_text(trimmed(text.substr(0, end + 1)));
@@ -74,7 +74,8 @@ bool memory_is_limited() {
 }
 
 double usable_memory() {
-    double least = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+    double least =
+        static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
     rlimit shell{};
     if (::getrlimit(RLIMIT_AS, &shell) == 0 && shell.rlim_cur != RLIM_INFINITY)
         least = std::min(least, static_cast<double>(shell.rlim_cur));
@@ -84,7 +85,7 @@ double usable_memory() {
 void refuse_too_much(const SceneReading& reading, const Scene& scene, double released_area) {
     const double spacing = lattice_spacing(scene),
                  of_inflows = std::accumulate(scene.inflows.begin(), scene.inflows.end(), 0.0,
-                                              [&](double sum, const Inflow& inflow) {
+                                              [&](double sum, const Inflow&inflow) {
                                                   return sum + particles_of(inflow, spacing, scene.time.end);
                                               }),
                  particles = released_area / (spacing * spacing) + of_inflows;
@@ -95,7 +96,8 @@ void refuse_too_much(const SceneReading& reading, const Scene& scene, double rel
         throw Error(ErrorKind::input,
                     Problem{"a run with " + grouped(cells) + " cells and " + grouped(particles) +
                                 " particles takes at least " + bytes_text(needed) + " of memory",
-                            reading.where("terrain.cell-size"), cell, bytes_text(usable_memory()) + ", which there are",
+                            reading.where("terrain.cell-size"), cell,
+                            bytes_text(usable_memory()) + ", which there are",
                             "Choose larger cells or fewer numerics.particles-per-cell"});
     }
     if (particles > k_most_particles) {
@@ -108,17 +110,20 @@ void refuse_too_much(const SceneReading& reading, const Scene& scene, double rel
 
 void refuse_over_limit(std::int64_t needed) {
     if (!memory_is_limited() || static_cast<double>(needed) <= limit) return;
-    throw Error(ErrorKind::input,
-                Problem{"a run of this scene takes about " + bytes_text(static_cast<double>(needed)) + " of memory",
-                        "--memory-limit", bytes_text(limit), "",
-                        "Choose larger cells, a part of the DTM with terrain.bounds, smaller pictures or none, or allow "
-                        "more"});
+    throw Error(
+        ErrorKind::input,
+        Problem{
+            "a run of this scene takes about " + bytes_text(static_cast<double>(needed)) + " of memory",
+            "--memory-limit", bytes_text(limit), "",
+            "Choose larger cells, a part of the DTM with terrain.bounds, smaller pictures or none, or allow "
+            "more"});
 }
 
 std::int64_t memory_of_run(const Prepared& prepared, const RunEstimate& expected,
                            const std::optional<TimeEstimate>& trial) {
     const OutputSpec& output = prepared.spec.output;
-    const bool maps = output.maps.front() != "off", film = output.animation && prepared.scene.time.frame_interval > 0;
+    const bool maps = output.maps.front() != "off",
+               film = output.animation && prepared.scene.time.frame_interval > 0;
     std::int64_t bytes = k_libraries_bytes + expected.memory_bytes;
     if (maps || film || prepared.scar) bytes += k_picture_bytes;
     if (output.maps.front() == "on") bytes += k_all_maps_bytes;

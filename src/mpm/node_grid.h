@@ -40,7 +40,8 @@ inline constexpr double k_crowded_share = 1.1;
 
 /// Depth that a node shows [m]: the mean depth of its particles where it is filled, itself and all round,
 /// free of the unevenness of their arrangement; volume over cell area at fronts and films, where the cell is
-/// only partly covered. Particles that crowd, as in narrow gullies, claim more than the cell has: they cover it once.
+/// only partly covered. Particles that crowd, as in narrow gullies, claim more than the cell has: they cover
+/// it once.
 inline double shown_depth(double mass, double area, double support, double inverse_cell_area) noexcept {
     const double by_volume = mass * inverse_cell_area;
     if (!(area > 0)) return by_volume;
@@ -49,8 +50,8 @@ inline double shown_depth(double mass, double area, double support, double inver
     return by_volume + support * (share < 1 ? share : 1) * (mass / (area < most ? area : most) - by_volume);
 }
 
-/// A terrain, and the elevation that the engine counts from so that sums keep their digits: a run counts from the ground
-/// under its release, since what lies far off must not change a bit of it.
+/// A terrain, and the elevation that the engine counts from so that sums keep their digits: a run counts from
+/// the ground under its release, since what lies far off must not change a bit of it.
 struct Ground {
     /// Counts from the lowest cell.
     Ground(const Raster& bed);  // NOLINT(google-explicit-constructor): a terrain is a ground
@@ -109,7 +110,7 @@ class NodeGrid {
     ZeroArray<NodeSums> sums;     ///< padded
     ZeroArray<NodeLevel> levels;  ///< padded; empty when no term needs it
 
-    bool bed_changes = false;     ///< the bed need not be the terrain's any more
+    bool bed_changes = false;  ///< the bed need not be the terrain's any more
 
     /// What may differ from what the constructor and the walls made.
     template <class Archive>

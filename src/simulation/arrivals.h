@@ -9,7 +9,8 @@
 
 namespace frana {
 
-/// Everything that comes into a flow after its start, in the order of time: areas that fail later, and inflow.
+/// Everything that comes into a flow after its start, in the order of time: areas that fail later, and
+/// inflow.
 class Arrivals {
   public:
     /// Takes over what fails later. Throws as InflowSource.

@@ -7,8 +7,8 @@
 
 namespace frana {
 
-/// Which kernels sweep over the particles: the fastest that the processor runs, or the plain ones that say what the
-/// fast ones compute.
+/// Which kernels sweep over the particles: the fastest that the processor runs, or the plain ones that say
+/// what the fast ones compute.
 enum class Kernels { fastest, plain };
 
 /// Where names become types: the stages that a scene asks for. The bed's are chosen in dispatch_bed.cpp.

@@ -30,9 +30,10 @@ class Flow {
     /// @param kernels plain: without the processor's vector instructions, for comparison
     /// @param particles in local metres; fields the scheme needs are added with their initial values
     /// @param zones rasters on the ground's grid
-    Flow(const Ground& ground, const ParticleSet& particles, const Material& material, const Numerics& numerics,
-         int threads, std::optional<TiltedGravity> tilt = std::nullopt, const MaterialZones& zones = {},
-         const Entrainment& entrainment = {}, Kernels kernels = Kernels::fastest);
+    Flow(const Ground& ground, const ParticleSet& particles, const Material& material,
+         const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt = std::nullopt,
+         const MaterialZones& zones = {}, const Entrainment& entrainment = {},
+         Kernels kernels = Kernels::fastest);
 
     /// Marks where walls stand: 1 in a raster on the same grid.
     void add_walls(const Raster& walls);
@@ -58,7 +59,9 @@ class Flow {
         return static_cast<std::int64_t>(state_.particles.size());
     }
     [[nodiscard]] bool empty() const noexcept { return state_.particles.size() == 0; }
-    [[nodiscard]] std::size_t bytes_per_particle() const noexcept { return state_.particles.bytes_per_particle(); }
+    [[nodiscard]] std::size_t bytes_per_particle() const noexcept {
+        return state_.particles.bytes_per_particle();
+    }
     /// Tiles of nodes that the particles can touch: what a step clears and updates.
     [[nodiscard]] std::size_t reached_tiles() const noexcept { return state_.order.node_tiles().size(); }
     /// Bytes that a node of the map takes once it was touched.
@@ -123,7 +126,8 @@ class Flow {
     /// Everything that steps change.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [grid, numerics, pool, stages, state, laws, maxima, steps, particle_steps] = *this;
+        [[maybe_unused]] auto& [grid, numerics, pool, stages, state, laws, maxima, steps, particle_steps] =
+            *this;
         archive(state, maxima, steps, particle_steps);
     }
 

@@ -20,7 +20,9 @@ class StructuredFlow;
 class Stopwatch {
   public:
     void start() { begin_ = std::chrono::steady_clock::now(); }
-    void stop() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+    void stop() {
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    }
     [[nodiscard]] double seconds() const { return seconds_; }
     /// While it is stopped.
     template <class Archive>
@@ -33,14 +35,14 @@ class Stopwatch {
     double seconds_ = 0;
 };
 
-/// A flow on its way to a scene's end, step after step, with all that is observed of it. Refers to everything that it
-/// is given.
+/// A flow on its way to a scene's end, step after step, with all that is observed of it. Refers to everything
+/// that it is given.
 template <class AnyFlow>
 class FlowRun {
   public:
     /// @param engine running: stopped while others have their turn
-    FlowRun(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals, AnyFlow& flow,
-            Stopwatch& engine);
+    FlowRun(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals,
+            AnyFlow& flow, Stopwatch& engine);
 
     /// What is seen before the first step.
     void begin();
@@ -48,7 +50,9 @@ class FlowRun {
     [[nodiscard]] bool goes_on() const { return !stopped_ && flow_.time() < scene_.time.end; }
     void step();
     [[nodiscard]] bool stopped_by_trouble() const { return !result_.troubles.empty(); }
-    [[nodiscard]] bool stopped_on_request() const { return stopped_ && result_.stop_reason == StopReason::requested; }
+    [[nodiscard]] bool stopped_on_request() const {
+        return stopped_ && result_.stop_reason == StopReason::requested;
+    }
     /// The result; once.
     RunResult finish();
 
@@ -60,8 +64,8 @@ class FlowRun {
                                 next_frame, still, fade, recorder, watch] = *this;
         engine.stop();
         archive(engine, arrivals, flow, frames, next_frame, still, fade, recorder);
-        archive(result.series, result.particles_peak, result.hard_events, result.unsupported, result.volume_inflow,
-                result.volume_entered);
+        archive(result.series, result.particles_peak, result.hard_events, result.unsupported,
+                result.volume_inflow, result.volume_entered);
         for (ReleasedArea& area : result.released) archive(area.failed);
         std::uint64_t mark = k_end_mark;
         archive(mark);
@@ -98,8 +102,8 @@ class FlowRun {
 void add_arrivals(const Arrivals::Taken& taken, Flow& flow);
 void add_arrivals(const Arrivals::Taken& taken, StructuredFlow& flow);
 
-/// From where fronts are measured and elevations counted: the centroid of everything released, else the middle of the
-/// first inflow. Local metres.
+/// From where fronts are measured and elevations counted: the centroid of everything released, else the
+/// middle of the first inflow. Local metres.
 Point origin_of(const Release& release, const Arrivals& arrivals);
 
 }  // namespace frana

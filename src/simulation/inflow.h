@@ -17,16 +17,16 @@ struct InflowBatch {
 };
 
 /// Cuts a hydrograph into rows `spacing` long, so that they join one behind the other with the depth that
-/// discharge and speed make. Rows also end where the discharge is zero, and at `end`. The volumes add up to the
-/// hydrograph's integral until `end`: trapezia, exact for a discharge that is linear between its points.
+/// discharge and speed make. Rows also end where the discharge is zero, and at `end`. The volumes add up to
+/// the hydrograph's integral until `end`: trapezia, exact for a discharge that is linear between its points.
 std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydrograph, double spacing,
                                         double end);
 
 /// A line that gives particles, row after row.
 class InflowSource {
   public:
-    /// Throws Error(input) naming inflow.line or inflow.direction: a point of the line without terrain, on a wall
-    /// or outside the grid; level ground without a direction; a direction along the line.
+    /// Throws Error(input) naming inflow.line or inflow.direction: a point of the line without terrain, on a
+    /// wall or outside the grid; level ground without a direction; a direction along the line.
     InflowSource(const Scene& scene, const Inflow& inflow);
 
     [[nodiscard]] bool done() const noexcept { return next_ == batches_.size(); }
@@ -35,7 +35,7 @@ class InflowSource {
     /// Appends the next row to `particles`; returns its volume [m3].
     double take(ParticleSet& particles);
 
-    [[nodiscard]] Point midpoint() const;  ///< local metres
+    [[nodiscard]] Point midpoint() const;             ///< local metres
     [[nodiscard]] std::vector<Point> places() const;  ///< where rows come in, local metres
     /// Greatest depth [m] and speed along the bed [m/s] with which rows come in.
     struct Extremes {

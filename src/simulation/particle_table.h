@@ -7,9 +7,9 @@
 
 namespace frana {
 
-/// What the particles of a flow are like now, for files: depth_m, bed_m, speed_ms, velocity_x_ms, velocity_y_ms,
-/// volume_m3 in this order, and of structured solids what else share/doc/results.md lists. Stresses in kPa, positive in
-/// tension, without the geostatic part. Velocities must be synchronised.
+/// What the particles of a flow are like now, for files: depth_m, bed_m, speed_ms, velocity_x_ms,
+/// velocity_y_ms, volume_m3 in this order, and of structured solids what else share/doc/results.md lists.
+/// Stresses in kPa, positive in tension, without the geostatic part. Velocities must be synchronised.
 PointTable particle_table(const Flow& flow);
 PointTable particle_table(const StructuredFlow& flow);
 

@@ -44,9 +44,9 @@ struct NamedRaster {
 /// The flow at one instant, as rasters on the working grid (NaN where there is none).
 struct Frame {
     int index = 0;
-    double time = 0;  ///< [s]
-    Raster depth;     ///< vertical [m]
-    Raster velocity;  ///< speed along the bed [m/s]
+    double time = 0;                ///< [s]
+    Raster depth;                   ///< vertical [m]
+    Raster velocity;                ///< speed along the bed [m/s]
     std::vector<NamedRaster> more;  ///< what else the model shows
     PointTable particles;           ///< only with RunOptions::particles_in_frames
 };
@@ -62,10 +62,10 @@ struct Progress {
 struct Trouble {
     enum class Kind { non_finite, impossible_speed, volume_drift, no_data } kind;
     std::int64_t step = 0;
-    double time = 0;              ///< [s]
+    double time = 0;               ///< [s]
     std::optional<Point> place{};  ///< map coordinates; none: of the flow as a whole
-    std::int64_t count = 0;       ///< particles or cells; 0: does not apply
-    double value = 0, limit = 0;  ///< speed [m/s], or error of the volume as a share of all that came in
+    std::int64_t count = 0;        ///< particles or cells; 0: does not apply
+    double value = 0, limit = 0;   ///< speed [m/s], or error of the volume as a share of all that came in
 };
 
 /// Writes the state of a run as it is now.
@@ -77,19 +77,21 @@ struct RunOptions {
     bool particles_in_frames = false;
     std::function<void(const Progress&)> on_progress;  ///< called every step; must be cheap
     std::function<bool()> stop_requested;              ///< polled every step
-    std::function<void(const Trouble&)> on_trouble;    ///< called at the step at which it appears, which is the last
-    std::function<bool()> save_due;                    ///< polled every step; must be cheap
-    /// Called between steps, when due, when stopped on request and after trouble. What it does changes nothing of the run.
+    std::function<void(const Trouble&)>
+        on_trouble;                  ///< called at the step at which it appears, which is the last
+    std::function<bool()> save_due;  ///< polled every step; must be cheap
+    /// Called between steps, when due, when stopped on request and after trouble. What it does changes
+    /// nothing of the run.
     std::function<void(const Progress&, const SaveState&)> save;
     StateReader* saved = nullptr;  ///< a state of the same scene to go on from; none: from the start
 };
 
 /// Events that must not happen in a good run; all zero then.
 struct HardEvents {
-    std::int64_t non_finite = 0;       ///< particles with a non-finite state
-    std::int64_t depth_clamped = 0;    ///< particles whose area had to be bounded
-    std::int64_t speed_clamped = 0;    ///< nodes whose speed had to be bounded
-    std::int64_t entered_no_data = 0;  ///< particles found over a cell without terrain
+    std::int64_t non_finite = 0;        ///< particles with a non-finite state
+    std::int64_t depth_clamped = 0;     ///< particles whose area had to be bounded
+    std::int64_t speed_clamped = 0;     ///< nodes whose speed had to be bounded
+    std::int64_t entered_no_data = 0;   ///< particles found over a cell without terrain
     std::int64_t impossible_speed = 0;  ///< steps with a speed above what the fall allows
     std::int64_t volume_drift = 0;      ///< steps after which the volume did not add up
 
@@ -101,7 +103,8 @@ struct HardEvents {
 
 template <class Archive>
 void serialise(Archive& archive, HardEvents& events) {
-    auto& [non_finite, depth_clamped, speed_clamped, entered_no_data, impossible_speed, volume_drift] = events;
+    auto& [non_finite, depth_clamped, speed_clamped, entered_no_data, impossible_speed, volume_drift] =
+        events;
     archive(non_finite, depth_clamped, speed_clamped, entered_no_data, impossible_speed, volume_drift);
 }
 
@@ -191,7 +194,7 @@ struct RunResult {
     double momentum_deposited = 0;  ///< that deposits took with them, size of the sum [kg m/s]
     std::int64_t unsupported = 0;   ///< nodes times steps at which the motion over a convex bed lifted off
     HardEvents hard_events;
-    std::vector<Trouble> troubles;  ///< of the run's last step
+    std::vector<Trouble> troubles;   ///< of the run's last step
     std::vector<std::string> terms;  ///< physics and numerics really computed
     std::vector<std::string> notes;  ///< for log.txt: choices made, warnings
 };

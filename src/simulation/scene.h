@@ -59,19 +59,19 @@ struct Material {
     double surface_pressure = 0;                                  ///< p_A, gauge [Pa]
     double viscosity = 0;                                         ///< mu [Pa s]
     double yield_stress = 0;                                      ///< tau_Y [Pa]
-    double yield_regularisation = 0.01;  ///< shear rate under which yield is softened in the plane [1/s]
-    bool exact_yield_ratio = true;       ///< zeta from the cubic; false: the paper's (9)
-    double cohesion = 0;                 ///< c [Pa]
-    double ramms_yield_stress = 0;       ///< N_0 [Pa]
-    double consistency = 0;              ///< Herschel-Bulkley K [Pa s^m]
-    double flow_index = 1;               ///< Herschel-Bulkley m [-]
-    double laminar_resistance = 24;      ///< O'Brien-Julien K [-]
-    double manning = 0;                  ///< n [s/m^(1/3)]
-    double chezy = 0;                    ///< C [m^(1/2)/s]
-    double fast_friction_coefficient = 0;                                    ///< Pouliquen-Forterre mu_2 [-]
-    double friction_length = 0;                                              ///< Pouliquen-Forterre L [m]
-    double friction_beta = 0.136;                                            ///< Pouliquen-Forterre beta [-]
-    double pore_pressure_ratio = 0;                                          ///< r_u at the start [-]
+    double yield_regularisation = 0.01;    ///< shear rate under which yield is softened in the plane [1/s]
+    bool exact_yield_ratio = true;         ///< zeta from the cubic; false: the paper's (9)
+    double cohesion = 0;                   ///< c [Pa]
+    double ramms_yield_stress = 0;         ///< N_0 [Pa]
+    double consistency = 0;                ///< Herschel-Bulkley K [Pa s^m]
+    double flow_index = 1;                 ///< Herschel-Bulkley m [-]
+    double laminar_resistance = 24;        ///< O'Brien-Julien K [-]
+    double manning = 0;                    ///< n [s/m^(1/3)]
+    double chezy = 0;                      ///< C [m^(1/2)/s]
+    double fast_friction_coefficient = 0;  ///< Pouliquen-Forterre mu_2 [-]
+    double friction_length = 0;            ///< Pouliquen-Forterre L [m]
+    double friction_beta = 0.136;          ///< Pouliquen-Forterre beta [-]
+    double pore_pressure_ratio = 0;        ///< r_u at the start [-]
     double pore_dissipation_time = std::numeric_limits<double>::infinity();  ///< T [s]; infinity: r_u stays
     double internal_friction_coefficient = 0;  ///< tan(phi_i), earth pressure [-]
 
@@ -80,8 +80,8 @@ struct Material {
     }
 };
 
-/// What differs from place to place in the structured model's release: rasters on the working grid, in the units of
-/// StructuredMaterial, whose value holds where one is NaN.
+/// What differs from place to place in the structured model's release: rasters on the working grid, in the
+/// units of StructuredMaterial, whose value holds where one is NaN.
 struct StructuredZones {
     std::optional<Raster> solid_fraction, confined_share, grain_density, grain_diameter, cohesion, friction,
         bed_friction;
@@ -95,39 +95,43 @@ struct StructuredZones {
 /// What the structured model is made of: blocks of solids with the fluid they confine, or fluid alone.
 struct StructuredMaterial {
     bool solids = false;  ///< false: the release is fluid, and nothing below the fluid's lines is read
-    double fluid_density = 1000;       ///< [kg/m3]
-    double fluid_viscosity = 0;        ///< a_eta [Pa s]; 0: no viscous terms
-    double viscosity_growth = 10;      ///< b_eta, with the solids' fraction [-]
-    double velocity_shape = 3;         ///< chi [-]
-    double mobility = 1;               ///< A of the enhanced stress [-]
-    double solids_shape = 2;           ///< zeta [-]
-    double manning = 0.1;              ///< n [s/m^(1/3)]
-    double dry_depth = 1e-4;           ///< [m]
+    double fluid_density = 1000;   ///< [kg/m3]
+    double fluid_viscosity = 0;    ///< a_eta [Pa s]; 0: no viscous terms
+    double viscosity_growth = 10;  ///< b_eta, with the solids' fraction [-]
+    double velocity_shape = 3;     ///< chi [-]
+    double mobility = 1;           ///< A of the enhanced stress [-]
+    double solids_shape = 2;       ///< zeta [-]
+    double manning = 0.1;          ///< n [s/m^(1/3)]
+    double dry_depth = 1e-4;       ///< [m]
 
-    double solid_fraction = 0.5;       ///< of what is released [-]
-    double confined_share = 1;         ///< f_fc, share of its fluid that is confined [-]
-    double grain_density = 2400;       ///< [kg/m3]
-    double grain_diameter = 1e-3;      ///< [m]
-    double cohesion = 0;               ///< [Pa]
-    double friction = 0;               ///< tan(phi) [-]
-    double bed_friction = 0;           ///< tan(phi_b) [-]
-    double sin_dilatancy = 0;          ///< sin(psi) [-]
+    double solid_fraction = 0.5;                       ///< of what is released [-]
+    double confined_share = 1;                         ///< f_fc, share of its fluid that is confined [-]
+    double grain_density = 2400;                       ///< [kg/m3]
+    double grain_diameter = 1e-3;                      ///< [m]
+    double cohesion = 0;                               ///< [Pa]
+    double friction = 0;                               ///< tan(phi) [-]
+    double bed_friction = 0;                           ///< tan(phi_b) [-]
+    double sin_dilatancy = 0;                          ///< sin(psi) [-]
     double young_modulus = 12e6, bulk_modulus = 23e6;  ///< [Pa]
-    double critical_strain = 0.05;     ///< eps_c [-]
-    bool damage_by_distortion = false; ///< false: by opening
+    double critical_strain = 0.05;                     ///< eps_c [-]
+    bool damage_by_distortion = false;                 ///< false: by opening
     enum class EarthPressure { hydrostatic, active, passive } earth_pressure = EarthPressure::hydrostatic;
-    double pore_pressure_share = 0;    ///< B [-]
-    int drag_exponent = 2;             ///< j: 1 or 2
-    double richardson_zaki = 2.4;      ///< M [-]
-    double smoothing_velocity = 0;     ///< K of the drag [m/s]; 0: the mixture's flux
-    double block_size = 0;             ///< d_sc [m]; 0: the local depth
-    double sound_speed = 0;            ///< of the artificial viscosity [m/s]; 0: the elastic waves'
-    enum class VirtualMass { none, pudasaini_2012, pudasaini_2019 } virtual_mass = VirtualMass::pudasaini_2012;
+    double pore_pressure_share = 0;  ///< B [-]
+    int drag_exponent = 2;           ///< j: 1 or 2
+    double richardson_zaki = 2.4;    ///< M [-]
+    double smoothing_velocity = 0;   ///< K of the drag [m/s]; 0: the mixture's flux
+    double block_size = 0;           ///< d_sc [m]; 0: the local depth
+    double sound_speed = 0;          ///< of the artificial viscosity [m/s]; 0: the elastic waves'
+    enum class VirtualMass {
+        none,
+        pudasaini_2012,
+        pudasaini_2019
+    } virtual_mass = VirtualMass::pudasaini_2012;
     double linear_viscosity = 1, quadratic_viscosity = 1, artificial_stress = 0.5;  ///< [-]
     bool spread_evenly = false;  ///< particles placed by depth along the R2 sequence; false: on a lattice
     StructuredZones zones;
     std::optional<Raster> initial_fluid;  ///< depth of free fluid that lies there at the start [m]; NaN: none
-    bool more_fluid = false;              ///< fluid comes from elsewhere than the release: it lies there or flows in
+    bool more_fluid = false;  ///< fluid comes from elsewhere than the release: it lies there or flows in
 };
 
 enum class ErosionLaw { none, shear_stress, growth, mechanical };
@@ -177,23 +181,23 @@ struct Numerics {
 };
 
 struct TimeControl {
-    double end = 60;              ///< [s]
-    bool stop_when_still = true;  ///< end early once nothing moves
+    double end = 60;               ///< [s]
+    bool stop_when_still = true;   ///< end early once nothing moves
     double stop_energy_share = 0;  ///< end once kinetic energy is under this share of its peak; 0: never
     double stop_moving_share = 0;  ///< end once the moving volume is under this share of its peak; 0: never
     double moving_speed = 0.1;     ///< what counts as moving [m/s]
-    double frame_interval = 0;    ///< [s]; 0: no frames
+    double frame_interval = 0;     ///< [s]; 0: no frames
 };
 
 /// One area that fails, in map coordinates of the working CRS.
 struct ReleaseArea {
     MultiPolygon outline;
-    double thickness = 0;                    ///< [m]; ignored where a raster is given
+    double thickness = 0;                      ///< [m]; ignored where a raster is given
     std::optional<Raster> thickness_raster{};  ///< on the working grid; NaN or <= 0: nothing released there
-    std::optional<double> volume{};          ///< [m3]: the thickness is scaled so that this is released
-    bool normal_to_bed = false;              ///< thickness measured normal to the bed; false: vertically
-    double start = 0;                        ///< when it fails [s]; until then its ground lies still
-    double speed = 0;                        ///< at the start, along the bed [m/s]
+    std::optional<double> volume{};            ///< [m3]: the thickness is scaled so that this is released
+    bool normal_to_bed = false;                ///< thickness measured normal to the bed; false: vertically
+    double start = 0;                          ///< when it fails [s]; until then its ground lies still
+    double speed = 0;                          ///< at the start, along the bed [m/s]
     /// Of that speed, clockwise from the grid's north [rad]; none: down the mean slope.
     std::optional<double> azimuth{};
 };
@@ -209,7 +213,8 @@ struct HydrographPoint {
 struct Inflow {
     Polyline line;
     std::vector<HydrographPoint> hydrograph;  ///< times rise; an equal time is a jump
-    std::optional<double> azimuth;  ///< clockwise from the grid's north [rad]; none: normal to the line, downhill
+    std::optional<double>
+        azimuth;  ///< clockwise from the grid's north [rad]; none: normal to the line, downhill
 };
 
 /// A place where depth and speed are recorded over time.
@@ -234,12 +239,13 @@ struct Recording {
 
 /// Everything the engine needs, validated, in SI units; const from here on.
 struct Scene {
-    GridSpec grid;                          ///< working grid
-    Raster terrain;                         ///< DTM on the working grid [m]; NaN: no data
-    std::optional<Raster> walls;            ///< on the working grid: 1 where a wall stands that no flow overtops
+    GridSpec grid;                ///< working grid
+    Raster terrain;               ///< DTM on the working grid [m]; NaN: no data
+    std::optional<Raster> walls;  ///< on the working grid: 1 where a wall stands that no flow overtops
     bool terrain_contains_release = false;  ///< the bed is the terrain less the released (vertical) thickness
     std::vector<ReleaseArea> release;
-    std::optional<double> release_volume;  ///< of all areas [m3]: their thicknesses are scaled alike to hold it
+    std::optional<double>
+        release_volume;  ///< of all areas [m3]: their thicknesses are scaled alike to hold it
     std::vector<Inflow> inflows;
     /// Given: the structured model runs, and material, zones and entrainment are not read.
     std::optional<StructuredMaterial> structured;

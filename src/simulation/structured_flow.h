@@ -15,8 +15,8 @@
 
 namespace frana {
 
-/// The structured model as a run drives it: the engine without scenes, files and clocks; Flow's counterpart. Depths are
-/// those of everything in a cell, speeds those of its faster phase.
+/// The structured model as a run drives it: the engine without scenes, files and clocks; Flow's counterpart.
+/// Depths are those of everything in a cell, speeds those of its faster phase.
 class StructuredFlow {
   public:
     /// After a step the cells show the moment it ended.
@@ -25,8 +25,9 @@ class StructuredFlow {
     /// @param ground elevation [m], NaN where there is none
     /// @param walls 1 where a wall stands, on the same grid
     /// @param released columns of whole thickness in local metres: fluid, or split into solids and fluid
-    StructuredFlow(const Ground& ground, const std::optional<Raster>& walls, const StructuredMaterial& material,
-                   const Numerics& numerics, const ParticleSet& released, int threads);
+    StructuredFlow(const Ground& ground, const std::optional<Raster>& walls,
+                   const StructuredMaterial& material, const Numerics& numerics, const ParticleSet& released,
+                   int threads);
 
     /// Adds fluid, volume and momentum as particles hold them, to the cells they lie in.
     void add_fluid(const ParticleSet& particles);
@@ -38,8 +39,8 @@ class StructuredFlow {
     void set_moving_speed(double speed) { moving_speed_ = speed; }
     void set_time(double time) { state_.time = time; }
 
-    /// Longest step the present state allows [s]; no longer than a wave on the minimum depth would take through a cell,
-    /// so that a map at rest is watched too.
+    /// Longest step the present state allows [s]; no longer than a wave on the minimum depth would take
+    /// through a cell, so that a map at rest is watched too.
     [[nodiscard]] double stable_step();
     StepFigures advance(double dt_limit);
     void synchronise() {}  // velocities are never behind
@@ -50,7 +51,8 @@ class StructuredFlow {
     /// Solids and all fluid inside [m3].
     [[nodiscard]] double volume();
     [[nodiscard]] double volume_left() const noexcept;
-    /// Mean of what was released so far, solids and fluid together [kg/m3]; of fluid where only fluid came in.
+    /// Mean of what was released so far, solids and fluid together [kg/m3]; of fluid where only fluid came
+    /// in.
     [[nodiscard]] double density() const;
     [[nodiscard]] std::int64_t particle_count() const noexcept;
     [[nodiscard]] std::int64_t particle_steps() const noexcept { return particle_steps_; }
@@ -68,8 +70,8 @@ class StructuredFlow {
         Raster depth, speed;
     };
     [[nodiscard]] Snapshot snapshot() const;
-    /// The phases: their depths, velocities and what the solids are like (app/layers.cpp describes each). Of fluid
-    /// alone, its velocity.
+    /// The phases: their depths, velocities and what the solids are like (app/layers.cpp describes each). Of
+    /// fluid alone, its velocity.
     [[nodiscard]] std::vector<NamedRaster> phases() const;
     /// Folds the present into the maxima; advance does it after every step.
     void see_present();
@@ -82,9 +84,10 @@ class StructuredFlow {
     void for_each_active_node(const Visit& visit) const {
         const NodeGrid& n = state_.grid;
         for (const std::int64_t tile : shown_tiles()) {
-            NodeRange(tile, tiles_, n).for_each(n.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
-                if (inside(i, j)) visit(cell);
-            });
+            NodeRange(tile, tiles_, n)
+                .for_each(n.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
+                    if (inside(i, j)) visit(cell);
+                });
         }
     }
     /// What lies in a cell: depth [m], and discharge per width of solids and fluid together [m2/s].
@@ -98,8 +101,8 @@ class StructuredFlow {
     /// Everything that steps change.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, origin, moving_speed,
-                                released_mass, released_volume, steps, particle_steps] = *this;
+        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, origin,
+                                moving_speed, released_mass, released_volume, steps, particle_steps] = *this;
         archive(state, maxima, released_mass, released_volume, steps, particle_steps);
         if constexpr (Archive::k_reads) {
             if (state.fluid) structured::set_ground(*state.fluid, state.grid, laws.fluid);

@@ -79,7 +79,8 @@ std::optional<Point> place_of_non_finite(const StructuredFlow& flow) {
     if (at || !flow.state().fluid) return at;
     const structured::FluidFields& now = flow.state().fluid->now;
     flow.for_each_active_node([&](std::size_t cell) {
-        if (!at && !std::isfinite(now.depth[cell] + now.qx[cell] + now.qy[cell])) at = middle(flow.nodes(), cell);
+        if (!at && !std::isfinite(now.depth[cell] + now.qx[cell] + now.qy[cell]))
+            at = middle(flow.nodes(), cell);
     });
     return at;
 }

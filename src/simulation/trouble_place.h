@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a step went wrong. Each looks at everything there is, and is called only when something is known to be there.
+// Where a step went wrong. Each looks at everything there is, and is called only when something is known to
+// be there.
 #pragma once
 
 #include <optional>

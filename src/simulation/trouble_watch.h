@@ -12,26 +12,28 @@
 
 namespace frana {
 
-/// Greatest speed that a fall allows, even without friction [m/s]: free fall from the highest surface to the lowest
-/// ground and the front of a dam break as deep as the deepest column, sqrt(2 g drop) + 2 sqrt(g depth), besides the
-/// speed that something had from the start. `frana bench stability` judges by it too.
+/// Greatest speed that a fall allows, even without friction [m/s]: free fall from the highest surface to the
+/// lowest ground and the front of a dam break as deep as the deepest column, sqrt(2 g drop) + 2 sqrt(g
+/// depth), besides the speed that something had from the start. `frana bench stability` judges by it too.
 double speed_bound(double gravity, double drop, double depth, double speed_at_start);
 
-/// Looks after every step for what must not happen. Costs a few comparisons a step; places are sought only when something
-/// has happened.
+/// Looks after every step for what must not happen. Costs a few comparisons a step; places are sought only
+/// when something has happened.
 class TroubleWatch {
   public:
-    /// Error of the volume that rounding does not explain, as a share of all that came in: a thousand times what sums over
-    /// 1e5 particles lose, and far less than any map shows.
+    /// Error of the volume that rounding does not explain, as a share of all that came in: a thousand times
+    /// what sums over 1e5 particles lose, and far less than any map shows.
     static constexpr double k_volume_drift = 1e-9;
 
     /// @param pressure_factor by which waves of pressure are faster than in water, squared
-    TroubleWatch(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor);
+    TroubleWatch(const Scene& scene, const Release& release, const Arrivals& arrivals,
+                 double pressure_factor);
 
     /// What the last step brought; empty in a good run.
     /// @param taken all that came in, from the bed too [m3]
     template <class AnyFlow>
-    [[nodiscard]] std::vector<Trouble> look(const AnyFlow& flow, const StepFigures& figures, double taken) const;
+    [[nodiscard]] std::vector<Trouble> look(const AnyFlow& flow, const StepFigures& figures,
+                                            double taken) const;
 
     [[nodiscard]] double greatest_speed() const noexcept { return bound_; }
 

@@ -24,7 +24,6 @@ TEST_F(Command, MistakesOnTheCommandLine) {
     EXPECT_EQ(frana({"run"}).exit_code, 2);
     EXPECT_EQ(frana({"run", "scene.ini", "--overwrit"}).exit_code, 2);  // abbreviations are not guessed
     EXPECT_EQ(frana({"run", "scene.ini", "--threads", "0"}).exit_code, 2);
-    EXPECT_EQ(frana({"run", "scene.ini", "--resume"}).exit_code, 2);
     EXPECT_EQ(frana({"run", "scene.ini", "other.ini"}).exit_code, 2);
     EXPECT_EQ(frana({"bench", "acuracy"}).exit_code, 2);
     EXPECT_EQ(frana({"render", "nowhere"}).exit_code, 2);

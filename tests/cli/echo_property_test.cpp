@@ -37,7 +37,7 @@ std::string random_text(RandomNumbers& random) {
         if (random.once_in(2)) text << "turbulence = " << random.log_between(100, 3000) << '\n';
         if (random.once_in(3)) text << "viscosity = " << random.log_between(10, 2000) << "\nyield-stress = 100\n";
     }
-    text << "[numerics]\ncfl = " << random.between(0.3, 0.6) << '\n';
+    text << "[numerics]\ncfl = " << random.between(0.3, 0.5) << '\n';
     if (random.once_in(3)) text << "boundary = " << one_of({"open", "wall"}) << '\n';
     text << "[time]\nend = " << random.between(1, 3) << '\n' << k_numbers_only;
     return text.str();

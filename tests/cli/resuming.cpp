@@ -20,8 +20,8 @@ std::string figures_of(const std::string& summary) {
     std::string kept;
     for (std::string line; std::getline(lines, line);) {
         bool wanted = true;
-        for (const char* name : {"\"threads\"", "\"total\"", "\"input\"", "\"engine\"", "\"output\"", "\"render\"",
-                                 "particle_steps_per_second", "peak_memory_bytes"})
+        for (const char* name : {"\"threads\"", "\"total\"", "\"input\"", "\"engine\"", "\"output\"",
+                                 "\"render\"", "particle_steps_per_second", "peak_memory_bytes"})
             wanted = wanted && line.find(name) == std::string::npos;
         if (wanted) kept += line + "\n";
     }
@@ -39,12 +39,15 @@ std::vector<std::string> files_below(const fs::path& folder) {
 }  // namespace
 
 Resuming::Resuming() {
-    write_scene("stop-when-still = off\nframe-interval = 0.5\n[numerics]\nparticles-per-cell = 16\n[output]\n"
-                "maps = off\nanimation = off\n[terrain]\ncell-size = 2.5\n");
+    write_scene(
+        "stop-when-still = off\nframe-interval = 0.5\n[numerics]\nparticles-per-cell = 16\n[output]\n"
+        "maps = off\nanimation = off\n[terrain]\ncell-size = 1\n");
 }
 
-std::vector<std::string> Resuming::run(const std::string& result, const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--set", "output.checkpoint-interval=0.05"};
+std::vector<std::string> Resuming::run(const std::string& result,
+                                       const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments{"run",  "scene.ini", "--out",
+                                       result, "--set",     "output.checkpoint-interval=0.02"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
@@ -58,7 +61,8 @@ std::vector<std::string> Resuming::checkpoints(const std::string& result) const 
         const std::string name = entry.path().filename().string();
         if (name != own && name.rfind(own + ".partial-", 0) != 0) continue;
         for (const auto& file : fs::directory_iterator(entry.path() / "checkpoint", ignored))
-            if (file.path().filename().string().find(".partial") == std::string::npos) found.push_back(file.path());
+            if (file.path().filename().string().find(".partial") == std::string::npos)
+                found.push_back(file.path());
     }
     std::sort(found.begin(), found.end(),
               [](const fs::path& a, const fs::path& b) { return a.filename() > b.filename(); });

@@ -90,7 +90,7 @@ TEST_F(Soak, RendersInOneProcessLeaveNothingBehind) {
     repeat(
         [&] {
             const char* const view = turn++ % 4 == 3 ? "3d" : "2d";
-            ASSERT_EQ(app::cmd_render({path("result"), "--map", "max_depth", "--view", view, "--size", "400x300"}), 0);
+            ASSERT_EQ(app::cmd_render({path("result"), "--map", "max_depth", "--view", view, "--size", "640x480"}), 0);
         },
         8);
     EXPECT_EQ(temporary_files(), before);

@@ -14,7 +14,8 @@ TEST_F(TroubledRun, NamesPlaceStepAndTimeEverywhere) {
     write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nframes = on\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
     EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
-    const std::string summary = read_text(path("result/summary.json")), log = read_text(path("result/log.txt"));
+    const std::string summary = read_text(path("result/summary.json")),
+                      log = read_text(path("result/log.txt"));
     // Column 16 begins 80 m east of the DTM's corner; the flow comes from the west.
     for (const std::string& text : {outcome.err, summary, log}) {
         EXPECT_NE(text.find("the flow came upon ground without elevation"), std::string::npos) << text;
@@ -24,6 +25,7 @@ TEST_F(TroubledRun, NamesPlaceStepAndTimeEverywhere) {
     EXPECT_NE(summary.find("\"stop_reason\": \"reached-no-data\""), std::string::npos) << summary;
     EXPECT_NE(summary.find("\"troubles\": ["), std::string::npos);
     EXPECT_TRUE(fs::exists(path("result/frames/depth_0001.tif"))) << "the last frame";
+    EXPECT_FALSE(fs::is_empty(path("result/checkpoint"))) << "the state at that step";
 }
 
 TEST_F(TroubledRun, AGoodRunHasNone) {
@@ -31,7 +33,8 @@ TEST_F(TroubledRun, AGoodRunHasNone) {
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_NE(summary.find("\"troubles\": []"), std::string::npos) << summary;
-    for (const char* count : {"non_finite", "entered_no_data", "impossible_speed", "volume_drift", "depth_clamped"})
+    for (const char* count :
+         {"non_finite", "entered_no_data", "impossible_speed", "volume_drift", "depth_clamped"})
         EXPECT_NE(summary.find(std::string("\"") + count + "\": 0"), std::string::npos) << count;
 }
 
@@ -46,7 +49,7 @@ TEST_F(MemoryLimit, RefusesBeforehandInRunAndCheck) {
         EXPECT_NE(outcome.err.find("1 MB"), std::string::npos) << outcome.err;
         EXPECT_NE(outcome.err.find("of memory"), std::string::npos) << outcome.err;
     }
-    EXPECT_EQ(files().size(), before.size() + 2) << "only what the test itself keeps: .stdout and .stderr";
+    EXPECT_EQ(files(), before);
     EXPECT_EQ(frana({"check", "scene.ini", "--memory-limit", "4GB"}).exit_code, 0);
     for (const char* wrong : {"", "much", "-1GB", "0", "nan", "4 parsecs"}) {
         const Outcome outcome = frana({"check", "scene.ini", "--memory-limit", wrong});
@@ -58,14 +61,15 @@ TEST_F(MemoryLimit, RefusesBeforehandInRunAndCheck) {
 TEST_F(MemoryLimit, TinyCellsAreAnEstimateAndARefusal) {
     write_scene(k_numbers_only);
     for (const char* size : {"1e-6", "1e-3", "1e-300", "5e-324"}) {
-        const Outcome outcome = frana({"check", "scene.ini", "--set", std::string("terrain.cell-size=") + size});
+        const Outcome outcome =
+            frana({"check", "scene.ini", "--set", std::string("terrain.cell-size=") + size});
         EXPECT_EQ(outcome.exit_code, 2) << size << outcome.err;
         EXPECT_NE(outcome.err.find("terrain.cell-size"), std::string::npos) << outcome.err;
     }
-    const Outcome many = frana({"check", "scene.ini", "--memory-limit", "2MB", "--set", "terrain.cell-size=1",
-                                "--set", "numerics.particles-per-cell=16"});
+    const Outcome many = frana({"check", "scene.ini", "--memory-limit", "20MB", "--set",
+                                "terrain.cell-size=1", "--set", "numerics.particles-per-cell=16"});
     EXPECT_EQ(many.exit_code, 2);
-    EXPECT_NE(many.err.find("particles"), std::string::npos) << many.err;
+    EXPECT_NE(many.err.find("--memory-limit"), std::string::npos) << many.err;
 }
 
 // Paths as people have them.
@@ -73,18 +77,19 @@ using OddPaths = TinyScene;
 
 TEST_F(OddPaths, SpacesAccentsLengthAndLinks) {
     write_scene(k_numbers_only);
+    // SQLite, which GeoPackages are, opens paths of up to 512 characters.
     std::string deep = "Frana è qui — 山";
-    for (int i = 0; i < 12; ++i) deep += "/a folder with a long name, number " + std::to_string(i);
+    for (int i = 0; i < 8; ++i) deep += "/a folder with a long name, number " + std::to_string(i);
     fs::create_directories(path(deep));
     for (const char* name : {"scene.ini", "dtm.asc", "dtm.prj", "perimeter.geojson"})
         fs::copy(path(name), path(deep + "/" + name));
     const Outcome far = frana({"run", deep + "/scene.ini", "--out", deep + "/résultat 1", "--quiet"});
     EXPECT_EQ(far.exit_code, 0) << far.err;
     EXPECT_TRUE(fs::exists(path(deep + "/résultat 1/summary.json")));
-    // The scene through a link: its files lie beside the link's target or the link, as the path says.
+    // The scene through a link to its folder.
     fs::create_directories(path("links"));
     fs::create_directory_symlink(path(deep), path("links/way"));
-    const Outcome linked = frana({"run", "links/way/../way/scene.ini", "--out", "linked", "--quiet"});
+    const Outcome linked = frana({"run", "links/way/scene.ini", "--out", "linked", "--quiet"});
     EXPECT_EQ(linked.exit_code, 0) << linked.err;
     EXPECT_EQ(read_text(path("linked/timeseries.csv")), read_text(path(deep + "/résultat 1/timeseries.csv")));
     const Outcome too_long = frana({"run", "scene.ini", "--out", std::string(300, 'x'), "--quiet"});
@@ -99,7 +104,7 @@ TEST_F(OddPaths, AScenesNamesDoNotLeadOutOfTheResult) {
         const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", set});
         EXPECT_EQ(outcome.exit_code, 2) << set << outcome.err;
     }
-    EXPECT_EQ(files().size(), before.size() + 2);
+    EXPECT_EQ(files(), before);
     EXPECT_FALSE(fs::exists(folder_.parent_path() / "escape"));
 }
 
