@@ -37,7 +37,8 @@ class FilmOut {
         const bool gif = path.ends_with(".gif");
         const double pace = std::clamp(static_cast<double>(frames) / k_film_seconds, 4.0, k_playback);
         repeats_ = gif ? 1 : std::max(1, static_cast<int>(std::lround(k_playback / pace)));
-        movie_ = std::make_unique<render::MovieWriter>(path, size.width, size.height, gif ? pace : k_playback);
+        movie_ =
+            std::make_unique<render::MovieWriter>(path, size.width, size.height, gif ? pace : k_playback);
         seconds_ = static_cast<double>(frames) * repeats_ / (gif ? pace : k_playback);
     }
     [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< of playback; 0: a folder
@@ -68,7 +69,8 @@ const std::string& file_of(const StoredFrame& frame, const std::string& quantity
 /// The picture of a frame, of its particles or its raster.
 template <class Animator>
 render::Image draw_frame(Animator& animator, const StoredFrame& frame, const std::string& quantity) {
-    if (quantity == "particles") return animator.frame(read_particle_dots(frame.particle_file), time_text(frame.time));
+    if (quantity == "particles")
+        return animator.frame(read_particle_dots(frame.particle_file), time_text(frame.time));
     return animator.frame(gis::read_result_raster(file_of(frame, quantity)), time_text(frame.time));
 }
 
@@ -131,8 +133,10 @@ void film(const FilmRequest& request, const std::string& path) {
     Spec left = film_spec<Spec>(request.first, half, out.seconds());
     std::optional<Animator> right;
     if (request.second) {
-        Spec other = film_spec<Spec>(*request.second, {request.size.width - half.width, half.height}, out.seconds());
-        const bool first_greater = maximum(request.first.layer.values) >= maximum(request.second->layer.values);
+        Spec other =
+            film_spec<Spec>(*request.second, {request.size.width - half.width, half.height}, out.seconds());
+        const bool first_greater =
+            maximum(request.first.layer.values) >= maximum(request.second->layer.values);
         share(left, other, first_greater ? request.first.layer : request.second->layer);
         right.emplace(other);
     }
@@ -167,8 +171,11 @@ Size film_size(Size map) {
 
 FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {
     const bool particles = quantity == "particles";
-    FilmSource film{source, result.map_layer(particles ? "max_velocity" : "max_" + quantity), result.frames(), quantity};
-    film.layer.title = particles ? "Speed of particles" : quantity == "depth" ? "Flow depth" : "Flow velocity";
+    FilmSource film{source, result.map_layer(particles ? "max_velocity" : "max_" + quantity), result.frames(),
+                    quantity};
+    film.layer.title = particles             ? "Speed of particles"
+                       : quantity == "depth" ? "Flow depth"
+                                             : "Flow velocity";
     film.layer.source = "frames/" + quantity + (particles ? "_*.gpkg, speed_ms" : "_*.tif, band 1");
     return film;
 }

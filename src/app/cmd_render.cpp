@@ -22,20 +22,22 @@ CommandForm render_form() {
     namespace options = boost::program_options;
     const auto text = [] { return options::value<std::string>(); };
     const auto texts = [] { return options::value<std::vector<std::string>>(); };
-    CommandForm form{
-        "frana render RESULT_DIR|RASTER [options]",
-        "Draws maps and views of a result, or of any program's raster with --dtm, or the frames of a result as a\n"
-        "film. Nothing is computed anew. Prints the files it wrote. How pictures look comes from the scene's\n"
-        "output.map-... and output.view-... keys; options take their place.",
-        "RESULT_DIR|RASTER",
-        {}};
-    form.options.add_options()(
-        "map", texts(),
-        "raster to draw, for example max_depth; depth@12.5 is the frame nearest to 12.5 s, particles@12.5 its particles; "
-        "repeatable (default: all)")("view", text(), "2d (default) or 3d")(
+    CommandForm form{"frana render RESULT_DIR|RASTER [options]",
+                     "Draws maps and views of a result, or of any program's raster with --dtm, or the frames "
+                     "of a result as a\n"
+                     "film. Nothing is computed anew. Prints the files it wrote. How pictures look comes "
+                     "from the scene's\n"
+                     "output.map-... and output.view-... keys; options take their place.",
+                     "RESULT_DIR|RASTER",
+                     {}};
+    form.options.add_options()("map", texts(),
+                               "raster to draw, for example max_depth; depth@12.5 is the frame nearest to "
+                               "12.5 s, particles@12.5 its particles; "
+                               "repeatable (default: all)")("view", text(), "2d (default) or 3d")(
         "animation", text(),
         "write the frames as FILE.mp4 or FILE.gif, or as pictures into FOLDER/, instead of maps; --map "
-        "velocity shows speeds, --map particles the particles")("beside", text(), "film: another result to show beside, with the same colours")(
+        "velocity shows speeds, --map particles the particles")(
+        "beside", text(), "film: another result to show beside, with the same colours")(
         "fly", "film, 3d: the camera glides along the flow")("charts",
                                                              "draw the charts of a result instead of maps")(
         "plates", "draw its plates instead: initial state, snapshots, stresses, profile beside comparison")(
@@ -119,25 +121,29 @@ Request read_request(const Values& values, Problems& problems) {
     request.out = text_option(values, "out");
     request.maps = text_options(values, "map");
     const bool pages = request.charts || request.plates;
-    if (pages && (request.film || request.view_3d || !request.maps.empty() || (request.charts && request.plates))) {
+    if (pages &&
+        (request.film || request.view_3d || !request.maps.empty() || (request.charts && request.plates))) {
         problems.add({"goes without --map, --view and --animation, and one at a time",
                       request.charts ? "--charts" : "--plates", "", "", ""});
     }
     if (!request.film) {
         if (request.beside || request.fly)
-            problems.add({"makes sense with --animation only", request.fly ? "--fly" : "--beside", "", "", ""});
+            problems.add(
+                {"makes sense with --animation only", request.fly ? "--fly" : "--beside", "", "", ""});
         return request;
     }
     const std::string ending = fs::path(*request.film).extension().string();
     if (ending != ".mp4" && ending != ".gif" && !request.film->ends_with('/')) {
-        problems.add({"is not a film's name", "--animation", *request.film, "FILE.mp4, FILE.gif, FOLDER/", ""});
+        problems.add(
+            {"is not a film's name", "--animation", *request.film, "FILE.mp4, FILE.gif, FOLDER/", ""});
     }
     if (request.fly && (!request.view_3d || request.beside))
         problems.add({"needs --view 3d and one result", "--fly", "", "", ""});
     if (!request.maps.empty()) request.film_of = request.maps.front();
     if (request.maps.size() > 1 ||
         (request.film_of != "depth" && request.film_of != "velocity" && request.film_of != "particles"))
-        problems.add({"is not what frames hold", "--map", joined(request.maps, ", "), "depth, velocity, particles", ""});
+        problems.add({"is not what frames hold", "--map", joined(request.maps, ", "),
+                      "depth, velocity, particles", ""});
     return request;
 }
 
@@ -158,8 +164,8 @@ void render_film(const ResultReader& result, const MapSource& source, const Requ
         second.style = source.style;
         if (second.crs_label != source.crs_label) {
             throw Error(ErrorKind::input,
-                        Problem{"has another coordinate reference system than the result", "--beside", *request.beside,
-                                source.crs_label + ", not " + second.crs_label,
+                        Problem{"has another coordinate reference system than the result", "--beside",
+                                *request.beside, source.crs_label + ", not " + second.crs_label,
                                 "Run one of the scenes with the other's terrain.crs"});
         }
         film.second = film_source(other, second, request.film_of);
@@ -169,7 +175,8 @@ void render_film(const ResultReader& result, const MapSource& source, const Requ
     std::cout << *request.film << '\n';
 }
 
-void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d, const std::string& folder) {
+void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d,
+          const std::string& folder) {
     make_folder(folder);
     LayerDrawer drawer(source);
     for (const MapLayer& layer : layers) {

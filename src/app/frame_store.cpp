@@ -36,12 +36,14 @@ std::string list_file(const std::string& folder) {
 }  // namespace
 
 ParticleFormats particle_formats(const std::vector<std::string>& formats) {
-    const auto has = [&](const char* word) { return std::find(formats.begin(), formats.end(), word) != formats.end(); };
+    const auto has = [&](const char* word) {
+        return std::find(formats.begin(), formats.end(), word) != formats.end();
+    };
     return {has("particles-gpkg"), has("particles-vtp")};
 }
 
-FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata, ParticleFormats particles,
-                         std::vector<double> times)
+FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata,
+                         ParticleFormats particles, std::vector<double> times)
     : folder_(std::move(folder)),
       metadata_(std::move(metadata)),
       particles_(particles),
@@ -95,7 +97,8 @@ void FrameWriter::write_particles(const Job& job) const {
     std::vector<double> heights(table.places.size());
     const std::vector<double>*bed = table.find("bed_m"), *depth = table.find("depth_m");
     for (std::size_t p = 0; p < heights.size(); ++p) heights[p] = (*bed)[p] + (*depth)[p];
-    render::write_vtk_points(frame_file(folder_, "particles", job.index, ".vtp"), table, heights, job.frame.time);
+    render::write_vtk_points(frame_file(folder_, "particles", job.index, ".vtp"), table, heights,
+                             job.frame.time);
 }
 
 // ParaView's list of files and their times.
@@ -104,8 +107,8 @@ void FrameWriter::list_particles() const {
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
     for (std::size_t i = 0; i < times_.size(); ++i) {
         const fs::path file = frame_file(folder_, "particles", i, ".vtp");
-        text += "    <DataSet timestep=\"" + shortest_text(times_[i]) + "\" file=\"" + file.filename().string() +
-                "\"/>\n";
+        text += "    <DataSet timestep=\"" + shortest_text(times_[i]) + "\" file=\"" +
+                file.filename().string() + "\"/>\n";
     }
     write_text_file((fs::path(folder_) / "particles.pvd").string(), text + "  </Collection>\n</VTKFile>\n");
 }
@@ -196,9 +199,9 @@ std::vector<StoredFrame> stored_frames(const std::string& folder) {
         const auto time = words.size() == 2 ? number_from_text(words[1]) : std::nullopt;
         if (!time)
             throw Error(ErrorKind::input, Problem{"is not index,time_s", list_file(folder), line, "", ""});
-        frames.push_back({*time, frame_file(folder, "depth", frames.size()),
-                          frame_file(folder, "velocity", frames.size()),
-                          (fs::path(frame_file(folder, "particles", frames.size())).replace_extension("gpkg")).string()});
+        frames.push_back(
+            {*time, frame_file(folder, "depth", frames.size()), frame_file(folder, "velocity", frames.size()),
+             (fs::path(frame_file(folder, "particles", frames.size())).replace_extension("gpkg")).string()});
     }
     return frames;
 }

@@ -11,8 +11,8 @@
 
 namespace frana::app {
 
-/// What runs that did not come to their end have left of one result: checkpoints in the result directory (stopped by a
-/// signal) and in folders beside it in which it was being built (killed).
+/// What runs that did not come to their end have left of one result: checkpoints in the result directory
+/// (stopped by a signal) and in folders beside it in which it was being built (killed).
 class InterruptedRun {
   public:
     explicit InterruptedRun(const std::string& directory);
@@ -23,8 +23,8 @@ class InterruptedRun {
     /// A folder beside the result that was left; empty: none.
     [[nodiscard]] const std::string& beside() const noexcept { return beside_; }
 
-    /// The furthest checkpoint that is whole and of the same scene, with a warning for every one that is not; null where
-    /// there is none at all. Throws Error(input) where there are some and none can be used.
+    /// The furthest checkpoint that is whole and of the same scene, with a warning for every one that is not;
+    /// null where there is none at all. Throws Error(input) where there are some and none can be used.
     [[nodiscard]] std::unique_ptr<CheckpointFile> choose(const std::string& identity, RunLog& log) const;
 
   private:
@@ -36,8 +36,8 @@ class InterruptedRun {
 /// The folder beside a result in which a checkpoint's run can go on; empty for that of the result itself.
 std::string folder_of(const CheckpointFile& checkpoint, const std::string& directory);
 
-/// Makes a result directory what it was at a checkpoint: its frames until then and the checkpoint itself, and nothing
-/// else. Throws Error(environment).
+/// Makes a result directory what it was at a checkpoint: its frames until then and the checkpoint itself, and
+/// nothing else. Throws Error(environment).
 void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& directory);
 
 }  // namespace frana::app

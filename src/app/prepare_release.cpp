@@ -20,12 +20,13 @@ namespace {
 
 using Kind = ThicknessSpec::Kind;
 
-/// Depth of solids and fluid together; keeps the solids' share. One that is missing counts as none; callers have seen
-/// to it that none is negative.
+/// Depth of solids and fluid together; keeps the solids' share. One that is missing counts as none; callers
+/// have seen to it that none is negative.
 Raster sum_of_phases(const Raster& solids, const Raster& fluid, ReleaseInput& release) {
     Raster sum(solids.grid, k_no_data), share(solids.grid, k_no_data);
     for (std::size_t i = 0; i < sum.values.size(); ++i) {
-        const double s = solids.values[i] > 0 ? solids.values[i] : 0, f = fluid.values[i] > 0 ? fluid.values[i] : 0;
+        const double s = solids.values[i] > 0 ? solids.values[i] : 0,
+                     f = fluid.values[i] > 0 ? fluid.values[i] : 0;
         if (!(s + f > 0)) continue;
         sum.values[i] = s + f;
         share.values[i] = s / (s + f);
@@ -34,8 +35,8 @@ Raster sum_of_phases(const Raster& solids, const Raster& fluid, ReleaseInput& re
     return sum;
 }
 
-/// The thickness raster on the working grid: the file itself, the sum of two, or the positive part of before less after or of the
-/// ground less the slip surface.
+/// The thickness raster on the working grid: the file itself, the sum of two, or the positive part of before
+/// less after or of the ground less the slip surface.
 std::optional<Raster> thickness_raster(const SceneReading& reading, const ThicknessSpec& spec,
                                        const TerrainInput* ground, ReleaseInput& release, RunLog& log,
                                        Problems& problems) {
@@ -77,12 +78,12 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
     if (spec.kind == Kind::raster) return std::move(rasters.front());
     if (spec.kind == Kind::phases) {
         for (std::size_t i = 0; i < files.size(); ++i) {
-            const double least = *std::min_element(rasters[i].values.begin(), rasters[i].values.end(), [](double a, double b) {
-                return (std::isnan(a) ? 0 : a) < (std::isnan(b) ? 0 : b);
-            });
+            const double least = *std::min_element(
+                rasters[i].values.begin(), rasters[i].values.end(),
+                [](double a, double b) { return (std::isnan(a) ? 0 : a) < (std::isnan(b) ? 0 : b); });
             if (!(least < 0)) continue;
-            problems.add({"a depth is negative", where, files[i] + ": " + shortest_text(least) + " m", "0 or more",
-                          "Correct the raster"});
+            problems.add({"a depth is negative", where, files[i] + ": " + shortest_text(least) + " m",
+                          "0 or more", "Correct the raster"});
             return std::nullopt;
         }
         return sum_of_phases(rasters[0], rasters[1], release);
@@ -140,10 +141,11 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
             release.areas.push_back(std::move(area));
         }
     } else if (release.perimeter && spec.fitted()) {
-        if (ground == nullptr ||
-            !lies_on_ground(reading, "release.perimeter", release.perimeter->bounds, *ground, false, problems))
+        if (ground == nullptr || !lies_on_ground(reading, "release.perimeter", release.perimeter->bounds,
+                                                 *ground, false, problems))
             return release;
-        release.areas = areas_above_slip_surfaces(reading, *release.perimeter, ground->terrain, log, problems);
+        release.areas =
+            areas_above_slip_surfaces(reading, *release.perimeter, ground->terrain, log, problems);
     } else if (release.perimeter) {
         release.areas = areas_by_feature(reading, *release.perimeter, problems);
     }

@@ -27,10 +27,12 @@ struct Property {
 };
 
 std::vector<Property> properties(const StructuredSpec& spec, StructuredMaterial& m) {
-    const auto& bed_friction = spec.bed_friction_angle ? spec.bed_friction_angle : spec.internal_friction_angle;
+    const auto& bed_friction =
+        spec.bed_friction_angle ? spec.bed_friction_angle : spec.internal_friction_angle;
     const char* bed_key =
         spec.bed_friction_angle ? "structured.bed-friction-angle" : "structured.internal-friction-angle";
-    std::vector<Property> list{{"structured.initial-fluid-depth", &spec.initial_fluid_depth, &m.initial_fluid}};
+    std::vector<Property> list{
+        {"structured.initial-fluid-depth", &spec.initial_fluid_depth, &m.initial_fluid}};
     if (!m.solids) return list;
     StructuredZones& zones = m.zones;
     const std::vector<Property> of_solids{
@@ -56,7 +58,8 @@ void widen(Raster& raster) {
     for (std::int64_t row = 0; row < grid.rows; ++row) {
         for (std::int64_t column = 0; column < grid.columns; ++column) {
             if (before.has_data(row, column)) continue;
-            for (const auto& [dr, dc] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}}) {
+            for (const auto& [dr, dc] :
+                 {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}}) {
                 const std::int64_t r = row + dr, c = column + dc;
                 if (r < 0 || c < 0 || r >= grid.rows || c >= grid.columns || !before.has_data(r, c)) continue;
                 raster.at(row, column) = before.at(r, c);
@@ -66,8 +69,8 @@ void widen(Raster& raster) {
     }
 }
 
-void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid, const Property& property,
-          Problems& problems) {
+void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid,
+          const Property& property, Problems& problems) {
     Raster raster(grid, k_no_data);
     for (std::size_t f = 0; f < layer.features.size(); ++f) {
         const auto value = value_of(reading, property.key, **property.source, layer, f, problems);
@@ -80,9 +83,10 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
 }
 
 /// The polygons that attribute:NAME speaks of; null, with a problem told, where there are none.
-const gis::PolygonLayer* polygons(const SceneReading& reading, const TerrainInput* ground, const ReleaseInput& release,
-                                  const Property& asking, std::optional<gis::PolygonLayer>& own,
-                                  std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+const gis::PolygonLayer* polygons(const SceneReading& reading, const TerrainInput* ground,
+                                  const ReleaseInput& release, const Property& asking,
+                                  std::optional<gis::PolygonLayer>& own, std::vector<UsedFile>& files,
+                                  RunLog& log, Problems& problems) {
     const auto& file = reading.scene.structured.zones;
     if (!file) {
         if (release.perimeter) return &*release.perimeter;
@@ -107,42 +111,48 @@ void check_cover(const SceneReading& reading, const ReleaseInput& release, const
     std::int64_t missing = 0;
     Point first;
     for (const ReleaseArea& area : release.areas) {
-        gis::visit_cells(area.outline, raster.grid, gis::Cover::centres, [&](std::int64_t row, std::int64_t column) {
-            const std::size_t i = raster.index(row, column);
-            const bool empty = area.thickness_raster && !(area.thickness_raster->values[i] > 0);
-            const bool no_solids = solid_fraction && solid_fraction->values[i] == 0;
-            if (empty || no_solids || !std::isnan(raster.values[i])) return;
-            if (missing++ == 0) first = raster.grid.cell_centre(row, column);
-        });
+        gis::visit_cells(
+            area.outline, raster.grid, gis::Cover::centres, [&](std::int64_t row, std::int64_t column) {
+                const std::size_t i = raster.index(row, column);
+                const bool empty = area.thickness_raster && !(area.thickness_raster->values[i] > 0);
+                const bool no_solids = solid_fraction && solid_fraction->values[i] == 0;
+                if (empty || no_solids || !std::isnan(raster.values[i])) return;
+                if (missing++ == 0) first = raster.grid.cell_centre(row, column);
+            });
     }
     if (missing == 0) return;
     problems.add({"has no value on part of the release", reading.where(property.key),
-                  grouped(missing) + " cells, the first at " + figure(first.x, 9) + ", " + figure(first.y, 9), "",
-                  "Let the polygons or the raster cover all of it"});
+                  grouped(missing) + " cells, the first at " + figure(first.x, 9) + ", " + figure(first.y, 9),
+                  "", "Let the polygons or the raster cover all of it"});
 }
 
 /// Where fluid can lie, and how deep.
 void bound_initial_fluid(const std::optional<SourceSpec>& source, const Raster& terrain,
                          const std::optional<Raster>& walls, StructuredMaterial& m) {
-    if (source && source->kind == Kind::number && source->number > 0) m.initial_fluid = Raster(terrain.grid, source->number);
+    if (source && source->kind == Kind::number && source->number > 0)
+        m.initial_fluid = Raster(terrain.grid, source->number);
     if (!m.initial_fluid) return;
     for (std::size_t i = 0; i < terrain.values.size(); ++i)
-        if (std::isnan(terrain.values[i]) || (walls && walls->values[i] == 1)) m.initial_fluid->values[i] = k_no_data;
+        if (std::isnan(terrain.values[i]) || (walls && walls->values[i] == 1))
+            m.initial_fluid->values[i] = k_no_data;
     m.more_fluid = true;
 }
 
 }  // namespace
 
 std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading, const TerrainInput* ground,
-                                                     const ReleaseInput& release, const std::optional<Raster>& walls,
-                                                     std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+                                                     const ReleaseInput& release,
+                                                     const std::optional<Raster>& walls,
+                                                     std::vector<UsedFile>& files, RunLog& log,
+                                                     Problems& problems) {
     std::optional<StructuredMaterial> material = structured_of(reading.scene);
     if (!material) return material;
     const StructuredSpec& spec = reading.scene.structured;
     std::vector<Property> list = properties(spec, *material);
     const gis::PolygonLayer* layer = nullptr;
     std::optional<gis::PolygonLayer> own;
-    const auto asking = std::find_if(list.begin(), list.end(), [](const Property& p) { return has_kind(p, Kind::attribute); });
+    const auto asking = std::find_if(list.begin(), list.end(),
+                                     [](const Property& p) { return has_kind(p, Kind::attribute); });
     try {
         if (asking != list.end()) {
             layer = polygons(reading, ground, release, *asking, own, files, log, problems);
@@ -159,8 +169,8 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
             if (has_kind(property, Kind::attribute) && layer != nullptr && ground != nullptr)
                 burn(reading, *layer, ground->terrain.grid, property, problems);
             if (has_kind(property, Kind::raster))
-                *property.target = read_zone_raster(reading, ground, property.key, (*property.source)->name, "", files,
-                                                    log, problems);
+                *property.target = read_zone_raster(reading, ground, property.key, (*property.source)->name,
+                                                    "", files, log, problems);
         } catch (const Error& error) {
             problems.add(error);
         }

@@ -64,7 +64,8 @@ void add_figures(const std::string& path, std::vector<std::string>& notes) {
         const auto place = text.find("\"" + key + "\":");  // the first is that of the area
         if (place == std::string::npos) return;
         const auto from = text.find(':', place) + 1;
-        const auto value = number_from_text(trimmed(text.substr(from, text.find_first_of(",}", from) - from)));
+        const auto value =
+            number_from_text(trimmed(text.substr(from, text.find_first_of(",}", from) - from)));
         if (value) notes.push_back(before + " " + figure(*value, 3) + after);
     };
     add("threshold_m", "Threshold", " m");
@@ -74,9 +75,9 @@ void add_figures(const std::string& path, std::vector<std::string>& notes) {
 }
 
 Error newer(const std::string& file, std::int64_t format, std::int64_t known) {
-    return {ErrorKind::input, Problem{"was written by a newer frana than this one", file,
-                                      "format " + std::to_string(format), "up to " + std::to_string(known),
-                                      "Update frana"}};
+    return {ErrorKind::input,
+            Problem{"was written by a newer frana than this one", file, "format " + std::to_string(format),
+                    "up to " + std::to_string(known), "Update frana"}};
 }
 
 // Results that tell no format are older than formats.
@@ -105,7 +106,8 @@ ResultReader::ResultReader(std::string directory) : directory_(std::move(directo
         throw Error(ErrorKind::input,
                     Problem{"is not a folder", "RESULT_DIR", directory_, "", "Name a result directory"});
     refuse_newer_summary(path("summary.json"));
-    if (const auto format = integer_from_text(scene_value("scene.format").value_or("1")); format && *format > k_scene_format)
+    if (const auto format = integer_from_text(scene_value("scene.format").value_or("1"));
+        format && *format > k_scene_format)
         throw newer(path("scene.ini"), *format, k_scene_format);
     for (const Layer& layer : result_layers())
         if (has(layer.name + ".tif")) return;
@@ -225,7 +227,8 @@ std::vector<std::string> ResultReader::drawable() const {
     for (const auto& entry : fs::directory_iterator(directory_)) {
         const std::string name = entry.path().stem().string();
         const bool listed = std::find(names.begin(), names.end(), name) != names.end();
-        if (entry.path().extension() == ".tif" && name != "dtm" && name != "bed" && !listed) others.push_back(name);
+        if (entry.path().extension() == ".tif" && name != "dtm" && name != "bed" && !listed)
+            others.push_back(name);
     }
     std::sort(others.begin(), others.end());
     names.insert(names.end(), others.begin(), others.end());
@@ -280,7 +283,8 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
     areas("terrain.obstacles", "Obstacles", k_obstacles, false);
     lines(scene_value("terrain.walls").value_or(""), "Walls", k_obstacles, false);
     lines(has("profiles.gpkg") ? path("profiles.gpkg") + "|layer=lines" : "", "Profiles", k_lines, true);
-    lines(has("gauges.gpkg") ? path("gauges.gpkg") + "|layer=sections" : "", "Cross-sections", k_lines, false);
+    lines(has("gauges.gpkg") ? path("gauges.gpkg") + "|layer=sections" : "", "Cross-sections", k_lines,
+          false);
     if (has("gauges.gpkg")) {
         attempt([&] {
             render::Outline outline{"Gauges", {}, k_gauges, 2, false};

@@ -27,8 +27,9 @@ class ResultReader {
     /// The same as a number, or a default.
     [[nodiscard]] double scene_number(const std::string& key, double otherwise) const;
 
-    /// NAME.tif as a map shows it; "depth@12.5", "velocity@12.5" and "particles@12.5" name the frame nearest in time [s];
-    /// "uncertainty" is that of `frana converge` beside the result. Throws Error(input) naming what there is.
+    /// NAME.tif as a map shows it; "depth@12.5", "velocity@12.5" and "particles@12.5" name the frame nearest
+    /// in time [s]; "uncertainty" is that of `frana converge` beside the result. Throws Error(input) naming
+    /// what there is.
     [[nodiscard]] MapLayer map_layer(const std::string& name) const;
     /// The particles of a frame as a map shows them. Throws Error(input) where they were not written.
     [[nodiscard]] MapLayer particle_layer(const StoredFrame& frame) const;

@@ -41,9 +41,10 @@ void check_solids(const SceneSpec& scene, const std::set<std::string>& given, co
              "Lower it or raise the bulk modulus"});
     }
     const auto& thickness = scene.release.thickness;
-    if (thickness && thickness->kind == ThicknessSpec::Kind::phases && given.count("structured.solid-fraction") > 0) {
-        problems.add({"is given twice", file + ": structured.solid-fraction", "",
-                      "", "Remove it: release.thickness = " + text_of(*thickness) + " tells it"});
+    if (thickness && thickness->kind == ThicknessSpec::Kind::phases &&
+        given.count("structured.solid-fraction") > 0) {
+        problems.add({"is given twice", file + ": structured.solid-fraction", "", "",
+                      "Remove it: release.thickness = " + text_of(*thickness) + " tells it"});
     }
     if (scene.numerics.particles_per_cell < 9) {
         problems.add({"is too few for the neighbour sums of solids", file + ": numerics.particles-per-cell",
@@ -96,8 +97,9 @@ void check_model(const SceneSpec& scene, const std::set<std::string>& given, con
     if (structured) check_structured(scene, given, file, problems);
     const auto& thickness = scene.release.thickness;
     if (thickness && thickness->kind == ThicknessSpec::Kind::phases && !(structured && has_solids(scene))) {
-        problems.add({"tells solids from fluid, but the scene's material does not", file + ": release.thickness",
-                      text_of(*thickness), "", "Set structured.phases = solids-and-fluid, or give the sum as raster:FILE"});
+        problems.add({"tells solids from fluid, but the scene's material does not",
+                      file + ": release.thickness", text_of(*thickness), "",
+                      "Set structured.phases = solids-and-fluid, or give the sum as raster:FILE"});
     }
 }
 

@@ -6,16 +6,17 @@
 
 namespace frana {
 
-/// How thick the release is: a number, a column of the perimeter, a raster, the difference of two DTMs, the DTM
-/// above a slip surface (a raster of its elevation, or one fitted to the perimeter), the sum of the depths of solids and
-/// fluid.
+/// How thick the release is: a number, a column of the perimeter, a raster, the difference of two DTMs, the
+/// DTM above a slip surface (a raster of its elevation, or one fitted to the perimeter), the sum of the
+/// depths of solids and fluid.
 struct ThicknessSpec {
     enum class Kind { number, attribute, raster, difference, slip_surface, phases };
     Kind kind = Kind::number;
     double metres = 0;      ///< number
     std::string attribute;  ///< attribute: the column's name
-    std::string raster;     ///< raster, slip surface: the file; difference: the DTM before the failure; phases: solids
-    std::string post;       ///< difference: the DTM after the failure; phases: fluid
+    std::string
+        raster;  ///< raster, slip surface: the file; difference: the DTM before the failure; phases: solids
+    std::string post;  ///< difference: the DTM after the failure; phases: fluid
 
     /// Thickness by place, from rasters alone: a perimeter is not needed.
     [[nodiscard]] bool by_raster() const noexcept { return !raster.empty(); }

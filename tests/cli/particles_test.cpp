@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particles of the frames as files, of both models: they hold the mass, lie where it lies, and say what it is like.
+// Particles of the frames as files, of both models: they hold the mass, lie where it lies, and say what it is
+// like.
 #include <cmath>
 
 #include "particle_points.h"
@@ -19,10 +20,13 @@ class ParticleFiles : public TinyScene {
   protected:
     [[nodiscard]] Points points(const std::string& file) const { return read_points(path(file)); }
     void write_structured(const std::string& phases) const {
-        write("scene.ini",
-              "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
-              "model = structured\n[structured]\nphases = " + phases + "\n[time]\nend = 2\nframe-interval = 1\n"
-              "[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg, particles-vtp\n");
+        write(
+            "scene.ini",
+            "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
+            "model = structured\n[structured]\nphases = " +
+                phases +
+                "\n[time]\nend = 2\nframe-interval = 1\n"
+                "[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg, particles-vtp\n");
     }
 };
 
@@ -42,11 +46,13 @@ void lie_on_the_slope(const Points& points) {
 }
 
 TEST_F(ParticleFiles, OfTheFirstModel) {
-    write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg\n");
+    write_scene(
+        "frame-interval = 1\n[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_FALSE(fs::exists(path("result/frames/particles.pvd")));
-    const Points start = points("result/frames/particles_0000.gpkg"), end = points("result/frames/particles_0002.gpkg");
+    const Points start = points("result/frames/particles_0000.gpkg"),
+                 end = points("result/frames/particles_0002.gpkg");
     EXPECT_EQ(start.names, k_common);
     EXPECT_NEAR(start.sum("volume_m3"), 4000, 1e-6);  // 50 m x 40 m x 2 m
     EXPECT_NEAR(end.sum("volume_m3"), 4000, 1e-6);
@@ -54,25 +60,29 @@ TEST_F(ParticleFiles, OfTheFirstModel) {
     for (const double depth : start.columns.at("depth_m")) EXPECT_NEAR(depth, 2, 1e-9);
     lie_on_the_slope(start);
     lie_on_the_slope(end);
-    // Its centre of mass gains less than g (sin - cos tan 15) t along the bed: friction of 15 degrees, and turbulence.
-    const double angle = std::atan(0.5), most = 2 * 9.81 * (std::sin(angle) - std::cos(angle) * std::tan(0.2618));
+    // Its centre of mass gains less than g (sin - cos tan 15) t along the bed: friction of 15 degrees, and
+    // turbulence.
+    const double angle = std::atan(0.5),
+                 most = 2 * 9.81 * (std::sin(angle) - std::cos(angle) * std::tan(0.2618));
     double mean = 0;
     for (std::size_t p = 0; p < end.size(); ++p)
-        mean += end.columns.at("velocity_x_ms")[p] * end.columns.at("volume_m3")[p] / (4000 * std::cos(angle));
+        mean +=
+            end.columns.at("velocity_x_ms")[p] * end.columns.at("volume_m3")[p] / (4000 * std::cos(angle));
     EXPECT_LT(mean, most);
     EXPECT_GT(mean, 0.8 * most);
 }
 
 TEST_F(ParticleFiles, OfStructuredSolidsInBothFormats) {
-    write_structured("solids-and-fluid\ncohesion = 1e6\ninternal-friction-angle = 28\nbed-friction-angle = 12\n"
-                     "young-modulus = 1e7\nbulk-modulus = 1e7\n[numerics]\nparticles-per-cell = 9");
+    write_structured(
+        "solids-and-fluid\ncohesion = 1e6\ninternal-friction-angle = 28\nbed-friction-angle = 12\n"
+        "young-modulus = 1e7\nbulk-modulus = 1e7\n[numerics]\nparticles-per-cell = 9");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Points end = points("result/frames/particles_0002.gpkg");
     std::vector<std::string> names = k_common;
-    for (const char* name : {"confined_fluid_m3", "stress_xx_kpa", "stress_yy_kpa", "stress_zz_kpa", "stress_xy_kpa",
-                             "mean_stress_kpa", "shear_stress_kpa", "strain", "strain_xx", "strain_yy", "strain_xy",
-                             "cohesion_ratio", "fractured_fraction"})
+    for (const char* name : {"confined_fluid_m3", "stress_xx_kpa", "stress_yy_kpa", "stress_zz_kpa",
+                             "stress_xy_kpa", "mean_stress_kpa", "shear_stress_kpa", "strain", "strain_xx",
+                             "strain_yy", "strain_xy", "cohesion_ratio", "fractured_fraction"})
         names.emplace_back(name);
     EXPECT_EQ(end.names, names);
     // Nothing breaks: half of the volume stays confined, and all is one block.
@@ -104,7 +114,8 @@ TEST_F(ParticleFiles, OfStructuredSolidsInBothFormats) {
     }
     EXPECT_EQ(data->GetPoint(7)[2], end.columns.at("bed_m")[7] + end.columns.at("depth_m")[7]);
     const std::string list = read_text(path("result/frames/particles.pvd"));
-    for (const char* words : {"timestep=\"0\" file=\"particles_0000.vtp\"", "timestep=\"2\" file=\"particles_0002.vtp\""})
+    for (const char* words :
+         {"timestep=\"0\" file=\"particles_0000.vtp\"", "timestep=\"2\" file=\"particles_0002.vtp\""})
         EXPECT_NE(list.find(words), std::string::npos) << list;
 }
 

@@ -19,7 +19,8 @@ using namespace std::chrono_literals;
 // Blocks that break, with fluid, instead of the flow.
 const std::string k_breaking =
     "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
-    "model = structured\n[structured]\nphases = solids-and-fluid\ncohesion = 2e3\ninternal-friction-angle = 28\n"
+    "model = structured\n[structured]\nphases = solids-and-fluid\ncohesion = 2e3\ninternal-friction-angle = "
+    "28\n"
     "bed-friction-angle = 12\nyoung-modulus = 1e6\nbulk-modulus = 1e6\n[numerics]\nparticles-per-cell = 9\n"
     "[time]\nend = 2\nframe-interval = 0.5\n[output]\nmaps = off\nanimation = off\n";
 
@@ -28,8 +29,8 @@ std::vector<std::string> with(std::vector<std::string> first, const std::vector<
     return first;
 }
 
-// Kills a run at a random moment, sometimes the run that goes on as well, and lets it come to its end. Some moments
-// come before the first checkpoint, some after the last file.
+// Kills a run at a random moment, sometimes the run that goes on as well, and lets it come to its end. Some
+// moments come before the first checkpoint, some after the last file.
 class Killed : public Resuming {
   protected:
     void kill_and_resume(int kills, const std::vector<std::string>& more) {
@@ -44,9 +45,11 @@ class Killed : public Resuming {
             const std::string result = "killed" + std::to_string(k), threads = k % 2 == 0 ? "2" : "1";
             SCOPED_TRACE("seed " + std::to_string(seed) + ", result " + result);
             for (bool goes_on = true; goes_on;) {
-                StartedProgram program(folder_.string(), run(result, with(more, {"--resume", "--quiet", "--threads", threads})));
+                StartedProgram program(
+                    folder_.string(), run(result, with(more, {"--resume", "--quiet", "--threads", threads})));
                 const double share = std::uniform_real_distribution<double>(0.02, 1.1)(random);
-                std::this_thread::sleep_for(std::chrono::duration_cast<std::chrono::milliseconds>(share * whole));
+                std::this_thread::sleep_for(
+                    std::chrono::duration_cast<std::chrono::milliseconds>(share * whole));
                 program.send(SIGKILL);
                 const Outcome outcome = program.wait();
                 // Under its name there is a whole result or none.
@@ -92,13 +95,15 @@ TEST_F(Stopped, BySignalsItKeepsWhatThereIsAndGoesOn) {
         return arguments;
     };
     ASSERT_EQ(frana(with(run_once("whole"), {"--quiet"})).exit_code, 0);
-    const std::vector<std::pair<int, std::string>> signals{{SIGINT, "int"}, {SIGTERM, "term"}, {SIGHUP, "hup"}};
+    const std::vector<std::pair<int, std::string>> signals{
+        {SIGINT, "int"}, {SIGTERM, "term"}, {SIGHUP, "hup"}};
     for (const auto& [number, result] : signals) {
         {
             StartedProgram program(folder_.string(), run_once(result));
             ASSERT_TRUE(program.wait_until([&] {
                 for (const std::string& name : files())
-                    if (name.rfind(result + ".partial-", 0) == 0 && name.ends_with("depth_0002.tif")) return true;
+                    if (name.rfind(result + ".partial-", 0) == 0 && name.ends_with("depth_0002.tif"))
+                        return true;
                 return false;
             }));
             program.send(number);
@@ -147,7 +152,8 @@ TEST_F(Interrupted, ItIsNeitherForgottenNorLost) {
 TEST_F(Interrupted, WithoutACheckpointResumingStartsAtTheBeginning) {
     const Outcome outcome = frana(run("result", {"--resume"}));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("no checkpoint: starting from the beginning"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("no checkpoint: starting from the beginning"), std::string::npos)
+        << outcome.err;
     const Outcome again = frana(run("result", {"--resume"}));
     EXPECT_EQ(again.exit_code, 2);
     EXPECT_NE(again.err.find("holds a result already"), std::string::npos) << again.err;
@@ -163,7 +169,8 @@ TEST_F(Interrupted, ADamagedCheckpointGivesWayToTheOneBefore) {
     std::ofstream(both[0], std::ios::binary) << bytes;
     const Outcome outcome = frana(run("result", {"--resume"}));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("checkpoint not used: " + both[0] + ": is damaged"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("checkpoint not used: " + both[0] + ": is damaged"), std::string::npos)
+        << outcome.err;
     EXPECT_NE(outcome.err.find("going on from"), std::string::npos) << outcome.err;
     // The summary tells of the damaged checkpoint; all else is the same.
     fs::remove(path("result/summary.json"));
@@ -194,10 +201,12 @@ TEST_F(Interrupted, NothingToGoOnFromIsSaidNotBegunAnew) {
     std::string newer = newest;
     newer[12] = 2;  // the format
     std::ofstream(both[0], std::ios::binary) << newer;
-    EXPECT_NE(refusal({}).find("was written by a newer frana, in format 2; this one reads 1"), std::string::npos);
+    EXPECT_NE(refusal({}).find("was written by a newer frana, in format 2; this one reads 1"),
+              std::string::npos);
     std::ofstream(both[0], std::ios::binary) << newest.substr(0, newest.size() - 1);
     EXPECT_NE(refusal({}).find("is cut short"), std::string::npos);
-    std::ofstream(both[0], std::ios::binary) << "something else, and longer than what a checkpoint begins with";
+    std::ofstream(both[0], std::ios::binary)
+        << "something else, and longer than what a checkpoint begins with";
     EXPECT_NE(refusal({}).find("is no checkpoint"), std::string::npos);
     std::ofstream(both[0], std::ios::binary) << newest;
     EXPECT_EQ(frana(run("result", {"--resume", "--quiet"})).exit_code, 0);
@@ -210,11 +219,13 @@ TEST_F(Interrupted, AMissingInputOrFrameIsSaid) {
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("dtm.asc"), std::string::npos) << outcome.err;
     fs::rename(path("elsewhere.asc"), path("dtm.asc"));
-    const fs::path frame = fs::path(checkpoints("result").front()).parent_path().parent_path() / "frames/depth_0000.tif";
+    const fs::path frame =
+        fs::path(checkpoints("result").front()).parent_path().parent_path() / "frames/depth_0000.tif";
     fs::rename(frame, path("frame"));
     const Outcome framed = frana(run("result", {"--resume"}));
     EXPECT_EQ(framed.exit_code, 2);
-    EXPECT_NE(framed.err.find("counts on frames that are not there any more"), std::string::npos) << framed.err;
+    EXPECT_NE(framed.err.find("counts on frames that are not there any more"), std::string::npos)
+        << framed.err;
     fs::rename(path("frame"), frame);
     EXPECT_EQ(frana(run("result", {"--resume", "--quiet"})).exit_code, 0);
 }
@@ -232,7 +243,8 @@ TEST_F(Interrupted, NoChangedByteOfACheckpointPasses) {
         std::ofstream(path("changed"), std::ios::binary) << changed;
         EXPECT_THROW(app::CheckpointFile{path("changed")}, Error) << place;
     }
-    for (const std::size_t size : {std::size_t{0}, std::size_t{7}, std::size_t{23}, std::size_t{28}, bytes.size() - 1}) {
+    for (const std::size_t size :
+         {std::size_t{0}, std::size_t{7}, std::size_t{23}, std::size_t{28}, bytes.size() - 1}) {
         std::ofstream(path("changed"), std::ios::binary) << bytes.substr(0, size);
         EXPECT_THROW(app::CheckpointFile{path("changed")}, Error) << size;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs and renders back to back: memory stays flat, no file is left open or behind. Some seconds in the default tests;
-// FRANA_SOAK_SECONDS=1800 for half an hour.
+// Runs and renders back to back: memory stays flat, no file is left open or behind. Some seconds in the
+// default tests; FRANA_SOAK_SECONDS=1800 for half an hour.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -45,7 +45,8 @@ std::vector<std::string> temporary_files() {
 
 class Soak : public TinyScene {
   protected:
-    // Calls `once` until the time is over; memory may grow while caches fill, in the first fifth, and then no more.
+    // Calls `once` until the time is over; memory may grow while caches fill, in the first fifth, and then no
+    // more.
     template <class Once>
     void repeat(const Once& once, int at_least) {
         const double seconds = soak_seconds();
@@ -77,7 +78,12 @@ class Soak : public TinyScene {
 TEST_F(Soak, RunsInOneProcessLeaveNothingBehind) {
     write_scene(k_numbers_only);
     const auto before = temporary_files();
-    repeat([&] { ASSERT_EQ(app::cmd_run({path("scene.ini"), "--out", path("result"), "--overwrite", "--quiet"}), 0); }, 5);
+    repeat(
+        [&] {
+            ASSERT_EQ(app::cmd_run({path("scene.ini"), "--out", path("result"), "--overwrite", "--quiet"}),
+                      0);
+        },
+        5);
     EXPECT_EQ(temporary_files(), before);
     for (const std::string& name : files()) EXPECT_EQ(name.find("partial"), std::string::npos) << name;
 }
@@ -90,7 +96,9 @@ TEST_F(Soak, RendersInOneProcessLeaveNothingBehind) {
     repeat(
         [&] {
             const char* const view = turn++ % 4 == 3 ? "3d" : "2d";
-            ASSERT_EQ(app::cmd_render({path("result"), "--map", "max_depth", "--view", view, "--size", "640x480"}), 0);
+            ASSERT_EQ(
+                app::cmd_render({path("result"), "--map", "max_depth", "--view", view, "--size", "640x480"}),
+                0);
         },
         8);
     EXPECT_EQ(temporary_files(), before);

@@ -13,13 +13,15 @@ class StructuredPlaces : public TinyScene {
   protected:
     StructuredPlaces() {
         // Two halves of the release, 2000 m3 each, and ground around the western one.
-        write_zones("zones.geojson", {{0, 45, R"("c": 0, "alpha": 0.4)"}, {45, 90, R"("c": 1e6, "alpha": 0.6)"}});
-        write("scene.ini",
-              "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
-              "model = structured\n[structured]\nphases = solids-and-fluid\ncohesion = 1e6\n"
-              "internal-friction-angle = 28\nbed-friction-angle = 12\nyoung-modulus = 1e6\nbulk-modulus = 1e6\n"
-              "[numerics]\nparticles-per-cell = 9\n[time]\nend = 0.2\nframe-interval = 0.2\n"
-              "[output]\nmaps = off\nanimation = off\nreport = off\nformats = geotiff, particles-gpkg\n");
+        write_zones("zones.geojson",
+                    {{0, 45, R"("c": 0, "alpha": 0.4)"}, {45, 90, R"("c": 1e6, "alpha": 0.6)"}});
+        write(
+            "scene.ini",
+            "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
+            "model = structured\n[structured]\nphases = solids-and-fluid\ncohesion = 1e6\n"
+            "internal-friction-angle = 28\nbed-friction-angle = 12\nyoung-modulus = 1e6\nbulk-modulus = 1e6\n"
+            "[numerics]\nparticles-per-cell = 9\n[time]\nend = 0.2\nframe-interval = 0.2\n"
+            "[output]\nmaps = off\nanimation = off\nreport = off\nformats = geotiff, particles-gpkg\n");
     }
     struct Strip {
         double west, east;  // offsets [m]
@@ -28,8 +30,9 @@ class StructuredPlaces : public TinyScene {
     void write_zones(const std::string& name, const std::vector<Strip>& strips) const {
         std::ostringstream text;
         text.precision(12);
-        text << R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}},)"
-             << R"( "features": [)";
+        text
+            << R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}},)"
+            << R"( "features": [)";
         for (std::size_t i = 0; i < strips.size(); ++i) {
             const auto corner = [&](double x, double y) {
                 text << '[' << k_west + x << ',' << k_south + y << ']';
@@ -67,7 +70,8 @@ class StructuredPlaces : public TinyScene {
     [[nodiscard]] Points start() const { return read_points(path("result/frames/particles_0000.gpkg")); }
 };
 
-// Loose solids in the west, whose fluid is free from the start; whole material in the east, which holds its own.
+// Loose solids in the west, whose fluid is free from the start; whole material in the east, which holds its
+// own.
 TEST_F(StructuredPlaces, PolygonsGiveCohesionAndSolidsShare) {
     const Outcome outcome = run({"structured.zones=zones.geojson", "structured.cohesion=attribute:c",
                                  "structured.solid-fraction=attribute:alpha"});
@@ -75,7 +79,8 @@ TEST_F(StructuredPlaces, PolygonsGiveCohesionAndSolidsShare) {
     const Points points = start();
     double west = 0, east = 0, held = 0;
     for (std::size_t p = 0; p < points.size(); ++p) {
-        const double volume = points.columns.at("volume_m3")[p], confined = points.columns.at("confined_fluid_m3")[p];
+        const double volume = points.columns.at("volume_m3")[p],
+                     confined = points.columns.at("confined_fluid_m3")[p];
         if (points.columns.at("x")[p] < k_west + 45) {
             west += volume;
             EXPECT_EQ(confined, 0);
@@ -96,7 +101,8 @@ TEST_F(StructuredPlaces, PolygonsGiveCohesionAndSolidsShare) {
 // Depths of solids and of fluid as rasters: their sum is released, their ratio is the solids' share.
 TEST_F(StructuredPlaces, RastersGiveTheDepthsOfBothPhases) {
     write_dtm([](int, int) { return 1.5; }, true, "solids.asc");
-    write_dtm([](int, int column) { return column < 9 ? 0.5 : 1.0; }, true, "fluid.asc");  // 45 m from the west
+    write_dtm([](int, int column) { return column < 9 ? 0.5 : 1.0; }, true,
+              "fluid.asc");  // 45 m from the west
     const Outcome outcome = run({"release.thickness=phases:solids.asc,fluid.asc"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Points points = start();
@@ -112,8 +118,9 @@ TEST_F(StructuredPlaces, RastersGiveTheDepthsOfBothPhases) {
 
 // Water on the flat ground at the foot, 200 m to 290 m, besides the release.
 TEST_F(StructuredPlaces, FluidLiesOnTheGroundAtTheStart) {
-    write_dtm([](int row, int column) { return column >= 42 && column < 58 && row >= 5 && row < 25 ? 1.5 : -9999; },
-              true, "water.asc");
+    write_dtm(
+        [](int row, int column) { return column >= 42 && column < 58 && row >= 5 && row < 25 ? 1.5 : -9999; },
+        true, "water.asc");
     const Outcome outcome = run({"structured.initial-fluid-depth=raster:water.asc"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NEAR(number("initial_m3"), 4000 + 1.5 * 16 * 20 * 25, 1e-6);
@@ -121,15 +128,17 @@ TEST_F(StructuredPlaces, FluidLiesOnTheGroundAtTheStart) {
     EXPECT_LT(number("relative_error"), 1e-12);
 }
 
-// Solids that fail later, and a flood that comes in through a line: nothing is lost, and the flood has no particles.
+// Solids that fail later, and a flood that comes in through a line: nothing is lost, and the flood has no
+// particles.
 TEST_F(StructuredPlaces, SolidsFailLaterAndFluidFlowsIn) {
     write("hydrograph.csv", "time,discharge,velocity\n0,0,2\n0.5,40,2\n1,40,2\n1.5,0,2\n");
-    write("line.geojson",
-          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
-          R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)"
-          R"([[527100,5094060],[527100,5094090]]}}]})");
-    const Outcome outcome = run({"inflow.line=line.geojson", "inflow.hydrograph=hydrograph.csv", "release.start=1",
-                                 "time.end=2", "structured.solid-fraction=1"});
+    write(
+        "line.geojson",
+        R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+        R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)"
+        R"([[527100,5094060],[527100,5094090]]}}]})");
+    const Outcome outcome = run({"inflow.line=line.geojson", "inflow.hydrograph=hydrograph.csv",
+                                 "release.start=1", "time.end=2", "structured.solid-fraction=1"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(start().size(), 0U);
     EXPECT_NEAR(number("inflow_m3"), 40, 1e-9);
@@ -137,8 +146,10 @@ TEST_F(StructuredPlaces, SolidsFailLaterAndFluidFlowsIn) {
     EXPECT_LT(number("relative_error"), 1e-12);
     const Points end = read_points(path("result/frames/particles_0010.gpkg"));
     EXPECT_NEAR(end.sum("volume_m3"), 4000, 1e-6);
-    // A second of sliding on 26.6 degrees with 12 degrees of friction, slowed or hastened by what flows round it.
-    const double angle = std::atan(0.5), gain = 9.81 * (std::sin(angle) - std::cos(angle) * std::tan(12 * M_PI / 180));
+    // A second of sliding on 26.6 degrees with 12 degrees of friction, slowed or hastened by what flows round
+    // it.
+    const double angle = std::atan(0.5),
+                 gain = 9.81 * (std::sin(angle) - std::cos(angle) * std::tan(12 * M_PI / 180));
     EXPECT_NEAR(end.sum("speed_ms") / static_cast<double>(end.size()), gain, 0.1 * gain);
 }
 
@@ -184,31 +195,30 @@ TEST_P(StructuredPlacesRefuse, ByName) {
 
 INSTANTIATE_TEST_SUITE_P(
     What, StructuredPlacesRefuse,
-    ::testing::Values(
-        Refused{"release_not_covered",
-                {"structured.zones=west.geojson", "structured.cohesion=attribute:c"},
-                {"structured.cohesion", "has no value on part of the release", "32 cells"}},
-        Refused{"no_such_column",
-                {"structured.zones=zones.geojson", "structured.cohesion=attribute:strength"},
-                {"structured.cohesion", "no number in the attribute strength", "alpha, c"}},
-        Refused{"zones_that_nothing_reads",
-                {"structured.zones=zones.geojson"},
-                {"structured.zones", "no key of the section names a column"}},
-        Refused{"raster_out_of_range",
-                {"structured.cohesion=raster:negative.asc"},
-                {"structured.cohesion", "least value", "-1 Pa"}},
-        Refused{"negative_phase",
-                {"release.thickness=phases:ones.asc,negative.asc"},
-                {"release.thickness", "a depth is negative", "negative.asc"}},
-        Refused{"solids_share_told_twice",
-                {"release.thickness=phases:ones.asc,ones.asc", "structured.solid-fraction=0.5"},
-                {"structured.solid-fraction", "is given twice"}},
-        Refused{"phases_of_fluid_alone",
-                {"release.thickness=phases:ones.asc,ones.asc", "structured.phases=fluid"},
-                {"release.thickness", "tells solids from fluid"}},
-        Refused{"a_perimeter_without_the_column",
-                {"structured.cohesion=attribute:c", "release.thickness=raster:ones.asc"},
-                {"structured.cohesion", "no number in the attribute c"}}),
+    ::testing::Values(Refused{"release_not_covered",
+                              {"structured.zones=west.geojson", "structured.cohesion=attribute:c"},
+                              {"structured.cohesion", "has no value on part of the release", "32 cells"}},
+                      Refused{"no_such_column",
+                              {"structured.zones=zones.geojson", "structured.cohesion=attribute:strength"},
+                              {"structured.cohesion", "no number in the attribute strength", "alpha, c"}},
+                      Refused{"zones_that_nothing_reads",
+                              {"structured.zones=zones.geojson"},
+                              {"structured.zones", "no key of the section names a column"}},
+                      Refused{"raster_out_of_range",
+                              {"structured.cohesion=raster:negative.asc"},
+                              {"structured.cohesion", "least value", "-1 Pa"}},
+                      Refused{"negative_phase",
+                              {"release.thickness=phases:ones.asc,negative.asc"},
+                              {"release.thickness", "a depth is negative", "negative.asc"}},
+                      Refused{"solids_share_told_twice",
+                              {"release.thickness=phases:ones.asc,ones.asc", "structured.solid-fraction=0.5"},
+                              {"structured.solid-fraction", "is given twice"}},
+                      Refused{"phases_of_fluid_alone",
+                              {"release.thickness=phases:ones.asc,ones.asc", "structured.phases=fluid"},
+                              {"release.thickness", "tells solids from fluid"}},
+                      Refused{"a_perimeter_without_the_column",
+                              {"structured.cohesion=attribute:c", "release.thickness=raster:ones.asc"},
+                              {"structured.cohesion", "no number in the attribute c"}}),
     [](const auto& tested) { return tested.param.name; });
 
 }  // namespace

@@ -98,7 +98,8 @@ TEST_P(AnyMaterial, TheBoundIsWhatTheFallAllows) {
     // The release's highest cell, the one that begins at x = 20 m, lies 20 m above the flat; 2 m deep.
     EXPECT_NEAR(bound_of(scene), std::sqrt(2 * 9.81 * (0.5 * (60 - 20) + 2)) + 2 * std::sqrt(9.81 * 2), 1e-9);
     scene.release[0].speed = 5;
-    EXPECT_NEAR(bound_of(scene) - bound_of(slope(GetParam())), 5, 1e-9) << "what moves from the start may go on";
+    EXPECT_NEAR(bound_of(scene) - bound_of(slope(GetParam())), 5, 1e-9)
+        << "what moves from the start may go on";
 }
 
 // One of the grounds that `frana bench stability` fails on: a needle one cell wide and 30 m high in the way.
@@ -152,9 +153,12 @@ TEST_P(AnyMaterial, GroundWithoutElevationIsLocated) {
     EXPECT_EQ(seen.step, result.steps);
 }
 
-INSTANTIATE_TEST_SUITE_P(Trouble, AnyMaterial, testing::Values(Of::mass, Of::fluid, Of::solids), [](const auto& tested) {
-    return tested.param == Of::mass ? "Mass" : tested.param == Of::fluid ? "Fluid" : "Solids";
-});
+INSTANTIATE_TEST_SUITE_P(Trouble, AnyMaterial, testing::Values(Of::mass, Of::fluid, Of::solids),
+                         [](const auto& tested) {
+                             return tested.param == Of::mass    ? "Mass"
+                                    : tested.param == Of::fluid ? "Fluid"
+                                                                : "Solids";
+                         });
 
 }  // namespace
 }  // namespace frana

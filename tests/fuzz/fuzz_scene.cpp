@@ -18,7 +18,8 @@ class ScenePath {
     ScenePath& operator=(const ScenePath&) = delete;
 
     const std::string& with(const void* data, std::size_t size) {
-        if (::ftruncate(file_, 0) != 0 || ::pwrite(file_, data, size, 0) != static_cast<ssize_t>(size)) __builtin_trap();
+        if (::ftruncate(file_, 0) != 0 || ::pwrite(file_, data, size, 0) != static_cast<ssize_t>(size))
+            __builtin_trap();
         return path_;
     }
 

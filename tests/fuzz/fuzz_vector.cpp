@@ -13,7 +13,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     CPLSetConfigOption("SHAPE_RESTORE_SHX", "YES");
     static const std::string utm = gis::crs_from_user("EPSG:32632", "");
     const fuzz::Input input = fuzz::split(data, size);
-    const std::string ending = input.kind == 'k' ? "gpkg" : input.kind == 's' ? "shp" : input.kind == 'z' ? "shz" : "geojson";
+    const std::string ending = input.kind == 'k'   ? "gpkg"
+                               : input.kind == 's' ? "shp"
+                               : input.kind == 'z' ? "shz"
+                                                   : "geojson";
     const fuzz::MemoryFile file("/vsimem/fuzz/outline." + ending, input.data, input.size);
     fuzz::refused_or_done([&] {
         const gis::PolygonLayer layer = gis::read_polygons(file.path(), utm, "release.perimeter");

@@ -3,19 +3,20 @@
 
 #include <string>
 
-#include "simulation/scene.h"
 #include "random_numbers.h"
+#include "simulation/scene.h"
 
 namespace frana::test {
 
 /// Which material a random scene is made of.
 enum class Made { of_mass, of_fluid, of_solids };
 
-/// A small terrain of slopes, humps and gullies, an outline of some corners near its top, a material and a way to
-/// compute it, all random within what the key reference calls usual. Runs in some tens of milliseconds.
+/// A small terrain of slopes, humps and gullies, an outline of some corners near its top, a material and a
+/// way to compute it, all random within what the key reference calls usual. Runs in some tens of
+/// milliseconds.
 ///
-/// Cell sizes are 2, 2.5 or 4 m and corners lie on multiples of 1/1024 m, so that moving a scene by whole cells, mirroring
-/// and turning it are exact.
+/// Cell sizes are 2, 2.5 or 4 m and corners lie on multiples of 1/1024 m, so that moving a scene by whole
+/// cells, mirroring and turning it are exact.
 Scene random_scene(RandomNumbers& random, Made made);
 
 /// A plane of a random slope that falls to the east and is level across, with a release high on it.

@@ -29,8 +29,7 @@ void scale_to(double sum, ParticleSet& particles, Field field) {
 
 Point r2_point(std::int64_t n) {
     // The root of g^3 = g + 1 in closed form: Cardano's.
-    static const double root =
-        std::cbrt((9 + std::sqrt(69.0)) / 18) + std::cbrt((9 - std::sqrt(69.0)) / 18);
+    static const double root = std::cbrt((9 + std::sqrt(69.0)) / 18) + std::cbrt((9 - std::sqrt(69.0)) / 18);
     const auto place = [n](double step) {
         const double s = 0.5 + static_cast<double>(n) * step;
         return s - std::floor(s);
@@ -83,7 +82,8 @@ ParticleSet place_anew(const ParticleSet& placed, const GridSpec& grid, int per_
     Raster solids(grid, 0), confined(grid, 0), u(grid, 0), v(grid, 0);
     const auto index = [&](double x, double y) {
         const auto cell = [&](double place, std::int64_t count) {
-            return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(place / grid.cell_size)), 0, count - 1);
+            return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(place / grid.cell_size)), 0,
+                                            count - 1);
         };
         return solids.index(grid.rows - 1 - cell(y, grid.rows), cell(x, grid.columns));
     };

@@ -13,38 +13,40 @@ namespace frana::structured {
 /// frac(1/2 + n / g^2) with g the real root of g^3 = g + 1. Any first n points fill the square evenly.
 Point r2_point(std::int64_t n);
 
-/// Solids with confined fluid as particles of one and the same solid volume, in each cell as many as its depth calls
-/// for, at the places of the R2 sequence. What is left over in a cell goes to the next (row by row, to and fro, so that
-/// the next is a neighbour); at the end all volumes are scaled so that both add up to the rasters' exactly. Carries the
-/// fields volume (of solids), confined and area.
-/// @param solid_depth, confined_depth vertical thickness of solids and of confined fluid [m], NaN or <= 0: none
+/// Solids with confined fluid as particles of one and the same solid volume, in each cell as many as its
+/// depth calls for, at the places of the R2 sequence. What is left over in a cell goes to the next (row by
+/// row, to and fro, so that the next is a neighbour); at the end all volumes are scaled so that both add up
+/// to the rasters' exactly. Carries the fields volume (of solids), confined and area.
+/// @param solid_depth, confined_depth vertical thickness of solids and of confined fluid [m], NaN or <= 0:
+/// none
 /// @param per_column particles in the cell that holds most solids
 ParticleSet place_by_depth(const Raster& solid_depth, const Raster& confined_depth, int per_column);
 
-/// Solids placed on a lattice (fields volume, confined, area, u, v) laid out anew by place_by_depth: the same volumes in
-/// each cell but for what it passes on, and the mean velocity there.
+/// Solids placed on a lattice (fields volume, confined, area, u, v) laid out anew by place_by_depth: the same
+/// volumes in each cell but for what it passes on, and the mean velocity there.
 ParticleSet place_anew(const ParticleSet& placed, const GridSpec& grid, int per_column);
 
 /// What the solids of a scene are made of at a place.
 struct SolidMaterial {
-    double solid_fraction = 0.5;    ///< alpha_s of solids with pore fluid [-]
-    double confined_share = 1;      ///< f_fc, share of the pore fluid that is confined [-]
-    double cohesion = 0;            ///< [Pa]
-    double friction = 0;            ///< tan(phi) [-]
-    double bed_friction = 0;        ///< tan(phi_b) [-]
-    double grain_density = 2400;    ///< [kg/m3]
-    double grain_diameter = 1e-3;   ///< [m]
+    double solid_fraction = 0.5;   ///< alpha_s of solids with pore fluid [-]
+    double confined_share = 1;     ///< f_fc, share of the pore fluid that is confined [-]
+    double cohesion = 0;           ///< [Pa]
+    double friction = 0;           ///< tan(phi) [-]
+    double bed_friction = 0;       ///< tan(phi_b) [-]
+    double grain_density = 2400;   ///< [kg/m3]
+    double grain_diameter = 1e-3;  ///< [m]
 
-    /// Share of the whole volume that is confined fluid, and that is free fluid. Without cohesion nothing is held.
+    /// Share of the whole volume that is confined fluid, and that is free fluid. Without cohesion nothing is
+    /// held.
     [[nodiscard]] double held() const noexcept {
         return solid_fraction > 0 && cohesion > 0 ? (1 - solid_fraction) * confined_share : 0;
     }
     [[nodiscard]] double free() const noexcept { return 1 - solid_fraction - held(); }
 };
 
-/// Splits columns of whole thickness (fields volume, area) into solids and confined fluid: volume becomes that of the
-/// solids, confined the rest that the structure holds. The share that it does not hold is left out: it is free fluid;
-/// where there are no solids that is all.
+/// Splits columns of whole thickness (fields volume, area) into solids and confined fluid: volume becomes
+/// that of the solids, confined the rest that the structure holds. The share that it does not hold is left
+/// out: it is free fluid; where there are no solids that is all.
 ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMaterial(Point)>& material);
 
 /// Gives particles (x, y, u, v, volume, area, confined) their material, and all fields of a scene.

@@ -12,12 +12,12 @@ namespace frana::structured {
 
 /// What a node gathers from the solids; one cache line.
 struct alignas(64) SolidSums {
-    double mass = 0;            ///< [kg]
-    double px = 0, py = 0;      ///< momentum [kg m/s]
-    double solids = 0;          ///< volume [m3]
-    double confined = 0;        ///< volume [m3]
-    double structured = 0;      ///< volume of solids that is structured [m3]
-    double fx = 0, fy = 0;      ///< force of the lateral thrust [N]
+    double mass = 0;        ///< [kg]
+    double px = 0, py = 0;  ///< momentum [kg m/s]
+    double solids = 0;      ///< volume [m3]
+    double confined = 0;    ///< volume [m3]
+    double structured = 0;  ///< volume of solids that is structured [m3]
+    double fx = 0, fy = 0;  ///< force of the lateral thrust [N]
 };
 
 /// What a node of a scene with fluid gathers besides.
@@ -46,7 +46,8 @@ void serialise(Archive& archive, NodeBox& box) {
     archive(i0, i1, j0, j1);
 }
 
-/// The solids on the background grid: cubic splines of four nodes a direction, node indices as NodeGrid::index.
+/// The solids on the background grid: cubic splines of four nodes a direction, node indices as
+/// NodeGrid::index.
 class SolidNodes {
   public:
     explicit SolidNodes(const NodeGrid& grid, bool gaps_are_walls, bool coupled);
@@ -59,7 +60,8 @@ class SolidNodes {
     /// What steps change; walls stand where they stood.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [sum, coupled, pushes, h, nu, nv, solids, whole_share, where, inside, all_inside] = *this;
+        [[maybe_unused]] auto& [sum, coupled, pushes, h, nu, nv, solids, whole_share, where, inside,
+                                all_inside] = *this;
         archive(sum, coupled, pushes, h, nu, nv, solids, whole_share, where);
     }
 
