@@ -21,6 +21,8 @@ class ViewGround {
     [[nodiscard]] double exaggeration() const noexcept { return exaggeration_; }
     /// A map point on the ground, `above` metres over it (before exaggeration).
     [[nodiscard]] ScenePoint scene(Point map, double above) const;
+    /// Whether ground lies between two points of the scene.
+    [[nodiscard]] bool hides(const ScenePoint& eye, const ScenePoint& point) const;
     /// The lowest and highest ground in the scene.
     [[nodiscard]] double lowest() const noexcept { return lowest_; }
     [[nodiscard]] double highest() const noexcept { return highest_; }

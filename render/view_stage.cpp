@@ -113,6 +113,7 @@ class ViewStage::Scene {
         }
         layout_.camera =
             spec.camera.value_or(find_camera(has_values ? std::span(flow) : std::span<const ScenePoint>()));
+        if (spec.camera) raise_over_ground(flow, spec.width / static_cast<double>(spec.height));
         arrange(spec, for_frames, !has_values && (spec.layer != nullptr || spec.dots != nullptr));
         const PageBox& picture = layout_.picture;
         const PlacedCamera camera = place_camera(layout_.camera, flow, picture.width() / picture.height());
@@ -126,6 +127,20 @@ class ViewStage::Scene {
         metres_per_pixel_ = pixel_in_the_middle(camera);
         add_outlines(spec);
         first_camera_ = layout_.camera;
+    }
+
+    // From behind a slope or below it a given camera would show the ground's other side: it is raised until it sees
+    // half of the flow.
+    void raise_over_ground(const std::vector<ScenePoint>& flow, double aspect) {
+        constexpr double k_steepest_deg = 85, k_raise_deg = 5;
+        const std::size_t step = std::max<std::size_t>(1, flow.size() / 200);
+        double& elevation = layout_.camera.elevation_deg;
+        for (; elevation + k_raise_deg <= k_steepest_deg; elevation += k_raise_deg) {
+            const ScenePoint eye = place_camera(layout_.camera, flow, aspect).position;
+            std::size_t looked = 0, hidden = 0;
+            for (std::size_t i = 0; i < flow.size(); i += step, ++looked) hidden += ground_.hides(eye, flow[i]);
+            if (2 * hidden <= looked) return;
+        }
     }
 
     void fly(double share) {

@@ -36,6 +36,19 @@ TEST(View, TheFlowFillsThePictureAndStaysInIt) {
     EXPECT_NEAR(share, 0.8, 0.01);  // the margin that place_camera leaves
 }
 
+TEST(View, AGivenCameraBehindTheSlopeIsRaisedOverIt) {
+    const Raster ground = test::terrain(), layer = test::tongue();  // runs down to the south
+    ViewSpec spec = view(ground, layer);
+    spec.vertical_exaggeration = 3;
+    ViewLayout layout;
+    spec.camera = Camera{180, 10, 1};  // from the north, under the slope's surface
+    draw_view(spec, &layout);
+    EXPECT_GT(layout.camera.elevation_deg, 20);
+    spec.camera = Camera{0, 30, 1};
+    draw_view(spec, &layout);
+    EXPECT_EQ(layout.camera.elevation_deg, 30);  // sees it all
+}
+
 TEST(View, LooksUphillFromBeforeTheFront) {
     const Raster ground = test::terrain(), layer = test::tongue();  // runs down to the south
     ViewLayout layout;
