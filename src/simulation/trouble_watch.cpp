@@ -33,6 +33,16 @@ Start start_of(const Scene& scene, const Release& release, const Arrivals& arriv
         start.deepest = std::max(start.deepest, release.depth.values[i]);
         start.ground(release.bed.values[i]);
     }
+    if (scene.structured && scene.structured->initial_fluid) {  // what fails may fall on it or into it
+        const std::vector<double>& lying = scene.structured->initial_fluid->values;
+        double deepest = 0;
+        for (std::size_t i = 0; i < lying.size(); ++i) {
+            if (!(lying[i] > 0)) continue;
+            deepest = std::max(deepest, lying[i]);
+            start.ground(release.bed.values[i]);
+        }
+        start.deepest += deepest;
+    }
     // Of an area smaller than a cell no cell shows the thickness.
     for (const ReleasedArea& area : release.areas)
         if (area.area > 0) start.deepest = std::max(start.deepest, area.volume / area.area);

@@ -60,6 +60,21 @@ TEST_P(AnyMaterial, AGoodRunHasNoTrouble) {
     EXPECT_TRUE(result.troubles.empty());
 }
 
+// Water that lies there from the start, higher and deeper than what is released, may be as fast as its own fall.
+TEST(Trouble, WaterThatLiesHigherThanTheReleaseIsNone) {
+    Scene scene = slope(Of::fluid);
+    scene.release[0].outline = {{{{600100, 5000040}, {600110, 5000040}, {600110, 5000060}, {600100, 5000060}}, {}}};
+    scene.release[0].thickness = 0.1;
+    scene.structured->initial_fluid = Raster(scene.grid, 0);
+    for (std::int64_t r = 10; r < 50; ++r)
+        for (std::int64_t c = 2; c < 12; ++c) scene.structured->initial_fluid->at(r, c) = 5;
+    const RunResult result = run(scene, {});
+    EXPECT_TRUE(result.troubles.empty()) << describe(result.troubles.front());
+    double fastest = 0;
+    for (const double v : result.max_velocity.values) fastest = v > fastest ? v : fastest;  // NaN where it was dry
+    EXPECT_GT(fastest, 5);  // the release alone could do sqrt(2 g 0.1) + 2 sqrt(g 0.1) = 3.4 m/s
+}
+
 // A mass that starts at 1e200 m/s: the first step cannot be told in numbers.
 TEST_P(AnyMaterial, NumbersThatAreNoneEndTheRunAtTheirStep) {
     Scene scene = slope(GetParam());
