@@ -16,16 +16,20 @@ namespace {
 // Sums whatever it is given.
 class Sum {
   public:
-    Sum() : writer_([this](const void* data, std::size_t count) {
-        if (count > 0) sum_ = crc32_z(sum_, static_cast<const Bytef*>(data), count);  // null would begin it anew
-    }) {}
+    Sum()
+        : writer_([this](const void* data, std::size_t count) {
+              if (count > 0)
+                  sum_ = crc32_z(sum_, static_cast<const Bytef*>(data), count);  // null would begin it anew
+          }) {}
     void add(double value) { writer_(value); }
     void add(Point point) { writer_(point.x, point.y); }
     void add(const std::string& text) {
         add(static_cast<double>(text.size()));
         writer_.bytes(text.data(), text.size());
     }
-    void add(const Raster& raster) { writer_.bytes(raster.values.data(), raster.values.size() * sizeof(double)); }
+    void add(const Raster& raster) {
+        writer_.bytes(raster.values.data(), raster.values.size() * sizeof(double));
+    }
     void add(const HydrographPoint& point) {
         for (double value : {point.time, point.discharge, point.speed}) add(value);
     }
@@ -102,6 +106,15 @@ std::map<std::string, std::string> facts(const std::string& identity) {
     return list;
 }
 
+// What the structured model has from files.
+std::string by_place(const std::optional<StructuredMaterial>& material) {
+    if (!material) return "";
+    const StructuredZones& zones = material->zones;
+    return line("the material by place", zones.solid_fraction, zones.confined_share, zones.grain_density,
+                zones.grain_diameter, zones.cohesion, zones.friction, zones.bed_friction) +
+           line("the fluid that lies there", material->initial_fluid);
+}
+
 }  // namespace
 
 std::string scene_identity(const Prepared& prepared) {
@@ -115,6 +128,7 @@ std::string scene_identity(const Prepared& prepared) {
            line("inflows", scene.inflows) +
            line("zones", scene.zones.friction_coefficient, scene.zones.turbulence, scene.zones.cohesion,
                 scene.zones.erodible_depth) +
+           by_place(scene.structured) +
            line("gauges and sections", scene.recording.gauges, scene.recording.sections);
 }
 
@@ -128,7 +142,8 @@ std::vector<std::string> identity_differences(const std::string& here, const std
             words.push_back(name + " is " + value + " here and was not given");
         } else if (old->second != value) {
             const bool sum = name.rfind("checksum of ", 0) == 0;
-            words.push_back(sum ? name.substr(12) + " differ" + (name.rfind("checksum of the", 0) == 0 ? "s" : "")
+            words.push_back(sum ? name.substr(12) + " differ" +
+                                      (name.rfind("checksum of the", 0) == 0 ? "s" : "")
                                 : name + " is " + value + " here and was " + old->second);
         }
     }

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/checkpoint_file.h"
+#include "app/scene_identity.h"
 #include "core/error.h"
 #include "resuming.h"
 
@@ -130,6 +131,22 @@ TEST_F(Stopped, BySignalsItKeepsWhatThereIsAndGoesOn) {
         const std::string log = read_text(path(result + "/log.txt"));
         EXPECT_LT(log.find("checkpoint at"), log.find("going on from"));  // both sessions, in order
     }
+}
+
+// A raster's content is not in the scene's text: what the structured model has from files counts too.
+TEST(SceneIdentity, DiffersWithWhatIsGivenByPlace) {
+    app::Prepared one;
+    one.scene.grid = {0, 4, 2, 2, 2, ""};
+    one.scene.structured = StructuredMaterial{};
+    one.scene.structured->zones.cohesion = Raster(one.scene.grid, 1000);
+    one.scene.structured->initial_fluid = Raster(one.scene.grid, 0);
+    app::Prepared other = one;
+    EXPECT_EQ(app::scene_identity(one), app::scene_identity(other));
+    other.scene.structured->zones.cohesion->values[3] = 2000;
+    EXPECT_NE(app::scene_identity(one), app::scene_identity(other));
+    other = one;
+    other.scene.structured->initial_fluid->values[0] = 1;
+    EXPECT_NE(app::scene_identity(one), app::scene_identity(other));
 }
 
 class Interrupted : public Resuming {};
