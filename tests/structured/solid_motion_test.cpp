@@ -44,7 +44,6 @@ TEST(Bar, FundamentalPeriod) {
     ThreadPool pool(1);
     Case c(3);
     c.laws.solid.gravity = 0;
-    c.laws.solid.artificial_stress = 0;  // it takes from the tension that swings the bar back (share/doc/structured.md)
     constexpr double length = 60;
     const auto shape = [](double x) { return std::cos(M_PI * (x - 15) / length); };
     c.fill(15, 15, 60, 9, [&](Point p) { return bench::Seed{2, 0.01 * shape(p.x), 0}; });
