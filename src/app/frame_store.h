@@ -26,8 +26,8 @@ struct ParticleFormats {
 ParticleFormats particle_formats(const std::vector<std::string>& formats);
 
 /// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, particles, and frames.csv (index,
-/// time_s). A thread of its own writes them while the run goes on; at most two wait, so that a slow disk
-/// holds the run back and not the memory.
+/// time_s). A thread of its own writes them while the run goes on, and lists what is whole after each; at most two
+/// wait, so that a slow disk holds the run back and not the memory.
 class FrameWriter {
   public:
     /// `metadata` goes into every raster.
@@ -43,7 +43,7 @@ class FrameWriter {
     void add(Frame frame);
     /// Waits until every frame so far is on the disk. Throws Error(environment).
     void settle();
-    /// Waits for the last frame and lists all. Throws Error(environment).
+    /// Waits for the last frame and lists all, also those that were there already. Throws Error(environment).
     void finish();
     /// Of all frames so far [s].
     [[nodiscard]] const std::vector<double>& times() const noexcept { return times_; }
@@ -62,7 +62,8 @@ class FrameWriter {
     void write(const Job& job) const;
     void wait_until_written();
     void write_particles(const Job& job) const;
-    void list_particles() const;
+    void list(const std::vector<double>& times) const;
+    void list_particles(const std::vector<double>& times) const;
     void serve();
     void throw_failure();
 
