@@ -25,8 +25,8 @@ class BothModels : public TinyScene {
 };
 
 // Without cohesion and water the structured model's equations are those of the first with Coulomb friction alone: what
-// differs is how they are solved. On 10 m cells extents differ by 2 % and run-outs by 4 m; here a cell's diagonal is let
-// pass.
+// differs is how they are solved. On 10 m cells extents differ by 2 % and run-outs by 7 m; here a cell's diagonal is
+// let pass.
 TEST_F(BothModels, AgreeWhereTheirEquationsDo) {
     const std::string friction = summary("coulomb.ini");
     const std::string loose = summary("structured.ini", {"structured.cohesion=0", "structured.solid-fraction=1"});

@@ -68,7 +68,8 @@ double front_lag(const Basin& basin, std::int64_t cells, double half, double tim
 }
 
 // While the jump of the start is no wider than a cell or two, the scheme spreads it and the tip falls behind; it stays
-// three to four and a half cells behind on every grid. A scheme whose front ran on at a wrong speed would be tens of cells off.
+// three to four and a half cells behind on every grid. A scheme whose front ran on at a wrong speed would be tens of
+// cells off.
 TEST(FluidDamBreak, RitterFrontLagsByFourCells) {
     for (const std::int64_t cells : {200, 400, 800}) {
         const double lag = front_lag(channel(50, cells, 1, 0, 5, 1e-6, false), cells, 50, 5);
