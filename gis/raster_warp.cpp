@@ -11,6 +11,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "core/json.h"
@@ -23,6 +24,16 @@ namespace {
 constexpr double k_cells_at_once = 4e6;      // 36 MB with the mask
 constexpr double k_kernel_radius_cells = 3;  // cubic reaches 2 cells; one more for rounding
 constexpr double k_approximation_cells = 0.01;
+
+/// Points in a cell at which an average looks at the surface, along each side. Where the cell holds whole square source
+/// cells one for each, which is their plain mean; else two or more, so that every source cell counts nearly alike.
+int points_per_side(Point source_cells_per_cell) {
+    constexpr double k_whole = 1e-9, k_most = 1000;
+    const auto [x, y] = source_cells_per_cell;
+    const bool whole = std::abs(x - std::round(x)) < k_whole * x && std::abs(x - y) < k_whole * x;
+    const double wanted = whole ? std::round(x) : std::ceil(2 * std::max(x, y) * (1 - k_whole));
+    return static_cast<int>(std::clamp(wanted, 1.0, k_most));
+}
 
 }  // namespace
 
@@ -144,7 +155,7 @@ void RasterWarp::fill_strip(const GridSpec& grid, Point scale, double* values) c
                                                                                GDALDestroyWarpOptions);
     options->hSrcDS = from.get();
     options->hDstDS = to.get();
-    options->eResampleAlg = algorithm_;
+    options->eResampleAlg = algorithm_ == GRA_Average ? GRA_Bilinear : algorithm_;
     options->eWorkingDataType = GDT_Float64;
     GDALWarpInitDefaultBandMapping(options.get(), 1);
     GDALWarpInitSrcNoDataReal(options.get(), k_no_data);
@@ -171,18 +182,49 @@ void RasterWarp::fill_strip(const GridSpec& grid, Point scale, double* values) c
     }
 }
 
+void RasterWarp::average_strip(const GridSpec& strip, Point scale, int points, double* values) const {
+    GridSpec fine = strip;
+    fine.cell_size /= points;
+    fine.columns *= points;
+    fine.rows *= points;
+    std::vector<double> surface(fine.cell_count());
+    fill_strip(fine, {scale.x / points, scale.y / points}, surface.data());
+    for (std::int64_t row = 0; row < strip.rows; ++row) {
+        for (std::int64_t column = 0; column < strip.columns; ++column) {
+            double sum = 0;
+            int count = 0;
+            for (int a = 0; a < points; ++a) {
+                const double* const at =
+                    surface.data() + (row * points + a) * fine.columns + column * points;
+                for (int b = 0; b < points; ++b) {
+                    if (std::isnan(at[b])) continue;
+                    sum += at[b];
+                    ++count;
+                }
+            }
+            values[row * strip.columns + column] = count > 0 ? sum / count : k_no_data;
+        }
+    }
+}
+
 void RasterWarp::fill(Raster& target) const {
     const GridSpec& grid = target.grid;
     const Point scale = source_cells_per_cell(grid);
-    const double cells_per_row =
-        static_cast<double>(grid.columns) * std::max(1.0, scale.x) * std::max(1.0, scale.y);
+    const int points = algorithm_ == GRA_Average ? points_per_side(scale) : 1;
+    const double cells_per_row = static_cast<double>(grid.columns) * std::max({1.0, scale.x, double(points)}) *
+                                 std::max({1.0, scale.y, double(points)});
     const auto rows_at_once = static_cast<std::int64_t>(
         std::clamp(k_cells_at_once / cells_per_row, 1.0, static_cast<double>(grid.rows)));
     for (std::int64_t row = 0; row < grid.rows; row += rows_at_once) {
         GridSpec strip = grid;
         strip.north = grid.north - static_cast<double>(row) * grid.cell_size;
         strip.rows = std::min(rows_at_once, grid.rows - row);
-        fill_strip(strip, scale, target.values.data() + target.index(row, 0));
+        double* const values = target.values.data() + target.index(row, 0);
+        if (algorithm_ == GRA_Average) {
+            average_strip(strip, scale, points, values);
+        } else {
+            fill_strip(strip, scale, values);
+        }
     }
 }
 

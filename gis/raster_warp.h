@@ -23,6 +23,10 @@ class RasterWarp {
     [[nodiscard]] Window source_window(const GridSpec& strip, Point source_cells_per_cell) const;
 
     /// Fills `target`; NaN where the source has no data or does not reach. Throws Error(input).
+    ///
+    /// GRA_Average is the mean of the surface that runs straight from cell centre to cell centre. GDAL's own mean
+    /// takes each source cell as a step: where cells are cut by the grid's, a plane comes out uneven, by up to an
+    /// eighth of a source cell times its slope.
     void fill(Raster& target) const;
 
     /// GDAL's transformer: cells of a strip to cells of a source window and back.
@@ -33,6 +37,7 @@ class RasterWarp {
     /// The source's cell at a place in its CRS; longitudes counted the way the source counts them.
     [[nodiscard]] Point source_cell(Point map) const noexcept;
     void fill_strip(const GridSpec& strip, Point scale, double* values) const;
+    void average_strip(const GridSpec& strip, Point scale, int points, double* values) const;
 
     const RasterSource& source_;
     const CrsTransform& to_grid_;

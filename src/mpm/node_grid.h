@@ -80,10 +80,6 @@ class NodeGrid {
     [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const noexcept {
         return static_cast<std::size_t>((j + k_ghost) * stride() + i + k_ghost);
     }
-    /// Whether a node of the terrain has an elevation.
-    [[nodiscard]] bool is_solid(std::int64_t i, std::int64_t j) const noexcept {
-        return !solid_.empty() && solid_[index(i, j)] != 0;
-    }
     /// Whether a node of the terrain has none and is no wall either.
     [[nodiscard]] bool is_gap(std::int64_t i, std::int64_t j) const noexcept {
         return !solid_.empty() && solid_[index(i, j)] == k_gap;

@@ -117,6 +117,20 @@ structured::SolidMaterial material_at(const StructuredMaterial& m, const GridSpe
     return material_of_cell(m, static_cast<std::size_t>(cell.row * grid.columns + cell.column));
 }
 
+double recoil_speed(const StructuredMaterial& m, std::size_t cells) {
+    if (!m.solids) return 0;
+    const auto waves = structured::Elasticity::from_young_and_bulk(m.young_modulus, m.bulk_modulus);
+    double greatest = 0;
+    for (std::size_t cell = 0; cell < (m.zones.any() ? cells : 1); ++cell) {
+        const structured::SolidMaterial solid = material_of_cell(m, cell);
+        if (!(solid.cohesion > 0 && solid.solid_fraction > 0)) continue;
+        const double strength = 2 * solid.cohesion * (std::hypot(1, solid.friction) - solid.friction);
+        const double density = coupled_density(m, solid);
+        greatest = std::max(greatest, 2 * strength / (density * waves.wave_speed(density)));
+    }
+    return greatest;
+}
+
 structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& numerics, const GridSpec& grid) {
     structured::Laws laws(0.5 * grid.cell_size);
     laws.fluid = fluid_laws(m, numerics);

@@ -20,5 +20,9 @@ bool can_fracture(const StructuredMaterial& material);
 bool has_fluid(const StructuredMaterial& material);
 /// Solids and fluid together, as released [kg/m3].
 double whole_density(const StructuredMaterial& material, const structured::SolidMaterial& solid);
+/// Speed to which material that was stretched to its strength springs back at a free face, 2 T / (rho c), with Mohr and
+/// Coulomb's uniaxial tensile strength T = 2 c cos phi / (1 + sin phi) and c the elastic waves' speed [m/s]. Ours.
+/// @param cells of the grid
+double recoil_speed(const StructuredMaterial& material, std::size_t cells);
 
 }  // namespace frana

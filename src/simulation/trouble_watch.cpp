@@ -8,6 +8,7 @@
 
 #include "simulation/flow.h"
 #include "simulation/structured_flow.h"
+#include "simulation/structured_laws.h"
 #include "simulation/terrain_sample.h"
 #include "simulation/trouble_place.h"
 
@@ -77,7 +78,9 @@ double bound_of(const Scene& scene, const Release& release, const Arrivals& arri
                 double pressure_factor) {
     const Start start = start_of(scene, release, arrivals);
     const double drop = std::max(0.0, start.highest + start.deepest - lowest_bed(scene, release.bed));
-    return speed_bound(scene.numerics.gravity, drop, pressure_factor * start.deepest, start.fastest);
+    const auto cells = static_cast<std::size_t>(scene.grid.cell_count());
+    const double recoil = scene.structured ? recoil_speed(*scene.structured, cells) : 0;
+    return speed_bound(scene.numerics.gravity, drop, pressure_factor * start.deepest, start.fastest + recoil);
 }
 
 }  // namespace

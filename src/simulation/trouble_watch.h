@@ -14,7 +14,8 @@ namespace frana {
 
 /// Greatest speed that a fall allows, even without friction [m/s]: free fall from the highest surface to the
 /// lowest ground and the front of a dam break as deep as the deepest column, sqrt(2 g drop) + 2 sqrt(g
-/// depth), besides the speed that something had from the start. `frana bench stability` judges by it too.
+/// depth), besides the speed that something had from the start, or to which strong solids spring back.
+/// `frana bench stability` judges by it too.
 double speed_bound(double gravity, double drop, double depth, double speed_at_start);
 
 /// Looks after every step for what must not happen. Costs a few comparisons a step; places are sought only

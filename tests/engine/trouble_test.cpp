@@ -117,6 +117,18 @@ TEST_P(AnyMaterial, TheBoundIsWhatTheFallAllows) {
         << "what moves from the start may go on";
 }
 
+// Blocks of 2 MPa that hook on a corner and tear off: 2 T / (rho c) = 2 * 2.4034 MPa / (1700 kg/m3 * 129.845 m/s).
+TEST(Trouble, StrongSolidsMaySpringBack) {
+    Scene scene = slope(Of::solids);
+    const double loose = bound_of(scene);
+    scene.structured->young_modulus = 12e6;
+    scene.structured->bulk_modulus = 23e6;
+    EXPECT_EQ(bound_of(scene), loose);
+    scene.structured->cohesion = 2e6;
+    scene.structured->friction = std::tan(28 * M_PI / 180);
+    EXPECT_NEAR(bound_of(scene) - loose, 21.776, 0.005);
+}
+
 // One of the grounds that `frana bench stability` fails on: a needle one cell wide and 30 m high in the way.
 TEST(Trouble, ASpeedAboveTheBoundEndsTheRunAtItsStep) {
     Scene scene = slope(Of::mass);

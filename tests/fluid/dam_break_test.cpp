@@ -55,18 +55,44 @@ TEST(FluidDamBreak, RitterWithinTwoPercent) {
     }
 }
 
-// The tip of the front is thinner than a cell can hold, and the scheme's lags: where the exact water is 1 cm
-// deep (1 % of the dam) by four cells, on every grid. A scheme whose front ran on its own speed would be tens
-// of cells off.
+// Where the exact water is 1 cm deep (1 % of the dam); the place there of the computed water, between cell centres,
+// behind it [cells].
+double front_lag(const Basin& basin, std::int64_t cells, double half, double time) {
+    constexpr double k_thin = 0.01;
+    const double dx = 2 * half / static_cast<double>(cells);
+    std::int64_t i = cells - 1;
+    while (basin.depth(i, 1) < k_thin) --i;
+    const double inside = basin.depth(i, 1), outside = basin.depth(i + 1, 1);
+    const double place = (static_cast<double>(i) + 0.5 + (inside - k_thin) / (inside - outside)) * dx - half;
+    return (time * (2 * std::sqrt(9.81) - 3 * std::sqrt(9.81 * k_thin)) - place) / dx;
+}
+
+// While the jump of the start is no wider than a cell or two, the scheme spreads it and the tip falls behind; it stays
+// three to four and a half cells behind on every grid. A scheme whose front ran on at a wrong speed would be tens of
+// cells off.
 TEST(FluidDamBreak, RitterFrontLagsByFourCells) {
-    const double exact = 5 * (2 * std::sqrt(9.81) - 3 * std::sqrt(0.0981));
     for (const std::int64_t cells : {200, 400, 800}) {
-        const Basin basin = channel(50, cells, 1, 0, 5, 1e-6, false);
-        double front = 0;
-        basin.for_cells([&](Point p, std::size_t cell) {
-            if (basin.state.now.depth[cell] > 0.01) front = std::max(front, p.x - 50);
+        const double lag = front_lag(channel(50, cells, 1, 0, 5, 1e-6, false), cells, 50, 5);
+        EXPECT_GT(lag, 0);
+        EXPECT_LT(lag, 5) << cells << " cells";
+    }
+}
+
+// A front that the grid resolves is where it should be: from the exact state at a tenth of the time on, the scheme
+// loses less than half a cell.
+TEST(FluidDamBreak, AResolvedFrontDoesNotLag) {
+    const DamBreak exact(1, 0);
+    for (const std::int64_t cells : {400, 800}) {
+        FluidLaws laws = still_laws();
+        laws.dry = 1e-6;
+        Basin basin(Raster(plain_grid(cells, 3, 100 / static_cast<double>(cells)), 0.0), laws);
+        basin.fill([&](Point p) {
+            const bench::WaterState s = exact.at(p.x - 50, 0.5);
+            return Water{s.depth, s.velocity};
         });
-        EXPECT_NEAR(front, exact, 5 * 100.0 / static_cast<double>(cells)) << cells << " cells";
+        basin.advance(4.5);
+        EXPECT_NEAR(front_lag(basin, cells, 50, 5), 0, 0.5) << cells << " cells";
+        EXPECT_LT(error(basin, 50, 1, 0, 5, false), 0.001);
     }
 }
 

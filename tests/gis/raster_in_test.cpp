@@ -121,25 +121,51 @@ TEST(ReadRaster, APlaneStaysAPlane) {
     }
 }
 
-TEST(ReadRaster, AnAverageWeighsPartCellsByTheirArea) {
+// Larger cells that are no whole multiple of the file's, on any lattice: a mean over part cells, each as a step, would
+// make the plane uneven by up to an eighth of a cell's rise, here 0.2 m.
+TEST(ReadRaster, APlaneStaysAPlaneWhateverTheRatio) {
     const Folder folder;
     make_raster(folder.file("dtm.tif"), plane_raster(60, 60, 5));
-    const GridSpec grid = utm_grid(527000, 5095000, 12, 20, 20);
-    const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::automatic);
-    // Along one axis: the mean position of the 5 m cells' centres, each weighted with its share of the 12 m
-    // cell.
-    const auto mean_position = [](int cell) {
-        double sum = 0;
-        for (int fine = 0; fine < 60; ++fine) {
-            const double share = std::min(fine * 5 + 5, cell * 12 + 12) - std::max(fine * 5, cell * 12);
-            if (share > 0) sum += share * (fine + 0.5) * 5;
+    for (const double cell : {6.3, 7.5, 8.7, 10.0, 12.0, 12.5, 17.0}) {
+        const int n = static_cast<int>(270 / cell);
+        const GridSpec grid = utm_grid(527011.7, 5094986.1, cell, n, n);
+        const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::automatic);
+        EXPECT_EQ(read.resampling_used, "average");
+        for (int row = 0; row < n; ++row) {
+            for (int column = 0; column < n; ++column) {
+                const Point centre = grid.cell_centre(row, column);
+                ASSERT_NEAR(read.raster.at(row, column), plane(centre.x, centre.y), 1e-9) << cell;  // rounding
+            }
         }
-        return sum / 12;
+    }
+}
+
+// One high cell: its volume is kept, wherever the larger cells' rims cut it.
+TEST(ReadRaster, AnAverageKeepsVolume) {
+    const Folder folder;
+    TestRaster spike = plane_raster(60, 60, 5);
+    spike.values.assign(spike.values.size(), 0);
+    spike.values[31 * 60 + 29] = 1;
+    make_raster(folder.file("spike.tif"), spike);
+    const auto kept = [&](double cell, double shift) {
+        const int n = static_cast<int>(250 / cell);
+        const GridSpec grid = utm_grid(527020 + shift, 5094980 - 0.7 * shift, cell, n, n);
+        const RasterRead read = read_raster_on(folder.file("spike.tif"), grid, "", Resampling::average);
+        double sum = 0;
+        for (const double value : read.raster.values) sum += value;
+        return sum * cell * cell / 25;
     };
-    for (int i = 0; i < 20; ++i) {
-        // GDAL's weights are single precision: 1e-7 of values about 1000.
-        const double expected = plane(527000 + mean_position(19 - i), 5095000 - mean_position(i));
-        ASSERT_NEAR(read.raster.at(i, 19 - i), expected, 1e-4);
+    for (const double shift : {0.0, 0.9, 1.7, 3.1, 4.2}) {
+        // One or two points for each cell along each side share it out exactly.
+        for (const double cell : {5.0, 7.5, 10.0, 12.5, 20.0}) ASSERT_NEAR(kept(cell, shift), 1, 1e-9) << cell;
+        // Otherwise to what a hat's sum over points differs from its integral by: its transform, sinc^2, at multiples
+        // of the number of points to a cell; in both directions.
+        for (const double cell : {12.0, 10.5, 6.5}) {
+            const double points = std::ceil(2 * cell / 5) / (cell / 5);
+            double off = 0;
+            for (int m = 1; m < 100; ++m) off += 2 * std::pow(std::sin(M_PI * m * points) / (M_PI * m * points), 2);
+            ASSERT_NEAR(kept(cell, shift), 1, (1 + off) * (1 + off) - 1) << cell << ' ' << shift;
+        }
     }
 }
 

@@ -38,13 +38,46 @@ TEST(PressureWave, Speed) {
     EXPECT_NEAR((centre() - first) / 0.04, exact, 0.03 * exact);
 }
 
+// What the pulse looks like after four of its lengths, without artificial viscosity, which would take from its height
+// with first order: half of it runs each way, and the sums err with second order.
+TEST(PressureWave, ProfileConvergesWithSecondOrder) {
+    const auto error = [](double cell) {
+        constexpr double k_wave_length = 20, k_middle = 45, k_time = 0.08, k_speed = 0.01;
+        ThreadPool pool(1);
+        Case c(cell);
+        c.laws.solid.gravity = c.laws.solid.viscosity.linear = c.laws.solid.viscosity.quadratic = 0;
+        const auto pulse = [](double x) {
+            const double s = x / k_wave_length;
+            return std::abs(s) < 0.5 ? k_speed * std::pow(std::cos(M_PI * s), 2) : 0;
+        };
+        const double spacing = c.laws.solid.spacing;
+        c.fill(10, 10, std::llround(80 / spacing), std::llround(60 / spacing),
+               [&](Point p) { return bench::Seed{2, pulse(p.x - k_middle), 0}; });
+        State state = c.start(flat(std::llround(102 / cell), std::llround(84 / cell), cell), pool);
+        advance_to(state, c.laws, k_time, pool);
+        const ParticleSet& p = state.solid->particles;
+        const double way = c.laws.solid.wave_speed * k_time;
+        double off = 0, size = 0;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            if (std::abs(p[Field::y][i] - 40) > 5) continue;  // the free sides have not reached it
+            const double x = p[Field::x][i] - k_middle;
+            const double exact = 0.5 * (pulse(x - way) + pulse(x + way));
+            off += std::abs(p[Field::u][i] - exact);
+            size += std::abs(exact);
+        }
+        return off / size;
+    };
+    const double coarse = error(3), fine = error(1.5);
+    EXPECT_LT(fine, 0.05);
+    EXPECT_GT(std::log2(coarse / fine), 1.8);
+}
+
 // The slowest mode of a bar with free ends and sides, u ~ cos(pi x / L), swings with the period 2 L / c,
 // c = sqrt(E / ((1 - nu^2) rho)) = 250.5 m/s where nothing strains vertically.
 TEST(Bar, FundamentalPeriod) {
     ThreadPool pool(1);
     Case c(3);
     c.laws.solid.gravity = 0;
-    c.laws.solid.artificial_stress = 0;  // it takes from the tension that swings the bar back (share/doc/structured.md)
     constexpr double length = 60;
     const auto shape = [](double x) { return std::cos(M_PI * (x - 15) / length); };
     c.fill(15, 15, 60, 9, [&](Point p) { return bench::Seed{2, 0.01 * shape(p.x), 0}; });

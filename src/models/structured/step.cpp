@@ -30,6 +30,7 @@ void look_at_particles(const State& state, const Laws& laws, StepReport& report,
     struct Row {
         double kinetic = 0, deepest = 0;
         std::int64_t no_data = 0, outside = 0;
+        bool elastic = false;
     };
     const SolidState& solid = *state.solid;
     std::vector<Row> rows(static_cast<std::size_t>(solid.order.rows()));
@@ -37,6 +38,8 @@ void look_at_particles(const State& state, const Laws& laws, StepReport& report,
         const auto row = static_cast<std::int64_t>(r);
         const ParticleRun run = solid.order.whole_rows(row, row);
         const bool wet = solid.particles[Field::confined] != nullptr;
+        const double* const cohesion = solid.particles[Field::cohesion];
+        rows[r].elastic = laws.solid.broken == BrokenMaterial::elastic && run.begin < run.end;
         for (std::size_t p = run.begin; p < run.end; ++p) {
             const double solids = solid.particles[Field::volume][p];
             const double confined = wet ? solid.particles[Field::confined][p] : 0;
@@ -45,6 +48,8 @@ void look_at_particles(const State& state, const Laws& laws, StepReport& report,
             const double u = solid.particles[Field::u][p], v = solid.particles[Field::v][p];
             rows[r].kinetic += 0.5 * mass * (u * u + v * v);
             rows[r].deepest = std::max(rows[r].deepest, (solids + confined) / solid.particles[Field::area][p]);
+            if (cohesion != nullptr)
+                rows[r].elastic |= cohesion[p] * solid.particles[Field::cohesion_ratio][p] > 0;
             const double x = solid.particles[Field::x][p], y = solid.particles[Field::y][p];
             if (!(x >= 0 && y >= 0 && x < state.grid.width() && y < state.grid.height())) {
                 ++rows[r].outside;
@@ -60,7 +65,14 @@ void look_at_particles(const State& state, const Laws& laws, StepReport& report,
         report.deepest = std::max(report.deepest, row.deepest);
         report.no_data += row.no_data;
         report.outside += row.outside;
+        report.elastic |= row.elastic;
     }
+}
+
+void remember(State& state, const Laws& laws, const StepReport& report) {
+    state.deepest = report.deepest;
+    state.solid->elastic = report.elastic;
+    state.solid->sound = std::sqrt(laws.solid.gravity * report.deepest);
 }
 
 }  // namespace
@@ -102,7 +114,7 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
     }
     StepReport now;
     look_at_particles(state, laws, now, pool);
-    state.deepest = now.deepest;
+    remember(state, laws, now);
     gather(state, laws, pool);
 }
 
@@ -157,7 +169,7 @@ StepReport step(State& state, const Laws& laws, double dt_limit, ThreadPool& poo
         if (report.outside > 0 || solid.drift > 0.5 * solid.order.slack())
             sort_solids(solid, laws.solid, state.grid, pool);
         gather(state, laws, pool);
-        state.deepest = report.deepest;
+        remember(state, laws, report);
     }
     state.time += dt;
     return report;

@@ -49,6 +49,7 @@ struct StepReport {
     std::int64_t outside = 0;  ///< particles that left through open edges
     std::int64_t no_data = 0;  ///< particles over cells without terrain
     double deepest = 0;    ///< column of any particle [m]
+    bool elastic = false;  ///< whether any particle carries more than its earth pressure
     double kinetic = 0;    ///< of the solids with their confined fluid [J]
 };
 

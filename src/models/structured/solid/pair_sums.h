@@ -70,14 +70,16 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
     }
 }
 
-/// dv_i/dt = sum_j m_j [ T_i + T_j + F^4 (R_i + R_j) - Pi_ij ] grad_i W,   F = W / W(dp)   (paper, equation
-/// 78 with the sign of Pi restored; exponent 4 after Monaghan 2000 and Gray et al. 2001). Every term is the
-/// same for both particles of a pair, so momentum is kept to rounding.
+/// dv_i/dt = sum_j m_j [ T_i + T_j + (F^4 - 1)+ (R_i + R_j) - Pi_ij ] grad_i W,   F = W / W(dp)   (paper,
+/// equation 78 with the sign of Pi restored; exponent 4 after Monaghan 2000 and Gray et al. 2001). Less 1 and never
+/// negative, ours: the artificial stress acts on pairs nearer than the spacing dp alone, which clumping is; on all it
+/// would take from the tension of material that is evenly spaced. Every term is the same for both particles of a
+/// pair, so momentum is kept to rounding.
 double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& laws, PairWork& w) {
     const double length = laws.kernel.length(), full = laws.kernel.value(0);
     const double scale = full / (length * length), at_spacing = laws.kernel.value(laws.spacing) / full;
     const Quad inverse(1 / length), inverse_at_spacing(1 / at_spacing);
-    const Quad smoothing(length), reach2(4 * length * length);
+    const Quad smoothing(length), reach2(4 * length * length), spacing2(laws.spacing * laws.spacing);
     const Quad softening(ArtificialViscosity::k_softening * length * length);
     const Quad linear(0.5 * laws.viscosity.linear), quadratic(laws.viscosity.quadratic);
     Quad least(0.0);
@@ -100,8 +102,6 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
                     const Quad q = sqrt(distance2) * inverse;
                     const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
                     const Quad outer2 = outer * outer, inner2 = inner * inner;
-                    const Quad f = (0.25 * outer2 * outer - inner2 * inner) * inverse_at_spacing;
-                    const Quad f2 = f * f, f4 = f2 * f2;
                     const Quad sum_density = density + Quad::load(w[PairWork::density] + k);
                     const Quad softened = distance2 + softening, distance = max(q, k_least_distance);
                     // One division for all: 1 / (r^2 + ..), 1 / (Sigma_i + Sigma_j) and 1 / q.
@@ -118,12 +118,16 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
                     const auto near = real & (q < 2.0);
                     least = min(least, select(near, phi, 0.0));
                     const Quad weight = select(near, slope * Quad::load(w[PairWork::mass] + k), 0.0);
-                    const Quad s_xx = t_xx + Quad::load(w[PairWork::t_xx] + k) +
-                                      f4 * (r_xx + Quad::load(w[PairWork::r_xx] + k)) - pi;
-                    const Quad s_yy = t_yy + Quad::load(w[PairWork::t_yy] + k) +
-                                      f4 * (r_yy + Quad::load(w[PairWork::r_yy] + k)) - pi;
-                    const Quad s_xy = t_xy + Quad::load(w[PairWork::t_xy] + k) +
-                                      f4 * (r_xy + Quad::load(w[PairWork::r_xy] + k));
+                    Quad s_xx = t_xx + Quad::load(w[PairWork::t_xx] + k) - pi;
+                    Quad s_yy = t_yy + Quad::load(w[PairWork::t_yy] + k) - pi;
+                    Quad s_xy = t_xy + Quad::load(w[PairWork::t_xy] + k);
+                    if (any(distance2 < spacing2)) {  // one quad in four
+                        const Quad f = (0.25 * outer2 * outer - inner2 * inner) * inverse_at_spacing;
+                        const Quad f2 = f * f, nearness = max(f2 * f2 - 1.0, 0.0);
+                        s_xx += nearness * (r_xx + Quad::load(w[PairWork::r_xx] + k));
+                        s_yy += nearness * (r_yy + Quad::load(w[PairWork::r_yy] + k));
+                        s_xy += nearness * (r_xy + Quad::load(w[PairWork::r_xy] + k));
+                    }
                     a_x += weight * (s_xx * dx + s_xy * dy);
                     a_y += weight * (s_xy * dx + s_yy * dy);
                 }

@@ -44,7 +44,7 @@ struct SolidLaws {
     double spacing = 1;  ///< of particles at the start, dp
     ArtificialViscosity viscosity;
     double artificial_stress = 0.5;
-    double elastic_cfl = 0.25;
+    double elastic_cfl = 0.25;  ///< share of the smoothing length that elastic waves cross in a substep
     double pic_share = 0;  ///< of the grid's velocity that particles take over in a step
 };
 

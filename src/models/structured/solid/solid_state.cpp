@@ -89,9 +89,10 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
 
 double stable_substep(const SolidState& state, const SolidLaws& laws) {
     constexpr double k_viscous = 0.4, k_force = 0.25;
-    const double length = laws.kernel.length(), sound = laws.viscosity.sound;
-    const double wave = laws.wave_speed + std::sqrt(state.last.speed2);
-    const double elastic = laws.elastic_cfl * std::min(length, laws.spacing) / wave;
+    const double length = laws.kernel.length();
+    const double sound = state.elastic ? laws.viscosity.sound : state.sound;
+    const double elastic = state.elastic ? laws.elastic_cfl * length / laws.wave_speed
+                                         : std::numeric_limits<double>::infinity();
     const double viscous =
         k_viscous * length /
         (sound + 0.6 * (laws.viscosity.linear * sound + laws.viscosity.quadratic * state.last.approach));
