@@ -106,7 +106,7 @@ void draw_series(const ChartSeries& series, const Axes& axes, const PageStyle& s
     std::vector<Point> places;
     for (const Point p : series.points)
         if (drawable(p)) places.push_back({axes.across(p.x), axes.down(p.y)});
-    sheet.canvas().line(places, chart_line(style, series.colour, k_width, series.dashed));
+    sheet.canvas().line(places, chart_line(style, series.colour, k_width, series.stroke));
     for (const Point place : places)
         draw_marker(sheet, series.marker, place, 1.2 + style.line(3.2), series.colour);
     layout.points.push_back(std::move(places));
@@ -151,7 +151,7 @@ double draw_key(const ChartContent& content, const PageStyle& style, double widt
     const ChartKey key(sheet, style.label, names, width - 2 * style.margin);
     key.draw(sheet, {style.margin, y}, [&](std::size_t i, Point from, Point to) {
         const ChartSeries& kind = *kinds[i];
-        sheet.canvas().line(std::array{from, to}, chart_line(style, kind.colour, k_width, kind.dashed));
+        sheet.canvas().line(std::array{from, to}, chart_line(style, kind.colour, k_width, kind.stroke));
         draw_marker(sheet, kind.marker, {(from.x + to.x) / 2, from.y}, 1.2 + style.line(3.2), kind.colour);
     });
     return y + key.height();

@@ -11,6 +11,9 @@
 
 namespace frana::render {
 
+/// Strokes tell lines apart where colours are not to be had: in print without colours.
+enum class Stroke { solid, dashed, dotted, dash_dot };
+
 enum class Marker { circle, square, triangle, diamond };
 
 /// Points of one kind, joined by a line in the order given.
@@ -18,7 +21,7 @@ struct ChartSeries {
     std::string label;  ///< in the page's legend, once for all panels that share it
     Rgb colour;
     Marker marker = Marker::circle;
-    bool dashed = false;
+    Stroke stroke = Stroke::solid;
     std::vector<Point> points;  ///< both coordinates positive; others cannot be drawn and are left out
 };
 

@@ -11,9 +11,22 @@ constexpr double k_swatch = 2.2, k_gap = 0.5, k_apart = 1.2, k_row = 1.5, k_off_
 
 }  // namespace
 
-LineStyle chart_line(const PageStyle& style, Rgb colour, double width_px, bool dashed) {
+LineStyle chart_line(const PageStyle& style, Rgb colour, double width_px, Stroke stroke) {
     LineStyle line{style.line(width_px), colour};
-    if (dashed) line.dashes = {3 * line.width_px, 2.2 * line.width_px};
+    const double wide = line.width_px;
+    switch (stroke) {
+        case Stroke::solid:
+            break;
+        case Stroke::dashed:
+            line.dashes = {4.5 * wide, 2.5 * wide};
+            break;
+        case Stroke::dotted:
+            line.dashes = {wide, 1.8 * wide};
+            break;
+        case Stroke::dash_dot:
+            line.dashes = {6 * wide, 2 * wide, wide, 2 * wide};
+            break;
+    }
     return line;
 }
 

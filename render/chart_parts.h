@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "render/chart.h"
 #include "render/page_style.h"
 #include "render/sheet.h"
 
 namespace frana::render {
 
 /// The line of a series or a curve.
-LineStyle chart_line(const PageStyle& style, Rgb colour, double width_px, bool dashed);
+LineStyle chart_line(const PageStyle& style, Rgb colour, double width_px, Stroke stroke);
 
 /// A line of the grid inside a panel's frame: upright at x, or level at y.
 void grid_upright(Sheet& sheet, const PageBox& box, double x, const LineStyle& line);

@@ -48,7 +48,10 @@ class LinearAxes {
         x_step_ = nice_step_above((x_.most - x_.least) * room / box.width());
         y_step_ = nice_step_above((y_.most - y_.least) * 2.4 * style.small.size_px / box.height());
         y_.least = std::floor(y_.least / y_step_ + 1e-9) * y_step_;
+        const double highest = y_.most;
         y_.most = std::ceil(y_.most / y_step_ - 1e-9) * y_step_;
+        // A curve along the frame would be taken for it.
+        if (y_.most - highest < 0.02 * (y_.most - y_.least)) y_.most += 0.05 * (y_.most - y_.least);
     }
 
     [[nodiscard]] bool any() const { return any_; }
@@ -96,7 +99,7 @@ class LinearAxes {
 };
 
 LineStyle stroke_of(const Curve& curve, const PageStyle& style) {
-    return chart_line(style, curve.colour, curve.width_px, curve.dashed);
+    return chart_line(style, curve.colour, curve.width_px, curve.stroke);
 }
 
 void fill_under(const Curve& curve, const LinearAxes& axes, Sheet& sheet) {

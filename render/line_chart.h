@@ -18,7 +18,7 @@ struct Curve {
     Rgb colour;
     std::vector<Point> points;
     double width_px = 2.2;  ///< on a page 1600 x 1200
-    bool dashed = false;
+    Stroke stroke = Stroke::solid;
     std::vector<double> foot{};  ///< as many as points: the ground between them and the curve is filled palely
 };
 

@@ -110,8 +110,9 @@ void paint_dots(Image& page, const MapFrame& frame, const Dots& dots, const Colo
     }
 }
 
-std::int64_t paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale) {
-    std::int64_t n_coloured = 0;
+void paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale, int edge_px) {
+    const auto width = static_cast<std::size_t>(frame.width);
+    std::vector<char> coloured(width * static_cast<std::size_t>(frame.height));
     for (int row = 0; row < frame.height; ++row) {
         for (int column = 0; column < frame.width; ++column) {
             const ColourClass* found = scale.find(cell_value(layer, frame.ground(column, row)));
@@ -120,10 +121,25 @@ std::int64_t paint_cells(Image& page, const MapFrame& frame, const Raster& layer
             p[0] = found->colour.r;
             p[1] = found->colour.g;
             p[2] = found->colour.b;
-            ++n_coloured;
+            coloured[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)] = 1;
         }
     }
-    return n_coloured;
+    const auto is_coloured = [&](int column, int row) {
+        return column >= 0 && column < frame.width && row >= 0 && row < frame.height &&
+               coloured[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)] != 0;
+    };
+    for (int row = 0; row < frame.height; ++row) {
+        for (int column = 0; column < frame.width; ++column) {
+            if (is_coloured(column, row)) continue;
+            bool at_edge = false;
+            for (int k = 1; k <= edge_px && !at_edge; ++k)
+                at_edge = is_coloured(column - k, row) || is_coloured(column + k, row) ||
+                          is_coloured(column, row - k) || is_coloured(column, row + k);
+            if (!at_edge) continue;
+            std::uint8_t* p = page.pixel(frame.left + column, frame.top + row);
+            for (int k = 0; k < 3; ++k) p[k] = static_cast<std::uint8_t>(p[k] * 2 / 5);
+        }
+    }
 }
 
 }  // namespace frana::render

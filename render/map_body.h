@@ -59,9 +59,9 @@ void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain);
 /// A user's picture of the ground, a little lighter so that lines and colours stand out on it.
 void paint_background(Image& page, const MapFrame& frame, const Background& background);
 
-/// Cells in the pure colours of their classes, each pixel from the cell that holds its centre.
-/// Returns the number of pixels coloured.
-std::int64_t paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale);
+/// Cells in the pure colours of their classes, each pixel from the cell that holds its centre. The ground for so many
+/// pixels beside them is darkened: the palest class ends somewhere on bright ground, too, and in print without colours.
+void paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale, int edge_px);
 
 /// Particles as dots in the pure colours of their values' classes.
 void paint_dots(Image& page, const MapFrame& frame, const Dots& dots, const ColourScale& scale);

@@ -183,7 +183,9 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
 
 Image MapPage::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) const {
     Image image = ground_->paper;
-    if (layer != nullptr) paint_cells(image, frame_, *layer, scale_);
+    const PageStyle style(image.width, image.height);
+    const int edge_px = std::max(1, static_cast<int>(std::lround(style.length(1))));
+    if (layer != nullptr) paint_cells(image, frame_, *layer, scale_, edge_px);
     if (dots != nullptr) paint_dots(image, frame_, *dots, scale_);
     ground_->above.put(image);
     if (layout_.inset) {
@@ -194,7 +196,6 @@ Image MapPage::draw(const Raster* layer, const Dots* dots, const std::string& su
     }
     words_.put(image);
     if (!subtitle.empty()) {
-        const PageStyle style(image.width, image.height);
         const Lettering lettering;
         const double width = image.width - 2 * style.margin;
         lettering.write(image, subtitle, subtitle_at_,

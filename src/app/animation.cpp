@@ -171,8 +171,7 @@ Size film_size(Size map) {
 
 FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {
     const bool particles = quantity == "particles";
-    FilmSource film{source, result.map_layer(particles ? "max_velocity" : "max_" + quantity), result.frames(),
-                    quantity};
+    FilmSource film{source, result.greatest(particles ? "velocity" : quantity), result.frames(), quantity};
     film.layer.title = particles             ? "Speed of particles"
                        : quantity == "depth" ? "Flow depth"
                                              : "Flow velocity";

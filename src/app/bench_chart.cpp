@@ -11,7 +11,7 @@ namespace {
 
 constexpr Rgb k_default{0, 90, 181}, k_paper{213, 94, 0}, k_peer{90, 90, 90};
 
-// Depth with a full line, momentum with a dashed one.
+// Told apart without colours, too: depth by full and dash-dotted lines, momentum by dashed and dotted ones.
 render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name,
                               Scheme scheme, bool momentum) {
     const bool paper = scheme == Scheme::paper;
@@ -21,7 +21,8 @@ render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const
         momentum ? render::Marker::diamond
         : paper  ? render::Marker::square
                  : render::Marker::circle,
-        momentum,
+        momentum ? (paper ? render::Stroke::dotted : render::Stroke::dashed)
+                 : (paper ? render::Stroke::dash_dot : render::Stroke::solid),
         {}};
     for (const bench::AccuracyRow& row : rows) {
         if (row.case_name != name || row.scheme != scheme) continue;
@@ -36,7 +37,7 @@ render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const
 // GeoClaw publishes mean errors in metres; over the exact mean depth they are l1_depth.
 render::ChartSeries geoclaw_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name) {
     render::ChartSeries series{
-        "GeoClaw, depth, published, its own machine", k_peer, render::Marker::triangle, true, {}};
+        "GeoClaw, depth, published, its own machine", k_peer, render::Marker::triangle, render::Stroke::dashed, {}};
     const auto row = std::find_if(rows.begin(), rows.end(),
                                   [&](const bench::AccuracyRow& one) { return one.case_name == name; });
     const double mean_depth = row->figures.mean_depth_error / row->figures.l1_depth;
@@ -87,7 +88,7 @@ render::Image speed_chart(const bench::SpeedResult& result) {
         if (line == lines.end()) {
             const bool one = row.threads == 1;
             lines.push_back({label, one ? k_paper : k_default,
-                             one ? render::Marker::square : render::Marker::circle, false, {}});
+                             one ? render::Marker::square : render::Marker::circle, render::Stroke::solid, {}});
             line = lines.end() - 1;
         }
         line->points.push_back({static_cast<double>(row.particles), row.particle_steps_per_second / 1e6});

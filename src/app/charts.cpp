@@ -15,10 +15,13 @@
 namespace frana::app {
 namespace {
 
+using render::Stroke;
+
 // Okabe and Ito's colours, safe for the colour-blind, the dark ones first.
 constexpr Rgb k_blue{0, 114, 178}, k_vermilion{213, 94, 0}, k_green{0, 158, 115}, k_purple{160, 80, 130},
     k_ground{90, 70, 50};
 constexpr Rgb k_colours[] = {k_blue, k_vermilion, k_green, k_purple, k_ground, {86, 180, 233}, {230, 159, 0}};
+constexpr Stroke k_strokes[] = {Stroke::solid, Stroke::dashed, Stroke::dotted, Stroke::dash_dot};
 
 /// A table of a result: texts and numbers by column.
 class Columns {
@@ -102,14 +105,14 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const Ma
     for (const Point p : on_line(bed)) foot.push_back(p.y);
     const std::string metres = "distance along the line [m]";
     render::CurvePanel relief{"Surfaces", metres, "elevation [m]", {}};
-    relief.curves = {{"final surface", k_vermilion, surface("final_depth"), 2, false, foot},
-                     {"initial surface", k_green, surface("release_m"), 2, true},
-                     {"bed plus maximum depth", k_blue, surface("max_depth"), 2, true},
+    relief.curves = {{"final surface", k_vermilion, surface("final_depth"), 2, Stroke::solid, foot},
+                     {"initial surface", k_green, surface("release_m"), 2, Stroke::dotted},
+                     {"bed plus maximum depth", k_blue, surface("max_depth"), 2, Stroke::dashed},
                      {"bed", k_ground, on_line(bed), 2.4}};
     relief.share = 1.5;
     render::CurvePanel depths{"Depths, vertical", metres, "depth [m]", {}, true};
-    depths.curves = {{"maximum", k_blue, on_line(column("max_depth")), 2, true},
-                     {"released", k_green, on_line(column("release_m")), 2, true},
+    depths.curves = {{"maximum", k_blue, on_line(column("max_depth")), 2, Stroke::dashed},
+                     {"released", k_green, on_line(column("release_m")), 2, Stroke::dotted},
                      {"at the end", k_vermilion, on_line(column("final_depth")), 2}};
     render::CurvePanel speeds{"Greatest speed, along the bed", metres, "speed [m/s]", {}, true};
     speeds.curves = {{"maximum", k_blue, on_line(column("max_velocity")), 2}};
@@ -120,10 +123,11 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const Ma
 
 NamedChart series_chart(const Columns& table, const MapSource& source) {
     const std::vector<double> time = table.numbers("time_s");
-    const auto curve = [&](const std::string& name, const std::string& label, Rgb colour, double factor = 1) {
+    const auto curve = [&](const std::string& name, const std::string& label, Rgb colour, double factor = 1,
+                           Stroke stroke = Stroke::solid) {
         std::vector<double> values = table.numbers(name);
         for (double& value : values) value *= factor;
-        return render::Curve{label, colour, joined_points(time, values)};
+        return render::Curve{label, colour, joined_points(time, values), 2.2, stroke};
     };
     const std::string seconds = "time [s]";
     render::CurveChart chart = page(source, "course of the flow", "timeseries.csv");
@@ -150,22 +154,22 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
          seconds,
          "volume [1000 m\u00B3]",
          {curve("volume_m3", "inside", k_blue, 1e-3),
-          curve("volume_left_m3", "left the ground", k_vermilion, 1e-3)},
+          curve("volume_left_m3", "left the ground", k_vermilion, 1e-3, Stroke::dashed)},
          true}};
     return {"timeseries", chart};
 }
 
 NamedChart scores_chart(const Columns& table, const ResultReader& result, const MapSource& source) {
     const std::vector<double> threshold = table.numbers("threshold_m");
-    const auto curve = [&](const std::string& name, const std::string& label, std::size_t colour, bool is_dashed) {
-        return render::Curve{label, k_colours[colour], joined_points(threshold, table.numbers(name)), 2.4, is_dashed};
+    const auto curve = [&](const std::string& name, const std::string& label, std::size_t colour, Stroke stroke) {
+        return render::Curve{label, k_colours[colour], joined_points(threshold, table.numbers(name)), 2.4, stroke};
     };
     render::CurvePanel scores{"Scores", "depth threshold [m]", "score [-]", {}, true};
-    scores.curves = {curve("jaccard", "Jaccard", 0, false), curve("dice", "Dice", 1, false),
-                     curve("true_positive_rate", "hit rate", 2, true),
-                     curve("false_positive_rate", "false alarm rate", 3, true)};
+    scores.curves = {curve("jaccard", "Jaccard", 0, Stroke::solid), curve("dice", "Dice", 1, Stroke::dash_dot),
+                     curve("true_positive_rate", "hit rate", 2, Stroke::dashed),
+                     curve("false_positive_rate", "false alarm rate", 3, Stroke::dotted)};
     render::CurvePanel areas{"Area difference", "depth threshold [m]", "difference [%]", {}, true};
-    areas.curves = {curve("area_difference_percent", "|simulated \u2212 observed| / observed", 0, false)};
+    areas.curves = {curve("area_difference_percent", "|simulated \u2212 observed| / observed", 0, Stroke::solid)};
     for (render::CurvePanel* panel : {&scores, &areas}) {
         panel->log_x = true;
         panel->mark_x = result.scene_number("scar.threshold", result.scene_number("output.trace-threshold", 0.1));
@@ -188,7 +192,7 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
         render::CurvePanel panel{name, "time [s]", label, {}, true};
         for (const std::string& kind : kinds_of(table, place)) {
             render::Curve curve{kind, k_colours[panel.curves.size() % std::size(k_colours)], {}};
-            curve.dashed = panel.curves.size() >= std::size(k_colours);
+            curve.stroke = k_strokes[panel.curves.size() % std::size(k_strokes)];
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (table.text(i, place) == kind) curve.points.push_back({time[i], values[i]});
             panel.curves.push_back(std::move(curve));

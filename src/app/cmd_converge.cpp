@@ -174,7 +174,7 @@ render::Image chart_of(const std::vector<Level>& levels) {
         {}};
     for (const FigureName& name : k_figures) {
         const double limit = convergence_of(levels, name.value).extrapolated;
-        render::ChartSeries series{"this scene", {0, 90, 181}, render::Marker::circle, false, {}};
+        render::ChartSeries series{"this scene", {0, 90, 181}, render::Marker::circle, render::Stroke::solid, {}};
         for (const Level& level : levels) {
             const double distance = std::abs(level.*name.value - limit) / std::abs(limit);
             if (distance > 0) series.points.push_back({level.cell_size, distance});

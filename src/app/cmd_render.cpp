@@ -185,6 +185,21 @@ void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool vie
     }
 }
 
+/// The run's folder is its own until the end, and holds frames alone.
+void check_request_under_way(const ResultReader& result, const Request& request, Problems& problems) {
+    const std::string& folder = result.directory();
+    if (request.charts || request.plates) {
+        problems.add({"needs a run that has ended", request.charts ? "--charts" : "--plates", "", "",
+                      "This one is under way in " + folder});
+    } else if (!request.film && request.maps.empty()) {
+        problems.add({"is under way: it has its frames only", "RESULT_DIR", folder, "",
+                      "Draw --map depth@SECONDS, --map velocity@SECONDS, or --animation FILE"});
+    } else if (!request.film && !request.out) {
+        problems.add({"is under way: nothing is drawn into its folder", "RESULT_DIR", folder, "",
+                      "Name another folder with --out"});
+    }
+}
+
 void render_result(const Values& values, const Request& request, Problems& problems) {
     const ResultReader result((values)["operand"].as<std::string>());
     for (const char* option : {"dtm", "unit", "above"}) {
@@ -194,7 +209,8 @@ void render_result(const Values& values, const Request& request, Problems& probl
     MapSource source = result.map_source();
     read_style(values, source.style, problems);
     source.title = text_option(values, "title").value_or(source.title);
-    const std::string crs = result.raster(result.drawable().front()).grid.crs_wkt;
+    const std::string crs = result.grid().crs_wkt;
+    if (result.under_way()) check_request_under_way(result, request, problems);
     if (!source.style.background.empty()) {
         try {
             gis::check_picture(source.style.background, crs, "--background");

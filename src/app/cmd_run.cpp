@@ -13,6 +13,7 @@
 #include "app/progress.h"
 #include "app/provenance.h"
 #include "app/publish.h"
+#include "app/publish_rasters.h"
 #include "app/scene_identity.h"
 #include "app/share_directory.h"
 #include "app/signals.h"
@@ -157,6 +158,7 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
                        from != nullptr ? from->head().frame_times : std::vector<double>{});
     const bool wants_frames = prepared.scene.time.frame_interval > 0;
     if (wants_frames) directory.make_folder("frames");
+    publish_ground(prepared, directory);
     FrameWriter* const written_frames = wants_frames ? &frames : nullptr;
     Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared,
                             written_frames, session.since_start, session.earlier_seconds, log);

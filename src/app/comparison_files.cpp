@@ -19,10 +19,10 @@ struct ClassText {
     Rgb colour;
 };
 
-// Okabe and Ito's colours, safe for the colour-blind: bluish green, orange, sky blue.
+// Bluish green, orange and a dark blue: apart for the colour-blind, and in lightness where colours are not printed.
 constexpr ClassText k_classes[] = {{Agreement::hit, "Hit: simulated and observed", {0, 158, 115}},
-                                   {Agreement::false_alarm, "False alarm: simulated only", {230, 159, 0}},
-                                   {Agreement::miss, "Miss: observed only", {86, 180, 233}}};
+                                   {Agreement::false_alarm, "False alarm: simulated only", {240, 180, 50}},
+                                   {Agreement::miss, "Miss: observed only", {40, 50, 140}}};
 
 /// The names and values of a comparison's figures, in the order of the file.
 std::vector<std::pair<const char*, double>> named(const ComparisonFigures& f) {

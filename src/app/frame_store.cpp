@@ -110,15 +110,23 @@ void FrameWriter::write_particles(const Job& job) const {
 }
 
 // ParaView's list of files and their times.
-void FrameWriter::list_particles() const {
+void FrameWriter::list_particles(const std::vector<double>& times) const {
     std::string text =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
-    for (std::size_t i = 0; i < times_.size(); ++i) {
+    for (std::size_t i = 0; i < times.size(); ++i) {
         const fs::path file = frame_file(folder_, "particles", i, ".vtp");
-        text += "    <DataSet timestep=\"" + shortest_text(times_[i]) + "\" file=\"" +
+        text += "    <DataSet timestep=\"" + shortest_text(times[i]) + "\" file=\"" +
                 file.filename().string() + "\"/>\n";
     }
     write_text_file((fs::path(folder_) / "particles.pvd").string(), text + "  </Collection>\n</VTKFile>\n");
+}
+
+void FrameWriter::list(const std::vector<double>& times) const {
+    std::string text = "index,time_s\n";
+    for (std::size_t i = 0; i < times.size(); ++i)
+        text += std::to_string(i) + "," + shortest_text(times[i]) + "\n";
+    write_text_file(list_file(folder_), text);
+    if (particles_.vtp) list_particles(times);
 }
 
 void FrameWriter::serve() {
@@ -127,10 +135,13 @@ void FrameWriter::serve() {
         changed_.wait(lock, [&] { return closed_ || !waiting_.empty(); });
         if (waiting_.empty()) return;
         const Job& job = waiting_.front();  // a deque's elements stay where they are
+        const auto end = times_.begin() + static_cast<std::ptrdiff_t>(job.index) + 1;
+        const std::vector<double> times(times_.begin(), end);
         lock.unlock();
         std::exception_ptr failure;
         try {
             write(job);
+            list(times);  // who looks in on the run finds what is whole
         } catch (...) {
             failure = std::current_exception();
         }
@@ -181,11 +192,7 @@ void FrameWriter::finish() {
         wait_until_written(lock);
     }
     require_good();
-    std::string text = "index,time_s\n";
-    for (std::size_t i = 0; i < times_.size(); ++i)
-        text += std::to_string(i) + "," + shortest_text(times_[i]) + "\n";
-    write_text_file(list_file(folder_), text);
-    if (particles_.vtp) list_particles();
+    list(times_);
 }
 
 std::optional<std::size_t> frame_index(const std::string& name) {

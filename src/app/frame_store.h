@@ -28,9 +28,9 @@ struct ParticleFormats {
 ParticleFormats particle_formats(const std::vector<std::string>& formats);
 
 /// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, particles, and frames.csv (index,
-/// time_s). A thread of its own writes them while the run goes on; at most two wait, so that a slow disk
-/// holds the run back and not the memory. Once a frame cannot be written it and all after it are kept in memory: the
-/// run is to stop and save them.
+/// time_s). A thread of its own writes them while the run goes on, and lists what is whole after each; at most two
+/// wait, so that a slow disk holds the run back and not the memory. Once a frame cannot be written it and all after it
+/// are kept in memory: the run is to stop and save them.
 class FrameWriter {
   public:
     /// `metadata` goes into every raster.
@@ -51,7 +51,7 @@ class FrameWriter {
     [[nodiscard]] std::uint64_t most_bytes_waiting() const;
     /// Throws Error(environment) when a frame could not be written.
     void require_good();
-    /// Waits for the last frame and lists all. Throws Error(environment).
+    /// Waits for the last frame and lists all, also those that were there already. Throws Error(environment).
     void finish();
     /// Of all frames so far [s].
     [[nodiscard]] const std::vector<double>& times() const noexcept { return times_; }
@@ -70,7 +70,8 @@ class FrameWriter {
     void write(const Job& job) const;
     void wait_until_written(std::unique_lock<std::mutex>& lock);
     void write_particles(const Job& job) const;
-    void list_particles() const;
+    void list(const std::vector<double>& times) const;
+    void list_particles(const std::vector<double>& times) const;
     void serve();
 
     std::string folder_;

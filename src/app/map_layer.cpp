@@ -101,6 +101,18 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
     return layer;
 }
 
+MapLayer read_greatest_layer(const std::vector<std::string>& paths) {
+    MapLayer layer = read_map_layer(paths.front());
+    for (std::size_t i = 1; i < paths.size(); ++i) {
+        const Raster more = gis::read_result_raster(paths[i]);
+        for (std::size_t cell = 0; cell < more.values.size(); ++cell)
+            layer.values.values[cell] = std::fmax(layer.values.values[cell], more.values[cell]);  // a number before nodata
+    }
+    set_known(layer.name.substr(0, layer.name.find_last_of('_')), layer);
+    layer.time.reset();
+    return layer;
+}
+
 std::vector<std::string> class_areas(const MapLayer& layer) {
     std::vector<std::string> lines;
     for (const render::ClassLabel& one : layer.categories) {

@@ -31,6 +31,9 @@ struct MapLayer {
 /// program, in which a value of 0 means that nothing flowed. Throws Error(input).
 MapLayer read_map_layer(const std::string& path, bool foreign = false);
 
+/// The greatest values of frames of one quantity, coloured as its maximum over time. Throws Error(input).
+MapLayer read_greatest_layer(const std::vector<std::string>& paths);
+
 /// A comparison's or hazard map's areas, one line a class: "Hit 12 300 m²".
 std::vector<std::string> class_areas(const MapLayer& layer);
 

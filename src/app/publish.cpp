@@ -230,7 +230,6 @@ bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter&
     facts.hazard = publish_hazard(prepared, result, directory);
     publish_avaframe(prepared, result, directory);
     write_text_file(directory.path("timeseries.csv"), timeseries_csv(result.series));
-    write_text_file(directory.path("scene.ini"), echoed_scene(prepared));
     if (frames.count() > 0) frames.finish();
     publish_frame_stacks(prepared, directory);
     const std::optional<Comparison> comparison = publish_comparison(run, directory, log);

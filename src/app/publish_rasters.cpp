@@ -4,6 +4,7 @@
 #include "analysis/trace.h"
 #include "app/layers.h"
 #include "app/provenance.h"
+#include "app/text_file.h"
 #include "core/colour.h"
 #include "core/json.h"
 #include "gis/raster_out.h"
@@ -73,13 +74,22 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
             layer.unit, gis::StyleKind::classed);
     }
     if (result.exchanges) publish_exchange(origin, result, directory);
-    write(directory, "dtm", prepared.scene.terrain, "Terrain on the working grid", "m", origin);
     write(directory, "bed", result.bed, "Bed that was slid over", "m", origin);
     write(directory, "release", result.release, "Thickness released, vertical", "m", origin);
     gis::write_styles(directory.path("release.tif"),
                       gis::class_stops(palette("depth"),
                                        layer_classes(layer_named("max_depth"), maximum(result.release)), "m"),
                       "m", gis::StyleKind::classed);
+}
+
+void publish_ground(const Prepared& prepared, const ResultDirectory& directory) {
+    write(directory, "dtm", prepared.scene.terrain, "Terrain on the working grid", "m", provenance(prepared));
+    gis::OutlineLayer release{"release", {}};
+    for (const ReleaseArea& area : prepared.scene.release) release.features.push_back(feature(area.outline, 0));
+    std::vector<gis::OutlineLayer> layers{std::move(release)};
+    if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
+    gis::write_outlines(directory.path("extent.gpkg"), prepared.scene.grid.crs_wkt, layers);
+    write_text_file(directory.path("scene.ini"), echoed_scene(prepared));
 }
 
 void publish_outlines(const Prepared& prepared, const RunResult& result, const Runout& run_out,

@@ -8,8 +8,10 @@
 
 namespace frana::app {
 
-/// The result's rasters, each with its styles beside it, and what they stand on: dtm.tif, bed.tif,
-/// release.tif.
+/// What is known before a run: dtm.tif, scene.ini, and in extent.gpkg release and scar. Throws Error(environment).
+void publish_ground(const Prepared& prepared, const ResultDirectory& directory);
+
+/// The result's rasters, each with its styles beside it, and what they stand on: bed.tif, release.tif.
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory);
 
 /// extent.gpkg: release, trace (greatest depth over the threshold), deposit (final depth over it), scar if

@@ -150,18 +150,29 @@ void check_result_directory(const std::string& directory, bool overwrite,
     }
 }
 
-std::vector<std::string> left_results(const std::string& directory) {
+std::vector<std::string> unfinished_results(const std::string& directory) {
     const fs::path result = clean(directory);
     const std::string beginning = result.filename().string() + k_building;
-    std::vector<std::string> folders;
+    std::vector<std::pair<fs::file_time_type, std::string>> found;
     std::error_code failure;
     for (const fs::directory_entry& entry : fs::directory_iterator(result.parent_path(), failure)) {
-        if (entry.path().filename().string().rfind(beginning, 0) != 0) continue;
-        const int descriptor = lock(entry.path().string(), false);
-        if (descriptor < 0) continue;
-        ::close(descriptor);
-        folders.push_back(entry.path().string());
+        if (entry.path().filename().string().rfind(beginning, 0) == 0)
+            found.emplace_back(entry.last_write_time(failure), entry.path().string());
     }
+    std::sort(found.rbegin(), found.rend());
+    std::vector<std::string> folders;
+    for (const auto& [time, folder] : found) folders.push_back(folder);
+    return folders;
+}
+
+std::vector<std::string> left_results(const std::string& directory) {
+    std::vector<std::string> folders = unfinished_results(directory);
+    std::erase_if(folders, [](const std::string& folder) {
+        const int descriptor = lock(folder, false);
+        if (descriptor < 0) return true;
+        ::close(descriptor);
+        return false;
+    });
     std::sort(folders.begin(), folders.end());
     return folders;
 }

@@ -22,6 +22,9 @@ void check_result_directory(const std::string& directory, bool overwrite,
 /// Folders beside a result in which one was being built by runs that are no more.
 std::vector<std::string> left_results(const std::string& directory);
 
+/// Folders beside a result in which one is or was being built, the latest first.
+std::vector<std::string> unfinished_results(const std::string& directory);
+
 /// A result is built in a sibling folder and takes its name when it is whole: a run that fails leaves an
 /// older result as it was.
 class ResultDirectory {

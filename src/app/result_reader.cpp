@@ -11,6 +11,7 @@
 #include "app/layers.h"
 #include "app/number_text.h"
 #include "app/particle_dots.h"
+#include "app/result_directory.h"
 #include "app/version.h"
 #include "core/error.h"
 #include "core/json.h"
@@ -102,6 +103,10 @@ void include(Raster& extent, const Raster& more) {
 
 ResultReader::ResultReader(std::string directory) : directory_(std::move(directory)) {
     while (directory_.size() > 1 && directory_.back() == '/') directory_.pop_back();
+    if (!fs::exists(directory_)) {
+        if (const auto unfinished = unfinished_results(directory_); !unfinished.empty())
+            directory_ = unfinished.front();
+    }
     if (!fs::is_directory(directory_))
         throw Error(ErrorKind::input,
                     Problem{"is not a folder", "RESULT_DIR", directory_, "", "Name a result directory"});
@@ -109,10 +114,12 @@ ResultReader::ResultReader(std::string directory) : directory_(std::move(directo
     if (const auto format = integer_from_text(scene_value("scene.format").value_or("1"));
         format && *format > k_scene_format)
         throw newer(path("scene.ini"), *format, k_scene_format);
+    if (under_way()) return;
     for (const Layer& layer : result_layers())
         if (has(layer.name + ".tif")) return;
     throw Error(ErrorKind::input, Problem{"holds no result: not one of its rasters is there", "RESULT_DIR",
-                                          directory_, "a directory that `frana run` wrote", ""});
+                                          directory_, "a directory that `frana run` wrote",
+                                          has("dtm.tif") ? "Its run has just begun; wait for the first frame" : ""});
 }
 
 std::string ResultReader::path(const std::string& name) const {
@@ -175,8 +182,20 @@ MapFacts ResultReader::facts(const Raster& max_depth, const Raster& release) con
     return facts;
 }
 
+GridSpec ResultReader::grid() const {
+    return raster(under_way() ? "dtm" : drawable().front()).grid;
+}
+
+MapLayer ResultReader::greatest(const std::string& quantity) const {
+    if (!under_way()) return map_layer("max_" + quantity);
+    std::vector<std::string> files;
+    for (const StoredFrame& frame : frames())
+        files.push_back(quantity == "velocity" ? frame.velocity_file : frame.depth_file);
+    return read_greatest_layer(files);
+}
+
 MapLayer ResultReader::particle_layer(const StoredFrame& frame) const {
-    MapLayer layer = map_layer("max_velocity");  // its colours: maps of different times compare
+    MapLayer layer = greatest("velocity");  // its colours: maps of different times compare
     layer.dots = read_particle_dots(frame.particle_file);
     layer.name = "particles_t" + shortest_text(frame.time);
     layer.title = "Speed of particles";
@@ -204,7 +223,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         layer.source.insert(0, "frames/");
         layer.name = kind + "_t" + shortest_text(nearest->time);
         // The greatest values over time give the colours, so that maps of different times compare.
-        if (has("max_" + kind + ".tif")) layer.classes = read_map_layer(path("max_" + kind + ".tif")).classes;
+        if (under_way() || has("max_" + kind + ".tif")) layer.classes = greatest(kind).classes;
         return layer;
     }
     if (has(name + ".tif")) {
@@ -301,7 +320,7 @@ MapSource ResultReader::map_source() const {
     MapSource source;
     source.title =
         scene_value("output.title").value_or(fs::absolute(directory_).lexically_normal().filename().string());
-    const GridSpec grid = raster(drawable().front()).grid;
+    const GridSpec grid = this->grid();
     source.crs_label = gis::crs_name(grid.crs_wkt);
     source.convergence_deg = gis::meridian_convergence_deg(
         grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
@@ -311,6 +330,11 @@ MapSource ResultReader::map_source() const {
     source.marks = marks(grid.crs_wkt);
     source.style = style();
     source.longitude_latitude = longitude_latitude(grid.crs_wkt);
+    if (under_way()) {
+        const std::vector<StoredFrame> so_far = frames();
+        source.subtitle = "run under way, " + figure(so_far.back().time, 3) + " s simulated so far";
+        source.extent = greatest("depth").values;
+    }
     if (!has("max_depth.tif") || !has("release.tif")) return source;
     const Raster release = raster("release");
     Raster max_depth = raster("max_depth");

@@ -11,10 +11,12 @@
 
 namespace frana::app {
 
-/// A result directory, read back from its files alone. What an older or foreign result lacks is left out.
+/// A result directory, read back from its files alone. What an older or foreign result lacks is left out; a run that
+/// has not ended has its ground and its frames so far.
 class ResultReader {
   public:
-    /// Throws Error(input) when the directory is not there or holds no raster of a result.
+    /// Where the directory is not there, but one that is to take its name, it is that. Throws Error(input) when there
+    /// is neither, or nothing of a result in it.
     explicit ResultReader(std::string directory);
 
     [[nodiscard]] const std::string& directory() const noexcept { return directory_; }
@@ -36,6 +38,13 @@ class ResultReader {
     /// The rasters that can be drawn, by name; terrain and bed are under all maps and not among them.
     [[nodiscard]] std::vector<std::string> drawable() const;
     [[nodiscard]] std::vector<StoredFrame> frames() const { return stored_frames(path("frames")); }
+    /// Whether its run has not ended: it has frames and no maxima.
+    [[nodiscard]] bool under_way() const { return !has("max_depth.tif") && has("frames/frames.csv"); }
+    /// Of "depth" or "velocity": the maximum over time, of a run that has not ended over its frames so far.
+    /// Throws Error(input).
+    [[nodiscard]] MapLayer greatest(const std::string& quantity) const;
+    /// Of its rasters.
+    [[nodiscard]] GridSpec grid() const;
 
     /// Everything maps share; terrain and outlines only where the result has them.
     [[nodiscard]] MapSource map_source() const;

@@ -68,5 +68,15 @@ TEST(Hazard, EveryClassOfASchemeHasItsOwnColourAndEverySchemeASource) {
     EXPECT_THROW(hazard_scheme("swiss", {}), Error);
 }
 
+TEST(Hazard, ClassesDifferInLightnessForPrintsWithoutColours) {
+    for (const char* name : {"swiss-debris-flow", "swiss-flood", "austrian-torrent"}) {
+        const std::vector<HazardClass> classes = hazard_scheme(name, {}).classes;
+        for (std::size_t i = 1; i < classes.size(); ++i) {
+            const auto tone = [](Rgb c) { return 0.299 * c.r + 0.587 * c.g + 0.114 * c.b; };  // Rec. 601, of 255
+            EXPECT_LT(tone(classes[i].colour), tone(classes[i - 1].colour) - 40) << name;  // and the worse the darker
+        }
+    }
+}
+
 }  // namespace
 }  // namespace frana

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "gis/raster_in.h"
+#include "gis/raster_text.h"
 #include "tiny_scene.h"
 
 namespace frana::test {
@@ -55,6 +56,22 @@ TEST_F(Compare, AResultAgainstAnOutlineInAnotherCrs) {
     EXPECT_GT(json_number(outcome.out, "hit_m2"), 0);
     EXPECT_EQ(json_number(outcome.out, "threshold_m"), 0.1);  // the result's own trace threshold
     EXPECT_TRUE(std::filesystem::exists(path("result/comparison.json")));
+}
+
+TEST_F(Compare, ClassesDifferInLightnessForPrintsWithoutColours) {
+    write_dtm([](int, int) { return 1.0; }, true, "depth.asc");
+    write_polygon("scar", {{200, 0}, {280, 0}, {280, 150}, {200, 150}});
+    ASSERT_EQ(frana({"compare", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "800x600"}).exit_code,
+              0);
+    const std::vector<gis::NamedClass> classes = gis::read_raster_text(path("scores/comparison.tif")).classes;
+    ASSERT_EQ(classes.size(), 3U);
+    std::vector<double> tones;  // Rec. 601 luma, of 255
+    for (const gis::NamedClass& one : classes)
+        tones.push_back(0.299 * one.colour.r + 0.587 * one.colour.g + 0.114 * one.colour.b);
+    std::sort(tones.begin(), tones.end());
+    // As far apart as neighbours in a scale of six classes.
+    EXPECT_GT(tones[1] - tones[0], 40);
+    EXPECT_GT(tones[2] - tones[1], 40);
 }
 
 TEST_F(Compare, MissingScarFile) {

@@ -31,10 +31,10 @@ ChartContent two_panels() {
     const Rgb blue{0, 90, 181}, red{220, 50, 32};
     content.panels = {
         {"first",
-         {{"one", blue, Marker::circle, false, {{0.1, 0.1}, {1, 0.01}, {10, 0.001}}},
-          {"other", red, Marker::square, true, {{0.1, 0.5}, {1, 0.4}, {10, 0.3}}}},
+         {{"one", blue, Marker::circle, Stroke::solid, {{0.1, 0.1}, {1, 0.01}, {10, 0.001}}},
+          {"other", red, Marker::square, Stroke::dashed, {{0.1, 0.5}, {1, 0.4}, {10, 0.3}}}},
          ""},
-        {"second", {{"one", blue, Marker::circle, false, {{1, 0}, {2, -3}}}}, "no error to show"}};
+        {"second", {{"one", blue, Marker::circle, Stroke::solid, {{1, 0}, {2, -3}}}}, "no error to show"}};
     return content;
 }
 

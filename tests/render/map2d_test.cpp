@@ -88,6 +88,34 @@ TEST(Map, NothingIsColouredWhereNothingFlowed) {
     }
 }
 
+TEST(Map, TheFlowHasADarkEdgeOnTheGroundBesideIt) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    MapSpec spec = test::full_map(ground, layer, 1600, 1200);
+    spec.outlines.clear();
+    spec.contours = false;
+    MapLayout layout;
+    const Image map = draw_map(spec, &layout);
+    spec.layer = nullptr;
+    spec.maximum = 10;
+    spec.window = layout.window;
+    MapLayout bare_layout;
+    const Image bare = draw_map(spec, &bare_layout);
+    ASSERT_EQ(layout.map.left, bare_layout.map.left);
+    int darker = 0, rows = 0;
+    for (std::int64_t row = 25; row < 80; ++row) {
+        const auto [x, y] = pixel(layout, {527500, layer.grid.cell_centre(row, 0).y});  // the tongue's western side
+        const auto [bare_x, bare_y] = pixel(bare_layout, {527500, layer.grid.cell_centre(row, 0).y});
+        ++rows;
+        for (const int step : {-2, -1, 0, 1})
+            if (map.colour(x + step, y).g < 0.6 * bare.colour(bare_x + step, bare_y).g &&
+                map.colour(x + step, y).r < 0.6 * bare.colour(bare_x + step, bare_y).r) {
+                ++darker;
+                break;
+            }
+    }
+    EXPECT_GT(darker, rows - 5);  // a coordinate cross may lie there
+}
+
 TEST(Map, ScaleBarIsAsLongAsItSays) {
     const Raster ground = test::terrain(), layer = test::tongue();
     for (const auto& [width, height] : {std::pair{800, 600}, {1600, 1200}, {1234, 777}}) {

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of a run that has not ended, as one draws them who looks in on it.
+#include <csignal>
+#include <fstream>
+#include <memory>
+
+#include "started_program.h"
+#include "tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class UnderWay : public TinyScene {
+  protected:
+    UnderWay() {
+        write_scene(
+            "stop-when-still = off\nframe-interval = 0.05\n[numerics]\nparticles-per-cell = 16\n[output]\n"
+            "maps = off\nanimation = off\n[terrain]\ncell-size = 1\n");
+        run_ = std::make_unique<StartedProgram>(
+            folder_.string(), std::vector<std::string>{"run", "scene.ini", "--out", "result", "--set", "time.end=400"});
+    }
+    /// The folder in which the result is being built; empty where there is none yet.
+    [[nodiscard]] fs::path building() const {
+        for (const auto& entry : fs::directory_iterator(folder_))
+            if (entry.path().filename().string().starts_with("result.partial-")) return entry.path();
+        return {};
+    }
+    [[nodiscard]] int frames() const {
+        std::ifstream file(building() / "frames/frames.csv");
+        int lines = 0;
+        for (std::string line; std::getline(file, line);) ++lines;
+        return lines - 1;
+    }
+
+    std::unique_ptr<StartedProgram> run_;
+};
+
+TEST_F(UnderWay, FilmsAndMapsShowTheFramesSoFar) {
+    ASSERT_TRUE(run_->wait_until([&] { return frames() >= 3; })) << run_->wait().err;
+    run_->send(SIGSTOP);  // a moment of it
+    const Outcome film = frana({"render", "result", "--animation", "film/", "--size", "640x480"});
+    ASSERT_EQ(film.exit_code, 0) << film.err;
+    EXPECT_TRUE(fs::exists(path("film/frame_0002.png")));
+    const Outcome view =
+        frana({"render", "result", "--animation", "view.mp4", "--view", "3d", "--size", "640x480"});
+    EXPECT_EQ(view.exit_code, 0) << view.err;
+    const Outcome map = frana({"render", "result", "--map", "depth@0.1", "--map", "velocity@0.1", "--out", "maps"});
+    ASSERT_EQ(map.exit_code, 0) << map.err;
+    EXPECT_EQ(map.out, "maps/depth_t0.1.png\nmaps/velocity_t0.1.png\n");
+
+    // What is known at the end only is refused, and nothing is put into the run's folder.
+    const std::vector<std::vector<std::string>> refused{{"render", "result"},
+                                                        {"render", "result", "--map", "depth@0.1"},
+                                                        {"render", "result", "--charts", "--out", "charts"},
+                                                        {"render", "result", "--map", "max_depth", "--out", "maps"}};
+    for (const auto& arguments : refused) EXPECT_EQ(frana(arguments).exit_code, 2) << arguments.back();
+    EXPECT_NE(frana(refused[0]).err.find("under way"), std::string::npos);
+    EXPECT_FALSE(fs::exists(building() / "maps"));
+    EXPECT_FALSE(fs::exists(path("result")));
+}
+
+TEST_F(UnderWay, FramesOfAKilledRunCanBeSeen) {
+    ASSERT_TRUE(run_->wait_until([&] { return frames() >= 2; })) << run_->wait().err;
+    run_->send(SIGKILL);
+    run_->wait();
+    const Outcome film = frana({"render", "result", "--animation", "film.gif", "--size", "640x480"});
+    EXPECT_EQ(film.exit_code, 0) << film.err;
+}
+
+}  // namespace
+}  // namespace frana::test
