@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <vector>
 
 namespace frana::gis {
 namespace {
@@ -77,15 +78,20 @@ std::optional<std::string> network_remedy(const std::string& path) {
 }
 
 void shut_network() {
+    // GDAL keeps handlers until the program ends, but forgets those that others replace.
+    static auto* const replaced = new std::vector<VSIFilesystemHandler*>;
     for (const char* name : k_file_systems) {
-        // Both "/vsicurl/" and "/vsicurl?", which carries options. GDAL keeps the handlers until the program
-        // ends.
-        VSIFileManager::InstallHandler(std::string(name) + "/", new NoFiles);
-        VSIFileManager::InstallHandler(std::string(name) + "?", new NoFiles);
+        for (const char* ending : {"/", "?"}) {  // "/vsicurl?" carries options
+            const std::string prefix = std::string(name) + ending;
+            replaced->push_back(VSIFileManager::GetHandler(prefix.c_str()));
+            VSIFileManager::InstallHandler(prefix, new NoFiles);
+        }
     }
     for (const char* name : k_drivers) {
-        if (GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(name))
-            GetGDALDriverManager()->DeregisterDriver(driver);
+        GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName(name);
+        if (driver == nullptr) continue;
+        GetGDALDriverManager()->DeregisterDriver(driver);
+        GDALDestroyDriver(driver);
     }
     // A GML file may name a schema anywhere.
     CPLSetConfigOption("GML_DOWNLOAD_SCHEMA", "NO");

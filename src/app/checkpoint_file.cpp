@@ -26,10 +26,47 @@ constexpr std::size_t k_start_bytes = k_magic.size() + 2 * sizeof(std::uint32_t)
 constexpr std::size_t k_sum_bytes = sizeof(std::uint32_t);
 constexpr std::size_t k_buffer = 1 << 20;
 
+// In the precision in which frames are written to their files.
+template <class Archive>
+void serialise_values(Archive& archive, Raster& raster) {
+    std::vector<float> values(raster.values.begin(), raster.values.end());
+    archive(values);
+    if constexpr (Archive::k_reads) raster.values.assign(values.begin(), values.end());
+}
+
+template <class Archive>
+void serialise_points(Archive& archive, PointTable& table) {
+    auto& [places, columns] = table;
+    places.resize(transfer_count(archive, places.size(), sizeof(Point)));
+    for (Point& place : places) archive(place.x, place.y);
+    columns.resize(transfer_count(archive, columns.size(), sizeof(std::uint64_t)));
+    for (auto& [name, values] : columns) {
+        archive(name, values);
+        if constexpr (Archive::k_reads) archive.require(values.size() == places.size());
+    }
+}
+
+template <class Archive>
+void serialise_frame(Archive& archive, Frame& frame) {
+    auto& [index, time, depth, velocity, more, particles] = frame;
+    archive(index, time);
+    serialise_values(archive, depth);
+    serialise_values(archive, velocity);
+    more.resize(transfer_count(archive, more.size(), sizeof(std::uint64_t)));
+    for (auto& [name, values] : more) {
+        archive(name);
+        serialise_values(archive, values);
+    }
+    serialise_points(archive, particles);
+}
+
 template <class Archive>
 void serialise(Archive& archive, CheckpointHead& head) {
-    auto& [build, scene, step, time, end, wall_seconds, frame_times, log] = head;
-    archive(build, scene, step, time, end, wall_seconds, frame_times, log);
+    auto& [build, scene, step, time, end, wall_seconds, frame_times, waiting, log] = head;
+    archive(build, scene, step, time, end, wall_seconds, frame_times);
+    waiting.resize(transfer_count(archive, waiting.size(), sizeof(std::uint64_t)));
+    for (Frame& frame : waiting) serialise_frame(archive, frame);
+    archive(log);
 }
 
 [[noreturn]] void fail(const std::string& path, int reason) {
@@ -46,7 +83,9 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 // Writes through a buffer and sums what it writes.
 class SummedOutput {
   public:
-    explicit SummedOutput(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "wb"), &std::fclose) {
+    /// @param over a file that is there already
+    SummedOutput(const std::string& path, bool over)
+        : path_(path), file_(std::fopen(path.c_str(), over ? "r+b" : "wb"), &std::fclose) {
         if (!file_) fail(path_, errno);
         std::setvbuf(file_.get(), nullptr, _IOFBF, k_buffer);
     }
@@ -67,12 +106,17 @@ class SummedOutput {
             if (std::fwrite(data, 1, count, file_.get()) != count) fail(path_, errno);
         }
     }
-    void finish() {
+    std::uint64_t finish() {
         const auto sum = static_cast<std::uint32_t>(sum_);
         if (std::fwrite(&sum, 1, sizeof sum, file_.get()) != sizeof sum) fail(path_, errno);
         start(written_);
-        if (std::fflush(file_.get()) != 0 || ::fsync(::fileno(file_.get())) != 0) fail(path_, errno);
+        const std::uint64_t size = k_start_bytes + written_ + k_sum_bytes;
+        const int descriptor = ::fileno(file_.get());
+        if (std::fflush(file_.get()) != 0 || ::ftruncate(descriptor, static_cast<off_t>(size)) != 0 ||
+            ::fsync(descriptor) != 0)
+            fail(path_, errno);
         if (std::fclose(file_.release()) != 0) fail(path_, errno);
+        return size;
     }
 
   private:
@@ -127,16 +171,26 @@ std::string checkpoint_build() {
            (vector_kernels() != nullptr ? "vector instructions" : "plain instructions");
 }
 
-void write_checkpoint(const std::string& path, CheckpointHead head, const SaveState& state) {
+std::uint64_t write_checkpoint(const std::string& path, CheckpointHead head, const SaveState& state,
+                               ReservedSpace& space) {
     FileAside aside(path);
-    SummedOutput file(aside.partial_path());
+    SummedOutput file(aside.partial_path(), space.become(aside.partial_path()));
     file.start(0);
     StateWriter writer([&](const void* data, std::size_t count) { file.write(data, count); });
     serialise(writer, head);
     state(writer);
-    file.finish();
+    const std::uint64_t size = file.finish();
     aside.rename_into_place();
     sync_path(std::filesystem::path(path).parent_path().string());  // the new name too
+    return size;
+}
+
+std::uint64_t checkpoint_bytes(CheckpointHead head, const SaveState& state) {
+    std::uint64_t count = k_start_bytes + k_sum_bytes;
+    StateWriter writer([&](const void*, std::size_t more) { count += more; });
+    serialise(writer, head);
+    state(writer);
+    return count;
 }
 
 struct CheckpointFile::Open {

@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "app/reserved_space.h"
 #include "simulation/result.h"
 
 namespace frana::app {
 
 /// Format of checkpoint files: counts up with every change of what any serialise writes. Those from the oldest format
 /// on are read.
-inline constexpr std::uint32_t k_checkpoint_format = 1, k_oldest_checkpoint_format = 1;
+inline constexpr std::uint32_t k_checkpoint_format = 2, k_oldest_checkpoint_format = 2;
 
 /// What a checkpoint tells of the run that it belongs to.
 struct CheckpointHead {
@@ -22,6 +23,7 @@ struct CheckpointHead {
     double time = 0, end = 0;         ///< simulated [s]
     double wall_seconds = 0;          ///< of all sessions so far
     std::vector<double> frame_times;  ///< of the frames that were on disk [s]
+    std::vector<Frame> waiting;       ///< frames after those, which the disk would not take; without their grid
     std::vector<std::string> log;     ///< lines so far
 };
 
@@ -32,8 +34,14 @@ std::string checkpoint_build();
 ///
 ///     8 bytes "frana ck", mark of byte order, format, size of the rest | head | state | CRC-32 of all before
 ///
+/// @param space to be written into, if there is any; then no room is needed but what it lacks
+/// @return bytes of the file
 /// Throws Error(environment).
-void write_checkpoint(const std::string& path, CheckpointHead head, const SaveState& state);
+std::uint64_t write_checkpoint(const std::string& path, CheckpointHead head, const SaveState& state,
+                               ReservedSpace& space);
+
+/// Bytes that write_checkpoint would write.
+std::uint64_t checkpoint_bytes(CheckpointHead head, const SaveState& state);
 
 /// An open checkpoint of which every byte has been checked.
 class CheckpointFile {

@@ -7,8 +7,10 @@
 #include "app/checkpoint_file.h"
 #include "app/frame_store.h"
 #include "app/prepare.h"
+#include "app/reserved_space.h"
 #include "app/run_log.h"
 #include "app/stopwatch.h"
+#include "core/error.h"
 
 namespace frana::app {
 
@@ -18,22 +20,29 @@ inline constexpr const char* k_checkpoint_folder = "checkpoint";
 /// The checkpoints in a result directory, the furthest first.
 std::vector<std::string> checkpoints_in(const std::string& directory);
 
-/// Takes the checkpoints of a run: step_NNN.frana, the last two kept.
+/// Takes the checkpoints of a run: step_NNN.frana, the last two kept. The disk's room for the next one is set aside
+/// beforehand and grows with the flow, so that a disk that fills still takes the state as it is then.
 class Checkpoints {
   public:
-    /// @param interval wall time between two [s]; 0: only when asked for
+    /// @param interval wall time between two [s]; 0: only at the end
     /// @param frames those that a checkpoint counts on; null: none are written
     /// @param earlier wall time of earlier sessions [s]
     Checkpoints(std::string directory, double interval, const Prepared& prepared, FrameWriter* frames,
                 const Stopwatch& since_start, double earlier, RunLog& log);
 
-    [[nodiscard]] bool due() const { return interval_ > 0 && since_last_.seconds() >= interval_; }
-    /// A checkpoint that cannot be written is a warning: the run goes on. Throws Error(environment) where a frame could
-    /// not be written.
-    void save(const Progress& now, const SaveState& state);
+    /// Looks at the clock, and takes one when it is due and at the run's last step. One that cannot be written is a
+    /// warning: the run goes on.
+    void after_step(const Progress& now, const SaveState& state);
+    /// Gives back what was set aside.
+    void release() { space_.release(); }
 
   private:
-    std::string directory_;
+    [[nodiscard]] CheckpointHead head(const Progress& now);
+    void save(const Progress& now, const SaveState& state);
+    void set_space_aside(const Progress& now, const SaveState& state);
+    void warn_once(const Error& error);
+
+    std::string directory_, folder_;
     double interval_;
     const Prepared& prepared_;
     FrameWriter* frames_;
@@ -41,7 +50,9 @@ class Checkpoints {
     double earlier_;
     RunLog& log_;
     std::string identity_;  ///< made when first needed: it takes a look at all data
-    Stopwatch since_last_;
+    Stopwatch since_last_, session_;
+    ReservedSpace space_;
+    double next_look_ = 0;  ///< at the space that a checkpoint takes, in session_ [s]
     bool warned_ = false;
 };
 

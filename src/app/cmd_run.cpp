@@ -69,10 +69,9 @@ RunOptions run_options(int threads, FrameWriter* frames, bool with_particles, Pr
         progress.finish();
         log.warn(describe(trouble) + ": the run stops here");
     };
-    run_with.stop_requested = [] { return stop_signal() != 0; };
-    run_with.save_due = [&checkpoints] { return checkpoints.due(); };
-    run_with.save = [&checkpoints](const Progress& now, const SaveState& state) {
-        checkpoints.save(now, state);
+    run_with.stop_requested = [frames] { return stop_signal() != 0 || (frames != nullptr && frames->failed()); };
+    run_with.after_step = [&checkpoints](const Progress& now, const SaveState& state) {
+        checkpoints.after_step(now, state);
     };
     return run_with;
 }
@@ -108,6 +107,20 @@ void tell_of_resuming(const CheckpointFile& from, RunLog& log) {
         problems.push_back({"the run up to its last checkpoint is kept", folder, "", "",
                             "When the trouble is over, the same command with --resume goes on from there"});
     throw Error(error.kind(), problems);
+}
+
+// Frames that the disk would not take before.
+void add_waiting(const CheckpointFile& from, const GridSpec& grid, FrameWriter& frames) {
+    const auto complete = [&](Raster& raster) {
+        StateReader::require(raster.values.size() == static_cast<std::size_t>(grid.cell_count()));
+        raster.grid = grid;
+    };
+    for (Frame frame : from.head().waiting) {
+        complete(frame.depth);
+        complete(frame.velocity);
+        for (NamedRaster& raster : frame.more) complete(raster.values);
+        frames.add(std::move(frame));
+    }
 }
 
 // What a session of a run begins with.
@@ -151,9 +164,14 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
                             written_frames, session.since_start, session.earlier_seconds, log);
     ProgressReporter progress(session.quiet);
     RunOptions options = run_options(session.threads, written_frames, particles.any(), progress, checkpoints, log);
-    if (from != nullptr) options.saved = &from->state();
+    if (from != nullptr) {
+        options.saved = &from->state();
+        add_waiting(*from, prepared.scene.grid, frames);
+    }
     const RunResult result = run(prepared.scene, options);
     progress.finish();
+    frames.require_good();
+    checkpoints.release();
     tell_of_run(result, prepared.scene.time.end, log);
 
     const bool all_drawn = publish({prepared, result, session.threads, session.input_seconds,

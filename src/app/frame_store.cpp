@@ -33,6 +33,14 @@ std::string list_file(const std::string& folder) {
     return (fs::path(folder) / "frames.csv").string();
 }
 
+// As a checkpoint holds it: rasters in single precision, points in double.
+std::uint64_t bytes_of(const Frame& frame) {
+    constexpr std::uint64_t k_names = 1000;
+    const std::uint64_t rasters = 2 + frame.more.size(), columns = 2 + frame.particles.columns.size();
+    return k_names + rasters * frame.depth.values.size() * sizeof(float) +
+           columns * frame.particles.places.size() * sizeof(double);
+}
+
 }  // namespace
 
 ParticleFormats particle_formats(const std::vector<std::string>& formats) {
@@ -64,8 +72,8 @@ void FrameWriter::add(Frame frame) {
     const Stopwatch watch;
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return failure_ || waiting_.size() < k_most_waiting; });
-    throw_failure();
     const double time = frame.time;
+    largest_ = std::max(largest_, bytes_of(frame));
     waiting_.push_back({times_.size(), std::move(frame)});
     times_.push_back(time);
     lock.unlock();
@@ -138,41 +146,52 @@ void FrameWriter::serve() {
             failure = std::current_exception();
         }
         lock.lock();
-        waiting_.pop_front();
         if (failure) {
             failure_ = failure;
-            waiting_.clear();
+            failed_ = true;
+        } else {
+            waiting_.pop_front();
         }
         changed_.notify_all();
         if (failure) return;
     }
 }
 
-// With the lock held.
-void FrameWriter::throw_failure() {
+void FrameWriter::require_good() {
+    const std::lock_guard lock(mutex_);
     if (failure_) std::rethrow_exception(failure_);
 }
 
-void FrameWriter::wait_until_written() {
-    std::unique_lock lock(mutex_);
+void FrameWriter::wait_until_written(std::unique_lock<std::mutex>& lock) {
     changed_.wait(lock, [&] { return failure_ || waiting_.empty(); });
-    throw_failure();
 }
 
-void FrameWriter::settle() {
-    wait_until_written();
-    if (settled_ == times_.size()) return;
+std::uint64_t FrameWriter::most_bytes_waiting() const {
+    return (k_most_waiting + 1) * largest_;
+}
+
+std::vector<Frame> FrameWriter::settle() {
+    std::unique_lock lock(mutex_);
+    wait_until_written(lock);
+    std::vector<Frame> left;
+    for (const Job& job : waiting_) left.push_back(job.frame);
+    if (settled_ + left.size() == times_.size()) return left;
     std::error_code failure;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failure)) {
         const auto index = frame_index(entry.path().filename().string());
         if (index && *index >= settled_) sync_path(entry.path().string());
     }
     sync_path(folder_);
-    settled_ = times_.size();
+    settled_ = times_.size() - left.size();
+    return left;
 }
 
 void FrameWriter::finish() {
-    wait_until_written();
+    {
+        std::unique_lock lock(mutex_);
+        wait_until_written(lock);
+    }
+    require_good();
     list(times_);
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <exception>
 #include <map>
@@ -27,7 +29,8 @@ ParticleFormats particle_formats(const std::vector<std::string>& formats);
 
 /// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, particles, and frames.csv (index,
 /// time_s). A thread of its own writes them while the run goes on, and lists what is whole after each; at most two
-/// wait, so that a slow disk holds the run back and not the memory.
+/// wait, so that a slow disk holds the run back and not the memory. Once a frame cannot be written it and all after it
+/// are kept in memory: the run is to stop and save them.
 class FrameWriter {
   public:
     /// `metadata` goes into every raster.
@@ -39,10 +42,15 @@ class FrameWriter {
     FrameWriter(const FrameWriter&) = delete;
     FrameWriter& operator=(const FrameWriter&) = delete;
 
-    /// Throws Error(environment) when an earlier frame could not be written.
     void add(Frame frame);
-    /// Waits until every frame so far is on the disk. Throws Error(environment).
-    void settle();
+    /// Whether a frame could not be written.
+    [[nodiscard]] bool failed() const noexcept { return failed_; }
+    /// Waits until every frame so far is on the disk or has failed; returns those that are not there.
+    [[nodiscard]] std::vector<Frame> settle();
+    /// What settle() may return, as a checkpoint holds it [bytes].
+    [[nodiscard]] std::uint64_t most_bytes_waiting() const;
+    /// Throws Error(environment) when a frame could not be written.
+    void require_good();
     /// Waits for the last frame and lists all, also those that were there already. Throws Error(environment).
     void finish();
     /// Of all frames so far [s].
@@ -60,12 +68,11 @@ class FrameWriter {
     static constexpr std::size_t k_most_waiting = 2;
 
     void write(const Job& job) const;
-    void wait_until_written();
+    void wait_until_written(std::unique_lock<std::mutex>& lock);
     void write_particles(const Job& job) const;
     void list(const std::vector<double>& times) const;
     void list_particles(const std::vector<double>& times) const;
     void serve();
-    void throw_failure();
 
     std::string folder_;
     std::map<std::string, std::string> metadata_;
@@ -77,6 +84,8 @@ class FrameWriter {
     std::condition_variable changed_;
     std::deque<Job> waiting_;     // the first is being written
     std::exception_ptr failure_;  // the first; nothing is written after it
+    std::atomic<bool> failed_ = false;
+    std::uint64_t largest_ = 0;  // of the frames so far [bytes]
     bool closed_ = false;
     std::thread thread_;
 };

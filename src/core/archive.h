@@ -122,8 +122,8 @@ void serialise(Archive& archive, ZeroArray<T>& array) {
     std::uint64_t size = array.size();
     archive(size);
     if constexpr (Archive::k_reads) {
-        StateReader::require(array.size() == 0 || array.size() == size);
-        array = ZeroArray<T>(static_cast<std::size_t>(size));
+        StateReader::require(array.size() == size);  // the scene decides
+        array = ZeroArray<T>(array.size());
     }
     if constexpr (requires(T& value) { value.serialise(archive); }) {
         for (std::size_t i = 0; i < array.size(); ++i) archive(array[i]);
@@ -156,6 +156,11 @@ template <class Archive, class T>
 void transfer(Archive& archive, T& value) {
     if constexpr (requires { value.serialise(archive); }) {
         value.serialise(archive);
+    } else if constexpr (std::is_same_v<T, bool>) {
+        std::uint8_t byte = value ? 1 : 0;
+        archive.bytes(&byte, sizeof byte);
+        if constexpr (Archive::k_reads) StateReader::require(byte <= 1);
+        value = byte == 1;
     } else if constexpr (k_plain<T>) {
         archive.bytes(&value, sizeof value);
     } else {

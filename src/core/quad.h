@@ -65,7 +65,7 @@ FRANA_INLINE long long count(Quad::Mask m) {
     return -(m[0] + m[1] + m[2] + m[3]);
 }
 FRANA_INLINE bool any(Quad::Mask m) {
-    const Quad::Mask halves = m | __builtin_shuffle(m, Quad::Mask{2, 3, 0, 1});
+    const Quad::Mask halves = m | __builtin_shufflevector(m, m, 2, 3, 0, 1);
     return (halves[0] | halves[1]) != 0;
 }
 FRANA_INLINE Quad::Mask first_lanes(std::size_t n) {
@@ -84,19 +84,19 @@ FRANA_INLINE double sum(Quad a) {
 }
 /// The sum of all lanes, in every lane.
 FRANA_INLINE Quad sum_everywhere(Quad a) {
-    const Quad halves = a + Quad(__builtin_shuffle(a.v, Quad::Mask{2, 3, 0, 1}));
-    return halves + Quad(__builtin_shuffle(halves.v, Quad::Mask{1, 0, 3, 2}));
+    const Quad halves = a + Quad(__builtin_shufflevector(a.v, a.v, 2, 3, 0, 1));
+    return halves + Quad(__builtin_shufflevector(halves.v, halves.v, 1, 0, 3, 2));
 }
 /// Rows become columns.
 FRANA_INLINE void transpose(Quad& a, Quad& b, Quad& c, Quad& d) {
-    const auto ab_even = __builtin_shuffle(a.v, b.v, Quad::Mask{0, 4, 2, 6});
-    const auto ab_odd = __builtin_shuffle(a.v, b.v, Quad::Mask{1, 5, 3, 7});
-    const auto cd_even = __builtin_shuffle(c.v, d.v, Quad::Mask{0, 4, 2, 6});
-    const auto cd_odd = __builtin_shuffle(c.v, d.v, Quad::Mask{1, 5, 3, 7});
-    a.v = __builtin_shuffle(ab_even, cd_even, Quad::Mask{0, 1, 4, 5});
-    b.v = __builtin_shuffle(ab_odd, cd_odd, Quad::Mask{0, 1, 4, 5});
-    c.v = __builtin_shuffle(ab_even, cd_even, Quad::Mask{2, 3, 6, 7});
-    d.v = __builtin_shuffle(ab_odd, cd_odd, Quad::Mask{2, 3, 6, 7});
+    const auto ab_even = __builtin_shufflevector(a.v, b.v, 0, 4, 2, 6);
+    const auto ab_odd = __builtin_shufflevector(a.v, b.v, 1, 5, 3, 7);
+    const auto cd_even = __builtin_shufflevector(c.v, d.v, 0, 4, 2, 6);
+    const auto cd_odd = __builtin_shufflevector(c.v, d.v, 1, 5, 3, 7);
+    a.v = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+    b.v = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+    c.v = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+    d.v = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
 /// The first n (1 to 4) of four values; the others repeat the first. Stores the first n only.

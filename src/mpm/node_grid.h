@@ -113,7 +113,9 @@ class NodeGrid {
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [z, node_sums, node_levels, changes, nx, ny, dx, lowest, marks] = *this;
         archive(changes);
+        const std::size_t count = z.size();
         if (changes) archive(z);
+        if constexpr (Archive::k_reads) archive.require(z.size() == count);
         archive(node_sums, node_levels);
     }
 

@@ -100,8 +100,8 @@ void add_rest(std::vector<Parameter>& list) {
                              "each, particles-gpkg and particles-vtp the particles of each frame as GeoPackage "
                              "points and VTK polydata, ascii writes the AvaFrame rasters as ESRI ASCII grids."));
     list.push_back(number("output.checkpoint-interval", FRANA_MEMBER(output.checkpoint_interval), "s", Range{0, 1e6},
-                          "Wall time between checkpoints, from which --resume goes on; 0: only when a signal stops "
-                          "the run."));
+                          "Wall time between checkpoints, from which --resume goes on; 0: only at the run's last "
+                          "step."));
     list.push_back(number("output.trace-threshold", FRANA_MEMBER(output.trace_threshold), "m",
                           Range{1e-6, 100},
                           "Depth that counts as touched in the outlines, the covered area and the run-out."));

@@ -2,6 +2,7 @@
 #include "particles/cell_order.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace frana {
@@ -58,6 +59,15 @@ void CellOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& ke
                           for (std::size_t i = part * k_block; i < end; ++i) to[i] = from[source_[i]];
                       },
                       pool);
+}
+
+bool CellOrder::orders(std::size_t count) const {
+    const auto cells = static_cast<std::int64_t>(starts_.size());
+    if (cells == 0) return count == 0 && rows_ == 0 && columns_ == 0;
+    return rows_ >= 0 && rows_ < cells && columns_ >= 0 && columns_ < cells &&
+           (cells - 1) % (columns_ + 2 * k_near) == 0 && (cells - 1) / (columns_ + 2 * k_near) == rows_ + 2 * k_near &&
+           starts_.front() == 0 && starts_.back() == count && std::is_sorted(starts_.begin(), starts_.end()) &&
+           std::isfinite(west_ + south_ + east_ + north_);
 }
 
 }  // namespace frana

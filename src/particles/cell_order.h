@@ -72,6 +72,8 @@ class CellOrder {
             *this;
         archive(west, south, east, north, n_rows, n_columns, starts);  // keys and source serve a sort alone
     }
+    /// After reading: whether it is an order of so many particles.
+    [[nodiscard]] bool orders(std::size_t count) const;
 
   private:
     [[nodiscard]] std::size_t place(std::int64_t row, std::int64_t column) const noexcept {

@@ -103,11 +103,6 @@ void TileOrder::index_tiles(const ParticleSet& particles, ThreadPool& pool) {
     const double* y = particles[Field::y];
     // One cell more than the drift for the stencil, one for rounding.
     const double reach = (k_drift_limit + 2) * grid_.cell_size;
-    const auto tile_at = [&](double position, std::int64_t count) {
-        const auto cell =
-            static_cast<std::int64_t>(position / grid_.cell_size + static_cast<double>(grid_.ghost));
-        return std::clamp<std::int64_t>(cell / k_tile, 0, count - 1);
-    };
     pool.for_each(tiles_.size(), [&](std::size_t t) {
         ParticleTile& tile = tiles_[t];
         const auto [west, east] = std::minmax_element(x + tile.begin, x + tile.end);
@@ -117,6 +112,16 @@ void TileOrder::index_tiles(const ParticleSet& particles, ThreadPool& pool) {
         tile.y0 = tile_at(std::max(*south - reach, 0.0), grid_.tiles_y());
         tile.y1 = tile_at(*north + reach, grid_.tiles_y());
     });
+    list_nodes();
+}
+
+// The tile, in one direction, of a position that is not negative [m].
+std::int64_t TileOrder::tile_at(double position, std::int64_t count) const noexcept {
+    const auto cell = static_cast<std::int64_t>(position / grid_.cell_size + static_cast<double>(grid_.ghost));
+    return std::clamp<std::int64_t>(cell / k_tile, 0, count - 1);
+}
+
+void TileOrder::list_nodes() {
     for (auto& colour : colours_) colour.clear();
     node_tiles_.clear();
     for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
@@ -130,6 +135,42 @@ void TileOrder::index_tiles(const ParticleSet& particles, ThreadPool& pool) {
     }
     std::sort(node_tiles_.begin(), node_tiles_.end());
     node_tiles_.erase(std::unique(node_tiles_.begin(), node_tiles_.end()), node_tiles_.end());
+}
+
+// Whether a particle is on the grid and all nodes of its stencil are in tiles that its own tile can touch.
+bool TileOrder::holds(const ParticleTile& tile, double x, double y) const noexcept {
+    const double dx = grid_.cell_size, reach = 1.5 * dx;
+    const bool inside = x >= 0 && y >= 0 && x <= dx * static_cast<double>(grid_.columns) &&
+                        y <= dx * static_cast<double>(grid_.rows);  // false for what is no number
+    return inside && tile_at(std::max(x - reach, 0.0), grid_.tiles_x()) >= tile.x0 &&
+           tile_at(x + reach, grid_.tiles_x()) <= tile.x1 &&
+           tile_at(std::max(y - reach, 0.0), grid_.tiles_y()) >= tile.y0 &&
+           tile_at(y + reach, grid_.tiles_y()) <= tile.y1;
+}
+
+bool TileOrder::restore(const ParticleSet& particles) {
+    rank_ = ZeroArray<std::int32_t>(rank_.size());
+    const double *x = particles[Field::x], *y = particles[Field::y];
+    std::size_t begin = 0;
+    std::int64_t before = -1;
+    for (std::size_t t = 0; t < tiles_.size(); ++t) {
+        const ParticleTile& tile = tiles_[t];
+        const bool listed = tile.begin == begin && tile.end >= begin && tile.end <= particles.size() &&
+                            tile.tile > before && tile.tile < grid_.tiles_x() * grid_.tiles_y() && tile.x0 >= 0 &&
+                            tile.x1 < grid_.tiles_x() && tile.y0 >= 0 && tile.y1 < grid_.tiles_y();
+        if (!listed) return false;
+        for (std::size_t p = tile.begin; p < tile.end; ++p) {
+            if (!holds(tile, x[p], y[p])) return false;
+        }
+        // One tile never touches another of its colour.
+        const std::int64_t i = tile.tile % grid_.tiles_x(), j = tile.tile / grid_.tiles_x();
+        if (tile.x0 < i - 1 || tile.x1 > i + 1 || tile.y0 < j - 1 || tile.y1 > j + 1) return false;
+        rank_[static_cast<std::size_t>(tile.tile)] = static_cast<std::int32_t>(t) + 1;
+        begin = tile.end;
+        before = tile.tile;
+    }
+    list_nodes();
+    return begin == particles.size();
 }
 
 }  // namespace frana

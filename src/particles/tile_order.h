@@ -76,8 +76,11 @@ class TileOrder {
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [grid, tiles, colours, node_tiles, rank, keys, source, blocks] = *this;
-        archive(tiles, colours, node_tiles, rank);  // the rest serves a sort alone
+        archive(tiles);  // the rest follows from them or serves a sort alone
     }
+    /// After reading: whether the tiles are those of such particles, all of them on the grid; if so, what follows from
+    /// the tiles is there again.
+    [[nodiscard]] bool restore(const ParticleSet& particles);
 
   private:
     // What one block of particles, as they lay before the sort, adds to each tile.
@@ -90,6 +93,9 @@ class TileOrder {
     void list_tiles();
     void place_blocks();
     void index_tiles(const ParticleSet& particles, ThreadPool& pool);
+    void list_nodes();
+    [[nodiscard]] std::int64_t tile_at(double position, std::int64_t count) const noexcept;
+    [[nodiscard]] bool holds(const ParticleTile& tile, double x, double y) const noexcept;
 
     TileGrid grid_;
     std::vector<ParticleTile> tiles_;

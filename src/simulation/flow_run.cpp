@@ -268,7 +268,7 @@ std::optional<StopReason> FlowRun<AnyFlow>::reason_to_stop(const StepFigures& fi
 
 template <class AnyFlow>
 Progress FlowRun<AnyFlow>::progress() const {
-    return {flow_.steps(), flow_.time(), scene_.time.end, flow_.particle_count()};
+    return {flow_.steps(), flow_.time(), scene_.time.end, flow_.particle_count(), !goes_on()};
 }
 
 template <class AnyFlow>

@@ -49,10 +49,6 @@ class FlowRun {
     /// Whether a step is still to be done.
     [[nodiscard]] bool goes_on() const { return !stopped_ && flow_.time() < scene_.time.end; }
     void step();
-    [[nodiscard]] bool stopped_by_trouble() const { return !result_.troubles.empty(); }
-    [[nodiscard]] bool stopped_on_request() const {
-        return stopped_ && result_.stop_reason == StopReason::requested;
-    }
     /// The result; once.
     RunResult finish();
 
@@ -67,6 +63,15 @@ class FlowRun {
         archive(result.series, result.particles_peak, result.hard_events, result.unsupported,
                 result.volume_inflow, result.volume_entered);
         for (ReleasedArea& area : result.released) archive(area.failed);
+        // A run that was stopped goes on; one that came to rest does not.
+        bool ended = stopped && ends_for_good(result.stop_reason);
+        StopReason reason = result.stop_reason;
+        archive(ended, reason);
+        if constexpr (Archive::k_reads) {
+            archive.require(frames >= 0 && (!ended || ends_for_good(reason)));
+            stopped = ended;
+            if (ended) result.stop_reason = reason;
+        }
         std::uint64_t mark = k_end_mark;
         archive(mark);
         if constexpr (Archive::k_reads) archive.require(mark == k_end_mark);

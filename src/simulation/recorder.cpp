@@ -16,6 +16,11 @@ Recorder::Recorder(const Recording& recording, const GridSpec& grid, const Numer
       gravity_(numerics.gravity),
       cell_size_(grid.cell_size) {
     const std::int64_t stride = grid.columns + 2 * k_ghost;
+    if (intensity_) {
+        const auto nodes = static_cast<std::size_t>(stride * (grid.rows + 2 * k_ghost));
+        flux_ = ZeroArray<double>(nodes);
+        head_ = ZeroArray<double>(nodes);
+    }
     const auto node_at = [&](std::int64_t i, std::int64_t j) {
         i = std::clamp<std::int64_t>(i, 0, grid.columns - 1);
         j = std::clamp<std::int64_t>(j, 0, grid.rows - 1);
@@ -142,10 +147,6 @@ void Recorder::add_rows(const AnyFlow& flow, double time) {
 
 template <class AnyFlow>
 void Recorder::fold_intensity(const AnyFlow& flow) {
-    if (flux_.size() == 0) {
-        flux_ = ZeroArray<double>(flow.nodes().sums.size());
-        head_ = ZeroArray<double>(flow.nodes().sums.size());
-    }
     flow.for_each_active_node([&](std::size_t node) {
         const NodeState state = state_of(flow, node);
         if (state.depth < minimum_depth_) return;

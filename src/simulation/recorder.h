@@ -34,6 +34,10 @@ class Recorder {
                                 places, lines, gauge_rows, section_rows, flux, head] = *this;
         archive(next_row, gauge_rows, section_rows, flux, head);
         for (Line& line : lines) archive(line.volume);
+        if constexpr (Archive::k_reads) {
+            for (const GaugeRow& row : gauge_rows) archive.require(row.gauge < places.size());
+            for (const SectionRow& row : section_rows) archive.require(row.section < lines.size());
+        }
     }
 
   private:

@@ -56,6 +56,7 @@ struct Progress {
     double time = 0;  ///< simulated [s]
     double end = 0;   ///< [s]
     std::int64_t particles = 0;
+    bool last = false;  ///< for after_step: no step follows
 };
 
 /// What must not happen in a good run and ends any other, at the step at which it appears.
@@ -77,12 +78,10 @@ struct RunOptions {
     bool particles_in_frames = false;
     std::function<void(const Progress&)> on_progress;  ///< called every step; must be cheap
     std::function<bool()> stop_requested;              ///< polled every step
-    std::function<void(const Trouble&)>
-        on_trouble;                  ///< called at the step at which it appears, which is the last
-    std::function<bool()> save_due;  ///< polled every step; must be cheap
-    /// Called between steps, when due, when stopped on request and after trouble. What it does changes
-    /// nothing of the run.
-    std::function<void(const Progress&, const SaveState&)> save;
+    std::function<void(const Trouble&)> on_trouble;  ///< called at the step at which it appears, which is the last
+    /// Called after every step, the last one included; must be cheap unless it saves. What it does changes nothing of
+    /// the run.
+    std::function<void(const Progress&, const SaveState&)> after_step;
     StateReader* saved = nullptr;  ///< a state of the same scene to go on from; none: from the start
 };
 
@@ -120,6 +119,12 @@ enum class StopReason {
     impossible_speed,
     volume_drift,
 };
+
+/// Whether a run that stopped for this before its end time has nothing more to compute.
+[[nodiscard]] constexpr bool ends_for_good(StopReason reason) noexcept {
+    return reason == StopReason::still || reason == StopReason::energy || reason == StopReason::moving_volume ||
+           reason == StopReason::all_left;
+}
 
 /// What one release area really released.
 struct ReleasedArea {

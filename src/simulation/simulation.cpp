@@ -36,11 +36,21 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
     const SaveState save = [&](StateWriter& writer) { writer(run); };
     while (run.goes_on()) {
         run.step();
-        if (!options.save) continue;
-        const bool due = run.goes_on() ? options.save_due() : run.stopped_on_request() || run.stopped_by_trouble();
-        if (due) options.save(run.progress(), save);
+        if (options.after_step) options.after_step(run.progress(), save);
     }
     return run.finish();
+}
+
+// Rasters, as doubles, that a run has at its fullest moment: read, kept, in frames that wait for the disk, and about to
+// be written. Measured.
+constexpr std::int64_t k_rasters = 14, k_rasters_of_fluid = 16, k_rasters_of_phases = 31;
+
+std::int64_t rasters_at_once(const Flow&) {
+    return k_rasters;
+}
+
+std::int64_t rasters_at_once(const StructuredFlow& flow) {
+    return flow.particle_count() > 0 ? k_rasters_of_phases : k_rasters_of_fluid;
 }
 
 // How long a flow's first steps take and what it holds, with all that comes later on the ground at once: the
@@ -52,11 +62,10 @@ void estimate_flow(const Scene& scene, const Arrivals::Taken& rest, std::int64_t
     e.first_step_seconds = flow.stable_step();
     e.bytes_per_particle = static_cast<std::int64_t>(flow.bytes_per_particle());
     e.bytes_per_node = static_cast<std::int64_t>(flow.bytes_per_node());
-    // Rasters read, kept and written, as doubles; nodes only where material comes.
-    constexpr std::int64_t k_rasters = 14, k_spread = 4;
+    constexpr std::int64_t k_spread = 4;  // nodes only where material comes
     const std::int64_t cells = scene.grid.cell_count();
     const std::int64_t reached = released_cells > 0 ? std::min(cells, k_spread * released_cells) : cells;
-    e.memory_bytes = cells * k_rasters * static_cast<std::int64_t>(sizeof(double)) + reached * e.bytes_per_node +
+    e.memory_bytes = cells * rasters_at_once(flow) * static_cast<std::int64_t>(sizeof(double)) + reached * e.bytes_per_node +
                      e.bytes_of_particles(e.particles);
     // Time of the first steps, for as many steps as the end time would take at the first step's length.
     constexpr int k_trial_steps = 3;

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "app/checkpoint_file.h"
 #include "resuming.h"
 
 namespace frana::test {
@@ -28,6 +29,14 @@ class SmallDisk : public Resuming {
         if (mounted_) ::umount2(disk().c_str(), MNT_DETACH);
     }
     [[nodiscard]] std::string disk() const { return path("disk"); }
+    [[nodiscard]] bool has_file(const std::string& name) const {
+        std::error_code ignored;
+        for (auto entry = fs::recursive_directory_iterator(disk(), ignored); entry != fs::end(entry);
+             entry.increment(ignored)) {
+            if (entry->path().filename() == name) return true;
+        }
+        return false;
+    }
     /// Leaves no byte free.
     void fill() const {
         std::ofstream file(disk() + "/filler", std::ios::binary);
@@ -67,6 +76,55 @@ TEST_F(SmallDisk, ThatFillsStopsTheRunWhichGoesOnLater) {
     EXPECT_NE(resumed.err.find("going on from"), std::string::npos) << resumed.err;
     expect_same_result("whole", "disk/result");
     expect_tidy("disk/result");
+}
+
+// Younger than its first checkpoint, a run has the room for one: the state is that of the moment the disk filled.
+TEST_F(SmallDisk, ThatFillsTakesTheStateOfAYoungRun) {
+    const std::vector<std::pair<std::string, std::string>> moments{
+        {"0.2", "a frame cannot be written"}, {"4", "the result cannot be written"}};
+    for (const auto& [interval, moment] : moments) {
+        SCOPED_TRACE(moment);
+        const bool at_a_frame = interval == "0.2";
+        const std::string result = "disk/" + interval, whole = "whole_" + interval;
+        const auto command = [&](const std::string& to) {
+            return std::vector<std::string>{"run", "scene.ini", "--out", to, "--set", "time.frame-interval=" + interval};
+        };
+        ASSERT_EQ(frana(command(whole)).exit_code, 0);
+        {
+            StartedProgram program(folder_.string(), command(result));
+            ASSERT_TRUE(program.wait_until([&] {
+                return at_a_frame ? has_file("reserve") && has_file("velocity_0003.tif") : has_checkpoints(result);
+            }));
+            program.send(SIGSTOP);
+            fill();
+            program.send(SIGCONT);
+            const Outcome outcome = program.wait();
+            EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+            EXPECT_NE(outcome.err.find("the run up to its last checkpoint is kept"), std::string::npos) << outcome.err;
+        }
+        ASSERT_EQ(checkpoints(result).size(), 1U);
+        EXPECT_FALSE(has_file("reserve"));
+        const app::CheckpointFile kept(checkpoints(result).front());
+        if (at_a_frame) {
+            EXPECT_LT(kept.head().time, 4);
+            EXPECT_GE(kept.head().waiting.size(), 1U);
+        } else {
+            EXPECT_EQ(kept.head().time, 4);  // all is computed
+        }
+        // Still no room: the same again, and nothing is lost.
+        fill();
+        std::vector<std::string> resume = command(result);
+        resume.emplace_back("--resume");
+        EXPECT_EQ(frana(resume).exit_code, 4);
+        ASSERT_GE(checkpoints(result).size(), 1U);
+        fs::remove(disk() + "/filler");
+        const Outcome resumed = frana(resume);
+        EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+        EXPECT_NE(resumed.err.find("going on from"), std::string::npos) << resumed.err;
+        expect_same_result(whole, result);
+        expect_tidy(result);
+        fs::remove_all(path(result));
+    }
 }
 
 TEST_F(SmallDisk, ThatCannotBeWrittenIsSaidBeforeAnythingIsComputed) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs and renders back to back: memory stays flat, no file is left open or behind. Some seconds in the
-// default tests; FRANA_SOAK_SECONDS=1800 for half an hour.
+// Runs and renders back to back in one process: memory stays flat, no file is left open or behind. Some seconds in the
+// default tests; ctest -C long -R soak: half an hour of runs (FRANA_SOAK_SECONDS), a thousand renders
+// (FRANA_SOAK_RENDERS).
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -28,9 +29,9 @@ std::ptrdiff_t entries_of(const fs::path& folder) {
     return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
 }
 
-double soak_seconds() {
-    const char* const text = std::getenv("FRANA_SOAK_SECONDS");
-    return text == nullptr ? 3 : std::atof(text);
+double asked(const char* variable, double otherwise) {
+    const char* const text = std::getenv(variable);
+    return text == nullptr ? otherwise : std::atof(text);
 }
 
 // What frana's own files are in the folder for temporary ones.
@@ -48,8 +49,7 @@ class Soak : public TinyScene {
     // Calls `once` until the time is over; memory may grow while caches fill, in the first fifth, and then no
     // more.
     template <class Once>
-    void repeat(const Once& once, int at_least) {
-        const double seconds = soak_seconds();
+    void repeat(const Once& once, double seconds, int at_least) {
         const auto begin = std::chrono::steady_clock::now();
         const auto passed = [&] {
             return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -83,7 +83,7 @@ TEST_F(Soak, RunsInOneProcessLeaveNothingBehind) {
             ASSERT_EQ(app::cmd_run({path("scene.ini"), "--out", path("result"), "--overwrite", "--quiet"}),
                       0);
         },
-        5);
+        asked("FRANA_SOAK_SECONDS", 3), 5);
     EXPECT_EQ(temporary_files(), before);
     for (const std::string& name : files()) EXPECT_EQ(name.find("partial"), std::string::npos) << name;
 }
@@ -100,7 +100,7 @@ TEST_F(Soak, RendersInOneProcessLeaveNothingBehind) {
                 app::cmd_render({path("result"), "--map", "max_depth", "--view", view, "--size", "640x480"}),
                 0);
         },
-        8);
+        0, static_cast<int>(asked("FRANA_SOAK_RENDERS", 12)));
     EXPECT_EQ(temporary_files(), before);
 }
 

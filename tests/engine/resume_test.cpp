@@ -149,9 +149,9 @@ Played play(const Scene& scene, int threads, std::int64_t every, const Bytes* fr
     options.on_frame = [&](Frame frame) { played.frames.push_back(std::move(frame)); };
     std::int64_t step = 0;
     options.on_progress = [&](const Progress& now) { step = now.step; };
-    options.save_due = [&] { return step % every == 0; };
     options.stop_requested = [&] { return stop > 0 && step >= stop; };
-    options.save = [&](const Progress& now, const SaveState& save) {
+    options.after_step = [&](const Progress& now, const SaveState& save) {
+        if (now.step % every != 0 && !now.last) return;
         Bytes bytes;
         StateWriter writer([&](const void* data, std::size_t count) {
             const auto* const begin = static_cast<const std::byte*>(data);

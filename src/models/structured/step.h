@@ -39,6 +39,8 @@ template <class Archive>
 void serialise(Archive& archive, State& state) {
     [[maybe_unused]] auto& [grid, stages, solid, fluid, time, deepest, released, released_outside] = state;
     archive(grid, solid, fluid, time, deepest, released, released_outside);
+    if constexpr (Archive::k_reads)
+        archive.require((!solid || is_within(solid->nodes.box, grid)) && (!fluid || has_own_tiles(*fluid)));
 }
 
 struct StepReport {

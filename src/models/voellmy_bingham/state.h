@@ -58,6 +58,7 @@ void serialise(Archive& archive, State& state) {
                             lost] = state;
     archive(particles, nodes, order, active, nodes_seen, particles_seen, time, velocity_lag, drift, since_sort,
             wave_speed, diffusivity, volume_left, bed_states, bed_layers, exchanged);  // the rest is within a step
+    if constexpr (Archive::k_reads) archive.require(order.restore(particles));
 }
 
 /// In-plane stress; the stages use one of them, or none.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/zero_array.h"
@@ -79,6 +81,16 @@ template <class Archive>
 void serialise(Archive& archive, FluidFields& fields) {
     auto& [depth, qx, qy] = fields;
     archive(depth, qx, qy);
+}
+
+/// After reading: whether the tiles that it lists are its grid's.
+[[nodiscard]] inline bool has_own_tiles(const FluidState& state) {
+    const std::int64_t count = state.grid.tiles_x() * state.grid.tiles_y();
+    const auto own = [count](const std::vector<std::int64_t>& list) {
+        return (list.empty() || (list.front() >= 0 && list.back() < count)) &&
+               std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
+    };
+    return own(state.tiles) && own(state.touched);
 }
 
 /// All but what set_ground makes.

@@ -40,6 +40,10 @@ struct NodeBox {
     std::int64_t i0 = 0, i1 = 0, j0 = 0, j1 = 0;
 };
 
+[[nodiscard]] inline bool is_within(const NodeBox& box, const NodeGrid& grid) noexcept {
+    return box.i0 >= 0 && box.i1 <= grid.stride() && box.j0 >= 0 && box.j1 <= grid.padded_rows();
+}
+
 template <class Archive>
 void serialise(Archive& archive, NodeBox& box) {
     auto& [i0, i1, j0, j1] = box;

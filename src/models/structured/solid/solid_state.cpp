@@ -47,6 +47,20 @@ void load_work(SolidState& state, ThreadPool& pool) {
 
 }  // namespace
 
+bool fits(const SolidState& state) {
+    constexpr double k_anywhere = 1e12;  // [m]: what is farther off has no node that can be counted
+    const std::size_t count = state.particles.size();
+    const bool unused = state.order.rows() == 0 && count == 0;
+    for (const std::vector<double>& array : state.work.arrays) {
+        if (array.size() != count + PairWork::k_padding && !(unused && array.empty())) return false;
+    }
+    for (const Field field : {Field::x, Field::y}) {
+        const double* const place = state.particles[field];
+        if (!std::all_of(place, place + count, [](double x) { return std::abs(x) < k_anywhere; })) return false;
+    }
+    return state.order.orders(count);
+}
+
 SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast) {
     SolidStages stages =
         cohesive ? (wet ? stages_of<SolidKind<true, true>>() : stages_of<SolidKind<true, false>>())

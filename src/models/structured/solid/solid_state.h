@@ -34,6 +34,9 @@ struct SolidState {
     LeftDomain left;
 };
 
+/// After reading: whether order and work are those of the particles, and these lie somewhere.
+[[nodiscard]] bool fits(const SolidState& state);
+
 template <class Archive>
 void serialise(Archive& archive, LeftDomain& left) {
     auto& [solids, confined, mass, px, py] = left;
@@ -44,6 +47,7 @@ template <class Archive>
 void serialise(Archive& archive, SolidState& state) {
     auto& [particles, order, work, nodes, mean, drift, moved, last, elastic, sound, left] = state;
     archive(particles, order, work, nodes, mean.x, mean.y, drift, moved, last, elastic, sound, left);
+    if constexpr (Archive::k_reads) archive.require(fits(state));
 }
 
 /// How the sweeps over solids are done in a scene.
