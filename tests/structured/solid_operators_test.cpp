@@ -311,6 +311,28 @@ TEST(Fragmentation, ReleasesInProportion) {
     EXPECT_EQ(again.solid->particles[Field::cohesion_ratio][0], 1);
 }
 
+// A particle that breaks and leaves within one step takes what it set free along.
+TEST(Fragmentation, WhatLeavesWithItsFreedFluidIsCounted) {
+    ThreadPool pool(1);
+    Case c(2);
+    c.material.solid_fraction = 0.5;
+    c.material.cohesion = 1e3;
+    c.fill(40, 40, 2, 1, [](Point) { return bench::Seed{4, -3, 0}; });
+    State state = c.start(flat(50, 50, 2), pool, true);
+    SolidState& solid = *state.solid;
+    ParticleSet& p = solid.particles;
+    const double confined = p[Field::confined][0], solids = p[Field::volume][0], freed = 0.25 * confined;
+    p[Field::confined][0] -= freed;
+    p[Field::released][0] = freed;
+    p[Field::released_x][0] = -3 * freed;
+    p[Field::x][0] = -0.1;
+    sort_solids(solid, c.laws.solid, state.grid, pool);
+    EXPECT_EQ(p.size(), 1U);
+    EXPECT_NEAR(solid.left.confined, confined, 1e-12 * confined);
+    EXPECT_NEAR(solid.left.mass, 1700 * solids + 1000 * confined, 1e-9 * solids);
+    EXPECT_NEAR(solid.left.px, -3 * solid.left.mass, 1e-12 * solid.left.mass);
+}
+
 // What particles give to the nodes and take back: volumes, momentum, no force in sum; near an edge and a wall
 // too.
 TEST(Transfer, KeepsVolumeAndMomentum) {

@@ -14,9 +14,11 @@ namespace {
 constexpr double k_least_distance = 1e-9;
 
 /// L_ab = sum_j A_j (v_j - v_i)_a grad_b W, times the inverse of B = sum_j A_j (x_j - x_i) (x) grad W, which
-/// makes it exact for linear velocities (Randles & Libersky 1996); uncorrected where B is nearly singular.
+/// makes it exact for linear velocities (Randles & Libersky 1996); uncorrected where B is nearly singular: few
+/// neighbours, or all in one line, across which the inverse would make a strain of any difference.
 void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKernel& kernel, PairWork& w) {
-    constexpr double k_least_determinant = 0.01;  // a corner has some 0.06
+    // A corner has some 0.06 and 0.11.
+    constexpr double k_least_determinant = 0.01, k_least_of_trace = 0.05;
     const double length = kernel.length(), scale = kernel.value(0) / (length * length);
     const Quad inverse(1 / length), reach2(4 * length * length);
     for (std::int64_t column = 0; column < order.columns(); ++column) {
@@ -54,7 +56,7 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
             const double lxx = scale * sum(l_xx), lxy = scale * sum(l_xy);
             const double lyx = scale * sum(l_yx), lyy = scale * sum(l_yy);
             const double determinant = bxx * byy - bxy * bxy;
-            if (determinant >= k_least_determinant) {
+            if (determinant >= std::max(k_least_determinant, k_least_of_trace * (bxx + byy))) {
                 const double d = 1 / determinant;
                 w[PairWork::l_xx][i] = d * (lxx * byy - lxy * bxy);
                 w[PairWork::l_xy][i] = d * (lxy * bxx - lxx * bxy);
