@@ -179,7 +179,7 @@ class MovieWriter::Encoder {
         format_.reset(format);
         format_->flags |= AVFMT_FLAG_BITEXACT;  // no date, no version: same frames, same bytes
         stream_ = avformat_new_stream(format_.get(), nullptr);
-        if (stream_ == nullptr) check(AVERROR(ENOMEM), "a film cannot be started");
+        check(stream_ != nullptr ? 0 : AVERROR(ENOMEM), "a film cannot be started");
         stream_->time_base = codec_->time_base;
         stream_->avg_frame_rate = codec_->framerate;
         check(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), "a film cannot be started");

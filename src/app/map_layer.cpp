@@ -84,7 +84,7 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
         layer.time = number_from_text(time->second);
     // A frame is named after its raster and its number: depth_0012.
     std::string kind = layer.name;
-    if (layer.time) kind = kind.substr(0, kind.find_last_of('_'));
+    if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
     if (foreign || !set_known(kind, layer)) {
         layer.title = bare_description(text.description);
         if (layer.title.empty()) layer.title = layer.name;

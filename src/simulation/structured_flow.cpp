@@ -72,7 +72,7 @@ void StructuredFlow::add_release(const ParticleSet& columns) {
     if (columns.size() == 0) return;
     if (material_.solids) {
         const ParticleSet solids = solids_of(columns, material_, numerics_, grid_, state_.stages.fields);
-        structured::add_solids(state_, laws_, solids);
+        structured::add_solids(state_, solids);
         structured::prepare(state_, laws_, pool_);
     }
     receive(columns, true);

@@ -3,10 +3,14 @@
 // to its messages.
 #include <sys/mount.h>
 
+#include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <optional>
+#include <thread>
 
 #include "app/checkpoint_file.h"
 #include "resuming.h"
@@ -37,27 +41,54 @@ class SmallDisk : public Resuming {
         }
         return false;
     }
-    /// Leaves no byte free.
-    void fill() const {
-        std::ofstream file(disk() + "/filler", std::ios::binary);
+
+  private:
+    bool mounted_ = false;
+};
+
+/// Takes every byte of a disk that is free or becomes so, until it goes.
+class Filler {
+  public:
+    explicit Filler(const std::string& disk) : path_(disk + "/filler") {
+        take();
+        thread_ = std::thread([this] {
+            while (!enough_) {
+                take();
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+        });
+    }
+    ~Filler() {
+        enough_ = true;
+        thread_.join();
+        fs::remove(path_);
+    }
+    Filler(const Filler&) = delete;
+    Filler& operator=(const Filler&) = delete;
+
+  private:
+    void take() const {
+        std::ofstream file(path_, std::ios::binary | std::ios::app);
         const std::string block(4096, 'x');
         while (file.write(block.data(), static_cast<std::streamsize>(block.size())).flush()) {
         }
     }
 
-  private:
-    bool mounted_ = false;
+    std::string path_;
+    std::atomic<bool> enough_ = false;
+    std::thread thread_;
 };
 
 TEST_F(SmallDisk, ThatFillsStopsTheRunWhichGoesOnLater) {
     ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
     ASSERT_EQ(frana(run("disk/result", {"--quiet", "--set", "time.end=0.5"})).exit_code, 0);
     const std::string earlier = read_text(path("disk/result/summary.json"));
+    std::optional<Filler> filler;
     {
         StartedProgram program(folder_.string(), run("disk/result", {"--overwrite"}));
         ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("disk/result", 2); }));
         program.send(SIGSTOP);
-        fill();
+        filler.emplace(disk());
         program.send(SIGCONT);
         const Outcome outcome = program.wait();
         EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
@@ -70,7 +101,7 @@ TEST_F(SmallDisk, ThatFillsStopsTheRunWhichGoesOnLater) {
     const Outcome again = frana(run("disk/result", {"--overwrite", "--resume"}));
     EXPECT_EQ(again.exit_code, 4) << again.err;
     EXPECT_EQ(read_text(path("disk/result/summary.json")), earlier);
-    fs::remove(disk() + "/filler");
+    filler.reset();
     const Outcome resumed = frana(run("disk/result", {"--overwrite", "--resume"}));
     EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
     EXPECT_NE(resumed.err.find("going on from"), std::string::npos) << resumed.err;
@@ -90,13 +121,14 @@ TEST_F(SmallDisk, ThatFillsTakesTheStateOfAYoungRun) {
             return std::vector<std::string>{"run", "scene.ini", "--out", to, "--set", "time.frame-interval=" + interval};
         };
         ASSERT_EQ(frana(command(whole)).exit_code, 0);
+        std::optional<Filler> filler;
         {
             StartedProgram program(folder_.string(), command(result));
             ASSERT_TRUE(program.wait_until([&] {
                 return at_a_frame ? has_file("reserve") && has_file("velocity_0003.tif") : has_checkpoints(result);
             }));
             program.send(SIGSTOP);
-            fill();
+            filler.emplace(disk());
             program.send(SIGCONT);
             const Outcome outcome = program.wait();
             EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
@@ -112,12 +144,11 @@ TEST_F(SmallDisk, ThatFillsTakesTheStateOfAYoungRun) {
             EXPECT_EQ(kept.head().time, 4);  // all is computed
         }
         // Still no room: the same again, and nothing is lost.
-        fill();
         std::vector<std::string> resume = command(result);
         resume.emplace_back("--resume");
         EXPECT_EQ(frana(resume).exit_code, 4);
         ASSERT_GE(checkpoints(result).size(), 1U);
-        fs::remove(disk() + "/filler");
+        filler.reset();
         const Outcome resumed = frana(resume);
         EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
         EXPECT_NE(resumed.err.find("going on from"), std::string::npos) << resumed.err;

@@ -45,9 +45,7 @@ TEST_P(Memory, IsForeseenWithinAFifth) {
     if (GetParam().structured) {
         write("scene.ini",
               "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
-              "model = structured\n[structured]\ncohesion = 2e3\ninternal-friction-angle = 28\n"
-              "bed-friction-angle = 12\nyoung-modulus = 1e6\nbulk-modulus = 1e6\n[time]\nend = 4\n"
-              "[numerics]\nparticles-per-cell = 9\n");
+              "model = structured\n[time]\nend = 0.1\n[numerics]\nparticles-per-cell = 9\n");
     }
     const Outcome check = frana(command("check"));
     ASSERT_EQ(check.exit_code, 0) << check.err;
@@ -67,12 +65,15 @@ INSTANTIATE_TEST_SUITE_P(
     , Memory,
     testing::Values(
         Case{"least", false, k_numbers, {}},
-        Case{"many_cells", false, k_numbers, {"terrain.cell-size=0.25", "time.end=0.1"}},
+        Case{"many_cells", false, k_numbers, {"terrain.cell-size=0.3", "time.end=0.1"}},
         Case{"many_particles", false, k_numbers,
-             {"terrain.cell-size=0.25", "numerics.particles-per-cell=16", "time.end=0.05"}},
+             {"terrain.cell-size=0.4", "numerics.particles-per-cell=16", "time.end=0.05"}},
         Case{"pictures", false, k_pictures, {"terrain.cell-size=1", "time.end=1"}},
-        Case{"fluid", true, k_numbers, {"structured.phases=fluid", "terrain.cell-size=0.5", "time.end=0.1"}},
-        Case{"solids", true, k_numbers, {"structured.phases=solids-and-fluid", "terrain.cell-size=1", "time.end=0.1"}}),
+        Case{"fluid", true, k_numbers, {"structured.phases=fluid", "terrain.cell-size=0.5"}},
+        Case{"solids", true, k_numbers,
+             {"structured.phases=solids-and-fluid", "structured.cohesion=2e3", "structured.internal-friction-angle=28",
+              "structured.bed-friction-angle=12", "structured.young-modulus=1e6", "structured.bulk-modulus=1e6",
+              "terrain.cell-size=1"}}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

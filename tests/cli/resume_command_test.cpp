@@ -216,9 +216,11 @@ TEST_F(Interrupted, NothingToGoOnFromIsSaidNotBegunAnew) {
 
     fs::remove(both[1]);
     std::string newer = newest;
-    newer[12] = 2;  // the format
+    const auto own = static_cast<int>(app::k_checkpoint_format);
+    newer[12] = static_cast<char>(own + 1);  // the format
     std::ofstream(both[0], std::ios::binary) << newer;
-    EXPECT_NE(refusal({}).find("was written by a newer frana, in format 2; this one reads 1"),
+    EXPECT_NE(refusal({}).find("was written by a newer frana, in format " + std::to_string(own + 1) +
+                               "; this one reads " + std::to_string(own)),
               std::string::npos);
     std::ofstream(both[0], std::ios::binary) << newest.substr(0, newest.size() - 1);
     EXPECT_NE(refusal({}).find("is cut short"), std::string::npos);

@@ -60,9 +60,10 @@ std::vector<std::string> Resuming::checkpoints(const std::string& result) const 
     for (const auto& entry : fs::directory_iterator(place.parent_path(), ignored)) {
         const std::string name = entry.path().filename().string();
         if (name != own && name.rfind(own + ".partial-", 0) != 0) continue;
-        for (const auto& file : fs::directory_iterator(entry.path() / "checkpoint", ignored))
-            if (file.path().filename().string().find(".partial") == std::string::npos)
-                found.push_back(file.path());
+        for (const auto& file : fs::directory_iterator(entry.path() / "checkpoint", ignored)) {
+            const std::string step = file.path().filename().string();
+            if (step.starts_with("step_") && step.find(".partial") == std::string::npos) found.push_back(file.path());
+        }
     }
     std::sort(found.begin(), found.end(),
               [](const fs::path& a, const fs::path& b) { return a.filename() > b.filename(); });

@@ -126,6 +126,16 @@ Scene breaking() {
     return scene;
 }
 
+// Solids come only later, so that the run begins without any.
+Scene breaking_later() {
+    Scene scene = breaking();
+    scene.release[0].start = 0.5;
+    scene.inflows = {{{{20, 90}, {20, 110}}, {{0, 5, 2}, {3, 5, 2}}, std::nullopt}};
+    scene.structured->more_fluid = true;
+    scene.time.end = 2;
+    return scene;
+}
+
 Scene loose_and_dry() {
     Scene scene = breaking();
     scene.structured->cohesion = 0;
@@ -267,7 +277,7 @@ INSTANTIATE_TEST_SUITE_P(, Resume,
                          testing::Values(Case{"hillside", hillside, 45}, Case{"eventful", eventful, 55},
                                          Case{"resting", resting, 100}, Case{"paper", paper, 50},
                                          Case{"earth_pressure", earth_pressure, 60}, Case{"fluid", fluid, 60},
-                                         Case{"breaking", breaking, 15}, Case{"loose_and_dry", loose_and_dry, 15}),
+                                         Case{"breaking", breaking, 15}, Case{"breaking_later", breaking_later, 10}, Case{"loose_and_dry", loose_and_dry, 15}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 // Of another grid, of another model, cut short, with a count that no file could hold.

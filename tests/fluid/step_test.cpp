@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 #include <random>
 
 #include "basin.h"
@@ -189,6 +190,19 @@ TEST(FluidStep, AnUndefinedStateEndsTheRun) {
     basin.fill([](Point) { return Water{1}; });
     basin.state.now.qx[basin.nodes.index(5, 5)] = k_no_data;
     EXPECT_GT(basin.advance(1).non_finite, 0);
+}
+
+// A speed that allows no step of any length to speak of ends the advance; it must not go on for ever.
+TEST(FluidStep, ASpeedNextToInfiniteIsCountedAndEndsTheStep) {
+    for (const double speed : {1e12, 1e150, std::numeric_limits<double>::infinity()}) {
+        Basin basin(hills(40), rough_laws());
+        basin.fill([&](Point p) {
+            return Water{1, p.x < 4 && p.y < 4 ? speed : 0};
+        });
+        const FluidReport report = basin.advance(1);
+        EXPECT_GT(report.non_finite, 0) << speed;
+        EXPECT_EQ(report.steps, 0) << speed;
+    }
 }
 
 }  // namespace

@@ -80,16 +80,13 @@ void remember(State& state, const Laws& laws, const StepReport& report) {
 State::State(NodeGrid terrain, const Laws& laws, ParticleSet solids, const SolidStages& chosen, bool with_fluid)
     : grid(std::move(terrain)), stages(chosen) {
     if (with_fluid) fluid = std::make_unique<FluidState>(grid, laws.fluid);
-    add_solids(*this, laws, solids);
+    if (stages.update_material == nullptr) return;
+    // Also where solids only come later: what a scene can hold is there from the start.
+    SolidNodes nodes(grid, laws.gaps_are_walls, with_fluid);
+    solid = std::make_unique<SolidState>(std::move(solids), laws.solid, std::move(nodes));
 }
 
-void add_solids(State& state, const Laws& laws, const ParticleSet& solids) {
-    if (solids.size() == 0) return;
-    if (!state.solid) {
-        SolidNodes nodes(state.grid, laws.gaps_are_walls, state.fluid != nullptr);
-        state.solid = std::make_unique<SolidState>(solids, laws.solid, std::move(nodes));
-        return;
-    }
+void add_solids(State& state, const ParticleSet& solids) {
     ParticleSet& all = state.solid->particles;
     const std::size_t before = all.size();
     all.resize(before + solids.size());

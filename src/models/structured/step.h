@@ -27,7 +27,7 @@ struct State {
 
     NodeGrid grid;
     SolidStages stages;
-    std::unique_ptr<SolidState> solid;  ///< null without solids
+    std::unique_ptr<SolidState> solid;  ///< null in a scene without solids
     std::unique_ptr<FluidState> fluid;  ///< null in a scene that has no fluid and can set none free
     double time = 0;                    ///< [s]
     double deepest = 0;                 ///< column of any particle [m]
@@ -56,7 +56,7 @@ struct StepReport {
 };
 
 /// Adds solids with the fields of the state's stages, between two steps; then call prepare.
-void add_solids(State& state, const Laws& laws, const ParticleSet& solids);
+void add_solids(State& state, const ParticleSet& solids);
 
 /// Solids in order, on the nodes and in the fluid's sight; call before the first step and whenever particles were
 /// added.

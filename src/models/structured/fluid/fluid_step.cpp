@@ -208,18 +208,25 @@ double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLa
 
 FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid,
                     double dt, ThreadPool& pool) {
+    constexpr double k_least_share = 1e-6;  // of a step in a stable one: what is faster will not come to an end
+    constexpr int k_most_retries = 40;      // of one step, each at half the length
     FluidReport report;
     double left = dt;
     while (left > 0 && report.non_finite == 0) {
         activate_tiles(state, nodes);
         if (state.tiles.empty()) break;
-        double step = std::min(left, stable_step(state, nodes, laws, solid, pool));
-        if (!(step > 0)) {  // an infinite or undefined speed
+        const double stable = stable_step(state, nodes, laws, solid, pool);
+        if (!(stable > k_least_share * dt)) {  // an infinite or undefined speed, or next to it
             ++report.non_finite;
             break;
         }
+        double step = std::min(left, stable);
         if (step < left && left < 2 * step) step = 0.5 * left;  // two equal ones rather than a sliver
-        while (!try_step(state, nodes, laws, solid, step, report, pool)) {
+        for (int tries = 0; !try_step(state, nodes, laws, solid, step, report, pool); ++tries) {
+            if (tries == k_most_retries) {
+                ++report.non_finite;
+                return report;
+            }
             step *= 0.5;
             ++report.retries;
         }
