@@ -2,6 +2,7 @@
 #include "simulation/trouble_place.h"
 
 #include <cmath>
+#include <limits>
 
 #include "simulation/flow.h"
 #include "simulation/structured_flow.h"
@@ -78,9 +79,16 @@ std::optional<Point> place_of_non_finite(const StructuredFlow& flow) {
     if (const ParticleSet* particles = particles_of(flow)) at = non_finite_particle(*particles);
     if (at || !flow.state().fluid) return at;
     const structured::FluidFields& now = flow.state().fluid->now;
+    // Where all are numbers still, fluid was too fast to be computed on: its fastest cell.
+    double greatest = 0;
     flow.for_each_active_node([&](std::size_t cell) {
-        if (!at && !std::isfinite(now.depth[cell] + now.qx[cell] + now.qy[cell]))
-            at = middle(flow.nodes(), cell);
+        const bool finite = std::isfinite(now.depth[cell] + now.qx[cell] + now.qy[cell]);
+        const double speed = !finite                ? std::numeric_limits<double>::infinity()
+                             : now.depth[cell] > 0 ? std::hypot(now.qx[cell], now.qy[cell]) / now.depth[cell]
+                                                   : 0;
+        if (!(speed > greatest)) return;
+        greatest = speed;
+        at = middle(flow.nodes(), cell);
     });
     return at;
 }
