@@ -71,7 +71,9 @@ TEST(Property, MoreTerrainToTheEastAndNorthGivesTheSameBitsAndElsewhereTheSameFl
     for_scenes(20, 4, [&](Scene& scene, RandomNumbers& random, int) {
         scene.numerics.boundary = Boundary::open;
         const RunResult narrow = run(scene, {});
-        if (!stays_inside(narrow)) return;
+        // The bound of speeds is that of the window's lowest ground: a run that breaks it (scheme = paper can, with a
+        // particle next to nothing) ends in the narrower window first.
+        if (!stays_inside(narrow) || !narrow.troubles.empty()) return;
         ++compared;
         const auto more = [&] { return static_cast<std::int64_t>(random.below(60)); };
         const RunResult broad = run(widened(scene, 0, more(), 0, more(), random.between(0, 5)), {});
