@@ -29,6 +29,7 @@ std::string grouped(std::int64_t value) {
 }
 
 std::string grouped(double value) {
+    if (std::abs(value) < 10) return figure(value, 2);  // of a flume, not of a hillside
     return std::isfinite(value) && std::abs(value) < 9e18
                ? grouped(static_cast<std::int64_t>(std::llround(value)))
                : figure(value);

@@ -301,6 +301,7 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
     areas("terrain.friction-zones", "Friction zones", k_zones, true);
     areas("terrain.obstacles", "Obstacles", k_obstacles, false);
     lines(scene_value("terrain.walls").value_or(""), "Walls", k_obstacles, false);
+    areas("terrain.walls", "Walls", k_obstacles, false);  // whichever they are
     lines(has("profiles.gpkg") ? path("profiles.gpkg") + "|layer=lines" : "", "Profiles", k_lines, true);
     lines(has("gauges.gpkg") ? path("gauges.gpkg") + "|layer=sections" : "", "Cross-sections", k_lines,
           false);

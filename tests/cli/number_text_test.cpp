@@ -18,6 +18,9 @@ TEST(NumberText, GroupsOfThree) {
     EXPECT_EQ(grouped(std::int64_t{-1234567}), "-1 234 567");
     EXPECT_EQ(grouped(std::int64_t{-123}), "-123");
     EXPECT_EQ(grouped(999.6), "1 000");
+    EXPECT_EQ(grouped(0.01504), "0.015");
+    EXPECT_EQ(grouped(3.0), "3");
+    EXPECT_EQ(grouped(0.0), "0");
 }
 
 TEST(NumberText, BytesAndExtents) {
