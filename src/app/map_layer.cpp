@@ -8,6 +8,7 @@
 #include "analysis/trace.h"
 #include "app/layers.h"
 #include "app/number_text.h"
+#include "core/error.h"
 #include "gis/raster_in.h"
 #include "gis/raster_text.h"
 #include "params/value_text.h"
@@ -105,6 +106,8 @@ MapLayer read_greatest_layer(const std::vector<std::string>& paths) {
     MapLayer layer = read_map_layer(paths.front());
     for (std::size_t i = 1; i < paths.size(); ++i) {
         const Raster more = gis::read_result_raster(paths[i]);
+        if (!more.grid.same_cells(layer.values.grid))
+            throw Error(ErrorKind::input, Problem{"has other cells than " + paths.front(), paths[i], "", "", ""});
         for (std::size_t cell = 0; cell < more.values.size(); ++cell)
             layer.values.values[cell] = std::fmax(layer.values.values[cell], more.values[cell]);  // a number before nodata
     }

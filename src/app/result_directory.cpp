@@ -209,12 +209,9 @@ void ResultDirectory::make_sibling() {
 }
 
 void ResultDirectory::refuse_a_second_run() {
-    const fs::path own(aside_);
-    const std::string beginning = fs::path(directory_).filename().string() + k_building;
-    std::error_code failure;
-    for (const fs::directory_entry& entry : fs::directory_iterator(own.parent_path(), failure)) {
-        if (entry.path() == own || entry.path().filename().string().rfind(beginning, 0) != 0) continue;
-        const int other = lock(entry.path().string(), false);
+    for (const std::string& folder : unfinished_results(directory_)) {
+        if (folder == aside_) continue;
+        const int other = lock(folder, false);
         if (other >= 0) {
             ::close(other);  // left behind by a run that was killed
         } else if (errno == EWOULDBLOCK) {

@@ -186,12 +186,19 @@ GridSpec ResultReader::grid() const {
     return raster(under_way() ? "dtm" : drawable().front()).grid;
 }
 
-MapLayer ResultReader::greatest(const std::string& quantity) const {
-    if (!under_way()) return map_layer("max_" + quantity);
+const std::vector<StoredFrame>& ResultReader::frames() const {
+    if (frames_.empty()) frames_ = stored_frames(path("frames"));
+    return frames_;
+}
+
+const MapLayer& ResultReader::greatest(const std::string& quantity) const {
+    const auto known = greatest_.find(quantity);
+    if (known != greatest_.end()) return known->second;
+    if (!under_way()) return greatest_.emplace(quantity, map_layer("max_" + quantity)).first->second;
     std::vector<std::string> files;
     for (const StoredFrame& frame : frames())
         files.push_back(quantity == "velocity" ? frame.velocity_file : frame.depth_file);
-    return read_greatest_layer(files);
+    return greatest_.emplace(quantity, read_greatest_layer(files)).first->second;
 }
 
 MapLayer ResultReader::particle_layer(const StoredFrame& frame) const {
@@ -212,7 +219,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         const auto time = number_from_text(name.substr(at + 1));
         if (!time)
             throw Error(ErrorKind::input, Problem{"names no time", "--map", name, kind + "@SECONDS", ""});
-        const std::vector<StoredFrame> all = frames();
+        const std::vector<StoredFrame>& all = frames();
         if (all.empty())
             throw Error(ErrorKind::input, Problem{"the result has no frames", "--map", name, "", ""});
         const auto nearest = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
@@ -332,8 +339,7 @@ MapSource ResultReader::map_source() const {
     source.style = style();
     source.longitude_latitude = longitude_latitude(grid.crs_wkt);
     if (under_way()) {
-        const std::vector<StoredFrame> so_far = frames();
-        source.subtitle = "run under way, " + figure(so_far.back().time, 3) + " s simulated so far";
+        source.subtitle = "run under way, " + figure(frames().back().time, 3) + " s simulated so far";
         source.extent = greatest("depth").values;
     }
     if (!has("max_depth.tif") || !has("release.tif")) return source;

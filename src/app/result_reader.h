@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,12 +38,13 @@ class ResultReader {
     [[nodiscard]] MapLayer particle_layer(const StoredFrame& frame) const;
     /// The rasters that can be drawn, by name; terrain and bed are under all maps and not among them.
     [[nodiscard]] std::vector<std::string> drawable() const;
-    [[nodiscard]] std::vector<StoredFrame> frames() const { return stored_frames(path("frames")); }
+    /// As listed when first asked for: of a run under way none that come later. Throws Error(input).
+    [[nodiscard]] const std::vector<StoredFrame>& frames() const;
     /// Whether its run has not ended: it has frames and no maxima.
     [[nodiscard]] bool under_way() const { return !has("max_depth.tif") && has("frames/frames.csv"); }
     /// Of "depth" or "velocity": the maximum over time, of a run that has not ended over its frames so far.
     /// Throws Error(input).
-    [[nodiscard]] MapLayer greatest(const std::string& quantity) const;
+    [[nodiscard]] const MapLayer& greatest(const std::string& quantity) const;
     /// Of its rasters.
     [[nodiscard]] GridSpec grid() const;
 
@@ -56,6 +58,8 @@ class ResultReader {
     [[nodiscard]] MapFacts facts(const Raster& max_depth, const Raster& release) const;
 
     std::string directory_;
+    mutable std::vector<StoredFrame> frames_;          ///< read once
+    mutable std::map<std::string, MapLayer> greatest_;  ///< likewise
 };
 
 }  // namespace frana::app
