@@ -6,11 +6,19 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 
 namespace frana::app {
 
 bool ReservedSpace::grow(std::uint64_t bytes) {
     if (bytes <= bytes_) return true;
+    // Else the results would want the room that only waits, and a run would end that had enough for them.
+    std::error_code failure;
+    const std::uint64_t free = std::filesystem::space(std::filesystem::path(path_).parent_path(), failure).available;
+    if (!failure && free < 2 * bytes - bytes_) {
+        errno = ENOSPC;
+        return false;
+    }
     const int file = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0) return false;
     const int refusal = ::posix_fallocate(file, 0, static_cast<off_t>(bytes));

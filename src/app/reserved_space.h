@@ -16,7 +16,8 @@ class ReservedSpace {
     ReservedSpace& operator=(const ReservedSpace&) = delete;
 
     [[nodiscard]] std::uint64_t bytes() const noexcept { return bytes_; }
-    /// Makes it at least so large; where there is no room it stays as it is, and this is false, with errno.
+    /// Makes it at least so large; where there is no room, or not as much again for the results, it stays as it is, and
+    /// this is false, with errno.
     bool grow(std::uint64_t bytes);
     /// Makes it the file `path`, which is as large as it was and is to be written over; false: there is none.
     bool become(const std::string& path);

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "app/checkpoint_file.h"
+#include "app/reserved_space.h"
 #include "resuming.h"
 
 namespace frana::test {
@@ -20,12 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// With a disk of its own of 24 MB, in the folder "disk".
+/// With a disk of its own of 48 MB, in the folder "disk".
 class SmallDisk : public Resuming {
   protected:
     void SetUp() override {
         fs::create_directory(disk());
-        if (::mount("tmpfs", disk().c_str(), "tmpfs", 0, "size=24m") != 0)
+        if (::mount("tmpfs", disk().c_str(), "tmpfs", 0, "size=48m") != 0)
             GTEST_SKIP() << "a small disk can be mounted by root only: " << std::strerror(errno);
         mounted_ = true;
     }
@@ -156,6 +157,21 @@ TEST_F(SmallDisk, ThatFillsTakesTheStateOfAYoungRun) {
         expect_tidy(result);
         fs::remove_all(path(result));
     }
+}
+
+// A run that has just the room for its results must not end because a checkpoint to come holds the last of it.
+TEST_F(SmallDisk, LeavesAsMuchRoomAsIsSetAside) {
+    const std::string file = disk() + "/reserve";
+    app::ReservedSpace space(file);
+    EXPECT_FALSE(space.grow(25 << 20));
+    EXPECT_EQ(errno, ENOSPC);
+    EXPECT_FALSE(fs::exists(file));
+    EXPECT_TRUE(space.grow(16 << 20));
+    EXPECT_TRUE(space.grow(24 << 20));
+    EXPECT_EQ(fs::file_size(file), 24U << 20);
+    EXPECT_FALSE(space.grow(25 << 20));
+    EXPECT_EQ(fs::file_size(file), 24U << 20);
+    EXPECT_EQ(space.bytes(), 24U << 20);
 }
 
 TEST_F(SmallDisk, ThatCannotBeWrittenIsSaidBeforeAnythingIsComputed) {
