@@ -13,7 +13,7 @@ namespace frana::app {
 
 /// Format of checkpoint files: counts up with every change of what any serialise writes. Those from the oldest format
 /// on are read.
-inline constexpr std::uint32_t k_checkpoint_format = 2, k_oldest_checkpoint_format = 2;
+inline constexpr std::uint32_t k_checkpoint_format = 3, k_oldest_checkpoint_format = 3;
 
 /// What a checkpoint tells of the run that it belongs to.
 struct CheckpointHead {

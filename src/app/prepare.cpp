@@ -17,6 +17,7 @@
 #include "gis/crs.h"
 #include "params/law_names.h"
 #include "simulation/arrivals.h"
+#include "simulation/scene_origin.h"
 
 namespace frana::app {
 namespace {
@@ -159,6 +160,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.time.stop_moving_share = reading.scene.time.stop_moving_share;
     prepared.scene.time.moving_speed = reading.scene.time.moving_speed;
     prepared.scene.time.frame_interval = frame_interval(reading.scene);
+    place_origin(prepared.scene);
     refuse_too_much(reading, prepared.scene, release.area_m2);
     refuse_what_cannot_start(prepared.scene);
     const GridSpec& grid = prepared.scene.grid;

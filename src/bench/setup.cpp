@@ -12,8 +12,7 @@ namespace {
 
 template <class Shape>
 double interpolated(const NodeGrid& nodes, Point local) {
-    const double dx = nodes.cell_size();
-    const Stencil<Shape> stencil(local.x, local.y, dx, 1 / dx, nodes.stride());
+    const Stencil<Shape> stencil(local.x, local.y, nodes.scale());
     return interpolate(stencil, nodes.bed.data(), nodes.stride()).value + nodes.datum();
 }
 

@@ -18,12 +18,17 @@ struct Bounds {
 
     [[nodiscard]] double width() const noexcept { return east - west; }
     [[nodiscard]] double height() const noexcept { return north - south; }
+    /// Whether a point is inside, the western and southern edges included; not one that is no number.
+    [[nodiscard]] bool holds(double x, double y) const noexcept {
+        return x >= west && y >= south && x < east && y < north;
+    }
 };
 
 /// A north-up grid of square cells. Row 0 is the northernmost, as in GDAL; a value belongs to a cell's
 /// centre.
 ///
-/// The engine works in local metres from (west, south) with y to the north: see local_from_map.
+/// The engine works in local metres with y to the north, counted from a cell's south-western corner (see
+/// local_from_map): one near what moves, so that how far the grid reaches beyond it changes no bit.
 struct GridSpec {
     double west = 0;       ///< easting of the grid's western edge [m]
     double north = 0;      ///< northing of the grid's northern edge [m]
@@ -31,6 +36,7 @@ struct GridSpec {
     std::int64_t columns = 0;
     std::int64_t rows = 0;
     std::string crs_wkt;  ///< WKT2 of the projected CRS; empty for plain local metres. Opaque to the engine.
+    std::int64_t origin_column = 0, origin_row = 0;  ///< cell of the local origin; rows counted from the south
 
     [[nodiscard]] double east() const noexcept { return west + cell_size * static_cast<double>(columns); }
     [[nodiscard]] double south() const noexcept { return north - cell_size * static_cast<double>(rows); }
@@ -41,10 +47,21 @@ struct GridSpec {
         return {west + (static_cast<double>(column) + 0.5) * cell_size,
                 north - (static_cast<double>(row) + 0.5) * cell_size};
     }
-    /// Local metres from the south-western corner; the subtraction happens once, in double.
-    [[nodiscard]] Point local_from_map(Point map) const noexcept { return {map.x - west, map.y - south()}; }
+    /// Map coordinates of the local origin.
+    [[nodiscard]] Point origin() const noexcept {
+        return {west + cell_size * static_cast<double>(origin_column),
+                south() + cell_size * static_cast<double>(origin_row)};
+    }
+    /// Local metres; the subtraction happens once, in double.
+    [[nodiscard]] Point local_from_map(Point map) const noexcept { return {map.x - origin().x, map.y - origin().y}; }
     [[nodiscard]] Point map_from_local(Point local) const noexcept {
-        return {local.x + west, local.y + south()};
+        return {local.x + origin().x, local.y + origin().y};
+    }
+    /// The grid's edges in local metres.
+    [[nodiscard]] Bounds local_bounds() const noexcept {
+        return {-cell_size * static_cast<double>(origin_column), -cell_size * static_cast<double>(origin_row),
+                cell_size * static_cast<double>(columns - origin_column),
+                cell_size * static_cast<double>(rows - origin_row)};
     }
 
     /// Same cells in the same place (to 1e-6 of a cell); the CRS text is not compared.

@@ -60,6 +60,9 @@ FRANA_INLINE Quad abs(Quad a) {
 FRANA_INLINE Quad sqrt(Quad a) {
     return {__builtin_sqrt(a[0]), __builtin_sqrt(a[1]), __builtin_sqrt(a[2]), __builtin_sqrt(a[3])};
 }
+FRANA_INLINE Quad floor(Quad a) {
+    return {__builtin_floor(a[0]), __builtin_floor(a[1]), __builtin_floor(a[2]), __builtin_floor(a[3])};
+}
 /// How often a mask was true, for sums of masks (true is -1).
 FRANA_INLINE long long count(Quad::Mask m) {
     return -(m[0] + m[1] + m[2] + m[3]);

@@ -112,10 +112,10 @@ template <class Shape>
 void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid& nodes,
                              const BedLayer* layers, ParticleSet& particles, double* kept, double* lost,
                              ExchangeReport& report) {
-    const double dx = nodes.cell_size();
+    const NodeScale grid = nodes.scale();
     double* volume = particles[Field::volume];
     for (std::size_t p = begin; p < end; ++p) {
-        const Stencil<Shape> s(particles[Field::x][p], particles[Field::y][p], dx, 1 / dx, nodes.stride());
+        const Stencil<Shape> s(particles[Field::x][p], particles[Field::y][p], grid);
         double gain = 0, loss = 0;
         for (int b = 0; b < Shape::width; ++b) {
             const BedLayer* row = layers + s.first + b * nodes.stride();

@@ -52,8 +52,11 @@ NodeGrid::NodeGrid(const Ground& ground)
                                    1)),
       columns_(ground.terrain.grid.columns),
       rows_(ground.terrain.grid.rows),
+      origin_column_(ground.terrain.grid.origin_column),
+      origin_row_(ground.terrain.grid.origin_row),
       cell_size_(ground.terrain.grid.cell_size),
-      datum_(ground.datum) {
+      datum_(ground.datum),
+      bounds_(ground.terrain.grid.local_bounds()) {
     const Raster& terrain = ground.terrain;
     const bool gaps =
         std::any_of(terrain.values.begin(), terrain.values.end(), [](double z) { return std::isnan(z); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -61,10 +62,28 @@ struct Ground {
     double datum;
 };
 
+/// What turns local metres into nodes.
+struct NodeScale {
+    double dx, inverse_dx;
+    std::int64_t stride;
+    std::int64_t origin_x, origin_y;  ///< padded numbers of the node in the origin's cell
+
+    /// Place in the padded arrays of a node by its numbers counted from the origin.
+    [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const noexcept {
+        return static_cast<std::size_t>((j + origin_y) * stride + i + origin_x);
+    }
+    /// The node of the cell that holds a local point.
+    [[nodiscard]] std::size_t node_of(double x, double y) const noexcept {
+        return index(static_cast<std::int64_t>(std::floor(x * inverse_dx)),
+                     static_cast<std::int64_t>(std::floor(y * inverse_dx)));
+    }
+};
+
 /// The background grid: one node at each cell centre of the terrain, rows from the south, with ghost nodes
 /// around.
 ///
-///     node (i, j) lies at ((i + 1/2) dx, (j + 1/2) dx) in local metres, i in [-k_ghost, columns + k_ghost)
+///     node (i, j) lies at ((i + 1/2) dx, (j + 1/2) dx) from the terrain's south-western corner,
+///     i in [-k_ghost, columns + k_ghost)
 class NodeGrid {
   public:
     /// Takes bed elevations from a north-up raster; NaN marks cells without terrain, which become solid.
@@ -75,18 +94,22 @@ class NodeGrid {
     [[nodiscard]] std::int64_t stride() const noexcept { return columns_ + 2 * k_ghost; }
     [[nodiscard]] std::int64_t padded_rows() const noexcept { return rows_ + 2 * k_ghost; }
     [[nodiscard]] double cell_size() const noexcept { return cell_size_; }
-    [[nodiscard]] double width() const noexcept { return cell_size_ * static_cast<double>(columns_); }
-    [[nodiscard]] double height() const noexcept { return cell_size_ * static_cast<double>(rows_); }
+    /// The terrain's edges in local metres.
+    [[nodiscard]] const Bounds& bounds() const noexcept { return bounds_; }
+    [[nodiscard]] NodeScale scale() const noexcept {
+        return {cell_size_, 1 / cell_size_, stride(), origin_column_ + k_ghost, origin_row_ + k_ghost};
+    }
+    /// Middle of a node's cell in local metres, by its padded numbers.
+    [[nodiscard]] Point middle(std::int64_t i, std::int64_t j) const noexcept {
+        return {(static_cast<double>(i - k_ghost - origin_column_) + 0.5) * cell_size_,
+                (static_cast<double>(j - k_ghost - origin_row_) + 0.5) * cell_size_};
+    }
     [[nodiscard]] std::size_t index(std::int64_t i, std::int64_t j) const noexcept {
         return static_cast<std::size_t>((j + k_ghost) * stride() + i + k_ghost);
     }
     /// Whether a node of the terrain has none and is no wall either.
-    [[nodiscard]] bool is_gap(std::int64_t i, std::int64_t j) const noexcept {
-        return !solid_.empty() && solid_[index(i, j)] == k_gap;
-    }
-    [[nodiscard]] bool is_wall(std::int64_t i, std::int64_t j) const noexcept {
-        return !solid_.empty() && solid_[index(i, j)] == k_wall;
-    }
+    [[nodiscard]] bool is_gap(std::size_t node) const noexcept { return !solid_.empty() && solid_[node] == k_gap; }
+    [[nodiscard]] bool is_wall(std::size_t node) const noexcept { return !solid_.empty() && solid_[node] == k_wall; }
     [[nodiscard]] bool any_solid() const noexcept { return !solid_.empty(); }
     [[nodiscard]] const std::uint8_t* solid() const noexcept {
         return solid_.empty() ? nullptr : solid_.data();
@@ -111,7 +134,7 @@ class NodeGrid {
     /// What may differ from what the constructor and the walls made.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [z, node_sums, node_levels, changes, nx, ny, dx, lowest, marks] = *this;
+        [[maybe_unused]] auto& [z, node_sums, node_levels, changes, nx, ny, oi, oj, dx, lowest, edges, marks] = *this;
         archive(changes);
         const std::size_t count = z.size();
         if (changes) archive(z);
@@ -124,8 +147,9 @@ class NodeGrid {
   private:
     void extend_beyond_edges();
 
-    std::int64_t columns_, rows_;
+    std::int64_t columns_, rows_, origin_column_, origin_row_;
     double cell_size_, datum_;
+    Bounds bounds_;
     std::vector<std::uint8_t> solid_;
 };
 

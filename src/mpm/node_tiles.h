@@ -14,10 +14,10 @@ struct NodeRange {
     std::int64_t i0, i1, j0, j1;
 
     NodeRange(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes) noexcept
-        : i0(tile % tiles.tiles_x() * k_tile),
-          i1(std::min(i0 + k_tile, nodes.stride())),
-          j0(tile / tiles.tiles_x() * k_tile),
-          j1(std::min(j0 + k_tile, nodes.padded_rows())) {}
+        : i0(within(tile % tiles.tiles_x() * k_tile - tiles.before_x(), nodes.stride())),
+          i1(within((tile % tiles.tiles_x() + 1) * k_tile - tiles.before_x(), nodes.stride())),
+          j0(within(tile / tiles.tiles_x() * k_tile - tiles.before_y(), nodes.padded_rows())),
+          j1(within((tile / tiles.tiles_x() + 1) * k_tile - tiles.before_y(), nodes.padded_rows())) {}
 
     /// Calls visit(index, i, j) for every node, i and j padded.
     template <class Visit>
@@ -25,6 +25,11 @@ struct NodeRange {
         for (std::int64_t j = j0; j < j1; ++j) {
             for (std::int64_t i = i0; i < i1; ++i) visit(static_cast<std::size_t>(j * stride + i), i, j);
         }
+    }
+
+  private:
+    static std::int64_t within(std::int64_t node, std::int64_t count) noexcept {
+        return std::clamp<std::int64_t>(node, 0, count);
     }
 };
 

@@ -105,10 +105,9 @@ double shock_compression(const Stencil<Shape>& s, const NodeSums* sums, std::int
 /// instruction set, must share no function with the rest.
 [[gnu::always_inline]] inline void slide_along_walls(const NodeGrid& nodes, double x, double y, double& px,
                                                      double& py) noexcept {
-    const double inverse_dx = 1 / nodes.cell_size();
+    const NodeScale grid = nodes.scale();
     const auto wall = [&](double a, double b) {
-        return a >= 0 && a < nodes.width() && b >= 0 && b < nodes.height() &&
-               nodes.is_wall(static_cast<std::int64_t>(a * inverse_dx), static_cast<std::int64_t>(b * inverse_dx));
+        return nodes.bounds().holds(a, b) && nodes.is_wall(grid.node_of(a, b));
     };
     if (!wall(px, py)) return;
     if (!wall(px, y)) {
@@ -147,16 +146,17 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
     double* const q_xx = particles[Field::q_xx];
     double* const q_xy = particles[Field::q_xy];
     double* const q_yy = particles[Field::q_yy];
-    const double dx = nodes.cell_size(), inverse_dx = 1 / dx, courant = k.dt * inverse_dx;
+    const NodeScale grid = nodes.scale();
+    const double dx = grid.dx, inverse_dx = grid.inverse_dx, courant = k.dt * inverse_dx;
     const double cell_area = dx * dx;
-    const double width = nodes.width(), height = nodes.height();
+    const Bounds edges = nodes.bounds();
     const double margin = 1e-9 * dx;
-    const std::int64_t stride = nodes.stride();
+    const std::int64_t stride = grid.stride;
     const NodeSums* const sums = nodes.sums.data();
     ParticleReport report;
 
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
-        const Stencil<Shape> s(x[p], y[p], dx, inverse_dx, stride);
+        const Stencil<Shape> s(x[p], y[p], grid);
         double un = 0, vn = 0, du = 0, dv = 0, share = 0, support = 0, cell_depth = 0;
         double u_x = 0, u_y = 0, v_x = 0, v_y = 0;      // gradient of the nodal velocity
         double m_xx = 0, m_xy = 0, m_yx = 0, m_yy = 0;  // first moments, for the affine part
@@ -270,8 +270,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         }
         double px = x[p] + k.dt * un, py = y[p] + k.dt * vn;
         if (k.wall) {
-            px = std::clamp(px, margin, width - margin);
-            py = std::clamp(py, margin, height - margin);
+            px = std::clamp(px, edges.west + margin, edges.east - margin);
+            py = std::clamp(py, edges.south + margin, edges.north - margin);
         }
         if (nodes.any_solid()) slide_along_walls(nodes, x[p], y[p], px, py);
         const double wave = speed + std::sqrt(k.gravity * depth);
@@ -281,14 +281,11 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         }
         x[p] = px;
         y[p] = py;
-        if (!(px >= 0 && px < width && py >= 0 && py < height)) {
+        if (!edges.holds(px, py)) {
             ++report.outside;
             continue;
         }
-        if (nodes.any_solid() && nodes.is_gap(static_cast<std::int64_t>(px * inverse_dx),
-                                              static_cast<std::int64_t>(py * inverse_dx))) {
-            ++report.no_data;
-        }
+        if (nodes.any_solid() && nodes.is_gap(grid.node_of(px, py))) ++report.no_data;
         report.wave_speed = std::max(report.wave_speed, wave);
         report.speed = std::max(report.speed, speed);
         const double ox = px - k.origin.x, oy = py - k.origin.y;

@@ -23,13 +23,14 @@ void particles_to_nodes(const ParticleTile& tile, const ParticleSet& particles, 
     const double* c_xy = particles[Field::c_xy];
     const double* c_yx = particles[Field::c_yx];
     const double* c_yy = particles[Field::c_yy];
-    const double dx = nodes.cell_size(), inverse_dx = 1 / dx;
-    const std::int64_t stride = nodes.stride();
+    const NodeScale grid = nodes.scale();
+    const double dx = grid.dx;
+    const std::int64_t stride = grid.stride;
     NodeSums* const sums = nodes.sums.data();
     const double* const bed = nodes.bed.data();
 
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
-        const Stencil<Shape> s(x[p], y[p], dx, inverse_dx, stride);
+        const Stencil<Shape> s(x[p], y[p], grid);
         double u0 = u[p], v0 = v[p], u_a = 0, v_a = 0, u_b = 0, v_b = 0;
         if constexpr (Affine) {
             u0 += c_xx[p] * s.to_first_x + c_xy[p] * s.to_first_y;

@@ -32,14 +32,15 @@ void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, d
     const double* s_xx = particles[Field::s_xx];
     const double* s_xy = particles[Field::s_xy];
     const double* s_yy = particles[Field::s_yy];
-    const double dx = nodes.cell_size(), inverse_dx = 1 / dx;
-    const std::int64_t stride = nodes.stride();
+    const NodeScale grid = nodes.scale();
+    const double dx = grid.dx;
+    const std::int64_t stride = grid.stride;
     NodeSums* const sums = nodes.sums.data();
     const NodeLevel* const levels = nodes.levels.data();
     const double* const bed = nodes.bed.data();
 
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
-        const Stencil<Shape> s(x[p], y[p], dx, inverse_dx, stride);
+        const Stencil<Shape> s(x[p], y[p], grid);
         const Interpolated z = interpolate(s, bed, stride);
         const double depth = volume[p] / area[p];
         const double half_gravity_area = 0.5 * gravity * area[p];

@@ -55,16 +55,16 @@ struct Stencil {
     double to_first_x, to_first_y;  // [m]
 
     /// @param x, y local metres, inside the grid
-    Stencil(double x, double y, double cell_size, double inverse_cell_size, std::int64_t stride) noexcept {
-        const std::int64_t i = Shape::evaluate(x * inverse_cell_size - 0.5, wx, gx);
-        const std::int64_t j = Shape::evaluate(y * inverse_cell_size - 0.5, wy, gy);
+    Stencil(double x, double y, const NodeScale& grid) noexcept {
+        const std::int64_t i = Shape::evaluate(x * grid.inverse_dx - 0.5, wx, gx);
+        const std::int64_t j = Shape::evaluate(y * grid.inverse_dx - 0.5, wy, gy);
         for (int a = 0; a < width; ++a) {
-            gx[a] *= inverse_cell_size;
-            gy[a] *= inverse_cell_size;
+            gx[a] *= grid.inverse_dx;
+            gy[a] *= grid.inverse_dx;
         }
-        first = static_cast<std::size_t>((j + k_ghost) * stride + i + k_ghost);
-        to_first_x = (static_cast<double>(i) + 0.5) * cell_size - x;
-        to_first_y = (static_cast<double>(j) + 0.5) * cell_size - y;
+        first = grid.index(i, j);
+        to_first_x = (static_cast<double>(i) + 0.5) * grid.dx - x;
+        to_first_y = (static_cast<double>(j) + 0.5) * grid.dx - y;
     }
 };
 

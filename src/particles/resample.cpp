@@ -85,9 +85,7 @@ class TileResampler {
     TileResampler(const ResampleLimits& limits, const TileGrid& grid, const ParticleSet& particles,
                   const ParticleTile& tile)
         : limits_(limits),
-          ghost_(grid.ghost),
-          stride_(grid.columns + 2 * grid.ghost),
-          inverse_dx_(1 / grid.cell_size),
+          grid_(grid),
           particles_(particles),
           begin_(tile.begin),
           size_(tile.end - tile.begin) {}
@@ -109,15 +107,14 @@ class TileResampler {
 
     // Cell within the tile; halves that fall just outside count for the nearest cell of the tile.
     [[nodiscard]] std::size_t cell_of(double x, double y) const {
-        const auto i = static_cast<std::uint64_t>(static_cast<std::int64_t>(x * inverse_dx_) + ghost_);
-        const auto j = static_cast<std::uint64_t>(static_cast<std::int64_t>(y * inverse_dx_) + ghost_);
+        const auto i = static_cast<std::uint64_t>(grid_.node_x(x));
+        const auto j = static_cast<std::uint64_t>(grid_.node_y(y));
         return static_cast<std::size_t>((j % k_tile) * k_tile + i % k_tile);
     }
     [[nodiscard]] bool in_wall(double x, double y) const {
         if (limits_.marks == nullptr) return false;
-        const auto i = static_cast<std::int64_t>(x * inverse_dx_) + ghost_;
-        const auto j = static_cast<std::int64_t>(y * inverse_dx_) + ghost_;
-        return limits_.marks[j * stride_ + i] == limits_.wall_mark;
+        const std::int64_t i = grid_.node_x(x) - grid_.before_x(), j = grid_.node_y(y) - grid_.before_y();
+        return limits_.marks[j * (grid_.columns + 2 * grid_.ghost) + i] == limits_.wall_mark;
     }
     // Particles of the tile are numbered on through those that come.
     [[nodiscard]] ParticleRow row(std::size_t i) const {
@@ -153,7 +150,8 @@ class TileResampler {
         }
         const auto fits = [&](const ParticleRow& part) {
             const double x = get(part, Field::x), y = get(part, Field::y);
-            return x > 0 && x < limits_.width && y > 0 && y < limits_.height && !in_wall(x, y);
+            const Bounds& edges = limits_.edges;
+            return x > edges.west && x < edges.east && y > edges.south && y < edges.north && !in_wall(x, y);
         };
         if (!std::all_of(parts.begin(), parts.end(), fits)) return;
         --counts_[cell_of(get(r, Field::x), get(r, Field::y))];
@@ -259,8 +257,7 @@ class TileResampler {
     }
 
     const ResampleLimits& limits_;
-    const std::int64_t ghost_, stride_;
-    const double inverse_dx_;
+    const TileGrid& grid_;
     const ParticleSet& particles_;
     const std::size_t begin_, size_;
     std::array<int, k_cells> counts_{};  // particles in each cell as they would be after the change so far

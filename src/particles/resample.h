@@ -22,7 +22,7 @@ struct ResampleLimits {
     int split_below = 6;  ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
     int max_per_cell = 10;         ///< more than this in a cell: pairs merge
     double minimum_depth = 0.001;  ///< thinner particles are not split [m]
-    double width = 0, height = 0;  ///< of the terrain [m]: no half is put outside
+    Bounds edges;         ///< of the terrain, local metres: no half is put outside
     const std::uint8_t* marks = nullptr;  ///< of the padded nodes; none: no walls
     std::uint8_t wall_mark = 0;           ///< the mark of a wall: no half is put there
 };

@@ -4,6 +4,14 @@
 #include <algorithm>
 
 namespace frana {
+namespace {
+
+// The tile, in one direction, of a node; the nearest for those before and beyond all tiles.
+std::int64_t tile_at(std::int64_t node, std::int64_t count) {
+    return std::clamp<std::int64_t>(node / k_tile, 0, count - 1);
+}
+
+}  // namespace
 
 void TileOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool) {
     // Blocks are counted side by side and placed one after another, tile by tile: a stable counting sort whose result
@@ -107,18 +115,12 @@ void TileOrder::index_tiles(const ParticleSet& particles, ThreadPool& pool) {
         ParticleTile& tile = tiles_[t];
         const auto [west, east] = std::minmax_element(x + tile.begin, x + tile.end);
         const auto [south, north] = std::minmax_element(y + tile.begin, y + tile.end);
-        tile.x0 = tile_at(std::max(*west - reach, 0.0), grid_.tiles_x());
-        tile.x1 = tile_at(*east + reach, grid_.tiles_x());
-        tile.y0 = tile_at(std::max(*south - reach, 0.0), grid_.tiles_y());
-        tile.y1 = tile_at(*north + reach, grid_.tiles_y());
+        tile.x0 = tile_at(grid_.node_x(*west - reach), grid_.tiles_x());
+        tile.x1 = tile_at(grid_.node_x(*east + reach), grid_.tiles_x());
+        tile.y0 = tile_at(grid_.node_y(*south - reach), grid_.tiles_y());
+        tile.y1 = tile_at(grid_.node_y(*north + reach), grid_.tiles_y());
     });
     list_nodes();
-}
-
-// The tile, in one direction, of a position that is not negative [m].
-std::int64_t TileOrder::tile_at(double position, std::int64_t count) const noexcept {
-    const auto cell = static_cast<std::int64_t>(position / grid_.cell_size + static_cast<double>(grid_.ghost));
-    return std::clamp<std::int64_t>(cell / k_tile, 0, count - 1);
 }
 
 void TileOrder::list_nodes() {
@@ -140,12 +142,14 @@ void TileOrder::list_nodes() {
 // Whether a particle is on the grid and all nodes of its stencil are in tiles that its own tile can touch.
 bool TileOrder::holds(const ParticleTile& tile, double x, double y) const noexcept {
     const double dx = grid_.cell_size, reach = 1.5 * dx;
-    const bool inside = x >= 0 && y >= 0 && x <= dx * static_cast<double>(grid_.columns) &&
-                        y <= dx * static_cast<double>(grid_.rows);  // false for what is no number
-    return inside && tile_at(std::max(x - reach, 0.0), grid_.tiles_x()) >= tile.x0 &&
-           tile_at(x + reach, grid_.tiles_x()) <= tile.x1 &&
-           tile_at(std::max(y - reach, 0.0), grid_.tiles_y()) >= tile.y0 &&
-           tile_at(y + reach, grid_.tiles_y()) <= tile.y1;
+    const auto on = [dx](double place, std::int64_t cells, std::int64_t origin) {
+        return place >= -dx * static_cast<double>(origin) && place <= dx * static_cast<double>(cells - origin);
+    };  // false for what is no number
+    return on(x, grid_.columns, grid_.origin_x) && on(y, grid_.rows, grid_.origin_y) &&
+           tile_at(grid_.node_x(x - reach), grid_.tiles_x()) >= tile.x0 &&
+           tile_at(grid_.node_x(x + reach), grid_.tiles_x()) <= tile.x1 &&
+           tile_at(grid_.node_y(y - reach), grid_.tiles_y()) >= tile.y0 &&
+           tile_at(grid_.node_y(y + reach), grid_.tiles_y()) <= tile.y1;
 }
 
 bool TileOrder::restore(const ParticleSet& particles) {

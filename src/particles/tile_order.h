@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -35,11 +36,30 @@ struct TileGrid {
     std::int64_t columns = 0, rows = 0;  ///< of cells
     std::int64_t ghost = 0;              ///< nodes before cell 0
     double cell_size = 1;
+    /// Cell of the local origin. Tiles and their colours lie the same about it however far the grid reaches, so that
+    /// sums keep their order: tiles begin before the grid where they must.
+    std::int64_t origin_x = 0, origin_y = 0;
 
+    [[nodiscard]] std::int64_t before_x() const noexcept { return before(origin_x); }  ///< nodes before the grid
+    [[nodiscard]] std::int64_t before_y() const noexcept { return before(origin_y); }
     [[nodiscard]] std::int64_t tiles_x() const noexcept {
-        return (columns + 2 * ghost + k_tile - 1) / k_tile;
+        return (before_x() + columns + 2 * ghost + k_tile - 1) / k_tile;
     }
-    [[nodiscard]] std::int64_t tiles_y() const noexcept { return (rows + 2 * ghost + k_tile - 1) / k_tile; }
+    [[nodiscard]] std::int64_t tiles_y() const noexcept {
+        return (before_y() + rows + 2 * ghost + k_tile - 1) / k_tile;
+    }
+    /// Numbers of the node of a local position, counted from the first tile's first.
+    [[nodiscard]] std::int64_t node_x(double x) const noexcept { return cells(x) + origin_x + ghost + before_x(); }
+    [[nodiscard]] std::int64_t node_y(double y) const noexcept { return cells(y) + origin_y + ghost + before_y(); }
+
+  private:
+    [[nodiscard]] static std::int64_t before(std::int64_t origin) noexcept {
+        constexpr std::int64_t k_pair = 2 * k_tile;  // of unlike colours
+        return (k_pair - origin % k_pair) % k_pair;
+    }
+    [[nodiscard]] std::int64_t cells(double position) const noexcept {
+        return static_cast<std::int64_t>(std::floor(position * (1 / cell_size)));
+    }
 };
 
 /// The order of particles by tile. It fixes the order of every sum over particles, whatever the number of
@@ -67,10 +87,7 @@ class TileOrder {
     [[nodiscard]] const TileGrid& grid() const noexcept { return grid_; }
 
     [[nodiscard]] std::int64_t tile_of(double x, double y) const noexcept {
-        const double inverse = 1 / grid_.cell_size;
-        const auto i = static_cast<std::int64_t>(x * inverse) + grid_.ghost;
-        const auto j = static_cast<std::int64_t>(y * inverse) + grid_.ghost;
-        return (j / k_tile) * grid_.tiles_x() + i / k_tile;
+        return (grid_.node_y(y) / k_tile) * grid_.tiles_x() + grid_.node_x(x) / k_tile;
     }
 
     template <class Archive>
@@ -94,7 +111,6 @@ class TileOrder {
     void place_blocks();
     void index_tiles(const ParticleSet& particles, ThreadPool& pool);
     void list_nodes();
-    [[nodiscard]] std::int64_t tile_at(double position, std::int64_t count) const noexcept;
     [[nodiscard]] bool holds(const ParticleTile& tile, double x, double y) const noexcept;
 
     TileGrid grid_;

@@ -35,20 +35,13 @@ ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
 // What comes in where something lies already makes it deeper: particles near the newcomers give up area until
 // they claim no more than there is. Reads the nodes' sums of area.
 void make_room(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet& particles) {
-    const double dx = nodes.cell_size(), inverse_dx = 1 / dx;
-    const auto cell = [&](double x, double y) {
-        return nodes.index(static_cast<std::int64_t>(x * inverse_dx),
-                           static_cast<std::int64_t>(y * inverse_dx));
-    };
-    const auto inside = [&](double x, double y) {
-        return x >= 0 && y >= 0 && x < nodes.width() && y < nodes.height();
-    };
+    const NodeScale grid = nodes.scale();
     std::vector<std::size_t> near;
     for (std::size_t p = 0; p < newcomers.size(); ++p) {
         for (int b = -1; b <= 1; ++b) {
             for (int a = -1; a <= 1; ++a) {
-                const double x = newcomers[Field::x][p] + a * dx, y = newcomers[Field::y][p] + b * dx;
-                if (inside(x, y)) near.push_back(cell(x, y));
+                const double x = newcomers[Field::x][p] + a * grid.dx, y = newcomers[Field::y][p] + b * grid.dx;
+                if (nodes.bounds().holds(x, y)) near.push_back(grid.node_of(x, y));
             }
         }
     }
@@ -56,26 +49,26 @@ void make_room(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet&
     near.erase(std::unique(near.begin(), near.end()), near.end());
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double x = particles[Field::x][p], y = particles[Field::y][p];
-        if (!std::binary_search(near.begin(), near.end(), cell(x, y))) continue;
-        const Stencil<QuadraticSplineShape> s(x, y, dx, inverse_dx, nodes.stride());
+        if (!std::binary_search(near.begin(), near.end(), grid.node_of(x, y))) continue;
+        const Stencil<QuadraticSplineShape> s(x, y, grid);
         double claimed = 0;
         for (int b = 0; b < 3; ++b) {
             for (int a = 0; a < 3; ++a)
                 claimed += s.wx[a] * s.wy[b] *
                            nodes.sums[s.first + static_cast<std::size_t>(b * nodes.stride() + a)].area;
         }
-        claimed *= inverse_dx * inverse_dx;
+        claimed *= grid.inverse_dx * grid.inverse_dx;
         if (claimed > 1) particles[Field::area][p] /= claimed;
     }
 }
 
-TileGrid tile_grid(const NodeGrid& nodes) {
-    return {nodes.columns(), nodes.rows(), k_ghost, nodes.cell_size()};
+TileGrid tile_grid(const GridSpec& grid) {
+    return {grid.columns, grid.rows, k_ghost, grid.cell_size, grid.origin_column, grid.origin_row};
 }
 
 voellmy_bingham::State initial_state(const Ground& ground, ParticleSet particles) {
     NodeGrid nodes(ground);
-    TileOrder order(tile_grid(nodes));
+    TileOrder order(tile_grid(ground.terrain.grid));
     return voellmy_bingham::State(std::move(particles), std::move(nodes), std::move(order));
 }
 
@@ -105,8 +98,7 @@ Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& m
       maxima_(state_.nodes.sums.size()) {
     // Without references the levels stay zero: the pressure is then measured against nothing.
     if (numerics.scheme == Scheme::standard) state_.nodes.allocate_levels();
-    laws_.resample.width = state_.nodes.width();
-    laws_.resample.height = state_.nodes.height();
+    laws_.resample.edges = state_.nodes.bounds();
     laws_.resample.minimum_depth = 1e-3 * grid_.cell_size;
     if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.sums.size());
     if (entrainment.active()) {

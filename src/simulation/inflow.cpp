@@ -52,7 +52,7 @@ void check_ground(const Scene& scene, Point local) {
     const Point map = grid.map_from_local(local);
     char text[64];
     std::snprintf(text, sizeof text, "(%.1f, %.1f)", map.x, map.y);
-    if (!(local.x >= 0 && local.y >= 0 && map.x < grid.east() && map.y < grid.north))
+    if (!grid.local_bounds().holds(local.x, local.y))
         throw refused("the inflow's line reaches beyond the working grid", "inflow.line", text,
                       "Shorten it or take a larger DTM");
     const Cell cell = cell_of(grid, local);

@@ -17,6 +17,8 @@ struct Ground {
 
 Ground ground_under(const NodeGrid& nodes, double x, double y) {
     const double dx = nodes.cell_size();
+    x -= nodes.bounds().west;
+    y -= nodes.bounds().south;
     const auto cell = [&](double place, std::int64_t count) {
         return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(place / dx)), 0, count - 1);
     };

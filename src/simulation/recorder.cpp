@@ -21,9 +21,10 @@ Recorder::Recorder(const Recording& recording, const GridSpec& grid, const Numer
         flux_ = ZeroArray<double>(nodes);
         head_ = ZeroArray<double>(nodes);
     }
+    // By numbers counted from the origin.
     const auto node_at = [&](std::int64_t i, std::int64_t j) {
-        i = std::clamp<std::int64_t>(i, 0, grid.columns - 1);
-        j = std::clamp<std::int64_t>(j, 0, grid.rows - 1);
+        i = std::clamp<std::int64_t>(i + grid.origin_column, 0, grid.columns - 1);
+        j = std::clamp<std::int64_t>(j + grid.origin_row, 0, grid.rows - 1);
         return static_cast<std::size_t>((j + k_ghost) * stride + i + k_ghost);
     };
     for (const Gauge& gauge : recording.gauges) {

@@ -24,9 +24,8 @@ MultiPolygon to_local(const MultiPolygon& map, const GridSpec& grid) {
     return local;
 }
 
-// Bilinear between the cell centres that have data; NaN where none of the four has.
-double sample(const Raster& raster, Point local) {
-    const GridSpec& grid = raster.grid;
+// Bilinear between the cell centres that have data; NaN where none of the four has. The raster is on the scene's grid.
+double sample(const Raster& raster, const GridSpec& grid, Point local) {
     const double s = local.x / grid.cell_size - 0.5, t = local.y / grid.cell_size - 0.5;
     const double i = std::floor(s), j = std::floor(t);
     double sum = 0, total = 0;
@@ -139,7 +138,7 @@ void scale_to(double volume, std::vector<ParticleSet>& filled, std::vector<Relea
 ReleasedArea fill_area(const Scene& scene, const ReleaseArea& area, ParticleSet& particles) {
     const GridSpec& grid = scene.grid;
     const auto thickness = [&](Point local) {
-        double t = area.thickness_raster ? sample(*area.thickness_raster, local) : area.thickness;
+        double t = area.thickness_raster ? sample(*area.thickness_raster, grid, local) : area.thickness;
         if (area.normal_to_bed && t > 0) {
             const Point g = gradient(scene.terrain, cell_of(grid, local));
             t *= std::sqrt(1 + g.x * g.x + g.y * g.y);

@@ -93,7 +93,7 @@ void StructuredFlow::receive_lying() {
 
 // Takes in particles' fluid: of columns as released the share that is free from the start, else all.
 void StructuredFlow::receive(const ParticleSet& particles, bool columns) {
-    const double inverse = 1 / grid_.cell_size, inverse_area = 1 / grid_.cell_area();
+    const double inverse_area = 1 / grid_.cell_area();
     std::vector<FluidSource> sources;
     sources.reserve(particles.size());
     for (std::size_t p = 0; p < particles.size(); ++p) {
@@ -106,14 +106,13 @@ void StructuredFlow::receive(const ParticleSet& particles, bool columns) {
         }
         const double share = columns && material_.solids ? solid.free() : 1;
         if (!state_.fluid || !(share > 0)) continue;
-        const double x = place.x * inverse, y = place.y * inverse;
-        if (!(x >= 0 && y >= 0 && x < static_cast<double>(grid_.columns) && y < static_cast<double>(grid_.rows))) {
+        if (!state_.grid.bounds().holds(place.x, place.y)) {
             state_.fluid->volume_left += share * volume;
             continue;
         }
         const double depth = share * volume * inverse_area;
-        sources.push_back({state_.grid.index(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)), depth,
-                           depth * particles[Field::u][p], depth * particles[Field::v][p]});
+        sources.push_back({state_.grid.scale().node_of(place.x, place.y), depth, depth * particles[Field::u][p],
+                           depth * particles[Field::v][p]});
     }
     if (!state_.fluid) return;
     state_.fluid->volume_left += structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
@@ -190,7 +189,7 @@ void StructuredFlow::see_present() {
 StepFigures StructuredFlow::observe() {
     const std::vector<std::int64_t> tiles = shown_tiles();
     std::vector<StepFigures> figures(tiles.size());
-    const double dx = grid_.cell_size, area = grid_.cell_area();
+    const double area = grid_.cell_area();
     const double fluid_share = material_.fluid_density / density();
     pool_.for_each(tiles.size(), [&](std::size_t t) {
         StepFigures& f = figures[t];
@@ -205,8 +204,8 @@ StepFigures StructuredFlow::observe() {
                 ++f.covered;
                 f.max_depth = std::max(f.max_depth, depth);
                 f.max_speed = std::max(f.max_speed, fast);
-                const double x = (static_cast<double>(i - k_ghost) + 0.5) * dx - origin_.x;
-                const double y = (static_cast<double>(j - k_ghost) + 0.5) * dx - origin_.y;
+                const Point here = state_.grid.middle(i, j);
+                const double x = here.x - origin_.x, y = here.y - origin_.y;
                 f.front_distance = std::max(f.front_distance, x * x + y * y);
                 maxima_.see(cell, depth, fast, state_.time);
             });

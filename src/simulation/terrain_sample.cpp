@@ -7,8 +7,8 @@
 namespace frana {
 
 Cell cell_of(const GridSpec& grid, Point local) {
-    const auto column = static_cast<std::int64_t>(std::floor(local.x / grid.cell_size));
-    const auto from_south = static_cast<std::int64_t>(std::floor(local.y / grid.cell_size));
+    const auto column = static_cast<std::int64_t>(std::floor(local.x / grid.cell_size)) + grid.origin_column;
+    const auto from_south = static_cast<std::int64_t>(std::floor(local.y / grid.cell_size)) + grid.origin_row;
     return {std::clamp<std::int64_t>(grid.rows - 1 - from_south, 0, grid.rows - 1),
             std::clamp<std::int64_t>(column, 0, grid.columns - 1)};
 }

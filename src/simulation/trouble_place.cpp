@@ -19,8 +19,7 @@ Point place(const ParticleSet& particles, std::size_t p) {
 
 Point middle(const NodeGrid& nodes, std::size_t node) {
     const auto index = static_cast<std::int64_t>(node);
-    return {(static_cast<double>(index % nodes.stride() - k_ghost) + 0.5) * nodes.cell_size(),
-            (static_cast<double>(index / nodes.stride() - k_ghost) + 0.5) * nodes.cell_size()};
+    return nodes.middle(index % nodes.stride(), index / nodes.stride());
 }
 
 std::optional<Point> non_finite_particle(const ParticleSet& particles) {
@@ -36,10 +35,7 @@ std::optional<Point> non_finite_particle(const ParticleSet& particles) {
 std::optional<Point> particle_in_gap(const ParticleSet& particles, const NodeGrid& nodes) {
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Point at = place(particles, p);
-        if (!(at.x >= 0 && at.y >= 0 && at.x < nodes.width() && at.y < nodes.height())) continue;
-        if (nodes.is_gap(static_cast<std::int64_t>(at.x / nodes.cell_size()),
-                         static_cast<std::int64_t>(at.y / nodes.cell_size())))
-            return at;
+        if (nodes.bounds().holds(at.x, at.y) && nodes.is_gap(nodes.scale().node_of(at.x, at.y))) return at;
     }
     return std::nullopt;
 }

@@ -39,8 +39,7 @@ inline std::function<double(Point)> spline_bed(const Raster& bed, Boundary bound
     auto nodes = std::make_shared<NodeGrid>(bed);
     if (boundary == Boundary::wall) mirror_bed(*nodes);
     return [nodes](Point local) {
-        const double dx = nodes->cell_size();
-        const Stencil<QuadraticSplineShape> stencil(local.x, local.y, dx, 1 / dx, nodes->stride());
+        const Stencil<QuadraticSplineShape> stencil(local.x, local.y, nodes->scale());
         return interpolate(stencil, nodes->bed.data(), nodes->stride()).value + nodes->datum();
     };
 }

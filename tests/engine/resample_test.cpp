@@ -48,7 +48,7 @@ ResampleCounts resample_once(ParticleSet& particles, int max_per_cell) {
     order.sort(particles, {}, pool);
     ResampleLimits limits;
     limits.max_per_cell = max_per_cell;
-    limits.width = limits.height = 40;
+    limits.edges = {0, 0, 40, 40};
     return resample(particles, order, limits, {}, pool);
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "simulation/scene_origin.h"
+
 namespace frana::test {
 namespace {
 
@@ -34,6 +36,7 @@ Scene mirrored(const Scene& scene) {
     const double both = scene.grid.west + scene.grid.east();
     Scene other = with_points(scene, [&](Point p) { return Point{both - p.x, p.y}; });
     other.terrain = mirrored(scene.terrain);
+    place_origin(other);
     return other;
 }
 
@@ -50,13 +53,11 @@ Raster turned(const Raster& raster) {
 
 Scene turned(const Scene& scene) {
     const GridSpec& grid = scene.grid;
-    const double height = grid.north - grid.south();
-    Scene other = with_points(scene, [&](Point p) {
-        const Point local = grid.local_from_map(p);
-        return Point{grid.west + (height - local.y), grid.south() + local.x};
-    });
+    Scene other = with_points(
+        scene, [&](Point p) { return Point{grid.west + (grid.north - p.y), grid.south() + (p.x - grid.west)}; });
     other.terrain = turned(scene.terrain);
     other.grid = other.terrain.grid;
+    place_origin(other);
     return other;
 }
 
@@ -87,6 +88,7 @@ Scene widened(const Scene& scene, std::int64_t west, std::int64_t east, std::int
             other.terrain.at(row, column) = scene.terrain.at(r, c) - drop * beyond;
         }
     }
+    place_origin(other);
     return other;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "simulation/scene_origin.h"
+
 namespace frana::test {
 namespace {
 
@@ -144,6 +146,7 @@ Scene random_scene(RandomNumbers& random, Made made) {
     scene.numerics.boundary = random.once_in(4) ? Boundary::wall : Boundary::open;
     scene.time.end = made == Made::of_solids ? 0.6 : random.between(1, 4);
     scene.time.moving_speed = 0.1;
+    place_origin(scene);
     return scene;
 }
 

@@ -65,8 +65,7 @@ bool stays_inside(const RunResult& result) {
     return result.volume_left == 0;
 }
 
-// Places are counted from the south-western corner: more to the west and south changes their last digits.
-TEST(Property, MoreTerrainToTheEastAndNorthGivesTheSameBitsAndElsewhereTheSameFlow) {
+TEST(Property, MoreTerrainOnAnySideGivesTheSameBits) {
     int compared = 0;
     for_scenes(20, 4, [&](Scene& scene, RandomNumbers& random, int) {
         scene.numerics.boundary = Boundary::open;
@@ -76,16 +75,11 @@ TEST(Property, MoreTerrainToTheEastAndNorthGivesTheSameBitsAndElsewhereTheSameFl
         if (!stays_inside(narrow) || !narrow.troubles.empty()) return;
         ++compared;
         const auto more = [&] { return static_cast<std::int64_t>(random.below(60)); };
-        const RunResult broad = run(widened(scene, 0, more(), 0, more(), random.between(0, 5)), {});
+        const RunResult broad = run(widened(scene, more(), more(), more(), more(), random.between(0, 5)), {});
         EXPECT_EQ(narrow.steps, broad.steps);
         for (const auto raster : k_fields)
             EXPECT_TRUE(same_bits(narrow.*raster, narrowed(broad.*raster, scene.grid)));
         EXPECT_TRUE(same_bits(narrow.arrival_time, narrowed(broad.arrival_time, scene.grid)));
-        const RunResult all_round =
-            run(widened(scene, more(), more(), more(), more(), random.between(0, 5)), {});
-        for (const auto raster : k_fields)
-            EXPECT_LT(greatest_difference(narrow.*raster, narrowed(all_round.*raster, scene.grid)),
-                      k_rounding);
     });
     EXPECT_GE(compared, scene_count(20) / 3);
 }

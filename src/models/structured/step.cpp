@@ -51,12 +51,10 @@ void look_at_particles(const State& state, const Laws& laws, StepReport& report,
             if (cohesion != nullptr)
                 rows[r].elastic |= cohesion[p] * solid.particles[Field::cohesion_ratio][p] > 0;
             const double x = solid.particles[Field::x][p], y = solid.particles[Field::y][p];
-            if (!(x >= 0 && y >= 0 && x < state.grid.width() && y < state.grid.height())) {
+            if (!state.grid.bounds().holds(x, y)) {
                 ++rows[r].outside;
             } else if (state.grid.any_solid()) {
-                const double inverse = 1 / state.grid.cell_size();
-                rows[r].no_data += state.grid.is_gap(static_cast<std::int64_t>(x * inverse),
-                                                     static_cast<std::int64_t>(y * inverse));
+                rows[r].no_data += state.grid.is_gap(state.grid.scale().node_of(x, y));
             }
         }
     });

@@ -59,7 +59,7 @@ void sort_particles(State& state, bool drop, ThreadPool& pool) {
         const double* volume = state.particles[Field::volume];
         keep.assign(state.particles.size(), 1);
         for (std::size_t p = 0; p < keep.size(); ++p) {
-            if (x[p] >= 0 && x[p] < state.nodes.width() && y[p] >= 0 && y[p] < state.nodes.height()) continue;
+            if (state.nodes.bounds().holds(x[p], y[p])) continue;
             keep[p] = 0;
             state.volume_left += volume[p];
         }

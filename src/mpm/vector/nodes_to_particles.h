@@ -17,10 +17,10 @@ struct ChunkGather {
 
     /// Each node is one quad {mass, u, v, share}, and its support. Particle by particle only the sums along rows and
     /// along columns are made, with the splines' weights; all else follows from those six, four particles at once.
-    FRANA_INLINE ChunkGather(Quad px, Quad py, const GridScale& grid, const NodeSums* sums) {
+    FRANA_INLINE ChunkGather(Quad px, Quad py, const NodeScale& grid, const NodeSums* sums) {
         const ChunkAxis ax(px, grid), ay(py, grid);
         std::size_t first[4];
-        first_nodes(ax, ay, grid.stride, first);
+        first_nodes(ax, ay, grid, first);
         Quad wx[3], wy[3];
         ax.weights(wx);
         ay.weights(wy);
@@ -85,7 +85,7 @@ struct ChunkGather {
         return weights[0] * sums[0][quantity] + weights[1] * sums[1][quantity] + weights[2] * sums[2][quantity];
     }
     static FRANA_INLINE void moments(const ChunkAxis& axis, Quad position, const Quad (&weights)[3],
-                                     const GridScale& grid, Quad (&moment)[3]) {
+                                     const NodeScale& grid, Quad (&moment)[3]) {
         const Quad to_first = axis.to_first(position, grid.dx);
         for (int a = 0; a < 3; ++a) moment[a] = weights[a] * (to_first + a * grid.dx);
     }
@@ -106,10 +106,11 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
     double* const s_yy = particles[Field::s_yy];
     double *const q_xx = particles[Field::q_xx], *const q_xy = particles[Field::q_xy];
     double* const q_yy = particles[Field::q_yy];
-    const GridScale grid(nodes);
+    const NodeScale grid = nodes.scale();
     const double courant = k.dt * grid.inverse_dx, cell_area = grid.dx * grid.dx;
     const double largest_claim = k_largest_claim * cell_area;
-    const double width = nodes.width(), height = nodes.height(), margin = 1e-9 * grid.dx;
+    const Bounds edges = nodes.bounds();
+    const double margin = 1e-9 * grid.dx;
     const NodeSums* const sums = nodes.sums.data();
     ParticleReport report;
     Quad wave_speed = 0.0, greatest_speed = 0.0, diffusivity = 0.0, front_squared = 0.0, longest = 0.0;
@@ -179,8 +180,8 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         }
         Quad px = old_x + k.dt * g.u, py = old_y + k.dt * g.v;
         if (k.wall) {
-            px = min(max(px, margin), width - margin);
-            py = min(max(py, margin), height - margin);
+            px = min(max(px, edges.west + margin), edges.east - margin);
+            py = min(max(py, edges.south + margin), edges.north - margin);
         }
         if (nodes.any_solid()) {
             for (std::size_t i = 0; i < n; ++i) {
@@ -195,16 +196,14 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         const Quad::Mask finite = (wave < 1e9) & (abs(px) < 1e12) & (abs(py) < 1e12);
         store_some(select(finite, px, old_x), x + p, n);
         store_some(select(finite, py, old_y), y + p, n);
-        const Quad::Mask inside = finite & real & (px >= 0.0) & (px < width) & (py >= 0.0) & (py < height);
+        const Quad::Mask inside =
+            finite & real & (px >= edges.west) & (px < edges.east) & (py >= edges.south) & (py < edges.north);
         non_finite += ~finite & real;
         outside += finite & ~inside & real;
         if (nodes.any_solid()) {
             for (std::size_t i = 0; i < n; ++i) {
                 const auto l = static_cast<int>(i);
-                if (inside[l] && nodes.is_gap(static_cast<std::int64_t>(px[l] * grid.inverse_dx),
-                                              static_cast<std::int64_t>(py[l] * grid.inverse_dx))) {
-                    ++report.no_data;
-                }
+                if (inside[l] && nodes.is_gap(grid.node_of(px[l], py[l]))) ++report.no_data;
             }
         }
         const Quad ox = px - k.origin.x, oy = py - k.origin.y;

@@ -18,7 +18,7 @@ void vector_particles_to_nodes(const ParticleTile& tile, const ParticleSet& part
     const double *const volume = particles[Field::volume], *const area = particles[Field::area];
     const double *const c_xx = particles[Field::c_xx], *const c_xy = particles[Field::c_xy];
     const double *const c_yx = particles[Field::c_yx], *const c_yy = particles[Field::c_yy];
-    const GridScale grid(nodes);
+    const NodeScale grid = nodes.scale();
     NodeSums* const sums = nodes.sums.data();
     const double* const bed = nodes.bed.data();
 
@@ -26,7 +26,7 @@ void vector_particles_to_nodes(const ParticleTile& tile, const ParticleSet& part
         const Quad px = load_some(x + p, n), py = load_some(y + p, n);
         const ChunkAxis ax(px, grid), ay(py, grid);
         std::size_t first[4];
-        first_nodes(ax, ay, grid.stride, first);
+        first_nodes(ax, ay, grid, first);
         alignas(32) double weight[9][4];
         {
             Quad wx[3], wy[3];

@@ -13,7 +13,7 @@ struct NodeBox {
     static constexpr std::int64_t k_columns = 36, k_rows = 36;
     std::int64_t i0, j0, columns, rows;
 
-    NodeBox(const double* x, const double* y, std::size_t begin, std::size_t end, const GridScale& grid) {
+    NodeBox(const double* x, const double* y, std::size_t begin, std::size_t end, const NodeScale& grid) {
         Quad x_low(x[begin]), x_high(x[begin]), y_low(y[begin]), y_high(y[begin]);
         for (std::size_t p = begin; p < end; p += 4) {
             const std::size_t n = end - p < 4 ? end - p : 4;
@@ -25,10 +25,10 @@ struct NodeBox {
         }
         const ChunkAxis west(-greatest(-x_low), grid), east(greatest(x_high), grid);
         const ChunkAxis south(-greatest(-y_low), grid), north(greatest(y_high), grid);
-        i0 = static_cast<std::int64_t>(west.first()[0]);
-        j0 = static_cast<std::int64_t>(south.first()[0]);
-        columns = static_cast<std::int64_t>(east.first()[0]) - i0 + 4;
-        rows = static_cast<std::int64_t>(north.first()[0]) - j0 + 3;
+        i0 = static_cast<std::int64_t>(west.first(grid.origin_x)[0]);
+        j0 = static_cast<std::int64_t>(south.first(grid.origin_y)[0]);
+        columns = static_cast<std::int64_t>(east.first(grid.origin_x)[0]) - i0 + 4;
+        rows = static_cast<std::int64_t>(north.first(grid.origin_y)[0]) - j0 + 3;
     }
     [[nodiscard]] bool fits() const { return columns <= k_columns && rows <= k_rows; }
 };
@@ -77,7 +77,7 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
     const double* const compression = particles[Field::compression];
     const double *const s_xx = particles[Field::s_xx], *const s_xy = particles[Field::s_xy];
     const double* const s_yy = particles[Field::s_yy];
-    const GridScale grid(nodes);
+    const NodeScale grid = nodes.scale();
     const NodeBox box(x, y, tile.begin, tile.end, grid);
     if (!box.fits()) {  // particles far apart: in two runs
         const std::size_t middle = (tile.begin + tile.end) / 2;
@@ -93,7 +93,7 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
     for_chunks(tile.begin, tile.end, [&](std::size_t p, auto n) FRANA_INLINE_LAMBDA {
         const ChunkAxis ax(load_some(x + p, n), grid), ay(load_some(y + p, n), grid);
         std::size_t first[4];
-        first_nodes(ax, ay, grid.stride, first);
+        first_nodes(ax, ay, grid, first);
         alignas(32) double offset_x[4], weight_y[3][4], slope_y[3][4], box_first[4];
         ax.offset.store(offset_x);
         {
@@ -105,8 +105,7 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
                 gy[b].store(slope_y[b]);
             }
         }
-        ((ay.first() - static_cast<double>(box.j0)) * static_cast<double>(NodeBox::k_columns) +
-         (ax.first() - static_cast<double>(box.i0)))
+        (ay.first(grid.origin_y - box.j0) * static_cast<double>(NodeBox::k_columns) + ax.first(grid.origin_x - box.i0))
             .store(box_first);
         alignas(32) double pressure[4], depth[4], half_weight[4], weight[4];
         {

@@ -142,10 +142,9 @@ void set_ground(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws)
     state.cell_kind.assign(nodes.bed.size(), laws.wall ? k_wall_cell : k_open_cell);
     for (std::int64_t j = 0; j < nodes.rows(); ++j) {
         for (std::int64_t i = 0; i < nodes.columns(); ++i) {
-            const bool wall = nodes.is_wall(i, j) || (nodes.is_gap(i, j) && !laws.gaps_are_open);
-            state.cell_kind[nodes.index(i, j)] = wall                  ? k_wall_cell
-                                                 : nodes.is_gap(i, j) ? k_gap_cell
-                                                                      : k_fluid_cell;
+            const std::size_t node = nodes.index(i, j);
+            const bool gap = nodes.is_gap(node), wall = nodes.is_wall(node) || (gap && !laws.gaps_are_open);
+            state.cell_kind[node] = wall ? k_wall_cell : gap ? k_gap_cell : k_fluid_cell;
         }
     }
     if (laws.steep) state.slope_factor = slope_factors(nodes);

@@ -35,13 +35,13 @@ struct CubicStencil {
     double weight[4][4], gx[4][4], gy[4][4];  ///< rows, then columns
 
     CubicStencil(double x, double y, const NodeGrid& grid, const SolidNodes& nodes) noexcept {
-        const double inverse = 1 / grid.cell_size();
+        const NodeScale scale = grid.scale();
+        const double inverse = scale.inverse_dx;
         double wx[4], wy[4], sx[4], sy[4];
-        const std::int64_t i = CubicSpline::evaluate(x * inverse - 0.5, wx, sx);
-        const std::int64_t j = CubicSpline::evaluate(y * inverse - 0.5, wy, sy);
-        const bool inside = i >= -k_ghost && j >= -k_ghost && i + 4 <= grid.columns() + k_ghost &&
-                            j + 4 <= grid.rows() + k_ghost;
-        first = inside ? grid.index(i, j) : 0;
+        const std::int64_t i = CubicSpline::evaluate(x * inverse - 0.5, wx, sx) + scale.origin_x;
+        const std::int64_t j = CubicSpline::evaluate(y * inverse - 0.5, wy, sy) + scale.origin_y;
+        const bool inside = i >= 0 && j >= 0 && i + 4 <= scale.stride && j + 4 <= grid.padded_rows();
+        first = inside ? static_cast<std::size_t>(j * scale.stride + i) : 0;
         for (int b = 0; b < 4; ++b) {
             for (int a = 0; a < 4; ++a) {
                 weight[b][a] = wx[a] * wy[b];

@@ -19,10 +19,9 @@ struct Obstacles {
 
     [[nodiscard]] bool none() const noexcept { return !edges && !nodes->any_solid(); }
     [[nodiscard]] bool at(double x, double y) const noexcept {
-        const auto i = static_cast<std::int64_t>(std::floor(x / nodes->cell_size()));
-        const auto j = static_cast<std::int64_t>(std::floor(y / nodes->cell_size()));
-        if (i < 0 || j < 0 || i >= nodes->columns() || j >= nodes->rows()) return edges;
-        return nodes->is_wall(i, j) || (gaps_are_walls && nodes->is_gap(i, j));
+        if (!nodes->bounds().holds(x, y)) return edges;
+        const std::size_t node = nodes->scale().node_of(x, y);
+        return nodes->is_wall(node) || (gaps_are_walls && nodes->is_gap(node));
     }
 };
 

@@ -50,8 +50,9 @@ ParticleSet place_by_depth(const Raster& solid_depth, const Raster& confined_dep
     const double each = deepest * grid.cell_area() / per_column;
     double left_solids = 0, left_confined = 0;
     for (std::int64_t row = 0; row < grid.rows; ++row) {
+        const std::int64_t from_origin = grid.rows - 1 - row - grid.origin_row;
         for (std::int64_t k = 0; k < grid.columns; ++k) {
-            const std::int64_t column = row % 2 == 0 ? k : grid.columns - 1 - k;
+            const std::int64_t column = from_origin % 2 == 0 ? k : grid.columns - 1 - k;
             const double h_s = positive(solid_depth.at(row, column));
             const double h_fc = positive(confined_depth.at(row, column));
             if (!(h_s > 0)) continue;
@@ -61,8 +62,8 @@ ParticleSet place_by_depth(const Raster& solid_depth, const Raster& confined_dep
             for (std::int64_t i = 0; i < n; ++i) {
                 const Point in_cell = r2_point(i);
                 ParticleRow r = ParticleSet::initial_row();
-                get(r, Field::x) = (static_cast<double>(column) + in_cell.x) * grid.cell_size;
-                get(r, Field::y) = (static_cast<double>(grid.rows - 1 - row) + in_cell.y) * grid.cell_size;
+                get(r, Field::x) = (static_cast<double>(column - grid.origin_column) + in_cell.x) * grid.cell_size;
+                get(r, Field::y) = (static_cast<double>(from_origin) + in_cell.y) * grid.cell_size;
                 get(r, Field::volume) = each;
                 get(r, Field::confined) = left_confined / static_cast<double>(n);
                 get(r, Field::area) = each / h_s;
@@ -81,11 +82,12 @@ ParticleSet place_by_depth(const Raster& solid_depth, const Raster& confined_dep
 ParticleSet place_anew(const ParticleSet& placed, const GridSpec& grid, int per_column) {
     Raster solids(grid, 0), confined(grid, 0), u(grid, 0), v(grid, 0);
     const auto index = [&](double x, double y) {
-        const auto cell = [&](double place, std::int64_t count) {
-            return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(place / grid.cell_size)), 0,
+        const auto cell = [&](double place, std::int64_t origin, std::int64_t count) {
+            return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(place / grid.cell_size)) + origin, 0,
                                             count - 1);
         };
-        return solids.index(grid.rows - 1 - cell(y, grid.rows), cell(x, grid.columns));
+        return solids.index(grid.rows - 1 - cell(y, grid.origin_row, grid.rows),
+                            cell(x, grid.origin_column, grid.columns));
     };
     for (std::size_t p = 0; p < placed.size(); ++p) {
         const std::size_t c = index(placed[Field::x][p], placed[Field::y][p]);

@@ -18,7 +18,7 @@ SolidNodes::SolidNodes(const NodeGrid& grid, bool gaps_are_walls, bool coupled)
     if (coupled) coupling = ZeroArray<CouplingSums>(sums.size());
     for (std::int64_t j = 0; j < grid.rows(); ++j) {
         for (std::int64_t i = 0; i < grid.columns(); ++i)
-            active_[grid.index(i, j)] = !grid.is_wall(i, j) && !(gaps_are_walls && grid.is_gap(i, j));
+            active_[grid.index(i, j)] = !grid.is_wall(grid.index(i, j)) && !(gaps_are_walls && grid.is_gap(grid.index(i, j)));
     }
     for (std::int64_t j = 0; j + 3 < grid.padded_rows(); ++j) {
         for (std::int64_t i = 0; i + 3 < grid.stride(); ++i) {

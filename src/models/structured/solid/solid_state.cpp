@@ -81,7 +81,7 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
                      solids = particles[Field::volume][p];
         const double confined = particles[Field::confined] ? particles[Field::confined][p] : 0;
         const double m = particles[Field::grain_density][p] * solids + laws.basal.fluid_density * confined;
-        if (x >= 0 && y >= 0 && x < grid.width() && y < grid.height()) {
+        if (grid.bounds().holds(x, y)) {
             mass += m;
             px += m * u;
             py += m * v;
@@ -163,17 +163,18 @@ void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws
                    ThreadPool& pool) {
     SolidNodes& nodes = state.nodes;
     nodes.clear(nodes.box, grid.stride(), pool);
-    const double dx = grid.cell_size();
+    const NodeScale scale = grid.scale();
+    const double dx = scale.dx;
     const Bounds bounds = state.order.bounds();
-    // Two nodes on either side of a particle; the ghosts begin k_ghost nodes before the first cell's centre.
-    const auto index = [&](double place, double steps, std::int64_t count) {
-        return std::clamp<std::int64_t>(
-            static_cast<std::int64_t>(std::floor(place / dx - 0.5 + steps)) + k_ghost, 0, count);
+    // Two nodes on either side of a particle.
+    const auto index = [&](double place, double steps, std::int64_t origin, std::int64_t count) {
+        return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(place / dx - 0.5 + steps)) + origin, 0,
+                                        count);
     };
-    nodes.box = {index(bounds.west - state.moved, -1, grid.stride()),
-                 index(bounds.east + state.moved, 3, grid.stride()),
-                 index(bounds.south - state.moved, -1, grid.padded_rows()),
-                 index(bounds.north + state.moved, 3, grid.padded_rows())};
+    nodes.box = {index(bounds.west - state.moved, -1, scale.origin_x, grid.stride()),
+                 index(bounds.east + state.moved, 3, scale.origin_x, grid.stride()),
+                 index(bounds.south - state.moved, -1, scale.origin_y, grid.padded_rows()),
+                 index(bounds.north + state.moved, 3, scale.origin_y, grid.padded_rows())};
     nodes.clear(nodes.box, grid.stride(), pool);
     // Strips of rows, every second at a time: what lies between is wider than the nodes that two strips could
     // share.

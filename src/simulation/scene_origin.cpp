@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/scene_origin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frana {
+namespace {
+
+constexpr double k_none = std::numeric_limits<double>::infinity();
+
+// South-western corner in map coordinates; infinite where there is nothing.
+Point corner_of(const Scene& scene) {
+    Point corner{k_none, k_none};
+    const auto see = [&](Point p) {
+        corner.x = std::min(corner.x, p.x);
+        corner.y = std::min(corner.y, p.y);
+    };
+    for (const ReleaseArea& area : scene.release)
+        for (const Polygon& polygon : area.outline) std::for_each(polygon.outer.begin(), polygon.outer.end(), see);
+    for (const Inflow& inflow : scene.inflows) std::for_each(inflow.line.begin(), inflow.line.end(), see);
+    if (!scene.structured || !scene.structured->initial_fluid) return corner;
+    const Raster& fluid = *scene.structured->initial_fluid;
+    for (std::int64_t row = 0; row < scene.grid.rows; ++row)
+        for (std::int64_t column = 0; column < scene.grid.columns; ++column)
+            if (fluid.at(row, column) > 0) see(scene.grid.cell_centre(row, column));
+    return corner;
+}
+
+}  // namespace
+
+void place_origin(Scene& scene) {
+    GridSpec& grid = scene.grid;
+    const Point corner = corner_of(scene);
+    const auto cell = [&](double distance, std::int64_t count) {
+        if (!std::isfinite(distance)) return std::int64_t{0};
+        return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(distance / grid.cell_size)), 0, count - 1);
+    };
+    grid.origin_column = cell(corner.x - grid.west, grid.columns);
+    grid.origin_row = cell(corner.y - grid.south(), grid.rows);
+    scene.terrain.grid = grid;
+}
+
+}  // namespace frana
