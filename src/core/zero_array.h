@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -21,8 +20,9 @@ class ZeroArray {
     explicit ZeroArray(std::size_t size) : block_(std::calloc(size + 1, k_stride)), size_(size) {
         if (!block_) throw std::bad_alloc();
         // calloc aligns to 16 bytes only; one spare element lets the array begin on T's own boundary.
-        const auto address = reinterpret_cast<std::uintptr_t>(block_.get());
-        data_ = reinterpret_cast<T*>((address + alignof(T) - 1) / alignof(T) * alignof(T));
+        void* place = block_.get();
+        std::size_t room = (size + 1) * k_stride;
+        data_ = static_cast<T*>(std::align(alignof(T), size * k_stride, place, room));
     }
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
     [[nodiscard]] T* data() noexcept { return data_; }
@@ -35,7 +35,7 @@ class ZeroArray {
         void operator()(void* p) const noexcept { std::free(p); }
     };
     static constexpr std::size_t k_stride = sizeof(T);
-    static_assert(alignof(T) <= sizeof(T));
+    static_assert(alignof(T) <= k_stride);
     std::unique_ptr<void, Free> block_;
     T* data_ = nullptr;
     std::size_t size_ = 0;

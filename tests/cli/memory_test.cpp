@@ -7,12 +7,6 @@
 namespace frana::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool k_sanitized = true;  // memory is the sanitizer's then
-#else
-constexpr bool k_sanitized = false;
-#endif
-
 // Nothing but numbers, and everything there is.
 const std::vector<std::string> k_numbers{"output.maps=off", "output.animation=off", "output.frames=off"},
     k_pictures{"output.maps=on", "output.animation=on", "time.frame-interval=0.5"};

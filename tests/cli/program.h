@@ -6,6 +6,13 @@
 
 namespace frana::test {
 
+/// Under a sanitizer most of a program's memory is the sanitizer's.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool k_sanitized = true;
+#else
+inline constexpr bool k_sanitized = false;
+#endif
+
 /// What one call of the program did.
 struct Outcome {
     int exit_code = -1;
