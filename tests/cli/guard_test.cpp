@@ -139,7 +139,9 @@ TEST_F(Guard, ValuesThatNoSceneMeansAreRefusedInOnePass) {
         EXPECT_NE(outcome.err.find("--set " + key + ": "), std::string::npos) << key << " in " << outcome.err;
     }
     // Nothing of that size was tried: what the program takes with its libraries.
-    if (!k_sanitized) EXPECT_LT(outcome.peak_memory_bytes, 300e6);
+    if (!k_sanitized) {
+        EXPECT_LT(outcome.peak_memory_bytes, 300e6);
+    }
     EXPECT_EQ(files(), before);
 }
 

@@ -279,7 +279,9 @@ TEST_F(Input, OfAHugeDtmOnlyWhatIsNeededIsRead) {
         const Outcome outcome = frana(scene);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         // The mark of 500 MB, for everything up to the engine; what check tries of the engine is in it.
-        if (!k_sanitized) EXPECT_LT(outcome.peak_memory_bytes, 500e6) << bounds;
+        if (!k_sanitized) {
+            EXPECT_LT(outcome.peak_memory_bytes, 500e6) << bounds;
+        }
         expect_words(outcome.out, {"20 000 x 20 000"});
     }
     // The window holds the release and all that lies under the energy line of tan(20) * 0.8 = 0.291 through

@@ -70,7 +70,9 @@ class Soak : public TinyScene {
         std::printf("  %d times; memory grew by %.2f MB over the last %d, from %.1f MB\n", count,
                     static_cast<double>(grown) / 1e6, count - warm, static_cast<double>(after_warming) / 1e6);
         // Allocators keep pages back in lumps of some megabytes; a leak grows with the count.
-        if (!k_sanitized) EXPECT_LT(grown, 16'000'000 + 2'000 * static_cast<std::int64_t>(count));
+        if (!k_sanitized) {
+            EXPECT_LT(grown, 16'000'000 + 2'000 * static_cast<std::int64_t>(count));
+        }
         EXPECT_EQ(entries_of("/proc/self/fd"), open_files);
     }
 };
