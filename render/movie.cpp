@@ -153,15 +153,12 @@ class MovieWriter::Encoder {
         }
         check(avcodec_open2(codec_.get(), encoder, nullptr), "a film's encoder cannot be started");
 
-        own(frame_, av_frame_alloc());
-        frame_->format = codec_->pix_fmt;
-        frame_->width = codec_->width;
-        frame_->height = codec_->height;
+        make_frame(frame_, codec_->pix_fmt);
         frame_->colorspace = codec_->colorspace;
         frame_->color_range = codec_->color_range;
-        check(av_frame_get_buffer(frame_.get(), 0), "a film's frame cannot be made");
         own(packet_, av_packet_alloc());
         if (mp4) {
+            make_frame(picture_, AV_PIX_FMT_RGB24);
             own(scaler_, sws_getContext(codec_->width, codec_->height, AV_PIX_FMT_RGB24, codec_->width,
                                         codec_->height, AV_PIX_FMT_YUV420P, SWS_BILINEAR | SWS_ACCURATE_RND,
                                         nullptr, nullptr, nullptr));
@@ -169,6 +166,14 @@ class MovieWriter::Encoder {
             constexpr int k_one = 1 << 16;
             sws_setColorspaceDetails(scaler_.get(), rec709, 1, rec709, 0, 0, k_one, k_one);
         }
+    }
+
+    void make_frame(Frame& frame, AVPixelFormat format) {
+        own(frame, av_frame_alloc());
+        frame->format = format;
+        frame->width = codec_->width;
+        frame->height = codec_->height;
+        check(av_frame_get_buffer(frame.get(), 0), "a film's frame cannot be made");
     }
 
     void open_file() {
@@ -192,10 +197,13 @@ class MovieWriter::Encoder {
         check(code, "a film cannot be started");
     }
 
+    // The scaler reads a little beyond the end of every row: the picture goes through a frame that has room for it.
     void fill_yuv(const Image& image) {
-        const std::array<const std::uint8_t*, 1> from{image.rgb.data()};
-        const std::array<int, 1> line{3 * image.width};
-        check(sws_scale(scaler_.get(), from.data(), line.data(), 0, codec_->height, frame_->data,
+        for (int row = 0; row < codec_->height; ++row) {
+            std::memcpy(picture_->data[0] + static_cast<std::ptrdiff_t>(row) * picture_->linesize[0],
+                        image.pixel(0, row), 3 * static_cast<std::size_t>(codec_->width));
+        }
+        check(sws_scale(scaler_.get(), picture_->data, picture_->linesize, 0, codec_->height, frame_->data,
                         frame_->linesize),
               "a film's colours cannot be converted");
     }
@@ -235,7 +243,7 @@ class MovieWriter::Encoder {
     int source_width_, source_height_;
     std::int64_t n_frames_ = 0;
     Codec codec_;
-    Frame frame_;
+    Frame frame_, picture_;  // to be coded; its colours as drawn
     Packet packet_;
     std::unique_ptr<SwsContext, FreeScaler> scaler_;
     std::unique_ptr<AVFormatContext, FreeFormat> format_;
