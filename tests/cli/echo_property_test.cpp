@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What changes no bit of a result, through the program: to run the scene.ini of a result, on random scenes; more terrain.
+// What changes no bit of a result, through the program: running the scene.ini of a result, on random scenes; more
+// terrain.
 #include <bit>
 #include <cmath>
 #include <iomanip>

@@ -17,8 +17,10 @@ SolidNodes::SolidNodes(const NodeGrid& grid, bool gaps_are_walls, bool coupled)
       whole_(sums.size(), 0) {
     if (coupled) coupling = ZeroArray<CouplingSums>(sums.size());
     for (std::int64_t j = 0; j < grid.rows(); ++j) {
-        for (std::int64_t i = 0; i < grid.columns(); ++i)
-            active_[grid.index(i, j)] = !grid.is_wall(grid.index(i, j)) && !(gaps_are_walls && grid.is_gap(grid.index(i, j)));
+        for (std::int64_t i = 0; i < grid.columns(); ++i) {
+            const std::size_t node = grid.index(i, j);
+            active_[node] = !grid.is_wall(node) && !(gaps_are_walls && grid.is_gap(node));
+        }
     }
     for (std::int64_t j = 0; j + 3 < grid.padded_rows(); ++j) {
         for (std::int64_t i = 0; i + 3 < grid.stride(); ++i) {
