@@ -61,8 +61,10 @@ void serialise_frame(Archive& archive, Frame& frame) {
 }
 
 template <class Archive>
-void serialise(Archive& archive, CheckpointHead& head) {
-    auto& [build, scene, step, time, end, wall_seconds, frame_times, waiting, log] = head;
+void serialise(Archive& archive, CheckpointHead& head, std::uint32_t format) {
+    auto& [build, scene, step, time, end, wall_seconds, frame_times, waiting, log, origin] = head;
+    if (format != 3 && !origin) origin.emplace();
+    if (format >= 4) archive(origin->column, origin->row);
     archive(build, scene, step, time, end, wall_seconds, frame_times);
     waiting.resize(transfer_count(archive, waiting.size(), sizeof(std::uint64_t)));
     for (Frame& frame : waiting) serialise_frame(archive, frame);
@@ -130,11 +132,17 @@ void read_exactly(std::FILE* file, void* to, std::size_t count, const std::strin
     if (count > 0 && std::fread(to, 1, count, file) != count) refuse(path, "is cut short");
 }
 
-// Checks everything but the head's and the state's meaning; returns how many bytes those have.
-std::uint64_t check(std::FILE* file, const std::string& path) {
+struct Start {
+    std::uint32_t format = 0;
+    std::uint64_t size = 0;  ///< of head and state [bytes]
+};
+
+// Checks everything but the head's and the state's meaning.
+Start check(std::FILE* file, const std::string& path) {
     std::array<char, k_magic.size()> magic{};
-    std::uint32_t order = 0, format = 0, sum = 0;
-    std::uint64_t size = 0;
+    std::uint32_t order = 0, sum = 0;
+    Start start;
+    auto& [format, size] = start;
     read_exactly(file, magic.data(), magic.size(), path);
     if (magic != k_magic) refuse(path, "is no checkpoint");
     read_exactly(file, &order, sizeof order, path);
@@ -144,7 +152,7 @@ std::uint64_t check(std::FILE* file, const std::string& path) {
     if (format > k_checkpoint_format || format < k_oldest_checkpoint_format) {
         const std::string age = format > k_checkpoint_format ? "a newer" : "an older";
         refuse(path, "was written by " + age + " frana, in format " + std::to_string(format) + "; this one reads " +
-                         std::to_string(k_checkpoint_format));
+                         std::to_string(k_oldest_checkpoint_format) + " to " + std::to_string(k_checkpoint_format));
     }
     read_exactly(file, &size, sizeof size, path);
     std::error_code failure;
@@ -161,7 +169,7 @@ std::uint64_t check(std::FILE* file, const std::string& path) {
     }
     read_exactly(file, &sum, sizeof sum, path);
     if (static_cast<std::uint32_t>(seen) != sum) refuse(path, "is damaged: its checksum does not match");
-    return size;
+    return start;
 }
 
 }  // namespace
@@ -177,7 +185,7 @@ std::uint64_t write_checkpoint(const std::string& path, CheckpointHead head, con
     SummedOutput file(aside.partial_path(), space.become(aside.partial_path()));
     file.start(0);
     StateWriter writer([&](const void* data, std::size_t count) { file.write(data, count); });
-    serialise(writer, head);
+    serialise(writer, head, k_checkpoint_format);
     state(writer);
     const std::uint64_t size = file.finish();
     aside.rename_into_place();
@@ -188,7 +196,7 @@ std::uint64_t write_checkpoint(const std::string& path, CheckpointHead head, con
 std::uint64_t checkpoint_bytes(CheckpointHead head, const SaveState& state) {
     std::uint64_t count = k_start_bytes + k_sum_bytes;
     StateWriter writer([&](const void*, std::size_t more) { count += more; });
-    serialise(writer, head);
+    serialise(writer, head, k_checkpoint_format);
     state(writer);
     return count;
 }
@@ -204,10 +212,11 @@ CheckpointFile::CheckpointFile(const std::string& path)
     : open_(new Open{path, File(std::fopen(path.c_str(), "rb"), &std::fclose), {}, {}}) {
     std::FILE* const file = open_->file.get();
     if (file == nullptr) refuse(path, std::string("cannot be opened: ") + std::strerror(errno));
-    const std::uint64_t size = check(file, path);
+    const Start start = check(file, path);
     if (std::fseek(file, static_cast<long>(k_start_bytes), SEEK_SET) != 0) refuse(path, "cannot be read");
-    open_->reader.emplace([file, path](void* to, std::size_t count) { read_exactly(file, to, count, path); }, size);
-    serialise(*open_->reader, open_->head);
+    open_->reader.emplace([file, path](void* to, std::size_t count) { read_exactly(file, to, count, path); },
+                          start.size);
+    serialise(*open_->reader, open_->head, start.format);
 }
 
 CheckpointFile::~CheckpointFile() = default;

@@ -3,17 +3,19 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/reserved_space.h"
 #include "simulation/result.h"
+#include "simulation/scene_origin.h"
 
 namespace frana::app {
 
 /// Format of checkpoint files: counts up with every change of what any serialise writes. Those from the oldest format
-/// on are read.
-inline constexpr std::uint32_t k_checkpoint_format = 3, k_oldest_checkpoint_format = 3;
+/// on are read. 2: places count from the grid's corner; 3: from where place_origin says; 4: the origin is told.
+inline constexpr std::uint32_t k_checkpoint_format = 4, k_oldest_checkpoint_format = 2;
 
 /// What a checkpoint tells of the run that it belongs to.
 struct CheckpointHead {
@@ -25,6 +27,7 @@ struct CheckpointHead {
     std::vector<double> frame_times;  ///< of the frames that were on disk [s]
     std::vector<Frame> waiting;       ///< frames after those, which the disk would not take; without their grid
     std::vector<std::string> log;     ///< lines so far
+    std::optional<OriginCell> origin;  ///< that its places count from; none: where place_origin puts it
 };
 
 /// This program, as CheckpointHead::build tells it.

@@ -71,8 +71,9 @@ void Checkpoints::after_step(const Progress& now, const SaveState& state) {
 
 CheckpointHead Checkpoints::head(const Progress& now) {
     if (identity_.empty()) identity_ = scene_identity(prepared_);
-    return {checkpoint_build(), identity_, now.step,    now.time, now.end, earlier_ + since_start_.seconds(),
-            {},                 {},        log_.lines()};
+    const GridSpec& grid = prepared_.scene.grid;
+    return {checkpoint_build(), identity_, now.step, now.time, now.end, earlier_ + since_start_.seconds(), {}, {},
+            log_.lines(), OriginCell{grid.origin_column, grid.origin_row}};
 }
 
 void Checkpoints::save(const Progress& now, const SaveState& state) {

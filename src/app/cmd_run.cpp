@@ -18,6 +18,7 @@
 #include "app/share_directory.h"
 #include "app/signals.h"
 #include "app/version.h"
+#include "simulation/scene_origin.h"
 #include "simulation/simulation.h"
 #include "simulation/trouble_watch.h"
 
@@ -212,7 +213,7 @@ int cmd_run(const Arguments& arguments) {
     if (!resume && !overwrite) refuse_to_forget(interrupted, target, reading.problems);
     log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
              std::to_string(threads) + " threads");
-    const Prepared prepared = prepare(reading, log);
+    Prepared prepared = prepare(reading, log);
     if (memory_is_limited()) {
         const RunEstimate expected = estimate(prepared.scene, threads);
         refuse_over_limit(
@@ -222,6 +223,7 @@ int cmd_run(const Arguments& arguments) {
     const std::unique_ptr<CheckpointFile> from =
         resume && interrupted.any() ? interrupted.choose(scene_identity(prepared), log) : nullptr;
     if (from) {
+        if (from->head().origin) put_origin(prepared.scene, *from->head().origin);
         tell_of_resuming(*from, log);
     } else if (resume) {
         log.tell("there is no checkpoint: starting from the beginning");

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/archive.h"
+
 namespace frana {
 namespace {
 
@@ -37,8 +39,14 @@ void place_origin(Scene& scene) {
         if (!std::isfinite(distance)) return std::int64_t{0};
         return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(distance / grid.cell_size)), 0, count - 1);
     };
-    grid.origin_column = cell(corner.x - grid.west, grid.columns);
-    grid.origin_row = cell(corner.y - grid.south(), grid.rows);
+    put_origin(scene, {cell(corner.x - grid.west, grid.columns), cell(corner.y - grid.south(), grid.rows)});
+}
+
+void put_origin(Scene& scene, OriginCell cell) {
+    GridSpec& grid = scene.grid;
+    StateReader::require(cell.column >= 0 && cell.column < grid.columns && cell.row >= 0 && cell.row < grid.rows);
+    grid.origin_column = cell.column;
+    grid.origin_row = cell.row;
     scene.terrain.grid = grid;
 }
 

@@ -118,8 +118,9 @@ TEST_F(SmallDisk, ThatFillsTakesTheStateOfAYoungRun) {
         SCOPED_TRACE(moment);
         const bool at_a_frame = interval == "0.2";
         const std::string result = "disk/" + interval, whole = "whole_" + interval;
+        const std::string frames = "time.frame-interval=" + interval;
         const auto command = [&](const std::string& to) {
-            return std::vector<std::string>{"run", "scene.ini", "--out", to, "--set", "time.frame-interval=" + interval};
+            return std::vector<std::string>{"run", "scene.ini", "--out", to, "--set", frames};
         };
         ASSERT_EQ(frana(command(whole)).exit_code, 0);
         std::optional<Filler> filler;

@@ -99,11 +99,12 @@ TEST_F(Stopped, BySignalsItKeepsWhatThereIsAndGoesOn) {
     const std::vector<std::pair<int, std::string>> signals{
         {SIGINT, "int"}, {SIGTERM, "term"}, {SIGHUP, "hup"}};
     for (const auto& [number, result] : signals) {
+        const std::string building = result + ".partial-";
         {
             StartedProgram program(folder_.string(), run_once(result));
             ASSERT_TRUE(program.wait_until([&] {
                 for (const std::string& name : files())
-                    if (name.rfind(result + ".partial-", 0) == 0 && name.ends_with("depth_0002.tif"))
+                    if (name.rfind(building, 0) == 0 && name.ends_with("depth_0002.tif"))
                         return true;
                 return false;
             }));
@@ -220,7 +221,7 @@ TEST_F(Interrupted, NothingToGoOnFromIsSaidNotBegunAnew) {
     newer[12] = static_cast<char>(own + 1);  // the format
     std::ofstream(both[0], std::ios::binary) << newer;
     EXPECT_NE(refusal({}).find("was written by a newer frana, in format " + std::to_string(own + 1) +
-                               "; this one reads " + std::to_string(own)),
+                               "; this one reads 2 to " + std::to_string(own)),
               std::string::npos);
     std::ofstream(both[0], std::ios::binary) << newest.substr(0, newest.size() - 1);
     EXPECT_NE(refusal({}).find("is cut short"), std::string::npos);

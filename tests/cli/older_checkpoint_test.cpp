@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checkpoints of earlier formats are gone on from as the frana that wrote them would have gone on.
+#include <zlib.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+#include "app/checkpoint_file.h"
+#include "app/prepare.h"
+#include "app/scene_identity.h"
+#include "app/share_directory.h"
+#include "gis/raster_in.h"
+#include "params/read_scene.h"
+#include "simulation/simulation.h"
+#include "tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t k_format_place = 12, k_size_place = 16, k_start = 24, k_origin_bytes = 16, k_sum = 4;
+constexpr std::int64_t k_saved_step = 8;
+
+// The same state as formats 2 and 3 have it: without the origin, which format 4 tells first.
+std::string in_format(std::uint32_t format, std::string file) {
+    file.erase(k_start, k_origin_bytes);
+    const std::uint64_t size = file.size() - k_start - k_sum;
+    const auto sum =
+        static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(file.data()) + k_start, size));
+    std::memcpy(file.data() + k_format_place, &format, sizeof format);
+    std::memcpy(file.data() + k_size_place, &size, sizeof size);
+    std::memcpy(file.data() + k_start + size, &sum, sizeof sum);
+    return file;
+}
+
+class OlderCheckpoint : public TinyScene {
+  protected:
+    OlderCheckpoint() : log_(true), prepared_(prepared()) {
+        EXPECT_GT(prepared_.scene.grid.origin_column, 0);
+        EXPECT_GT(prepared_.scene.grid.origin_row, 0);
+    }
+
+    // Runs to the end, with a checkpoint on the way as a run that was killed leaves it.
+    Raster run_to_end(std::optional<OriginCell> told) {
+        fs::create_directories(path("result.partial-killed/checkpoint"));
+        RunOptions options;
+        options.after_step = [&](const Progress& now, const SaveState& state) {
+            if (now.step != k_saved_step) return;
+            app::ReservedSpace none(path("reserve"));
+            app::write_checkpoint(file(), {app::checkpoint_build(), app::scene_identity(prepared_), now.step,
+                                           now.time, now.end, 1, {}, {}, {}, told},
+                                  state, none);
+        };
+        const RunResult result = run(prepared_.scene, options);
+        EXPECT_GT(result.steps, k_saved_step);
+        return result.max_depth;
+    }
+    [[nodiscard]] std::string file() const {
+        return path("result.partial-killed/checkpoint/step_000000000000008.frana");
+    }
+    // What --resume makes of it is what the run came to.
+    void expect_goes_on_to(const Raster& expected) {
+        const Outcome outcome = frana({"run", path("scene.ini"), "--out", "result", "--resume"});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_NE(outcome.err.find("going on from"), std::string::npos) << outcome.err;
+        const Raster made = gis::read_result_raster(path("result/max_depth.tif"));
+        ASSERT_EQ(made.values.size(), expected.values.size());
+        int flooded = 0;
+        for (std::size_t i = 0; i < made.values.size(); ++i) {
+            if (std::isnan(made.values[i])) continue;
+            ++flooded;
+            ASSERT_EQ(static_cast<float>(made.values[i]), static_cast<float>(expected.values[i])) << i;
+        }
+        EXPECT_GT(flooded, 100);
+    }
+
+    app::RunLog log_;
+    app::Prepared prepared_;
+
+  private:
+    app::Prepared prepared() {
+        write_scene(k_numbers_only);
+        return app::prepare(read_scene(path("scene.ini"), {}, app::materials_directory()), log_);
+    }
+};
+
+TEST_F(OlderCheckpoint, OfFormat2CountsFromTheGridsCorner) {
+    put_origin(prepared_.scene, {0, 0});
+    const Raster expected = run_to_end(OriginCell{0, 0});
+    const std::string older = in_format(2, read_text(file()));
+    std::ofstream(file(), std::ios::binary) << older;
+    expect_goes_on_to(expected);
+}
+
+TEST_F(OlderCheckpoint, OfFormat3CountsFromTheRelease) {
+    const Raster expected = run_to_end({});
+    const std::string older = in_format(3, read_text(file()));
+    std::ofstream(file(), std::ios::binary) << older;
+    expect_goes_on_to(expected);
+}
+
+// What a run writes that went on from format 2.
+TEST_F(OlderCheckpoint, OfThisFormatCountsFromWhereItTells) {
+    put_origin(prepared_.scene, {0, 0});
+    expect_goes_on_to(run_to_end(OriginCell{0, 0}));
+}
+
+TEST_F(OlderCheckpoint, OriginOutsideOfTheGridIsRefused) {
+    run_to_end(OriginCell{k_columns, 0});
+    const Outcome outcome = frana({"run", path("scene.ini"), "--out", "result", "--resume"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("does not fit this program and scene"), std::string::npos) << outcome.err;
+}
+
+TEST_F(OlderCheckpoint, OfFormatsThatAreTooOldOrTooNewIsRefusedInASentence) {
+    run_to_end({});
+    for (const auto& [format, age] : {std::pair<std::uint32_t, std::string>{1, "an older"}, {9, "a newer"}}) {
+        const std::string other = in_format(format, read_text(file()));
+        std::ofstream(file(), std::ios::binary) << other;
+        const Outcome outcome = frana({"run", path("scene.ini"), "--out", "result", "--resume"});
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_NE(outcome.err.find("was written by " + age + " frana, in format " + std::to_string(format) +
+                                   "; this one reads 2 to 4"),
+                  std::string::npos)
+            << outcome.err;
+    }
+}
+
+}  // namespace
+}  // namespace frana::test
