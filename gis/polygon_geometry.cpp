@@ -10,6 +10,14 @@ namespace {
 
 constexpr int k_deepest_split = 12;  // 4096 pieces of an edge
 
+// Whether all points have coordinates that a map can have: areas and distances can be computed.
+bool on_a_map(const OGRLineString& line) {
+    for (int i = 0; i < line.getNumPoints(); ++i) {
+        if (!(std::abs(line.getX(i)) <= k_furthest && std::abs(line.getY(i)) <= k_furthest)) return false;
+    }
+    return true;
+}
+
 std::unique_ptr<OGRLinearRing> to_ogr_ring(const Ring& ring) {
     auto made = std::make_unique<OGRLinearRing>();
     for (const Point& point : ring) made->addPoint(point.x, point.y);
@@ -37,6 +45,10 @@ void note_open(const OGRLineString& line, PolygonParts& parts) {
 }
 
 void take_line(const OGRLineString& line, PolygonParts& parts) {
+    if (!on_a_map(line)) {
+        ++parts.unbounded;
+        return;
+    }
     if (line.getNumPoints() >= 4 && line.get_IsClosed()) {
         auto ring = std::make_unique<OGRLinearRing>();
         for (int i = 0; i < line.getNumPoints(); ++i) ring->addPoint(line.getX(i), line.getY(i));
@@ -51,8 +63,7 @@ void take_line(const OGRLineString& line, PolygonParts& parts) {
 
 void take_polygon(const OGRPolygon& polygon, PolygonParts& parts) {
     for (const OGRLinearRing* ring : polygon) {
-        for (int i = 0; i < ring->getNumPoints(); ++i) {
-            if (std::isfinite(ring->getX(i)) && std::isfinite(ring->getY(i))) continue;
+        if (!on_a_map(*ring)) {
             ++parts.unbounded;
             return;
         }

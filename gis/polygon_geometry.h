@@ -20,6 +20,9 @@ std::unique_ptr<OGRMultiPolygon> to_ogr(const MultiPolygon& polygons);
 /// Ours of GDAL's; rings of fewer than three different points are left out.
 std::optional<Polygon> from_ogr(const OGRPolygon& polygon);
 
+/// Further out no map reaches, whatever its unit.
+inline constexpr double k_furthest = 1e9;
+
 /// The polygons inside any geometry: curves made straight, collections opened, closed lines taken as
 /// polygons.
 struct PolygonParts {
@@ -28,7 +31,7 @@ struct PolygonParts {
     int open_lines = 0;     ///< left out, polygons with a ring that does not close among them
     double widest_gap = 0;  ///< of the open lines [CRS units]
     int others = 0;         ///< points and what else is no area
-    int unbounded = 0;      ///< left out: a coordinate of theirs is NaN or infinite
+    int unbounded = 0;      ///< left out: a coordinate of theirs is NaN or beyond k_furthest
 };
 PolygonParts polygon_parts(const OGRGeometry& geometry);
 

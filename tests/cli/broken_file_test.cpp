@@ -295,6 +295,12 @@ std::vector<BrokenFile> broken_vectors(const std::string& key) {
              w.vector("FlatGeobuf", "a.fgb");
              w.cut("a.fgb", 0.6);
          }},
+        json("geojson_farther_than_a_map",
+             R"({"type": "Polygon", "coordinates": [[[0, 0], [1e200, 0], [1e200, 1e200], [0, 1e200], [0, 0]]]})",
+             "farther than any map reaches"),
+        json("geojson_line_farther_than_a_map",
+             R"({"type": "LineString", "coordinates": [[0, 0], [1e200, 0], [1e200, 1e200], [0, 1e200], [0, 0]]})",
+             "farther than any map reaches"),
         {"geojson_cut", key, "a.geojson",
          [](W w) {
              w.write("a.geojson", w.bytes("perimeter.geojson"));
