@@ -76,7 +76,7 @@ std::string crs_from_user(const std::string& text, const std::string& where) {
     if (!crs->IsProjected() && !crs->IsGeographic() && !crs->IsCompound()) {
         throw fault("the coordinate reference system is neither projected nor geographic");
     }
-    const std::string wkt = wkt2(*crs);
+    std::string wkt = wkt2(*crs);
     if (wkt.empty()) throw fault("the coordinate reference system cannot be written as WKT");
     return wkt;
 }

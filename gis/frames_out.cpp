@@ -48,7 +48,7 @@ struct FrameStack::Parts {
                                         const std::string& direction, const std::vector<double>& values,
                                         const std::map<std::string, std::string>& texts,
                                         const std::string& unit) {
-        const auto dimension = must(root->CreateDimension(name, type, direction, values.size()));
+        auto dimension = must(root->CreateDimension(name, type, direction, values.size()));
         const Array array =
             must(root->CreateMDArray(name, {dimension}, GDALExtendedDataType::Create(GDT_Float64), nullptr));
         const GUInt64 start = 0;
@@ -103,7 +103,7 @@ FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& gri
                                        std::to_string(std::min(k_block, grid.columns)))
                                           .c_str());
     const auto field = [&](const std::string& name, const std::string& long_name, const std::string& unit) {
-        const Array array = p.must(p.root->CreateMDArray(
+        Array array = p.must(p.root->CreateMDArray(
             name, {time, north, east}, GDALExtendedDataType::Create(GDT_Float32), options.List()));
         if (!array->SetNoDataValue(k_file_nodata)) p.refuse();
         array->SetUnit(unit);

@@ -156,7 +156,8 @@ LayerImage Canvas::draw() const {
     for (vtkIdType i = 0; i < n_corners; ++i) {
         const auto k = static_cast<std::size_t>(i);
         // Later triangles lie nearer to the eye, so that the depth test lets them cover earlier ones.
-        const double height = 0.9 * static_cast<double>(i / 3) / static_cast<double>(n_corners);
+        const vtkIdType triangle = i / 3;
+        const double height = 0.9 * static_cast<double>(triangle) / static_cast<double>(n_corners);
         positions->SetTuple3(i, corners_[2 * k], corners_[2 * k + 1], height);
         for (int band = 0; band < 4; ++band) {
             shades->SetTypedComponent(

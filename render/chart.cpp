@@ -194,8 +194,8 @@ Image draw_chart(const ChartContent& content, int width, int height, ChartLayout
                  bottom = height - style.margin - 1.4 * style.label.size_px;
     const double cell_width = (width - style.margin - left) / across, cell_height = (bottom - y) / down;
     for (std::size_t i = 0; i < content.panels.size(); ++i) {
-        const double x0 = left + cell_width * static_cast<double>(static_cast<int>(i) % across);
-        const double y0 = y + cell_height * static_cast<double>(static_cast<int>(i) / across);
+        const int column = static_cast<int>(i) % across, row = static_cast<int>(i) / across;
+        const double x0 = left + cell_width * column, y0 = y + cell_height * row;
         const PageBox box{x0 + side, y0 + above, x0 + cell_width - style.gap, y0 + cell_height - below};
         draw_panel(content.panels[i], box, style, sheet, drawn);
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "render/colour_scale.h"
 #include "render/image.h"
@@ -41,7 +42,7 @@ class ReliefTones {
     explicit ReliefTones(const Raster& shade);
     [[nodiscard]] Rgb colour(double shade) const {
         const double share = std::clamp((shade - darkest_) / (brightest_ - darkest_), 0.0, 1.0);
-        return tones_[static_cast<std::size_t>(share * k_steps + 0.5)];
+        return tones_[static_cast<std::size_t>(std::lround(share * k_steps))];
     }
 
   private:

@@ -224,7 +224,7 @@ Parameter word_list(const std::string& name, Member member, const std::vector<st
 }  // namespace frana::declare
 
 // The member a parameter stands for, of a scene that may or may not be const.
-#define FRANA_MEMBER(path)     \
-    [](auto& scene) -> auto& { \
-        return scene.path;     \
-    }
+#define FRANA_MEMBER(path)      \
+    ([](auto& scene) -> auto& { \
+        return scene.path;      \
+    })
