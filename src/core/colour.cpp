@@ -83,8 +83,8 @@ std::vector<double> nice_classes(double maximum, int classes) {
                 return exponent < 0 ? whole / std::pow(10.0, -exponent) : whole * std::pow(10.0, exponent);
             };
             if (bound(wanted) < maximum) continue;
-            std::vector<double> bounds{0};
-            for (int k = 1; bounds.back() < maximum; ++k) bounds.push_back(bound(k));
+            std::vector<double> bounds;
+            for (int k = 0; bounds.empty() || bounds.back() < maximum; ++k) bounds.push_back(bound(k));
             return bounds;
         }
     }

@@ -20,7 +20,7 @@ struct Quad {
     using Mask [[gnu::vector_size(32)]] = long long;
     Lanes v;
 
-    Quad() = default;
+    Quad() = default;  // cppcheck-suppress uninitMemberVar; filled lane by lane afterwards
     FRANA_INLINE Quad(double s) : v{s, s, s, s} {}
     FRANA_INLINE Quad(double a, double b, double c, double d) : v{a, b, c, d} {}
     FRANA_INLINE explicit Quad(Lanes lanes) : v(lanes) {}

@@ -25,7 +25,7 @@ struct NormalSlope {
 /// With the load that the motion over a curved bed adds (mpm/curvature.h).
 template <class Slope>
 struct Curved : Slope {
-    static constexpr bool curved = true;
+    static constexpr bool curved = true;  // cppcheck-suppress duplInheritedMember; hides it on purpose
 };
 
 /// What a tile's nodes showed in a step.

@@ -17,8 +17,11 @@ namespace {
 
 template <class Stress>
 const Stress& stress_of(const StressLaws& laws) {
-    if constexpr (std::is_same_v<Stress, BinghamStress>) return laws.bingham;
-    if constexpr (std::is_same_v<Stress, EarthPressureStress>) return laws.earth_pressure;
+    if constexpr (std::is_same_v<Stress, BinghamStress>) {
+        return laws.bingham;
+    } else {
+        return laws.earth_pressure;
+    }
 }
 
 template <class Shape, class Transfer, class Stress, bool Relaxed>

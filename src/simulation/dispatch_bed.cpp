@@ -84,19 +84,26 @@ void choose_slope(const Material& material, bool summed, bool curved, Stages& st
     stages.update_nodes = update_uniform<Slope>;
 }
 
+template <class Law>
+Law law_of(const BedExchange& laws) {
+    if constexpr (std::is_same_v<Law, ShearStressErosion>) {
+        return laws.shear_stress;
+    } else if constexpr (std::is_same_v<Law, GrowthErosion>) {
+        return laws.growth;
+    } else if constexpr (std::is_same_v<Law, MechanicalErosion>) {
+        return laws.mechanical;
+    } else if constexpr (std::is_same_v<Law, ShearStressDeposition>) {
+        return laws.deposition;
+    } else {
+        return NoExchange{};
+    }
+}
+
 template <bool Metric, class Erosion, class Deposition>
 void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double film,
                     const BedState* states, const NodeGrid& nodes, BedLayer* layers) {
-    const auto law_of = [&]<class Law>() -> Law {
-        if constexpr (std::is_same_v<Law, ShearStressErosion>) return laws.shear_stress;
-        if constexpr (std::is_same_v<Law, GrowthErosion>) return laws.growth;
-        if constexpr (std::is_same_v<Law, MechanicalErosion>) return laws.mechanical;
-        if constexpr (std::is_same_v<Law, ShearStressDeposition>) return laws.deposition;
-        if constexpr (std::is_same_v<Law, NoExchange>) return {};
-    };
-    exchange_at_nodes<Metric>(range, law_of.template operator()<Erosion>(),
-                              law_of.template operator()<Deposition>(), laws.density, dt, film, states, nodes,
-                              layers);
+    exchange_at_nodes<Metric>(range, law_of<Erosion>(laws), law_of<Deposition>(laws), laws.density, dt, film, states,
+                              nodes, layers);
 }
 
 // 2 metrics x 4 laws of erosion x 2 of deposition = 16.

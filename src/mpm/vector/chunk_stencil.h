@@ -14,7 +14,7 @@ struct ChunkAxis {
 
     FRANA_INLINE ChunkAxis(Quad position, const NodeScale& grid) {
         const Quad s = position * grid.inverse_dx - 0.5;
-        base = floor(s + 0.5);
+        base = floor(s + 0.5);  // cppcheck-suppress useInitializationList; both need s
         offset = s - base;
     }
     FRANA_INLINE void weights(Quad (&w)[3]) const {
