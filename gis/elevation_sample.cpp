@@ -32,10 +32,11 @@ std::vector<ElevationSample> sample_elevations(const RasterInfo& dtm, const std:
     if (cells.empty()) return {};
     const int columns = std::min(cells.columns, most_per_side), rows = std::min(cells.rows, most_per_side);
     const std::vector<double> values = source.read_coarse(cells, columns, rows, unit);
+    auto next = values.begin();
     std::vector<ElevationSample> samples;
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
-            const double elevation = values[static_cast<std::size_t>(row * columns + column)];
+            const double elevation = *next++;
             if (std::isnan(elevation)) continue;
             const Point cell{cells.column + (column + 0.5) * cells.columns / columns,
                              cells.row + (row + 0.5) * cells.rows / rows};

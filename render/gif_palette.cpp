@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 namespace frana::render {
@@ -104,9 +105,9 @@ IndexedImage reduce_colours(const Image& image) {
             for (std::size_t channel = 0; channel < 3; ++channel) sum.sum[channel] += cell.sum[channel];
             index_of[cell.key] = static_cast<std::uint8_t>(result.colours.size());
         }
-        result.colours.push_back({static_cast<std::uint8_t>(sum.mean(0) + 0.5),
-                                  static_cast<std::uint8_t>(sum.mean(1) + 0.5),
-                                  static_cast<std::uint8_t>(sum.mean(2) + 0.5)});
+        result.colours.push_back({static_cast<std::uint8_t>(std::lround(sum.mean(0))),
+                                  static_cast<std::uint8_t>(std::lround(sum.mean(1))),
+                                  static_cast<std::uint8_t>(std::lround(sum.mean(2)))});
     }
     result.indices.resize(n_pixels);
     for (std::size_t i = 0; i < n_pixels; ++i) result.indices[i] = index_of[key_of(image.rgb.data() + 3 * i)];

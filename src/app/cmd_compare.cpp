@@ -116,7 +116,7 @@ std::string make_folder(const std::string& folder) {
 
 /// Compares and writes into a folder, which is made only once the figures are there.
 Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog& log) {
-    const Comparison comparison = compare_with_survey(simulated.input, log);
+    Comparison comparison = compare_with_survey(simulated.input, log);
     make_folder(folder);
     write_comparison(comparison, simulated.input, folder);
     if (comparison.figures) {

@@ -196,7 +196,7 @@ int level_count(const boost::program_options::variables_map& values) {
 }
 
 fs::path make_folder(const std::string& name, bool overwrite) {
-    const fs::path folder = fs::absolute(name);
+    fs::path folder = fs::absolute(name);
     if (fs::exists(folder / "convergence.json") && !overwrite) {
         throw Error(ErrorKind::input, Problem{"holds a convergence study already", "--out", folder.string(),
                                               "", "Choose another folder, or add --overwrite"});

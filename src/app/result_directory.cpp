@@ -177,8 +177,7 @@ std::vector<std::string> left_results(const std::string& directory) {
     return folders;
 }
 
-// cppcheck-suppress passedByValue
-ResultDirectory::ResultDirectory(std::string directory, bool overwrite, const std::string& left)
+ResultDirectory::ResultDirectory(const std::string& directory, bool overwrite, const std::string& left)
     : directory_(clean(directory).string()), aside_(left), overwrite_(overwrite), made_(left.empty()) {
     if (made_) {
         make_sibling();

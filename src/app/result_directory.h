@@ -31,7 +31,7 @@ class ResultDirectory {
   public:
     /// Creates the sibling, or goes on in one that was left, and holds a lock on it. Throws Error(environment), and
     /// Error(input) where another run is writing the same result.
-    ResultDirectory(std::string directory, bool overwrite, const std::string& left = "");
+    ResultDirectory(const std::string& directory, bool overwrite, const std::string& left = "");
     /// Removes the sibling unless it was published or has a checkpoint to go on from.
     ~ResultDirectory();
     ResultDirectory(const ResultDirectory&) = delete;
