@@ -63,7 +63,7 @@ void serialise_frame(Archive& archive, Frame& frame) {
 template <class Archive>
 void serialise(Archive& archive, CheckpointHead& head, std::uint32_t format) {
     auto& [build, scene, step, time, end, wall_seconds, frame_times, waiting, log, origin] = head;
-    if (format != 3 && !origin) origin.emplace();
+    if (format != 3 && !origin) origin.emplace();  // in format 2 the grid's corner
     if (format >= 4) archive(origin->column, origin->row);
     archive(build, scene, step, time, end, wall_seconds, frame_times);
     waiting.resize(transfer_count(archive, waiting.size(), sizeof(std::uint64_t)));
