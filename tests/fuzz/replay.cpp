@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every file of a corpus through a harness, then for some seconds random changes of them, without a fuzzer and on any
-// compiler: replay_NAME FOLDER [SECONDS]. FRANA_SEED repeats a search. What a harness did not survive is left in
-// replay_NAME.input.
+// compiler: replay_NAME FOLDER [SECONDS]. FRANA_SEED (1 where not given) chooses others. What a harness did not survive
+// is left in replay_NAME.input.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -94,7 +94,7 @@ int main(int count, char** words) {
     }
     const double seconds = count == 3 ? std::atof(words[2]) : 0;
     const char* const asked = std::getenv("FRANA_SEED");
-    const std::uint64_t seed = asked != nullptr ? std::strtoull(asked, nullptr, 10) : std::random_device()();
+    const std::uint64_t seed = asked != nullptr ? std::strtoull(asked, nullptr, 10) : 1;
     std::printf("%zu inputs; changing them, seed %llu\n", corpus.size(), static_cast<unsigned long long>(seed));
     std::fflush(stdout);
     Random random(seed);
