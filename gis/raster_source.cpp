@@ -80,6 +80,23 @@ Bounds bounds_of(const GeoTransform& g, double columns, double rows) {
     return b;
 }
 
+// A raster is read in blocks of its file's making. GDAL holds at least one of them, and where bands are interleaved
+// those of all bands, however small the part that is asked for.
+void refuse_huge_blocks(GDALDatasetH dataset, GDALRasterBandH band, const std::string& where, const std::string& path) {
+    constexpr double k_most_bytes = 1e9;
+    int columns = 0, rows = 0;
+    GDALGetBlockSize(band, &columns, &rows);
+    const char* const interleaving = GDALGetMetadataItem(dataset, "INTERLEAVE", "IMAGE_STRUCTURE");
+    const int bands = interleaving != nullptr && EQUAL(interleaving, "PIXEL") ? GDALGetRasterCount(dataset) : 1;
+    const double bytes_per_cell = GDALGetDataTypeSizeBytes(GDALGetRasterDataType(band));
+    if (bytes_per_cell * columns * rows * bands <= k_most_bytes) return;
+    throw Error(ErrorKind::input,
+                Problem{"the raster cannot be read in parts: one block of " + path + " takes too much memory", where,
+                        std::to_string(columns) + " x " + std::to_string(rows) + " cells, " + std::to_string(bands) +
+                            " bands",
+                        "up to 1 GB", "Convert it: gdal_translate -b 1 -co TILED=YES"});
+}
+
 }  // namespace
 
 RasterSource::RasterSource(const std::string& path, const std::string& where, bool accept_colour_table)
@@ -99,6 +116,7 @@ RasterSource::RasterSource(const std::string& path, const std::string& where, bo
         refuse("the raster is a picture or holds complex numbers, not one number per cell", where, path,
                "Give the raster of values itself");
     }
+    refuse_huge_blocks(dataset, band_, where, path);
     const auto finite = [](double term) { return std::isfinite(term); };
     if (GDALGetGeoTransform(dataset, geo_.data()) != CE_None ||
         !std::all_of(geo_.begin(), geo_.end(), finite) ||

@@ -64,6 +64,21 @@ TEST(InspectRaster, RefusesWithPathAndKey) {
               ErrorKind::input);
 }
 
+// 4 cells whose blocks would take 2.5 GB, all bands side by side.
+TEST(InspectRaster, RefusesBlocksThatTakeTooMuchMemory) {
+    const Folder folder;
+    const GdalSession session;
+    const char* const options[] = {"TILED=YES",       "BLOCKXSIZE=1024",  "BLOCKYSIZE=1024",
+                                   "SPARSE_OK=TRUE", "INTERLEAVE=PIXEL", nullptr};
+    GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName("GTiff");
+    GDALDatasetUniquePtr(driver.Create(folder.file("blocks.tif").c_str(), 2, 2, 300, GDT_Float64,
+                                       const_cast<char**>(options)))
+        .reset();
+    const Error error = error_of([&] { (void)inspect_raster(folder.file("blocks.tif"), "scene.ini: terrain.dtm"); });
+    EXPECT_NE(std::string(error.what()).find("1024 x 1024 cells, 300 bands; allowed up to 1 GB"), std::string::npos)
+        << error.what();
+}
+
 TEST(ReadRaster, SameCellsAreCopiedBitByBit) {
     const Folder folder;
     make_raster(folder.file("dtm.tif"), plane_raster(40, 30, 5));
