@@ -62,8 +62,8 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
         warnings.push_back(source.where + ": " + name + " is a closed line and was taken as an area");
     }
     if (parts.unbounded > 0) {
-        problem("has a coordinate that is no number, or farther than any map reaches", "beyond " + shortest_text(k_furthest),
-                "Draw it anew");
+        problem("has a coordinate that is no number, or farther than any map reaches",
+                "beyond " + shortest_text(k_furthest), "Draw it anew");
         return feature;
     }
     if (parts.open_lines > 0) {

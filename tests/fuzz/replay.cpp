@@ -98,9 +98,10 @@ int main(int count, char** words) {
     std::printf("%zu inputs; changing them, seed %llu\n", corpus.size(), static_cast<unsigned long long>(seed));
     std::fflush(stdout);
     Random random(seed);
-    const auto begin = std::chrono::steady_clock::now();
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
     long tried = 0;
-    while (!corpus.empty() && std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < seconds) {
+    while (!corpus.empty() && std::chrono::duration<double>(Clock::now() - begin).count() < seconds) {
         Bytes bytes = corpus[below(random, corpus.size())];
         for (std::size_t changes = 1 + below(random, 6); changes > 0; --changes) change(bytes, corpus, random);
         run_kept(bytes, kept);
