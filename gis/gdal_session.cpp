@@ -4,9 +4,11 @@
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
+#include <ogr_srs_api.h>
 
 #include <mutex>
 
+#include "gis/local_files.h"
 #include "gis/network.h"
 
 namespace frana::gis {
@@ -17,12 +19,38 @@ void CPL_STDCALL keep(CPLErr kind, CPLErrorNum, const char* message) {
     static_cast<GdalSession*>(CPLGetErrorHandlerUserData())->take(kind != CE_Warning, message);
 }
 
+/// Users set these for work of their own; a file that somebody sent must not profit by it.
+constexpr std::pair<const char*, const char*> k_settings[] = {
+    {"GDAL_VRT_ENABLE_PYTHON", "NO"},             // a VRT's pixel functions are programs
+    {"OGR_SQLITE_LOAD_EXTENSIONS", ""},           // SQLite's extensions are programs
+    {"GML_SKIP_RESOLVE_ELEMS", "ALL"},            // GML's references are followed anywhere, and a file written
+    {"SHAPE_RESTORE_SHX", "NO"},                  // writes beside the shapefile
+    {"CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO"},     // writes beside the archive
+};
+
+/// Drivers that start a program (GPSBabel) or write a database beside the file (VFK).
+constexpr const char* k_drivers[] = {"GPSBabel", "VFK"};
+
+void shut_other_doors() {
+    for (const auto& [name, value] : k_settings) CPLSetConfigOption(name, value);
+    for (const char* name : k_drivers) {
+        GDALDriverH const driver = GDALGetDriverByName(name);
+        if (driver == nullptr) continue;
+        GDALDeregisterDriver(driver);
+        GDALDestroyDriver(driver);
+    }
+    // A map must not depend on what a server answers, whatever PROJ_NETWORK says.
+    OSRSetPROJEnableNetwork(FALSE);
+}
+
 }  // namespace
 
 GdalSession::GdalSession() {
     static std::once_flag once;
     std::call_once(once, [] {
         GDALAllRegister();
+        shut_other_doors();
+        guard_local_files();
         if (!network_allowed()) shut_network();
         // Tiles are unpacked and warped side by side; the values are the same. Who set it otherwise meant it.
         if (CPLGetConfigOption("GDAL_NUM_THREADS", nullptr) == nullptr)

@@ -7,6 +7,7 @@
 
 #include "gis/crs.h"
 #include "gis/gdal_session.h"
+#include "gis/time_limit.h"
 #include "gis/vector_source.h"
 
 namespace frana::gis {
@@ -35,7 +36,9 @@ Polyline line_of(const OGRFeature& feature, const VectorSource& source) {
 
 LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
     const GdalSession session;
+    const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
+    TimeLimit limit(source.where);
     const GDALDatasetUniquePtr dataset = open_vector(source);
     OGRLayer& layer = choose_layer(
         *dataset, source, [](OGRLayer&) { return true; }, "lines");
@@ -48,7 +51,10 @@ LineInputLayer read_lines(const std::string& path, const std::string& target_crs
     read.crs_label = crs.empty() ? "none" : crs_name(crs);
     MultiPolygon all;
     layer.ResetReading();
+    VertexCount vertices(source);
     for (const auto& from : layer) {
+        limit.again();
+        vertices.add(from->GetGeometryRef());
         LineInput feature{line_of(*from, source), {}};
         for (int i = 0; i < from->GetFieldCount(); ++i) {
             if (from->IsFieldSetAndNotNull(i))
@@ -57,8 +63,7 @@ LineInputLayer read_lines(const std::string& path, const std::string& target_crs
         all.push_back({feature.line, {}});
         read.features.push_back(std::move(feature));
     }
-    if (session.failed())
-        throw vector_fault(source, "the file is damaged: " + session.last_message(), "", "Export it anew");
+    require_sound(session, source);
     if (read.features.empty()) throw vector_fault(source, "the layer is empty", layer.GetName(), "Draw a line");
     read.own_bounds = bounds(all);
     try {

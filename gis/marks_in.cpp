@@ -7,6 +7,7 @@
 
 #include "gis/crs.h"
 #include "gis/gdal_session.h"
+#include "gis/time_limit.h"
 #include "gis/vector_source.h"
 
 namespace frana::gis {
@@ -76,7 +77,9 @@ void transform_places(Marks& marks, const std::string& from, const std::string& 
 
 Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
     const GdalSession session;
+    const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
+    TimeLimit limit(source.where);
     const auto fault = [&](const std::string& what, const std::string& value, const std::string& remedy) {
         return vector_fault(source, what, value, remedy);
     };
@@ -84,19 +87,22 @@ Marks read_marks(const std::string& path, const std::string& target_crs_wkt, con
     Marks marks;
     std::string crs;
     bool found = source.layer.empty();
+    VertexCount vertices(source);
     for (OGRLayer* layer : dataset->GetLayers()) {
         if (!source.layer.empty() && source.layer != layer->GetName()) continue;
         found = true;
         if (crs.empty()) crs = layer_crs(layer->GetSpatialRef());
         for (const auto& feature : *layer) {
             const OGRGeometry* geometry = feature->GetGeometryRef();
+            limit.again();
+            vertices.add(geometry);
             if (!geometry) continue;
             const std::unique_ptr<OGRGeometry> straight(geometry->getLinearGeometry());
             take(*straight, name_of(*feature), marks);
         }
     }
     if (!found) throw fault("the file has no such layer", source.layer, "Name one of its layers");
-    if (session.failed()) throw fault("the file is damaged: " + session.last_message(), "", "Export it anew");
+    require_sound(session, source);
     if (marks.points.empty() && marks.lines.empty() && marks.polygons == 0)
         throw fault("the file holds no point and no line", "", "Draw at least one");
     marks.crs_wkt = crs;

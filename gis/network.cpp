@@ -2,12 +2,16 @@
 #include "gis/network.h"
 
 #include <cpl_conv.h>
+#include <cpl_http.h>
 #include <cpl_vsi_virtual.h>
 #include <gdal_priv.h>
+#include <ogr_srs_api.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <vector>
+
+#include "gis/refusal.h"
 
 namespace frana::gis {
 namespace {
@@ -31,24 +35,43 @@ constexpr const char* k_file_systems[] = {"/vsicurl",
                                           "/vsiwebhdfs"};
 
 constexpr const char* k_drivers[] = {
-    "AmigoCloud", "Carto",        "Cloudant",      "CouchDB",       "CSW",        "DAAS",     "DODS",
-    "EEDA",       "EEDAI",        "Elasticsearch", "GMLAS",         "HANA",       "HTTP",     "MongoDB",
-    "MongoDBv3",  "MSSQLSpatial", "MySQL",         "NGW",           "OAPIF",      "OCI",      "ODBC",
-    "OGCAPI",     "PLMOSAIC",     "PLSCENES",      "PostGISRaster", "PostgreSQL", "Rasdaman", "STACIT",
-    "STACTA",     "WCS",          "WFS",           "WMS",           "WMTS"};
+    "AmigoCloud", "Carto",        "Cloudant",      "CouchDB",  "CSW",           "DAAS",       "DODS",
+    "EEDA",       "EEDAI",        "Elasticsearch", "GMLAS",    "HANA",          "HTTP",       "MongoDB",
+    "MongoDBv3",  "MSSQLSpatial", "MySQL",         "NGW",      "OAPIF",         "OCI",        "ODBC",
+    "OGCAPI",     "OGR_OGDI",     "PGeo",          "PLMOSAIC", "PLSCENES",      "PostGISRaster",
+    "PostgreSQL", "Rasdaman",     "STACIT",        "STACTA",   "WCS",           "WFS",        "WMS",
+    "WMTS"};
+
+constexpr const char* k_remedy = "Copy it to this machine, or start frana with --allow-network";
+
+void note_asked(const std::string& place) {
+    note_refusal({"the file asks for something on the network", place, k_remedy});
+}
 
 /// Holds nothing: stands where a file system of the network was.
 class NoFiles : public VSIFilesystemHandler {
   public:
-    VSIVirtualHandle* Open(const char*, const char*, bool, CSLConstList) override {
+    VSIVirtualHandle* Open(const char* path, const char*, bool, CSLConstList) override {
+        note_asked(path);
         errno = ENOENT;
         return nullptr;
     }
-    int Stat(const char*, VSIStatBufL*, int) override {
+    int Stat(const char* path, VSIStatBufL*, int) override {
+        note_asked(path);
         errno = ENOENT;
         return -1;
     }
 };
+
+/// What every driver that speaks HTTP by itself goes through, and the CRSs that are URLs.
+CPLHTTPResult* fetch_nothing(const char* url, CSLConstList, GDALProgressFunc, void*, CPLHTTPFetchWriteFunc, void*,
+                             void*) {
+    note_asked(url);
+    auto* const result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
+    result->nStatus = 1;
+    result->pszErrBuf = CPLStrdup("frana was not started with --allow-network");
+    return result;
+}
 
 bool names_network(const std::string& path) {
     const auto holds = [&](const std::string& part) { return path.find(part) != std::string::npos; };
@@ -74,7 +97,7 @@ bool network_allowed() {
 
 std::optional<std::string> network_remedy(const std::string& path) {
     if (allowed || !names_network(path)) return std::nullopt;
-    return "Copy it to this machine, or start frana with --allow-network";
+    return k_remedy;
 }
 
 void shut_network() {
@@ -93,6 +116,7 @@ void shut_network() {
         GetGDALDriverManager()->DeregisterDriver(driver);
         GDALDestroyDriver(driver);
     }
+    CPLHTTPSetFetchCallback(fetch_nothing, nullptr);
     // A GML file may name a schema anywhere.
     CPLSetConfigOption("GML_DOWNLOAD_SCHEMA", "NO");
 }

@@ -4,6 +4,7 @@
 #include <ogrsf_frmts.h>
 
 #include "gis/gdal_session.h"
+#include "gis/time_limit.h"
 #include "gis/vector_source.h"
 
 namespace frana::gis {
@@ -11,7 +12,9 @@ namespace frana::gis {
 ValuedPoints read_valued_points(const std::string& path, const std::vector<std::string>& names,
                                 const std::string& where) {
     const GdalSession session;
+    const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
+    TimeLimit limit(source.where);
     const GDALDatasetUniquePtr dataset = open_vector(source);
     OGRLayer& layer = choose_layer(
         *dataset, source, [](OGRLayer& one) { return wkbFlatten(one.GetGeomType()) == wkbPoint; }, "points");
@@ -25,6 +28,7 @@ ValuedPoints read_valued_points(const std::string& path, const std::vector<std::
     ValuedPoints points;
     points.columns.resize(names.size());
     for (const auto& feature : layer) {
+        limit.again();
         const OGRGeometry* geometry = feature->GetGeometryRef();
         if (geometry == nullptr || geometry->IsEmpty()) continue;
         const OGRPoint& point = *geometry->toPoint();
@@ -32,9 +36,7 @@ ValuedPoints read_valued_points(const std::string& path, const std::vector<std::
         for (std::size_t k = 0; k < fields.size(); ++k)
             points.columns[k].push_back(feature->GetFieldAsDouble(fields[k]));
     }
-    if (session.failed())
-        throw vector_fault(source, "the file is damaged: " + session.last_message(), "",
-                           "Run the scene again");
+    require_sound(session, source, "Run the scene again");
     return points;
 }
 

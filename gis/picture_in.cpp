@@ -6,13 +6,19 @@
 #include <gdal.h>
 #include <gdal_utils.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 
 #include "core/error.h"
 #include "core/json.h"
 #include "gis/gdal_session.h"
+#include "gis/local_files.h"
 #include "gis/memory_dataset.h"
+#include "gis/network.h"
+#include "gis/refusal.h"
+#include "gis/time_limit.h"
 
 namespace frana::gis {
 namespace {
@@ -23,7 +29,10 @@ GdalDataset opened(const std::string& path, const std::string& crs_wkt, const st
                             const std::string& remedy) {
         return Error(ErrorKind::input, Problem{what, where + ": " + path, value, limit, remedy});
     };
+    (void)take_refusal();
+    if (const auto remedy = network_remedy(path)) throw refuse("the file is read over the network", "", "", *remedy);
     GdalDataset dataset(GDALOpen(path.c_str(), GA_ReadOnly));
+    if (const auto cause = take_refusal()) throw refuse(cause->what, cause->value, "", cause->remedy);
     if (!dataset) {
         throw refuse(std::filesystem::exists(path) ? "the file is not a raster that can be read"
                                                    : "the file does not exist",
@@ -46,6 +55,25 @@ GdalDataset opened(const std::string& path, const std::string& crs_wkt, const st
                      "Assign one: gdal_edit.py -a_srs EPSG:... FILE");
     }
     return dataset;
+}
+
+/// Whether the blocks of a file can be read; of a large one some, among them the first and the last.
+bool can_be_read(GDALDatasetH picture) {
+    constexpr std::int64_t k_most_blocks = 400;
+    GDALRasterBandH band = GDALGetRasterBand(picture, 1);
+    int width = 0, height = 0;
+    GDALGetBlockSize(band, &width, &height);
+    const auto pieces = [](int whole, int part) { return (whole + part - 1) / part; };
+    const std::int64_t across = pieces(GDALGetRasterXSize(picture), width),
+                       count = across * pieces(GDALGetRasterYSize(picture), height);
+    const std::int64_t looked_at = std::min(count, k_most_blocks);
+    for (std::int64_t i = 0; i < looked_at; ++i) {
+        const std::int64_t block = looked_at == 1 ? 0 : i * (count - 1) / (looked_at - 1);
+        const int column = static_cast<int>(block % across) * width, row = static_cast<int>(block / across) * height;
+        std::uint8_t value = 0;
+        if (GDALRasterIO(band, GF_Read, column, row, 1, 1, &value, 1, 1, GDT_Byte, 0, 0) != CE_None) return false;
+    }
+    return true;
 }
 
 /// Three or four bands of what has a colour table or a single one, as a view of it.
@@ -84,12 +112,19 @@ GdalDataset in_colours(GDALDatasetH source) {
 }  // namespace
 
 void check_picture(const std::string& path, const std::string& crs_wkt, const std::string& where) {
-    opened(path, crs_wkt, where);
+    const GdalSession session;
+    const ReadingOnly reading;
+    const TimeLimit limit(where + ": " + path);
+    const GdalDataset picture = opened(path, crs_wkt, where);
+    if (can_be_read(picture.get()) && !session.failed()) return;
+    throw Error(ErrorKind::input, Problem{"the picture is damaged: " + session.last_message(), where + ": " + path, "",
+                                          "", "Copy the file anew"});
 }
 
 std::vector<std::uint8_t> warp_picture(const std::string& path, const std::string& crs_wkt, const Bounds& box,
                                        int width, int height) {
     const GdalSession session;
+    const ReadingOnly reading;
     const GdalDataset source = opened(path, crs_wkt, path);
     const GdalDataset coloured = in_colours(source.get());
     GdalDataset warped;

@@ -14,7 +14,10 @@
 #include "core/error.h"
 #include "gis/crs.h"
 #include "gis/gdal_session.h"
+#include "gis/local_files.h"
 #include "gis/network.h"
+#include "gis/refusal.h"
+#include "gis/time_limit.h"
 #include "gis/vertical_unit.h"
 
 namespace frana::gis {
@@ -25,11 +28,20 @@ namespace {
     throw Error(ErrorKind::input, Problem{what, where, path, "", remedy});
 }
 
+/// What was refused while the file was read is the cause of all that follows.
+void throw_if_refused(const std::string& where, const std::string& path) {
+    if (const auto cause = take_refusal()) refuse(cause->what + ": " + cause->value, where, path, cause->remedy);
+}
+
 GdalDataset open(const std::string& path, const std::string& where) {
     const GdalSession session;
+    const ReadingOnly reading;
+    (void)take_refusal();
+    const TimeLimit limit(where + ": " + path);
     if (const auto remedy = network_remedy(path)) refuse("the file is read over the network", where, path, *remedy);
     GdalDataset dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                    nullptr, nullptr, nullptr));
+    throw_if_refused(where, path);
     if (dataset) return dataset;
     VSIStatBufL status;
     if (VSIStatL(path.c_str(), &status) != 0) {
@@ -102,6 +114,7 @@ void refuse_huge_blocks(GDALDatasetH dataset, GDALRasterBandH band, const std::s
 RasterSource::RasterSource(const std::string& path, const std::string& where, bool accept_colour_table)
     : where_(where), dataset_(open(path, where)) {
     const GdalSession session;
+    const ReadingOnly reading;
     GDALDatasetH dataset = dataset_.get();
     if (GDALGetRasterCount(dataset) < 1) {
         const std::string parts = subdatasets(dataset);
@@ -142,6 +155,7 @@ RasterSource::RasterSource(const std::string& path, const std::string& where, bo
     if (!has || scale_ == 0) scale_ = 1;
     offset_ = GDALGetRasterOffset(band_, &has);
     if (!has) offset_ = 0;
+    throw_if_refused(where, path);
 }
 
 Point RasterSource::map_from_cell(Point cell) const noexcept {
@@ -154,6 +168,8 @@ Point RasterSource::cell_from_map(Point map) const noexcept {
 
 std::vector<double> RasterSource::read_stored(const Window& w, int columns, int rows) const {
     const GdalSession session;
+    const ReadingOnly reading;
+    const TimeLimit limit(where_ + ": " + info_.path);
     const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
     std::vector<double> values(count);
     std::vector<std::uint8_t> valid(count);
@@ -161,8 +177,10 @@ std::vector<double> RasterSource::read_stored(const Window& w, int columns, int 
         return GDALRasterIO(band, GF_Read, w.column, w.row, w.columns, w.rows, into, columns, rows, type, 0,
                             0);
     };
-    if (fetch(band_, values.data(), GDT_Float64) != CE_None ||
-        fetch(GDALGetMaskBand(band_), valid.data(), GDT_Byte) != CE_None) {
+    const bool read = fetch(band_, values.data(), GDT_Float64) == CE_None &&
+                      fetch(GDALGetMaskBand(band_), valid.data(), GDT_Byte) == CE_None;
+    throw_if_refused(where_, info_.path);
+    if (!read) {
         refuse("the raster is damaged: " + session.last_message(), where_, info_.path, "Copy the file anew");
     }
     const auto declared = [&](double stored) {

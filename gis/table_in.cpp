@@ -6,15 +6,26 @@
 
 #include "core/error.h"
 #include "gis/gdal_session.h"
+#include "gis/local_files.h"
 #include "gis/network.h"
+#include "gis/refusal.h"
+#include "gis/time_limit.h"
 
 namespace frana::gis {
+namespace {
+
+constexpr std::size_t k_most_rows = 10'000'000;
+
+}  // namespace
 
 Table read_table(const std::string& path, const std::string& where) {
     const GdalSession session;
+    const ReadingOnly reading;
+    (void)take_refusal();
     const std::string place = where + ": " + path;
     if (const auto remedy = network_remedy(path))
         throw Error(ErrorKind::input, Problem{"the file is read over the network", place, "", "", *remedy});
+    TimeLimit limit(place);
     VSIStatBufL status;
     if (VSIStatL(path.c_str(), &status) != 0) {
         throw Error(ErrorKind::input, Problem{"the file does not exist", place, "", "",
@@ -23,6 +34,7 @@ Table read_table(const std::string& path, const std::string& where) {
     // "CSV:" keeps the driver from asking for the ending .csv.
     const char* const drivers[] = {"CSV", nullptr};
     const char* const options[] = {"HEADERS=YES", "AUTODETECT_TYPE=NO", "KEEP_GEOM_COLUMNS=YES", nullptr};
+    (void)refuse_special_file(path.c_str());
     const GDALDatasetUniquePtr dataset(
         GDALDataset::Open(("CSV:" + path).c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, options));
     OGRLayer* layer = dataset && dataset->GetLayerCount() == 1 ? dataset->GetLayer(0) : nullptr;
@@ -31,10 +43,16 @@ Table read_table(const std::string& path, const std::string& where) {
         const OGRFeatureDefn& fields = *layer->GetLayerDefn();
         for (int i = 0; i < fields.GetFieldCount(); ++i) table.columns.push_back(fields.GetFieldDefn(i)->GetNameRef());
         for (const auto& feature : *layer) {
+            limit.again();
+            if (table.rows.size() >= k_most_rows)
+                throw Error(ErrorKind::input, Problem{"the table is longer than any scene needs", place, "",
+                                                      std::to_string(k_most_rows) + " rows", "Cut or thin it"});
             std::vector<std::string>& row = table.rows.emplace_back();
             for (int i = 0; i < fields.GetFieldCount(); ++i) row.push_back(feature->GetFieldAsString(i));
         }
     }
+    if (const auto cause = take_refusal())
+        throw Error(ErrorKind::input, Problem{cause->what, place, cause->value, "", cause->remedy});
     if (table.rows.empty()) {
         throw Error(ErrorKind::input, Problem{"the file is no table with a header and rows", place, "", "",
                                               "Give a CSV: time,discharge,velocity and one row per time"});

@@ -12,6 +12,7 @@
 #include "gis/gdal_session.h"
 #include "gis/outline_check.h"
 #include "gis/polygon_geometry.h"
+#include "gis/time_limit.h"
 #include "gis/vector_source.h"
 
 namespace frana::gis {
@@ -124,14 +125,17 @@ Bounds bounds_of(const std::vector<PolygonFeature>& features) {
     return bounds(all);
 }
 
-std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& source,
+std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& source, TimeLimit& limit,
                                           std::vector<std::string>& warnings) {
     Problems problems;
     std::vector<PolygonFeature> features;
     std::int64_t seen = 0, untold = 0;
+    VertexCount vertices(source);
     layer.ResetReading();
     for (const auto& from : layer) {
         ++seen;
+        limit.again();
+        vertices.add(from->GetGeometryRef());
         Problems of_this;
         PolygonFeature feature = read_feature(*from, source, of_this, warnings);
         for (const Problem& problem : of_this.list()) {
@@ -179,7 +183,9 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt,
                            const std::string& where, const LayerChoice& choice) {
     const GdalSession session;
+    const ReadingOnly reading;
     VectorSource source = vector_source(path, where);
+    TimeLimit limit(source.where);
     if (!choice.name.empty() && !source.layer.empty() && source.layer != choice.name) {
         throw vector_fault(source, "two layers are named", source.layer + ", " + choice.name,
                            "Keep \"|layer=\" in the path or the key, not both");
@@ -200,9 +206,8 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     read.layer_name = layer.GetName();
     read.crs_wkt = crs;
     read.crs_label = crs.empty() ? "none" : crs_name(crs);
-    read.features = read_features(layer, source, read.warnings);
-    if (session.failed())
-        throw vector_fault(source, "the file is damaged: " + session.last_message(), "", "Export it anew");
+    read.features = read_features(layer, source, limit, read.warnings);
+    require_sound(session, source);
     const Bounds own = bounds_of(read.features);
     if (!target_crs_wkt.empty() && !plausible(crs, own)) {
         throw vector_fault(source, "the coordinates are no degrees though the file's CRS is in degrees",

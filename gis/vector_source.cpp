@@ -4,8 +4,11 @@
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
 
+#include <cctype>
+
 #include "gis/gdal_session.h"
 #include "gis/network.h"
+#include "gis/refusal.h"
 
 namespace frana::gis {
 namespace {
@@ -26,6 +29,42 @@ std::string attribute_names(OGRLayer& layer) {
     return names.empty() ? "it has none" : names;
 }
 
+/// Curves count by the points that define them.
+class PointCounter : public OGRDefaultConstGeometryVisitor {
+  public:
+    using OGRDefaultConstGeometryVisitor::visit;
+    void visit(const OGRPoint*) override { ++count; }
+    void visit(const OGRLineString* line) override { count += line->getNumPoints(); }
+    void visit(const OGRCircularString* line) override { count += line->getNumPoints(); }
+    void visit(const OGRLinearRing* ring) override { count += ring->getNumPoints(); }
+
+    std::int64_t count = 0;
+};
+
+/// Whether a condition asks the database something of its own, which may never end: SELECT outside quotes.
+bool holds_query(const std::string& condition) {
+    char quote = 0;
+    std::string word;
+    for (const char c : condition + " ") {
+        if (quote != 0) {
+            if (c == quote) quote = 0;
+            continue;
+        }
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+            word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+            continue;
+        }
+        if (word == "SELECT") return true;
+        word.clear();
+        if (c == '\'' || c == '"' || c == '`') quote = c;
+    }
+    return false;
+}
+
+Error refused(const VectorSource& source, const Refusal& cause) {
+    return {ErrorKind::input, Problem{cause.what, source.where, cause.value, "", cause.remedy}};
+}
+
 }  // namespace
 
 VectorSource vector_source(const std::string& path, const std::string& where) {
@@ -38,11 +77,13 @@ VectorSource vector_source(const std::string& path, const std::string& where) {
 
 Error vector_fault(const VectorSource& source, const std::string& what, const std::string& value,
                    const std::string& remedy) {
+    if (const auto cause = take_refusal()) return refused(source, *cause);
     return {ErrorKind::input, Problem{what, source.where, value, "", remedy}};
 }
 
 GDALDatasetUniquePtr open_vector(const VectorSource& source) {
     const GdalSession session;
+    (void)take_refusal();
     if (const auto remedy = network_remedy(source.file))
         throw vector_fault(source, "the file is read over the network", "", *remedy);
     GDALDatasetUniquePtr dataset(
@@ -56,6 +97,25 @@ GDALDatasetUniquePtr open_vector(const VectorSource& source) {
     throw vector_fault(
         source, "the file is not a vector file that can be read: " + session.last_message(), "",
         "Give a shapefile (with its .shx and .dbf), GeoPackage, GeoJSON or another file that OGR reads");
+}
+
+void require_sound(const GdalSession& session, const VectorSource& source, const std::string& remedy) {
+    if (const auto cause = take_refusal()) throw refused(source, *cause);
+    if (session.failed()) throw vector_fault(source, "the file is damaged: " + session.last_message(), "", remedy);
+}
+
+void VertexCount::add(const OGRGeometry* geometry) {
+    constexpr std::int64_t k_most_features = 1'000'000, k_most_vertices = 20'000'000;
+    if (++features_ > k_most_features)
+        throw vector_fault(source_, "the layer holds more features than any scene needs",
+                           "more than " + std::to_string(k_most_features), "Cut it to the slope");
+    if (geometry == nullptr) return;
+    PointCounter counter;
+    geometry->accept(&counter);
+    vertices_ += counter.count;
+    if (vertices_ > k_most_vertices)
+        throw vector_fault(source_, "the layer holds more vertices than any scene needs",
+                           "more than " + std::to_string(k_most_vertices), "Simplify it, or cut it to the slope");
 }
 
 OGRLayer& choose_layer(GDALDataset& dataset, const VectorSource& source, const LayerTest& suits,
@@ -92,6 +152,10 @@ void check_attribute_table(GDALDataset& dataset, OGRLayer& layer, const VectorSo
 
 void filter_features(OGRLayer& layer, const VectorSource& source, const std::string& condition) {
     const GdalSession session;
+    if (holds_query(condition)) {
+        throw vector_fault(source, "the filter holds a query of its own", condition,
+                           "Give a condition on the attributes alone: " + attribute_names(layer));
+    }
     // Some drivers see a fault only when the first feature is asked for.
     if (layer.SetAttributeFilter(condition.c_str()) == OGRERR_NONE) {
         const OGRFeatureUniquePtr first(layer.GetNextFeature());

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "core/error.h"
+#include "gis/gdal_session.h"
+#include "gis/local_files.h"
 
 namespace frana::gis {
 
@@ -19,12 +21,28 @@ struct VectorSource {
 
 VectorSource vector_source(const std::string& path, const std::string& where);
 
-/// What is wrong with a source, as Error(input).
+/// What is wrong with a source, as Error(input); a refusal while it was read is the cause and stands before.
 Error vector_fault(const VectorSource& source, const std::string& what, const std::string& value,
                    const std::string& remedy);
 
 /// Throws Error(input): missing, or nothing that OGR reads.
 GDALDatasetUniquePtr open_vector(const VectorSource& source);
+
+/// Throws Error(input) where reading its features met a fault or a refusal.
+void require_sound(const GdalSession& session, const VectorSource& source,
+                   const std::string& remedy = "Export it anew");
+
+/// Counts what a layer holds. Views and archives can hold without end: beyond what any map needs, Error(input).
+class VertexCount {
+  public:
+    explicit VertexCount(const VectorSource& source) : source_(source) {}
+    /// One more feature; `geometry` may be none.
+    void add(const OGRGeometry* geometry);
+
+  private:
+    const VectorSource& source_;
+    std::int64_t features_ = 0, vertices_ = 0;
+};
 
 using LayerTest = std::function<bool(OGRLayer&)>;
 

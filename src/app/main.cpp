@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/guarded_process.h"
 #include "app/library_versions.h"
 #include "app/signals.h"
 #include "app/version.h"
@@ -58,6 +59,7 @@ constexpr Command k_commands[] = {{"run", cmd_run},
 int dispatch(Arguments words) {
     // Whoever starts the program decides this, never a scene.
     if (std::erase(words, "--allow-network") > 0) gis::allow_network();
+    guard_process(gis::network_allowed());
     if (words.empty()) {
         std::cerr << k_help;
         return static_cast<int>(ExitCode::input);

@@ -3,6 +3,7 @@
 
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/parsers.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -11,6 +12,11 @@
 #include "params/value_text.h"
 
 namespace frana {
+namespace {
+
+constexpr std::uintmax_t k_most_bytes = 10'000'000;
+
+}  // namespace
 
 std::vector<IniEntry> read_ini(const std::string& path) {
     namespace options = boost::program_options;
@@ -18,6 +24,12 @@ std::vector<IniEntry> read_ini(const std::string& path) {
     if (std::filesystem::is_directory(path, ignored))
         throw Error(ErrorKind::input,
                     Problem{"is a folder, not a file", path, "", "", "Name the .ini file in it"});
+    if (std::filesystem::is_other(path, ignored))
+        throw Error(ErrorKind::input, Problem{"is no regular file", path, "", "",
+                                              "Copy what the FIFO, device or socket holds into a file"});
+    if (const auto bytes = std::filesystem::file_size(path, ignored); !ignored && bytes > k_most_bytes)
+        throw Error(ErrorKind::input, Problem{"is too long to be a scene", path, std::to_string(bytes) + " bytes",
+                                              "up to " + std::to_string(k_most_bytes), "A scene is an INI file"});
     std::ifstream file(path, std::ios::binary);
     if (!file)
         throw Error(ErrorKind::input,

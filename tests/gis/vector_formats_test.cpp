@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <map>
 
 #include "files.h"
 #include "gis/crs.h"
 #include "gis/gdal_session.h"
 #include "gis/vector_in.h"
+#include "gis/vector_source.h"
 
 namespace frana::gis {
 namespace {
@@ -58,6 +61,26 @@ TEST_P(VectorFormat, LiesWhereItWasDrawn) {
     EXPECT_EQ(layer.features[0].numbers.at("thick"), 10);
     EXPECT_EQ(layer.features[0].texts.at("name"), "slope");
     EXPECT_NEAR(layer.own_bounds.west, 9.38, 1e-9);
+}
+
+/// Every file of a folder with what is in it.
+std::map<std::string, std::string> contents(const Folder& folder) {
+    std::map<std::string, std::string> all;
+    for (const std::string& name : folder.names()) all[name] = test::text_in(folder.file(name));
+    return all;
+}
+
+TEST_P(VectorFormat, StaysAloneInItsFolder) {
+    const Folder folder;
+    const Format& format = GetParam();
+    make_vector(folder.file(format.file), format.driver, "EPSG:4326",
+                {"POLYGON((9.38 46.0,9.381 46.0,9.381 46.001,9.38 46.001,9.38 46.0))"});
+    // Without its schema GML is where GDAL would write another.
+    std::filesystem::remove(folder.file("a.xsd"));
+    const auto before = contents(folder);
+    (void)read_polygons(folder.file(format.file), utm(), k_where);
+    (void)read_polygons(folder.file(format.file), utm(), k_where, {"", "thick > 5", ""});
+    EXPECT_EQ(contents(folder), before);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -141,6 +164,39 @@ TEST(VectorFiles, ArchivesAreReadInPlace) {
     const PolygonLayer layer =
         read_polygons("/vsizip/" + folder.file("a.zip") + "/a.geojson", utm(), k_where);
     EXPECT_NEAR(layer.bounds.south, 5094117.682, 0.01);
+}
+
+TEST(VectorFiles, ADatabaseInUseStaysAsItIs) {
+    // QGIS opens GeoPackages with a log beside them, in which the newest state may still be.
+    const Folder folder;
+    const std::string path = folder.file("a.gpkg");
+    make_vector(path, "GPKG", "EPSG:32632", {"POLYGON((0 0,10 0,10 10,0 10,0 0))"});
+    const GdalSession session;
+    const GDALDatasetUniquePtr in_use(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+    const auto execute = [&](const char* statement) {
+        in_use->ReleaseResultSet(in_use->ExecuteSQL(statement, nullptr, nullptr));
+    };
+    execute("PRAGMA journal_mode = WAL");
+    execute("UPDATE shapes SET thick = 7");
+    const auto names = folder.names();
+    EXPECT_EQ(read_polygons(path, utm(), k_where).features[0].numbers.at("thick"), 7);
+    EXPECT_EQ(folder.names(), names);
+}
+
+TEST(VectorFiles, AnArchiveStaysAloneInItsFolder) {
+    const Folder folder;
+    make_vector(folder.file("a.geojson"), "GeoJSON", "EPSG:32632", {"POLYGON((0 0,10 0,10 10,0 10,0 0))"});
+    const std::string bytes = test::text_in(folder.file("a.geojson"));
+    const std::string name = "/vsigzip/" + folder.file("a.geojson.gz");
+    {
+        const GdalSession session;
+        VSILFILE* file = VSIFOpenL(name.c_str(), "wb");
+        VSIFWriteL(bytes.data(), 1, bytes.size(), file);
+        VSIFCloseL(file);
+    }
+    const auto names = folder.names();
+    (void)read_polygons(name, utm(), k_where);
+    EXPECT_EQ(folder.names(), names);
 }
 
 TEST(VectorFiles, HolesThatTouchTheRimAndMeasuresDoNotMatter) {
