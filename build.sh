@@ -11,8 +11,8 @@ packages=(
   libavformat-dev libavcodec-dev libswscale-dev libavutil-dev
   libboost-program-options-dev zlib1g-dev libgtest-dev
 )
-# Kernels' instructions and times (.ci/kernel_instructions, kernel_benchmark).
-test_packages=(libbenchmark-dev valgrind)
+# Kernels' instructions and times (.ci/kernel_instructions, kernel_benchmark); readers of what frana writes.
+test_packages=(libbenchmark-dev valgrind poppler-utils)
 
 say() { printf '== %s\n' "$*"; }
 

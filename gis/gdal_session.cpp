@@ -7,6 +7,7 @@
 #include <ogr_srs_api.h>
 
 #include <mutex>
+#include <utility>
 
 #include "gis/local_files.h"
 #include "gis/network.h"
@@ -78,12 +79,13 @@ void GdalSession::forget() {
     last_error_.clear();
 }
 
-NoSideFiles::NoSideFiles() {
-    CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO");
+ThreadOption::ThreadOption(std::string key, const char* value) : key_(std::move(key)) {
+    if (const char* before = CPLGetThreadLocalConfigOption(key_.c_str(), nullptr)) before_ = before;
+    CPLSetThreadLocalConfigOption(key_.c_str(), value);
 }
 
-NoSideFiles::~NoSideFiles() {
-    CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", nullptr);
+ThreadOption::~ThreadOption() {
+    CPLSetThreadLocalConfigOption(key_.c_str(), before_ ? before_->c_str() : nullptr);
 }
 
 }  // namespace frana::gis

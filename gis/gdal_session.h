@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,13 +32,23 @@ class GdalSession {
     std::string last_error_;
 };
 
-/// Keeps GDAL from writing .aux.xml beside a file while one lives.
-class NoSideFiles {
+/// Sets one of GDAL's options for this thread while it lives; then it is as it was before.
+class ThreadOption {
   public:
-    NoSideFiles();
-    ~NoSideFiles();
-    NoSideFiles(const NoSideFiles&) = delete;
-    NoSideFiles& operator=(const NoSideFiles&) = delete;
+    ThreadOption(std::string key, const char* value);
+    ~ThreadOption();
+    ThreadOption(const ThreadOption&) = delete;
+    ThreadOption& operator=(const ThreadOption&) = delete;
+
+  private:
+    std::string key_;
+    std::optional<std::string> before_;
+};
+
+/// Keeps GDAL from writing .aux.xml beside a file while one lives.
+class NoSideFiles : ThreadOption {
+  public:
+    NoSideFiles() : ThreadOption("GDAL_PAM_ENABLED", "NO") {}
 };
 
 }  // namespace frana::gis

@@ -101,6 +101,8 @@ void write_picture_pdf(const std::string& path, const PicturePixels& picture, do
     options.SetNameValue("DPI", shortest_text(dots_per_inch).c_str());
     options.SetNameValue("GEO_ENCODING", on_earth ? "ISO32000" : "NONE");
     options.SetNameValue("TITLE", title.c_str());
+    // On more than one thread GDAL notes a stream's place and length before it is packed (OSGeo/gdal#6270).
+    const ThreadOption one_thread("GDAL_NUM_THREADS", "1");
     write(path, dataset.get(), "PDF", options, session);
 }
 

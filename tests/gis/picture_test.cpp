@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of maps go out with their place on the ground, users' pictures come in under the map.
+#include <cpl_conv.h>
 #include <gdal.h>
 #include <gtest/gtest.h>
 #include <ogr_srs_api.h>
@@ -15,6 +16,7 @@
 #include "gis/picture_out.h"
 #include "gis/raster_out.h"
 #include "gis/raster_text.h"
+#include "pdf_check.h"
 
 namespace frana::gis {
 namespace {
@@ -81,6 +83,30 @@ TEST(PictureOut, PdfIsAPageOfTheRightSizeThatKnowsItsPlace) {
     EXPECT_NEAR(geo[3], 5095480, 1);
     EXPECT_NEAR(geo[1] * columns, 3508, 2);
     EXPECT_NE(GDALGetMetadataItem(file.get(), "NEATLINE", nullptr), nullptr);
+}
+
+// On several processors GDAL packs a PDF's stream on a thread of its own and notes its place and length before that is
+// done (OSGeo/gdal#6270): readers then find rubbish. A page's first bytes and its place on the ground are right all the
+// same.
+TEST(PictureOut, PdfShowsTheVeryPixelsOnSeveralThreads) {
+    const test::Folder folder;
+    CPLSetConfigOption("GDAL_NUM_THREADS", "2");
+    // Too varied to be packed small: several blocks of the packer. A page of A5 across.
+    test::Pixels picture{1240, 874, {}};
+    picture.rgb.resize(3 * 1240 * 874);
+    std::uint32_t state = 1;
+    for (std::uint8_t& value : picture.rgb) value = static_cast<std::uint8_t>((state = 1664525 * state + 1013904223) >> 24);
+    const PicturePlace place{{526000, 5093000, 528480, 5094748}, {526200, 5093200, 528200, 5094600},
+                             crs_from_user(k_utm, "")};
+    using Strings = std::vector<std::string>;
+    for (const auto& where : {std::optional<PicturePlace>(place), std::optional<PicturePlace>()}) {
+        const std::string path = folder.file(where ? "map.pdf" : "chart.pdf");
+        write_picture_pdf(path, {picture.width, picture.height, picture.rgb}, 150, where, "A map");
+        EXPECT_EQ(test::pdf_problems(path, picture, 150), Strings{}) << path;
+    }
+    EXPECT_EQ(folder.names(), (Strings{"chart.pdf", "map.pdf"}));
+    EXPECT_STREQ(CPLGetConfigOption("GDAL_NUM_THREADS", ""), "2");
+    CPLSetConfigOption("GDAL_NUM_THREADS", nullptr);
 }
 
 TEST(PictureOut, AFullOrMissingFolderIsSaid) {
