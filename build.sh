@@ -12,7 +12,7 @@ packages=(
   libboost-program-options-dev zlib1g-dev libgtest-dev
 )
 # Kernels' instructions and times (.ci/kernel_instructions, kernel_benchmark); readers of what frana writes.
-test_packages=(libbenchmark-dev valgrind poppler-utils)
+test_packages=(libbenchmark-dev valgrind poppler-utils python3-xarray python3-zarr python3-netcdf4)
 
 say() { printf '== %s\n' "$*"; }
 

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "gis/gdal_session.h"
 #include "gis/raster_out.h"
+#include "gis/zarr_metadata.h"
 
 namespace frana::gis {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 using Array = std::shared_ptr<GDALMDArray>;
 
 constexpr std::int64_t k_block = 256;
+constexpr const char* k_mapping = "spatial_ref";
 
 void set_text(GDALIHasAttribute& holder, const std::string& name, const std::string& value) {
     const auto attribute = holder.CreateAttribute(name, {}, GDALExtendedDataType::CreateString());
@@ -92,10 +94,13 @@ FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& gri
     crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     if (!grid.crs_wkt.empty()) crs.importFromWkt(grid.crs_wkt.c_str());
     if (!netcdf && !grid.crs_wkt.empty()) {
-        // GDAL keeps the CRS of a Zarr array in an attribute of its own; CF readers look for a grid mapping.
+        // GDAL keeps the CRS of a Zarr array in an attribute of its own; CF readers look for a grid mapping, by one of
+        // two names for its text.
         const Array mapping =
-            p.must(p.root->CreateMDArray("crs", {}, GDALExtendedDataType::Create(GDT_Int32), nullptr));
-        set_text(*mapping, "crs_wkt", grid.crs_wkt);
+            p.must(p.root->CreateMDArray(k_mapping, {}, GDALExtendedDataType::Create(GDT_Int32), nullptr));
+        for (const char* name : {"crs_wkt", "spatial_ref"}) set_text(*mapping, name, grid.crs_wkt);
+        const std::int32_t any = 1;  // readers ask for it, though it says nothing
+        if (!mapping->Write(nullptr, nullptr, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Int32), &any)) p.refuse();
     }
     CPLStringList options;
     options.SetNameValue("COMPRESS", netcdf ? "DEFLATE" : "ZLIB");
@@ -110,7 +115,7 @@ FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& gri
         set_text(*array, "long_name", long_name);
         if (!grid.crs_wkt.empty()) {
             array->SetSpatialRef(&crs);
-            if (!netcdf) set_text(*array, "grid_mapping", "crs");
+            if (!netcdf) set_text(*array, "grid_mapping", k_mapping);
         }
         return array;
     };
@@ -145,6 +150,7 @@ void FrameStack::close() {
     p.root.reset();
     p.dataset.reset();
     if (p.session.failed()) p.refuse();
+    if (!p.netcdf) finish_zarr_metadata(p.path);
 }
 
 }  // namespace frana::gis

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 #include <ogr_spatialref.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "files.h"
 #include "gis/crs.h"
@@ -127,6 +129,35 @@ TEST_P(Stack, OpensAsAnOrdinaryRasterInItsPlace) {
     EXPECT_EQ(geo[5], -2);
     ASSERT_TRUE(file->GetSpatialRef());
     EXPECT_TRUE(file->GetSpatialRef()->IsProjected());
+}
+
+// zarr decodes metadata as ASCII, xarray asks every array for its dimensions.
+TEST(ZarrMetadata, IsAsciiAndNamesTheDimensionsOfEveryArray) {
+    const Folder folder;
+    const std::string path = folder.file("frames.zarr");
+    const GridSpec grid{527000, 5095000, 2, 5, 3, crs_from_user("EPSG:32632", "")};
+    FrameStack stack(path, StackFormat::zarr, grid, {0}, {{"SCENE", "Dürrenbühl \xf0\x9f\x8f\x94"}});
+    stack.add(0, Raster(grid, 1), Raster(grid, 2));
+    stack.close();
+    std::size_t attributes = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(".z")) continue;
+        const std::string text = test::text_in(entry.path().string());
+        EXPECT_TRUE(std::all_of(text.begin(), text.end(), [](char c) { return static_cast<signed char>(c) >= 0; }))
+            << entry.path();
+        const bool of_an_array = name == ".zattrs" && entry.path().parent_path() != path;
+        if (!of_an_array) continue;
+        ++attributes;
+        EXPECT_NE(text.find("\"_ARRAY_DIMENSIONS\""), std::string::npos) << entry.path();
+    }
+    EXPECT_EQ(attributes, 6U);  // depth, velocity, time, y, x, spatial_ref
+    const std::string all = test::text_in(path + "/.zmetadata");
+    EXPECT_NE(all.find("D\\u00fcrrenb\\u00fchl \\ud83c\\udfd4"), std::string::npos);
+    const GdalSession session;
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path.c_str(), GDAL_OF_MULTIDIM_RASTER));
+    ASSERT_TRUE(file);
+    EXPECT_EQ(text_of(*file->GetRootGroup(), "SCENE"), "Dürrenbühl \xf0\x9f\x8f\x94");
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, Stack, ::testing::Values(StackFormat::netcdf, StackFormat::zarr),

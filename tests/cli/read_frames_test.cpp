@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// frames.zarr and frames.nc as users open them.
+#include <ogr_spatialref.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "core/json.h"
+#include "gis/raster_in.h"
+#include "tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+class ReadFrames : public TinyScene {
+  protected:
+    // Both quantities of every GeoTIFF frame in one file each; what Python is to find beside.
+    void write_expected(int frames, const std::string& scene) const {
+        JsonWriter json;
+        json.begin_object();
+        json.text("scene", scene);
+        json.begin_array("time");
+        for (int i = 0; i < frames; ++i) json.number("", 0.5 * i);
+        json.end_array();
+        GridSpec grid;
+        for (const std::string name : {"depth", "velocity"}) {
+            std::ofstream out(path("result/" + name + ".f32"), std::ios::binary);
+            for (int i = 0; i < frames; ++i) {
+                const Raster raster = gis::read_result_raster(
+                    path("result/frames/" + name + "_000" + std::to_string(i) + ".tif"));
+                grid = raster.grid;
+                for (const double value : raster.values) {
+                    const auto single = static_cast<float>(value);
+                    out.write(reinterpret_cast<const char*>(&single), sizeof single);
+                }
+            }
+        }
+        json.begin_array("x");
+        for (std::int64_t i = 0; i < grid.columns; ++i) json.number("", grid.cell_centre(0, i).x);
+        json.end_array();
+        json.begin_array("y");
+        for (std::int64_t i = 0; i < grid.rows; ++i) json.number("", grid.cell_centre(i, 0).y);
+        json.end_array();
+        json.end_object();
+        write("expected.json", json.str());
+    }
+};
+
+TEST_F(ReadFrames, XarrayFindsTheFramesTheirPlacesAndTheirCrs) {
+    // A name beyond ASCII, as is the degree sign in the CRS's area of use.
+    const std::string scene = "Dürrenbühl";
+    write(scene + ".ini", read_text(path("scene.ini")));
+    const Outcome run =
+        frana({"run", scene + ".ini", "--out", "result", "--threads", "2", "--set", "time.frame-interval=0.5",
+               "--set", "output.formats=geotiff,netcdf,zarr", "--set", "output.maps=off", "--set",
+               "output.animation=off", "--set", "time.end=1.5", "--set", "terrain.cell-size=0.8"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    write_expected(4, scene);
+    const std::string said = path("python.txt"), command = std::string("/usr/bin/python3 '") +
+                                                           FRANA_SOURCE_DIR + "/tests/cli/read_frames.py' '" +
+                                                           path("result") + "' '" + path("expected.json") +
+                                                           "' >'" + said + "' 2>'" +
+                                                           path("python_errors.txt") + "'";
+    const int status = std::system(command.c_str());
+    const std::string text = read_text(said);
+    if (WEXITSTATUS(status) == 77) GTEST_SKIP() << text;
+    EXPECT_EQ(status, 0) << read_text(path("python_errors.txt"));
+    OGRSpatialReference utm;
+    utm.importFromEPSG(32632);
+    std::istringstream lines(text);
+    std::size_t found = 0;
+    for (std::string line; std::getline(lines, line); ++found) {
+        OGRSpatialReference crs;
+        EXPECT_EQ(crs.importFromWkt(line.c_str()), OGRERR_NONE) << line;
+        const char* const options[] = {"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", "CRITERION=EQUIVALENT",
+                                       nullptr};
+        EXPECT_TRUE(crs.IsSame(&utm, options)) << line;
+    }
+    EXPECT_EQ(found, 8U);  // two files, two quantities, two words
+}
+
+}  // namespace
+}  // namespace frana::test
