@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <type_traits>
 
@@ -22,9 +23,16 @@ namespace {
 constexpr double k_film_seconds = 8;  // about: neither stutters nor flies
 constexpr double k_playback = 25;     // frames a second
 
-std::string time_text(double seconds) {
+/// As many decimals as tell frames apart, at least one.
+int time_decimals(const std::vector<StoredFrame>& frames) {
+    double gap = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < frames.size(); ++i) gap = std::min(gap, frames[i].time - frames[i - 1].time);
+    return gap > 0 && gap < 1 ? std::min(6, 1 + static_cast<int>(std::ceil(-std::log10(gap)))) : 1;
+}
+
+std::string time_text(double seconds, int decimals) {
     std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "t = %.1f s", seconds);
+    std::snprintf(text.data(), text.size(), "t = %.*f s", decimals, seconds);
     return text.data();
 }
 
@@ -68,17 +76,17 @@ const std::string& file_of(const StoredFrame& frame, const std::string& quantity
 
 /// The picture of a frame, of its particles or its raster.
 template <class Animator>
-render::Image draw_frame(Animator& animator, const StoredFrame& frame, const std::string& quantity) {
-    if (quantity == "particles")
-        return animator.frame(read_particle_dots(frame.particle_file), time_text(frame.time));
-    return animator.frame(gis::read_result_raster(file_of(frame, quantity)), time_text(frame.time));
+render::Image draw_frame(Animator& animator, const StoredFrame& frame, const FilmSource& of) {
+    const std::string time = time_text(frame.time, time_decimals(of.frames));
+    if (of.quantity == "particles") return animator.frame(read_particle_dots(frame.particle_file), time);
+    return animator.frame(gis::read_result_raster(file_of(frame, of.quantity)), time);
 }
 
-/// The last frame not later than a time; the first where all are.
+/// The frame nearest to a time: those of two runs lie a step apart where the same times were asked for.
 const StoredFrame& frame_at(const std::vector<StoredFrame>& frames, double time) {
-    const auto next = std::upper_bound(frames.begin(), frames.end(), time + 1e-9,
-                                       [](double t, const StoredFrame& one) { return t < one.time; });
-    return next == frames.begin() ? frames.front() : *(next - 1);
+    return *std::min_element(frames.begin(), frames.end(), [&](const StoredFrame& a, const StoredFrame& b) {
+        return std::abs(a.time - time) < std::abs(b.time - time);
+    });
 }
 
 std::string pace_words(const FilmSource& film, double seconds) {
@@ -147,7 +155,7 @@ void film(const FilmRequest& request, const std::string& path) {
             if (request.fly) animator.fly(along);
             along += 1 / static_cast<double>(std::max<std::size_t>(1, frames.size() - 1));
         }
-        const render::Image picture = draw_frame(animator, frame, request.first.quantity);
+        const render::Image picture = draw_frame(animator, frame, request.first);
         if (!right) {
             out.add(picture);
             continue;
@@ -155,7 +163,7 @@ void film(const FilmRequest& request, const std::string& path) {
         render::Image page(request.size.width, request.size.height);
         beside(page, picture, 0);
         const StoredFrame& other = frame_at(request.second->frames, frame.time);
-        beside(page, draw_frame(*right, other, request.second->quantity), half.width);
+        beside(page, draw_frame(*right, other, *request.second), half.width);
         out.add(page);
     }
     out.finish();

@@ -27,7 +27,7 @@ struct FilmSource {
 FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity);
 
 /// Frame by frame what a film shows; 2-D or 3-D, of one result or of two beside each other (with the colours, the
-/// window and the camera of both, and of the second the latest frame that is not later than the first's).
+/// window and the camera of both, and of the second the frame nearest in time to the first's).
 struct FilmRequest {
     FilmSource first;
     std::optional<FilmSource> second;

@@ -204,7 +204,7 @@ const MapLayer& ResultReader::greatest(const std::string& quantity) const {
 MapLayer ResultReader::particle_layer(const StoredFrame& frame) const {
     MapLayer layer = greatest("velocity");  // its colours: maps of different times compare
     layer.dots = read_particle_dots(frame.particle_file);
-    layer.name = "particles_t" + shortest_text(frame.time);
+    layer.name = "particles_t" + figure(frame.time, 6);
     layer.title = "Speed of particles";
     layer.time = frame.time;
     layer.source = "frames/" + fs::path(frame.particle_file).filename().string() + ", speed_ms";
@@ -228,7 +228,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         if (kind == "particles") return particle_layer(*nearest);
         MapLayer layer = read_map_layer(kind == "depth" ? nearest->depth_file : nearest->velocity_file);
         layer.source.insert(0, "frames/");
-        layer.name = kind + "_t" + shortest_text(nearest->time);
+        layer.name = kind + "_t" + figure(nearest->time, 6);
         // The greatest values over time give the colours, so that maps of different times compare.
         if (under_way() || has("max_" + kind + ".tif")) layer.classes = greatest(kind).classes;
         return layer;

@@ -84,7 +84,7 @@ void add_rest(std::vector<Parameter>& list) {
     list.push_back(number("time.moving-speed", FRANA_MEMBER(time.moving_speed), "m/s", Range{0, 10, true},
                           "Speed from which volume counts as moving."));
     list.push_back(number("time.frame-interval", FRANA_MEMBER(time.frame_interval), "s", Range{0, 1e6, true},
-                          "Simulated time between frames.", "a round number, at most sixty-one frames"));
+                          "Simulated time between frames; each is the first state at or after its time.", "a round number, at most sixty-one frames"));
 
     list.push_back(text("output.directory", FRANA_MEMBER(output.directory), "file",
                         "Result directory; --out overrides it.",

@@ -82,9 +82,9 @@ bool frames_show_more(const AnyFlow& flow) {
     return flow.particle_count() > 0;
 }
 
+// The flow as its last step left it, which taking a frame does not change: a Flow's velocities are those that moved it.
 template <class AnyFlow>
 Frame take_frame(AnyFlow& flow, int index, bool with_particles) {
-    flow.synchronise();
     auto shot = flow.snapshot();
     return {index, flow.time(), std::move(shot.depth), std::move(shot.speed),
             frames_show_more(flow) ? more_of(flow) : std::vector<NamedRaster>{},
@@ -201,6 +201,9 @@ void FlowRun<AnyFlow>::begin() {
 template <class AnyFlow>
 void FlowRun<AnyFlow>::give_frame() {
     if (!options_.on_frame || scene_.time.frame_interval <= 0) return;
+    const double interval = scene_.time.frame_interval;
+    next_frame_ = interval * (std::floor(flow_.time() / interval * (1 + 1e-12)) + 1);
+    last_frame_ = flow_.time();
     engine_.stop();
     Frame taken = take_frame(flow_, frames_++, options_.particles_in_frames);
     hide_walls(scene_, taken.depth);
@@ -234,10 +237,6 @@ template <class AnyFlow>
 void FlowRun<AnyFlow>::arrive(double target) {
     flow_.set_time(target);
     if (arrivals_.next_time() <= target) receive();
-    if (next_frame_ > target) return;
-    if (target < scene_.time.end) give_frame();
-    const double interval = scene_.time.frame_interval;
-    next_frame_ = interval * (std::floor(flow_.time() / interval + 1e-6) + 1);
 }
 
 template <class AnyFlow>
@@ -273,7 +272,8 @@ Progress FlowRun<AnyFlow>::progress() const {
 
 template <class AnyFlow>
 void FlowRun<AnyFlow>::step() {
-    const double target = std::min({next_frame_, scene_.time.end, arrivals_.next_time()});
+    // Only what belongs to the scene's physics, and its end, is met exactly; who looks on takes the steps as they come.
+    const double target = std::min(scene_.time.end, arrivals_.next_time());
     const double left = target - flow_.time();
     // Two equal steps rather than a full one and a sliver.
     const double stable = flow_.stable_step();
@@ -290,14 +290,17 @@ void FlowRun<AnyFlow>::step() {
         result_.stop_reason = *reason;
         stopped_ = true;
     }
+    // What ends here shows its end in finish(); what only pauses is to have the frames of a run that did not.
+    const bool pauses = stopped_ && result_.stop_reason == StopReason::requested && flow_.time() < scene_.time.end;
+    if (flow_.time() >= next_frame_ && (goes_on() || pauses)) give_frame();
 }
 
 template <class AnyFlow>
 RunResult FlowRun<AnyFlow>::finish() {
     RunResult& result = result_;
     const bool finite = result.hard_events.non_finite == 0;
+    if (flow_.time() != last_frame_ || result.stop_reason != StopReason::requested) give_frame();
     if (finite) flow_.synchronise();
-    give_frame();
     if (finite) flow_.see_present();
     const Maxima& maxima = flow_.maxima();
     result.max_depth = flow_.to_raster(maxima.depth);

@@ -57,7 +57,7 @@ class FlowRun {
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [scene, options, release, arrivals, flow, engine, result, stopped, frames,
-                                next_frame, still, fade, recorder, watch] = *this;
+                                next_frame, last_frame, still, fade, recorder, watch] = *this;
         engine.stop();
         archive(engine, arrivals, flow, frames, next_frame, still, fade, recorder);
         archive(result.series, result.particles_peak, result.hard_events, result.unsupported,
@@ -96,7 +96,8 @@ class FlowRun {
     RunResult result_;
     bool stopped_ = false;
     int frames_ = 0;
-    double next_frame_;
+    double next_frame_;       ///< the first state that reaches it is the next frame [s]
+    double last_frame_ = -1;  ///< when this process gave one [s]
     StillWatch still_;
     FadeWatch fade_;
     Recorder recorder_;

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sample hillside with both models, on coarse cells: the scenes behind the table in sample_data/README.md.
+#include <cstring>
+#include <map>
+
+#include "gis/raster_in.h"
 #include "tiny_scene.h"
 
 namespace frana::test {
@@ -8,11 +12,12 @@ namespace {
 class BothModels : public TinyScene {
   protected:
     /// summary.json of a scene of the sample on cells of 40 m.
-    [[nodiscard]] std::string summary(const std::string& scene, const std::vector<std::string>& changes = {}) const {
+    [[nodiscard]] std::string summary(const std::string& scene, const std::vector<std::string>& changes = {},
+                                      const std::string& frames = "off") const {
         std::vector<std::string> arguments{"run", FRANA_SOURCE_DIR "/sample_data/bindo/" + scene, "--out", "result",
                                            "--overwrite"};
         std::vector<std::string> set{"terrain.cell-size=40", "output.maps=off", "output.animation=off",
-                                     "output.frames=off"};
+                                     "output.frames=" + frames};
         set.insert(set.end(), changes.begin(), changes.end());
         for (const std::string& one : set) {
             arguments.emplace_back("--set");
@@ -45,6 +50,30 @@ TEST_F(BothModels, BlocksCoverLess) {
     EXPECT_GT(json_number(blocks, "horizontal_m"), 900);
     EXPECT_GT(json_number(blocks, "particle_steps"), 2 * json_number(loose, "particle_steps"));
     EXPECT_NEAR(json_number(blocks, "initial_m3"), json_number(loose, "initial_m3"), 1);
+}
+
+// With frames, their particles and a film as without.
+TEST_F(BothModels, LookingOnChangesNothing) {
+    for (const std::string scene : {"coulomb.ini", "structured.ini"}) {
+        const std::vector<std::string> brief{"time.end=20", "hazard.scheme=swiss-flood"};
+        std::vector<std::string> seen = brief;
+        seen.insert(seen.end(), {"time.frame-interval=0.7", "output.formats=geotiff, particles-gpkg, netcdf",
+                                 "output.checkpoint-interval=0.05"});
+        const std::string alone = summary(scene, brief), series = read_text(path("result/timeseries.csv"));
+        std::map<std::string, std::vector<double>> rasters;
+        for (const char* name : {"max_depth", "max_velocity", "final_depth", "arrival_time", "max_flux"})
+            rasters[name] = gis::read_result_raster(path("result/" + std::string(name) + ".tif")).values;
+        const std::string watched = summary(scene, seen, "on");
+        EXPECT_GT(files().size(), 60U);
+        EXPECT_EQ(read_text(path("result/timeseries.csv")), series);
+        for (const auto& [name, values] : rasters) {
+            const std::vector<double> now = gis::read_result_raster(path("result/" + name + ".tif")).values;
+            ASSERT_EQ(now.size(), values.size());
+            EXPECT_EQ(std::memcmp(now.data(), values.data(), values.size() * sizeof(double)), 0) << name;
+        }
+        for (const char* figure : {"steps", "max_depth_m", "max_velocity_ms", "covered_area_m2", "horizontal_m", "final_m3"})
+            EXPECT_EQ(json_number(watched, figure), json_number(alone, figure)) << figure;
+    }
 }
 
 }  // namespace

@@ -42,8 +42,10 @@ TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
     EXPECT_EQ(static_cast<std::int64_t>(result.series.size()), result.steps);
     ASSERT_GT(times.size(), 3u);
     EXPECT_EQ(times[0], 0);
-    for (std::size_t i = 1; i + 1 < times.size(); ++i)
-        EXPECT_NEAR(times[i], 2.0 * static_cast<double>(i), 1e-9);
+    for (std::size_t i = 1; i + 1 < times.size(); ++i) {
+        EXPECT_GE(times[i], 2.0 * static_cast<double>(i));
+        EXPECT_LT(times[i], 2.0 * static_cast<double>(i) + 0.5) << "a step at most";
+    }
     double seen = 0;
     for (std::size_t i = 0; i < result.max_depth.values.size(); ++i) {
         const double depth = result.max_depth.values[i];

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who looks on changes nothing: with frames or without, at any interval, with gauges, saved often or never, by any number
+// of threads, a run has the same rasters, series and figures, bit for bit.
+#include "played_runs.h"
+
+namespace frana {
+namespace {
+
+struct Case {
+    const char* name;
+    Scene (*scene)();
+};
+
+// As the scene is, without frames, saved once.
+Played unobserved(Scene scene) {
+    scene.time.frame_interval = 0;
+    return play(scene, 1, 1'000'000'000);
+}
+
+class Observed : public testing::TestWithParam<Case> {};
+
+TEST_P(Observed, FramesChangeNothing) {
+    Scene scene = GetParam().scene();
+    const Played alone = unobserved(scene);
+    EXPECT_TRUE(alone.frames.empty());
+    for (const double interval : {1e-3, 0.37}) {
+        SCOPED_TRACE(interval);
+        scene.time.frame_interval = interval;
+        const Played seen = play(scene, 3, 7);
+        expect_same(alone.result, seen.result);
+        ASSERT_GE(seen.states.size(), 3U);
+        if (interval < 0.1) continue;
+        const Played resumed = play(scene, 2, 1'000'000'000, &seen.states[seen.states.size() / 2]);
+        expect_same(alone.result, resumed.result);
+    }
+}
+
+// The first state at or after each asked time, at the end of a step that the series lists; none twice. None shows more
+// than the greatest values over time do.
+TEST_P(Observed, FramesAreTheFirstStatesThatReachTheirTimes) {
+    Scene scene = GetParam().scene();
+    for (const double interval : {1e-3, 0.37}) {
+        SCOPED_TRACE(interval);
+        scene.time.frame_interval = interval;
+        const Played seen = play(scene, 1, 1'000'000'000);
+        std::vector<double> expected{0};
+        double due = interval;
+        for (const SeriesRow& row : seen.result.series) {
+            if (row.time < due) continue;
+            expected.push_back(row.time);
+            while (due <= row.time) due += interval;
+        }
+        const double last = seen.result.series.back().time;
+        if (expected.back() != last) expected.push_back(last);
+        ASSERT_EQ(seen.frames.size(), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            EXPECT_EQ(seen.frames[i].time, expected[i]);
+            EXPECT_EQ(seen.frames[i].index, static_cast<int>(i));
+            std::size_t over = 0;
+            for (std::size_t c = 0; c < seen.result.max_depth.values.size(); ++c) {
+                over += seen.frames[i].depth.values[c] > seen.result.max_depth.values[c];
+                over += seen.frames[i].velocity.values[c] > seen.result.max_velocity.values[c] + 1e-9;
+            }
+            EXPECT_EQ(over, 0U) << expected[i];
+        }
+    }
+}
+
+TEST_P(Observed, GaugesAndIntensitiesChangeNothing) {
+    Scene scene = GetParam().scene();
+    scene.recording = {};
+    const Played alone = unobserved(scene);
+    scene.recording.gauges = {{"a", {90, 60}}, {"b", {150, 60}}};
+    scene.recording.sections = {{"s", {{100, 10}, {100, 110}}}};
+    scene.recording.interval = 0.31;
+    scene.recording.intensity = true;
+    Played seen = unobserved(scene);
+    EXPECT_FALSE(seen.result.gauges.empty() || seen.result.sections.empty());
+    seen.result.gauges.clear();
+    seen.result.sections.clear();
+    seen.result.max_flux = seen.result.max_head = {};
+    expect_same(alone.result, seen.result);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Observed,
+                         testing::Values(Case{"hillside", hillside}, Case{"eventful", eventful}, Case{"resting", resting},
+                                         Case{"paper", paper}, Case{"earth_pressure", earth_pressure},
+                                         Case{"fluid", fluid}, Case{"breaking", breaking},
+                                         Case{"breaking_later", breaking_later}, Case{"loose_and_dry", loose_and_dry}),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+}  // namespace
+}  // namespace frana

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs that tests save, interrupt and look at, of both models and all that can happen along the way; compared bit for bit.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+#include "simulation/simulation.h"
+
+namespace frana {
+
+using Bytes = std::vector<std::byte>;
+
+inline Polygon box(double west, double south, double east, double north) {
+    return {{{west, south}, {east, south}, {east, north}, {west, north}}, {}};
+}
+
+// 240 m x 120 m, steep in the west, level in the east, a ridge along the middle.
+inline Scene hillside() {
+    Scene scene;
+    scene.grid = {0, 120, 2, 120, 60, ""};
+    scene.terrain = Raster(scene.grid);
+    for (std::int64_t r = 0; r < scene.grid.rows; ++r) {
+        for (std::int64_t c = 0; c < scene.grid.columns; ++c) {
+            const Point p = scene.grid.cell_centre(r, c);
+            scene.terrain.at(r, c) =
+                200 + 0.6 * std::max(0.0, 130 - p.x) + 2 * std::exp(-std::pow((p.y - 60) / 20, 2));
+        }
+    }
+    scene.release = {{{box(10, 40, 40, 80)}, 3}};
+    scene.material.friction_coefficient = 0.35;
+    scene.material.turbulence = 400;
+    scene.time.end = 12;
+    scene.time.frame_interval = 2;
+    return scene;
+}
+
+// All that arrives, is recorded and is changed along the way.
+inline Scene eventful() {
+    Scene scene = hillside();
+    scene.terrain_contains_release = true;
+    scene.release.push_back({{box(60, 20, 80, 40)}, 2});
+    scene.release[1].start = 5.3;
+    scene.inflows = {{{{20, 90}, {20, 110}}, {{0, 5, 2}, {9, 10, 3}}, std::nullopt}};
+    scene.walls = Raster(scene.grid, 0);
+    for (std::int64_t r = 20; r < 30; ++r) scene.walls->at(r, 70) = 1;
+    scene.material.bed_friction = {BedTerm::coulomb, BedTerm::turbulence, BedTerm::cohesion};
+    scene.material.cohesion = 200;
+    scene.material.pore_pressure_ratio = 0.3;
+    scene.material.pore_dissipation_time = 5;
+    scene.entrainment.erosion = ErosionLaw::shear_stress;
+    scene.entrainment.erodible_depth = 0.5;
+    scene.entrainment.deposition = true;
+    scene.recording.gauges = {{"a", {90, 60}}, {"b", {150, 60}}};
+    scene.recording.sections = {{"s", {{100, 10}, {100, 110}}}};
+    scene.recording.interval = 0.7;
+    scene.recording.intensity = true;
+    scene.time.stop_energy_share = 0.01;
+    return scene;
+}
+
+// Long enough for most of it to rest, and for resting tiles to be woken by a second mass.
+inline Scene resting() {
+    Scene scene = hillside();
+    scene.material.friction_coefficient = 0.5;
+    scene.release.push_back({{box(60, 50, 80, 70)}, 2});
+    scene.release[1].start = 25;
+    scene.time.end = 35;
+    scene.time.frame_interval = 10;
+    return scene;
+}
+
+inline Scene paper() {
+    Scene scene = hillside();
+    scene.numerics.scheme = Scheme::paper;
+    scene.numerics.well_balanced = false;
+    scene.numerics.slope_correction = SlopeCorrection::none;
+    scene.material.viscosity = 500;
+    scene.material.yield_stress = 100;
+    scene.numerics.transfer = Transfer::flip;
+    scene.numerics.boundary = Boundary::wall;
+    return scene;
+}
+
+inline Scene earth_pressure() {
+    Scene scene = hillside();
+    scene.material.plane_stress = PlaneStressLaw::earth_pressure;
+    scene.material.internal_friction_coefficient = 0.6;
+    scene.numerics.curvature = true;
+    scene.zones.friction_coefficient = Raster(scene.grid, 0.3);
+    return scene;
+}
+
+inline Scene fluid() {
+    Scene scene = hillside();
+    scene.structured.emplace();
+    scene.structured->fluid_viscosity = 0.5;
+    scene.inflows = {{{{20, 90}, {20, 110}}, {{0, 5, 2}, {9, 10, 3}}, std::nullopt}};
+    scene.terrain_contains_release = true;
+    scene.release.push_back({{box(60, 20, 80, 40)}, 2});
+    scene.release[1].start = 5.3;
+    scene.recording.gauges = {{"a", {90, 60}}};
+    scene.recording.sections = {{"s", {{100, 10}, {100, 110}}}};
+    scene.recording.intensity = true;
+    return scene;
+}
+
+// Blocks that break and set their fluid free, until some leave through the edge.
+inline Scene breaking() {
+    Scene scene = hillside();
+    StructuredMaterial& material = scene.structured.emplace();
+    material.solids = true;
+    material.confined_share = 0.7;
+    material.cohesion = 2000;
+    material.friction = 0.6;
+    material.bed_friction = 0.2;
+    material.young_modulus = 2e5;
+    material.bulk_modulus = 4e5;
+    scene.recording.gauges = {{"a", {90, 60}}};
+    scene.time.end = 5;
+    scene.time.frame_interval = 1;
+    return scene;
+}
+
+// Solids come only later, so that the run begins without any.
+inline Scene breaking_later() {
+    Scene scene = breaking();
+    scene.release[0].start = 0.5;
+    scene.inflows = {{{{20, 90}, {20, 110}}, {{0, 5, 2}, {3, 5, 2}}, std::nullopt}};
+    scene.structured->more_fluid = true;
+    scene.time.end = 2;
+    return scene;
+}
+
+inline Scene loose_and_dry() {
+    Scene scene = breaking();
+    scene.structured->cohesion = 0;
+    scene.structured->confined_share = 0;
+    scene.structured->solid_fraction = 1;
+    return scene;
+}
+
+struct Played {
+    RunResult result;
+    std::vector<Frame> frames;
+    std::vector<Bytes> states;  // as saved
+    std::vector<std::int64_t> steps;
+};
+
+// Saves after every `every`th step; from a state, or from the start. Stops on request after the step `stop`.
+inline Played play(const Scene& scene, int threads, std::int64_t every, const Bytes* from = nullptr, std::int64_t stop = 0) {
+    Played played;
+    RunOptions options;
+    options.threads = threads;
+    options.on_frame = [&](Frame frame) { played.frames.push_back(std::move(frame)); };
+    std::int64_t step = 0;
+    options.on_progress = [&](const Progress& now) { step = now.step; };
+    options.stop_requested = [&] { return stop > 0 && step >= stop; };
+    options.after_step = [&](const Progress& now, const SaveState& save) {
+        if (now.step % every != 0 && !now.last) return;
+        Bytes bytes;
+        StateWriter writer([&](const void* data, std::size_t count) {
+            const auto* const begin = static_cast<const std::byte*>(data);
+            bytes.insert(bytes.end(), begin, begin + count);
+        });
+        save(writer);
+        played.states.push_back(std::move(bytes));
+        played.steps.push_back(now.step);
+    };
+    std::optional<StateReader> reader;
+    std::size_t place = 0;
+    if (from != nullptr) {
+        reader.emplace(
+            [&](void* to, std::size_t count) {
+                std::memcpy(to, from->data() + place, count);
+                place += count;
+            },
+            from->size());
+        options.saved = &*reader;
+    }
+    played.result = run(scene, options);
+    EXPECT_EQ(place, from != nullptr ? from->size() : 0);
+    return played;
+}
+
+inline bool same(const Raster& a, const Raster& b) {
+    return a.values.size() == b.values.size() &&
+           (a.values.empty() || std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(double)) == 0);
+}
+
+template <class Row>
+bool same(const std::vector<Row>& a, const std::vector<Row>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Row)) == 0);
+}
+
+inline void expect_same(const RunResult& a, const RunResult& b) {
+    for (Raster RunResult::*raster : {&RunResult::bed, &RunResult::release, &RunResult::max_depth,
+                                      &RunResult::max_velocity, &RunResult::max_pressure, &RunResult::arrival_time,
+                                      &RunResult::final_depth, &RunResult::max_flux, &RunResult::max_head,
+                                      &RunResult::eroded_depth, &RunResult::deposited_depth})
+        EXPECT_TRUE(same(a.*raster, b.*raster));
+    ASSERT_EQ(a.more.size(), b.more.size());
+    for (std::size_t i = 0; i < a.more.size(); ++i) EXPECT_TRUE(same(a.more[i].values, b.more[i].values));
+    EXPECT_TRUE(same(a.series, b.series));
+    EXPECT_TRUE(same(a.gauges, b.gauges));
+    EXPECT_TRUE(same(a.sections, b.sections));
+    for (std::int64_t RunResult::*number : {&RunResult::steps, &RunResult::particles_initial,
+                                            &RunResult::particles_final, &RunResult::particles_peak,
+                                            &RunResult::particle_steps, &RunResult::unsupported})
+        EXPECT_EQ(a.*number, b.*number);
+    for (double RunResult::*number : {&RunResult::simulated_seconds, &RunResult::volume_initial,
+                                      &RunResult::volume_final, &RunResult::volume_left, &RunResult::volume_entered,
+                                      &RunResult::volume_inflow, &RunResult::volume_eroded,
+                                      &RunResult::volume_deposited, &RunResult::momentum_deposited})
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(a.*number), std::bit_cast<std::uint64_t>(b.*number));
+    EXPECT_EQ(a.stop_reason, b.stop_reason);
+    EXPECT_EQ(a.hard_events.non_finite, b.hard_events.non_finite);
+    EXPECT_EQ(a.hard_events.depth_clamped, b.hard_events.depth_clamped);
+    EXPECT_EQ(a.hard_events.entered_no_data, b.hard_events.entered_no_data);
+    EXPECT_EQ(a.terms, b.terms);
+    EXPECT_EQ(a.notes, b.notes);
+    for (std::size_t i = 0; i < a.released.size(); ++i) EXPECT_EQ(a.released[i].failed, b.released[i].failed);
+}
+
+// All but the wall time, which comes first.
+inline bool same_state(const Bytes& a, const Bytes& b) {
+    return a.size() == b.size() && std::equal(a.begin() + sizeof(double), a.end(), b.begin() + sizeof(double));
+}
+
+}  // namespace frana
