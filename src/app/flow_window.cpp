@@ -10,6 +10,7 @@
 #include "gis/elevation_sample.h"
 #include "gis/lines_in.h"
 #include "gis/marks_in.h"
+#include "params/law_names.h"
 
 namespace frana::app {
 namespace {
@@ -170,11 +171,15 @@ std::vector<Bounds> layers_to_hold(const SceneReading& reading, const std::strin
     return boxes;
 }
 
-/// The least friction that the energy line may count on; 0 where places differ.
+/// The least friction that the energy line may count on; 0 where places differ, and where no law at the bed resists with
+/// it: the structured model's fluid, RAMMS's yield term alone, laws of fluids.
 double sure_friction(const SceneSpec& scene) {
     const bool by_place =
         scene.terrain.friction_zones || scene.zones.friction_angle || scene.zones.friction_coefficient;
-    if (by_place || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
+    const std::vector<BedLaw> laws = bed_laws_of(scene.material);
+    const bool resists = scene.material.model == "voellmy-bingham" &&
+                         std::any_of(laws.begin(), laws.end(), [](const BedLaw& law) { return law.resists_with_friction; });
+    if (by_place || !resists || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
     return k_caution * friction_coefficient(scene.material) *
            (1 - scene.material.pore_pressure_ratio.value_or(0));
 }

@@ -13,6 +13,7 @@
 #include "gis/footprint.h"
 #include "gis/raster_in.h"
 #include "gis/vector_in.h"
+#include "params/law_names.h"
 
 namespace frana::app {
 namespace {
@@ -164,6 +165,17 @@ void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground,
         burn(reading, layer, ground->terrain.grid, list, zones, log, problems);
 }
 
+/// RAMMS's yield term would be negative.
+void refuse_large_friction(const SceneReading& reading, const Scene& scene, Problems& problems) {
+    if (!scene.zones.friction_coefficient || !scene.material.has(BedTerm::ramms_yield)) return;
+    double greatest = 0;
+    for (const double value : scene.zones.friction_coefficient->values)
+        if (value > greatest) greatest = value;
+    if (greatest <= 1) return;
+    problems.add({"the zones' friction is too large for the law ramms-yield", reading.where("terrain.friction-zones"),
+                  figure(greatest), "0 to 1 (an angle of 45 degrees)", "Its term (1 - mu) N_0 would be negative"});
+}
+
 }  // namespace
 
 std::optional<Raster> read_zone_raster(const SceneReading& reading, const TerrainInput* ground, const std::string& key,
@@ -228,20 +240,26 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
 }
 
 void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Problems& problems) {
-    const Material& material = scene.material;
+    const std::vector<BedLaw> laws = bed_laws_of(reading.scene.material);
     const auto refuse = [&](const std::optional<Raster>& zones, bool read, const std::string& what,
                             const std::string& remedy) {
         if (!zones || read) return;
         problems.add({"the zones give " + what + ", which the scene's laws do not use",
                       reading.where("terrain.friction-zones"), "", "", remedy});
     };
-    const std::string law = "Choose such a law in [material], or remove the zones";
-    refuse(scene.zones.friction_coefficient,
-           material.has(BedTerm::coulomb) || material.has(BedTerm::pouliquen_forterre), "friction", law);
-    refuse(scene.zones.turbulence, material.has(BedTerm::turbulence), "turbulence", law);
-    refuse(scene.zones.cohesion, material.has(BedTerm::cohesion), "cohesion", law);
+    const auto refuse_unread = [&](const std::optional<Raster>& zones, bool BedLaw::*reads, const std::string& what) {
+        std::string readers;
+        for (const BedLaw& law : bed_laws())
+            if (law.*reads) readers += (readers.empty() ? "" : " or ") + law.word;
+        refuse(zones, std::any_of(laws.begin(), laws.end(), [&](const BedLaw& law) { return law.*reads; }), what,
+               "Add " + readers + " to material.bed-friction, or remove the zones");
+    };
+    refuse_unread(scene.zones.friction_coefficient, &BedLaw::reads_friction, "friction");
+    refuse_unread(scene.zones.turbulence, &BedLaw::reads_turbulence, "turbulence");
+    refuse_unread(scene.zones.cohesion, &BedLaw::reads_cohesion, "cohesion");
     refuse(scene.zones.erodible_depth, scene.entrainment.erosion != ErosionLaw::none, "an erodible depth",
            "Choose a law of erosion, or remove the zones");
+    refuse_large_friction(reading, scene, problems);
 }
 
 }  // namespace frana::app

@@ -12,9 +12,33 @@ bool holds(const std::vector<std::string>& list, const std::string& word) {
 
 }  // namespace
 
+const std::vector<BedLaw>& bed_laws() {
+    static const std::vector<BedLaw> laws{
+        {"coulomb", true, false, false, true},
+        {"turbulence", false, true},
+        {"cohesion", false, false, true},
+        {"ramms-yield", true},  // resists with (1 - mu) N_0: the less, the greater mu is
+        {"bingham"},
+        {"herschel-bulkley"},
+        {"obrien-julien"},
+        {"manning"},
+        {"chezy"},
+        {"pouliquen-forterre", true, false, false, true}};  // mu(I) is nowhere less than its slowest
+    return laws;
+}
+
+std::vector<BedLaw> bed_laws_of(const MaterialSpec& material) {
+    const std::vector<std::string> terms = bed_friction_terms(material);
+    std::vector<BedLaw> laws;
+    for (const BedLaw& law : bed_laws())
+        if (holds(terms, law.word)) laws.push_back(law);
+    return laws;
+}
+
 std::vector<std::string> bed_friction_names() {
-    return {"voellmy",          "coulomb",       "turbulence", "cohesion", "ramms-yield",       "bingham",
-            "herschel-bulkley", "obrien-julien", "manning",    "chezy",    "pouliquen-forterre"};
+    std::vector<std::string> names{"voellmy"};
+    for (const BedLaw& law : bed_laws()) names.push_back(law.word);
+    return names;
 }
 
 std::vector<std::string> erosion_names() {

@@ -8,6 +8,18 @@
 
 namespace frana {
 
+/// A law of bed friction: what may differ from place to place for it, and whether the bed takes at least the friction
+/// coefficient times the normal stress from whatever moves on it, so that an energy line bounds how far that gets.
+struct BedLaw {
+    std::string word;  ///< of material.bed-friction
+    bool reads_friction = false, reads_turbulence = false, reads_cohesion = false;
+    bool resists_with_friction = false;
+};
+/// All of them, voellmy taken apart.
+const std::vector<BedLaw>& bed_laws();
+/// Those that a material asks for.
+std::vector<BedLaw> bed_laws_of(const MaterialSpec& material);
+
 /// The words of material.bed-friction.
 std::vector<std::string> bed_friction_names();
 /// The words of entrainment.erosion.

@@ -138,7 +138,6 @@ class FrictionBuilder {
         for (const BedTerm term : material_.bed_friction) {
             if (acts(term, material_, zones_)) add(term);
         }
-        if (zones_.cohesion && !material_.has(BedTerm::cohesion)) add(BedTerm::cohesion);
         friction_.summed = true;
         return std::move(friction_);
     }

@@ -52,7 +52,6 @@ void add_bed(const Scene& scene, Words& words) {
     const Material& m = scene.material;
     const MaterialZones& zones = scene.zones;
     for (const BedTerm term : m.bed_friction) add_bed_term(term, m, zones, words);
-    if (zones.cohesion && !m.has(BedTerm::cohesion)) words.emplace_back("cohesion at the bed");
     if (zones.friction_coefficient) words.emplace_back("friction by zones");
     if (zones.turbulence) words.emplace_back("turbulence by zones");
     if (zones.cohesion) words.emplace_back("cohesion by zones");

@@ -125,6 +125,40 @@ TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleGround) {
         }
 }
 
+// RAMMS's yield term resists with (1 - mu) N_0: less where mu is greater.
+TEST_F(Site, ZonesOfFrictionForRammsYield) {
+    const std::string lines = "[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = ramms-yield\n"
+                              "ramms-yield-stress = 20000\n";
+    const std::vector<std::string> no_voellmy{"material.turbulence=off", "material.friction-angle=6"};
+    write_features("zones", {{box(0, 0, 300, 150), R"("mu": 0.1051042352656764)"}});
+    run_with(lines, "same", no_voellmy);
+    write_features("zones", {{box(0, 0, 300, 150), R"("mu": 0.9)"}});
+    run_with(lines, "weak", no_voellmy);
+    EXPECT_GT(summary("max_velocity_ms", "weak"), 1.5 * summary("max_velocity_ms", "same"));
+    // As friction-angle = 6 everywhere.
+    write_scene(lines.substr(lines.find("[material]")) + k_numbers_only);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "uniform", "--set", "time.end=8", "--set", no_voellmy[0], "--set",
+                     no_voellmy[1]})
+                  .exit_code,
+              0);
+    EXPECT_NEAR(summary("max_velocity_ms", "uniform"), summary("max_velocity_ms", "same"), 1e-9);
+    // The term would be negative.
+    write_features("zones", {{box(0, 0, 300, 150), R"("mu": 1.2)"}});
+    write_scene(lines + k_numbers_only);
+    const Outcome outcome = frana({"check", "scene.ini", "--set", no_voellmy[0], "--set", no_voellmy[1]});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("too large for the law ramms-yield"), std::string::npos) << outcome.err;
+    // Friction that only the stress in the plane reads.
+    write_scene("[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = chezy\nchezy = 20\n"
+                "in-plane-stress = earth-pressure\ninternal-friction-angle = 30\n" +
+                k_numbers_only);
+    const Outcome unread = frana({"check", "scene.ini", "--set", no_voellmy[0]});
+    EXPECT_EQ(unread.exit_code, 2);
+    EXPECT_NE(unread.err.find("Add coulomb or ramms-yield or pouliquen-forterre to material.bed-friction"),
+              std::string::npos)
+        << unread.err;
+}
+
 TEST_F(Site, EveryFileIsInTheTableOfTheCheckAndInTheReport) {
     write_features("zones", {{box(75, 0, 300, 150), R"("phi": 30)"}});
     write_features("dam", {{box(200, 0, 215, 150), R"("h": 5)"}});
