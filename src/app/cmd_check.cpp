@@ -12,6 +12,7 @@
 #include "app/memory_limit.h"
 #include "app/number_text.h"
 #include "app/prepare.h"
+#include "app/result_place.h"
 #include "app/share_directory.h"
 #include "app/thickness_volume.h"
 #include "app/time_estimate.h"
@@ -104,7 +105,8 @@ void print_run(const Prepared& prepared, const RunEstimate& expected,
     line("estimated time",
          time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
     for (std::size_t i = 0; i < expected.terms.size(); ++i) line(i == 0 ? "terms" : "", expected.terms[i]);
-    line("result", output_directory(prepared.spec));
+    const std::string place = result_path(output_directory(prepared.spec));
+    line("result", place + (holds_files(place) ? ", where one is already: --overwrite replaces it" : ""));
 }
 
 }  // namespace
@@ -115,8 +117,11 @@ int cmd_check(const Arguments& arguments) {
     const int threads = thread_count(*values);
     take_memory_limit(*values);
     RunLog log(false);
-    const SceneReading reading = read_scene((*values)["operand"].as<std::string>(),
-                                            text_options(*values, "set"), materials_directory());
+    SceneReading reading = read_scene((*values)["operand"].as<std::string>(),
+                                      text_options(*values, "set"), materials_directory());
+    // Whether a result that is there already may be replaced is asked of whoever runs the scene.
+    check_result_directory(output_directory(reading.scene), true, {}, reading.where("output.directory"),
+                           reading.problems);
     const Prepared prepared = prepare(reading, log);
     const RunEstimate expected = estimate(prepared.scene, threads);
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);

@@ -14,6 +14,7 @@
 #include "app/provenance.h"
 #include "app/publish.h"
 #include "app/publish_rasters.h"
+#include "app/result_place.h"
 #include "app/scene_identity.h"
 #include "app/share_directory.h"
 #include "app/signals.h"
@@ -178,12 +179,14 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     const bool all_drawn = publish({prepared, result, session.threads, session.input_seconds,
                                     session.earlier_seconds, session.since_start},
                                    directory, frames, log);
-    directory.publish();
+    const std::vector<Problem> of_the_older =
+        directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds}, log);
     const bool came_through = result.stop_reason != StopReason::requested && result.troubles.empty();
     if (came_through) directory.forget_the_way(!prepared.spec.output.frames);
     if (const auto estimate = read_error_estimate(directory.target(), prepared.spec))
         log.tell("error estimate of `frana converge`:\n" + *estimate);
     log.tell("result in " + directory.target());
+    if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
     if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
     return static_cast<int>(exit_code(result, all_drawn));
 }
@@ -203,11 +206,10 @@ int cmd_run(const Arguments& arguments) {
     SceneReading reading = read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"),
                                       materials_directory());
     const auto out = text_option(*values, "out");
-    const std::string target =
-        result_path(out ? std::filesystem::absolute(*out).string() : output_directory(reading.scene));
+    const std::string place = out.value_or(output_directory(reading.scene)), target = result_path(place);
     const bool resume = values->count("resume") > 0;
     const InterruptedRun interrupted(target);
-    check_result_directory(target, overwrite || (resume && interrupted.in_place()),
+    check_result_directory(place, overwrite || (resume && interrupted.in_place()),
                            input_files(reading.scene), out ? "--out" : reading.where("output.directory"),
                            reading.problems);
     if (!resume && !overwrite) refuse_to_forget(interrupted, target, reading.problems);

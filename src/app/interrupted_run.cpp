@@ -6,7 +6,9 @@
 
 #include "app/checkpoints.h"
 #include "app/frame_store.h"
+#include "app/result_files.h"
 #include "app/scene_identity.h"
+#include "app/unfinished_results.h"
 #include "core/error.h"
 #include "params/value_text.h"
 
@@ -94,7 +96,7 @@ std::unique_ptr<CheckpointFile> InterruptedRun::choose(const std::string& identi
 
 std::string folder_of(const CheckpointFile& checkpoint, const std::string& directory) {
     const fs::path folder = result_of(checkpoint.path());
-    return folder == fs::path(directory) ? "" : folder.string();
+    return folder == fs::path(directory) || !is_being_built(folder.string()) ? "" : folder.string();
 }
 
 void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& directory) {
@@ -106,7 +108,9 @@ void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& dire
         return index && *index < frames;
     };
     if (fs::path(directory.folder()) == from) {
-        keep_only(to, [](const std::string& file) { return file == k_checkpoint_folder || file == "frames"; });
+        keep_only(to, [](const std::string& file) {
+            return file == k_checkpoint_folder || file == "frames" || file == k_building_file;
+        });
         keep_only(to / k_checkpoint_folder, [&](const std::string& file) {
             return file <= name && file.find(".partial") == std::string::npos;
         });

@@ -33,7 +33,8 @@ class InterruptedRun {
     std::string beside_;
 };
 
-/// The folder beside a result in which a checkpoint's run can go on; empty for that of the result itself.
+/// The folder beside a result in which a checkpoint's run can go on; empty for that of the result itself, and for one
+/// that does not say that the result was being built in it (an older frana's, or a copy), which stays as it is.
 std::string folder_of(const CheckpointFile& checkpoint, const std::string& directory);
 
 /// Makes a result directory what it was at a checkpoint: its frames until then and the checkpoint itself, and

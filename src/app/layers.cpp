@@ -66,9 +66,13 @@ std::vector<Layer> result_layers() {
 std::vector<Layer> all_layers() {
     std::vector<Layer> layers = result_layers();
     const auto add = [&](const char* name, const char* title, const char* description, const char* unit,
-                         const char* palette, bool progressive) {
-        layers.push_back({name, title, description, unit, palette, progressive, nullptr});
+                         const char* palette, bool progressive, Raster RunResult::* values = nullptr) {
+        layers.push_back({name, title, description, unit, palette, progressive, values});
     };
+    add("eroded_depth", "Eroded depth", "Depth eroded from the bed, vertical", "m", "depth", true,
+        &RunResult::eroded_depth);
+    add("deposited_depth", "Deposited depth", "Depth deposited on the bed, vertical", "m", "depth", true,
+        &RunResult::deposited_depth);
     add("fluid_depth", "Depth of free fluid", "Depth of the free fluid, vertical", "m", "depth", true);
     add("solid_depth", "Depth of solids", "Depth of solids without their fluid, vertical", "m", "depth", true);
     add("solid_fraction", "Solid fraction", "Share of solids in everything that lies in the cell", "-", "depth", false);
@@ -82,7 +86,10 @@ std::vector<Layer> all_layers() {
 }
 
 const Raster* find_layer(const RunResult& result, const Layer& layer) {
-    if (layer.values != nullptr) return &(result.*layer.values);
+    if (layer.values != nullptr) {
+        const Raster& raster = result.*layer.values;
+        return raster.values.empty() ? nullptr : &raster;
+    }
     for (const NamedRaster& raster : result.more)
         if (raster.name == layer.name) return &raster.values;
     return nullptr;

@@ -24,7 +24,7 @@ struct Layer {
 
 /// Those that every result has.
 std::vector<Layer> result_layers();
-/// And those of RunResult::more, which only some results have.
+/// And those that only some results have: of RunResult itself, or of RunResult::more.
 std::vector<Layer> all_layers();
 
 /// The layer's raster in a result; null where the result has none.

@@ -24,8 +24,6 @@ struct Known {
 constexpr Known k_known[] = {{"depth", "Flow depth", "depth", true},
                              {"velocity", "Flow velocity", "velocity", false},
                              {"release", "Thickness released", "depth", true},
-                             {"eroded_depth", "Eroded depth", "depth", true},
-                             {"deposited_depth", "Deposited depth", "depth", true},
                              {"max_flux", "Maximum flux", "velocity", true},
                              {"max_head", "Maximum energy head", "velocity", true},
                              {"uncertainty", "Estimated error of the maximum depth", "velocity", true},

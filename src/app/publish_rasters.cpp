@@ -46,19 +46,6 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
     return {name, {area}};
 }
 
-void publish_exchange(const std::map<std::string, std::string>& origin, const RunResult& result,
-                      const ResultDirectory& directory) {
-    const auto publish = [&](const std::string& name, const Raster& depth, const std::string& description) {
-        write(directory, name, depth, description, "m", origin);
-        gis::write_styles(
-            directory.path(name + ".tif"),
-            gis::class_stops(palette("depth"), layer_classes(layer_named("final_depth"), maximum(depth)), "m"), "m",
-            gis::StyleKind::classed);
-    };
-    publish("eroded_depth", result.eroded_depth, "Depth eroded from the bed, vertical");
-    publish("deposited_depth", result.deposited_depth, "Depth deposited on the bed, vertical");
-}
-
 }  // namespace
 
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
@@ -73,7 +60,6 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
             gis::class_stops(palette(layer.palette), layer_classes(layer, maximum(raster)), layer.unit),
             layer.unit, gis::StyleKind::classed);
     }
-    if (result.exchanges) publish_exchange(origin, result, directory);
     write(directory, "bed", result.bed, "Bed that was slid over", "m", origin);
     write(directory, "release", result.release, "Thickness released, vertical", "m", origin);
     gis::write_styles(directory.path("release.tif"),

@@ -2,7 +2,6 @@
 #include "app/result_directory.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,11 +12,18 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "app/checkpoints.h"
-#include "app/layers.h"
+#include "app/manifest.h"
+#include "app/replace_result.h"
+#include "app/result_files.h"
+#include "app/result_place.h"
+#include "app/text_file.h"
+#include "app/unfinished_results.h"
 
 namespace frana::app {
 namespace {
@@ -29,167 +35,36 @@ namespace fs = std::filesystem;
                 Problem{what + ": " + reason, path, "", "", "Check the place's rights and free space"});
 }
 
-/// Between a result's name and what tells its siblings apart.
-constexpr const char* k_building = ".partial-";
-
-/// Trailing slashes would hide the folder's own name.
-fs::path clean(const std::string& directory) {
-    fs::path path = fs::absolute(directory).lexically_normal();
-    return path.has_filename() ? path : path.parent_path();
-}
-
-/// The nearest folder above that is there already.
-fs::path existing_parent(fs::path path) {
-    std::error_code ignored;
-    do path = path.parent_path();
-    while (!fs::exists(path, ignored) && path.has_relative_path());
-    return path;
-}
-
-bool is_result(const fs::path& directory) {
-    return fs::exists(directory / "summary.json") && fs::exists(directory / "scene.ini");
-}
-
-bool is_inside(const fs::path& path, const fs::path& directory) {
-    const fs::path relative = path.lexically_relative(directory);
-    return !relative.empty() && *relative.begin() != "..";
-}
-
-/// Locks a folder for as long as the descriptor that is returned stays open; the system lets go of it when the
-/// program ends, however it ends. -1, with errno, where somebody else holds it; `wait`: until nobody does.
-int lock(const std::string& folder, bool wait) {
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return -1;
-    if (::flock(descriptor, wait ? LOCK_EX : LOCK_EX | LOCK_NB) == 0) return descriptor;
-    const int reason = errno;
-    ::close(descriptor);
-    errno = reason;
-    return -1;
-}
-
-/// Names in a result directory that frana itself writes; everything else there is the user's.
-bool is_ours(const std::string& name) {
-    static const std::vector<std::string> k_names{"scene.ini",
-                                                  "summary.json",
-                                                  "timeseries.csv",
-                                                  "log.txt",
-                                                  "extent.gpkg",
-                                                  "frames",
-                                                  "maps",
-                                                  "charts",
-                                                  k_checkpoint_folder,
-                                                  "animation.mp4",
-                                                  "animation.gif",
-                                                  "comparison.json",
-                                                  "comparison.png",
-                                                  "comparison_curve.csv",
-                                                  "report.html",
-                                                  "gauges.csv",
-                                                  "sections.csv",
-                                                  "gauges.gpkg",
-                                                  "profiles.csv",
-                                                  "profiles.gpkg",
-                                                  "hazard_zones.gpkg",
-                                                  "hazard_zones.qml",
-                                                  "hazard_zones.sld",
-                                                  "peakFiles",
-                                                  "frames.nc",
-                                                  "frames.zarr"};
-    if (std::find(k_names.begin(), k_names.end(), name) != k_names.end()) return true;
-    std::vector<std::string> rasters{"release", "dtm", "bed", "comparison", "hazard", "max_flux", "max_head"};
-    for (const Layer& layer : all_layers()) rasters.push_back(layer.name);
-    for (const std::string& raster : rasters)
-        for (const char* ending : {".tif", ".qml", ".sld"})
-            if (name == raster + ending) return true;
-    return false;
+/// Every file in a folder in which a result was built that is frana's.
+Manifest manifest_of(const fs::path& folder, const ResultFacts& facts) {
+    Manifest manifest{facts.scene_hash, facts.simulated_seconds, {}};
+    std::error_code failure;
+    for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
+         entry.increment(failure)) {
+        const std::string name = entry->path().lexically_relative(folder).generic_string();
+        const bool is_a_note = name == k_manifest_file || name == k_building_file;
+        if (!is_a_note && fs::is_regular_file(entry->symlink_status()) && known_file(name) != nullptr)
+            manifest.files[name] = mark_of(entry->path().string());
+    }
+    if (failure) fail("cannot be read", folder.string(), failure.message());
+    return manifest;
 }
 
 }  // namespace
 
-std::string result_path(const std::string& directory) {
-    return clean(directory).string();
-}
-
-void check_result_directory(const std::string& directory, bool overwrite,
-                            const std::vector<std::string>& inputs, const std::string& where,
-                            Problems& problems) {
-    const fs::path path = clean(directory);
-    std::error_code failure;
-    if (fs::exists(path, failure) && !fs::is_directory(path, failure)) {
-        problems.add(
-            {"is a file, not a folder", where, path.string(), "", "Choose another result directory"});
-        return;
-    }
-    if (fs::is_directory(path, failure) && !fs::is_empty(path, failure)) {
-        if (!is_result(path)) {
-            problems.add({"is a folder with other files in it, not a result; it is never overwritten", where,
-                          path.string(), "", "Choose an empty or new folder with --out"});
-        } else if (!overwrite) {
-            problems.add({"holds a result already", where, path.string(), "",
-                          checkpoints_in(path.string()).empty()
-                              ? "Choose another folder with --out, or add --overwrite"
-                              : "It was stopped before its end: --resume goes on, --overwrite starts anew"});
-        }
-        for (const std::string& input : inputs) {
-            if (is_inside(input, path) && fs::path(input) != path / "scene.ini" &&
-                is_ours(fs::path(input).lexically_relative(path).begin()->string())) {
-                problems.add({"would be replaced by the result while it is read", where, input, "",
-                              "Choose another result directory with --out"});
-            }
-        }
-    }
-    const fs::path parent = existing_parent(path);
-    if (!fs::is_directory(parent, failure)) {
-        problems.add({"cannot be written: " + parent.string() + " is not a folder", where, path.string(), "",
-                      "Choose another result directory with --out"});
-    } else if (::access(parent.c_str(), W_OK | X_OK) != 0) {
-        Problem problem{std::string("cannot be written: ") + std::strerror(errno), where, path.string(), "",
-                        "Choose another result directory with --out"};
-        if (problems.empty()) throw Error(ErrorKind::environment, problem);
-        problems.add(problem);
-    }
-}
-
-std::vector<std::string> unfinished_results(const std::string& directory) {
-    const fs::path result = clean(directory);
-    const std::string beginning = result.filename().string() + k_building;
-    std::vector<std::pair<fs::file_time_type, std::string>> found;
-    std::error_code failure;
-    for (const fs::directory_entry& entry : fs::directory_iterator(result.parent_path(), failure)) {
-        if (entry.path().filename().string().rfind(beginning, 0) == 0)
-            found.emplace_back(entry.last_write_time(failure), entry.path().string());
-    }
-    std::sort(found.rbegin(), found.rend());
-    std::vector<std::string> folders;
-    for (const auto& [time, folder] : found) folders.push_back(folder);
-    return folders;
-}
-
-std::vector<std::string> left_results(const std::string& directory) {
-    std::vector<std::string> folders = unfinished_results(directory);
-    std::erase_if(folders, [](const std::string& folder) {
-        const int descriptor = lock(folder, false);
-        if (descriptor < 0) return true;
-        ::close(descriptor);
-        return false;
-    });
-    std::sort(folders.begin(), folders.end());
-    return folders;
-}
-
 ResultDirectory::ResultDirectory(const std::string& directory, bool overwrite, const std::string& left)
-    : directory_(clean(directory).string()), aside_(left), overwrite_(overwrite), made_(left.empty()) {
+    : directory_(result_path(directory)), aside_(left), overwrite_(overwrite), made_(left.empty()) {
     if (made_) {
         make_sibling();
     } else {
         // Another run's look at it takes a moment.
         for (int tries = 0; lock_ < 0 && tries < 10; ++tries) {
             if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-            lock_ = lock(aside_, false);
+            lock_ = lock_folder(aside_, false);
         }
         if (lock_ < 0) refuse();
     }
-    refuse_a_second_run();
+    if (another_run_builds(directory_, aside_)) refuse();
 }
 
 void ResultDirectory::make_sibling() {
@@ -200,37 +75,26 @@ void ResultDirectory::make_sibling() {
     if (::mkdtemp(name.data()) == nullptr)
         fail("no folder can be made beside it", directory_, std::strerror(errno));
     aside_ = name;
-    // mkdtemp keeps others out; a result is as readable as any folder of the user's.
+    // mkdtemp keeps others out; a result is as readable as the one before it, or as any folder of the user's.
     const mode_t mask = ::umask(0);
     ::umask(mask);
-    fs::permissions(aside_, static_cast<fs::perms>(0777 & ~mask), failure);
-    lock_ = lock(aside_, true);  // another run's look at it takes a moment
-}
-
-void ResultDirectory::refuse_a_second_run() {
-    for (const std::string& folder : unfinished_results(directory_)) {
-        if (folder == aside_) continue;
-        const int other = lock(folder, false);
-        if (other >= 0) {
-            ::close(other);  // left behind by a run that was killed
-        } else if (errno == EWOULDBLOCK) {
-            refuse();
-        }
-    }
+    struct stat older {};
+    const bool is_there = ::stat(directory_.c_str(), &older) == 0;
+    fs::permissions(aside_, static_cast<fs::perms>(is_there ? older.st_mode & 07777 : 0777 & ~mask), failure);
+    lock_ = lock_folder(aside_, true);  // another run's look at it takes a moment
+    note_building(aside_, directory_);
 }
 
 // From the constructor: the destructor does not come.
 void ResultDirectory::refuse() {
-    std::error_code ignored;
-    if (made_) fs::remove_all(aside_, ignored);
+    if (made_) remove_unfinished(aside_);
     if (lock_ >= 0) ::close(lock_);
     throw Error(ErrorKind::input, Problem{"another run is writing this result now", directory_, "", "",
                                           "Wait for it, or choose another folder with --out"});
 }
 
 ResultDirectory::~ResultDirectory() {
-    std::error_code ignored;
-    if (!published_ && checkpoints_in(aside_).empty()) fs::remove_all(aside_, ignored);
+    if (!published_ && checkpoints_in(aside_).empty()) remove_unfinished(aside_);
     if (lock_ >= 0) ::close(lock_);
 }
 
@@ -244,67 +108,92 @@ void ResultDirectory::make_folder(const std::string& name) const {
     if (failure) fail("cannot be made", path(name), failure.message());
 }
 
-void ResultDirectory::publish() {
-    std::error_code failure;
-    const bool replaces = fs::is_directory(directory_, failure) && !fs::is_empty(directory_, failure);
-    if (replaces && !overwrite_) {
-        // Somebody else was faster; what was computed is not thrown away.
-        const std::string kept = directory_ + ".kept-" + aside_.substr(aside_.rfind('-') + 1);
-        fs::rename(aside_, kept, failure);
-        published_ = true;
-        fail("another result has appeared there meanwhile", directory_,
-             "this one is kept in " + (failure ? aside_ : kept));
+std::vector<Problem> ResultDirectory::publish(const ResultFacts& facts, RunLog& log) {
+    write_manifest(aside_, manifest_of(aside_, facts));
+    const bool replaces = holds_files(directory_);
+    if (replaces && !overwrite_)  // somebody else was faster; what was computed is not thrown away
+        keep_beside("another result has appeared there meanwhile", "");
+    if (replaces) {
+        try {
+            note_replaced(directory_, fs::path(aside_).filename().string());
+        } catch (const Error&) {  // only a kill in the next moments would miss it
+        }
     }
     // The two change places in one go: at no moment is there none.
     const bool exchanged =
         replaces && ::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0;
-    const std::string old = exchanged ? aside_ : aside_ + ".old";
-    if (!exchanged) {  // a file system that cannot, or nothing there
-        if (replaces) {
-            fs::rename(directory_, old, failure);
-            if (failure) fail("the older result cannot be moved away", directory_, failure.message());
-        }
-        fs::rename(aside_, directory_, failure);
-        if (failure) {
-            std::error_code ignored;
-            if (replaces) fs::rename(old, directory_, ignored);
-            fail("the result cannot take its name", directory_, failure.message());
-        }
-    }
+    if (!exchanged) take_place_in_steps(replaces);  // a file system that cannot, or nothing there
     published_ = true;
-    if (replaces) keep_users_files(old);
-    remove_leftovers();
+    std::error_code ignored;
+    fs::remove(fs::path(directory_) / k_building_file, ignored);
+    ::close(std::exchange(lock_, -1));  // who writes to the manifest from now on takes it
+    return tidy_up(replaces, log);
+}
+
+void ResultDirectory::take_place_in_steps(bool replaces) {
+    const std::string waiting = aside_ + ".old";
+    std::error_code failure, ignored;
+    if (replaces) {
+        fs::rename(directory_, waiting, failure);
+        if (failure) keep_beside("the older result cannot be moved away", failure.message());
+    }
+    fs::rename(aside_, directory_, failure);
+    if (failure) {
+        if (replaces) fs::rename(waiting, directory_, ignored);
+        keep_beside("the result cannot take its name", failure.message());
+    }
+    if (replaces) fs::rename(waiting, aside_, ignored);
+}
+
+void ResultDirectory::keep_beside(const std::string& what, const std::string& reason) {
+    const std::string kept = directory_ + ".kept-" + aside_.substr(aside_.rfind('-') + 1);
+    std::error_code failure, ignored;
+    fs::rename(aside_, kept, failure);
+    if (!failure) fs::remove(fs::path(kept) / k_building_file, ignored);
+    fs::remove(fs::path(directory_) / k_replaced_file, ignored);
+    published_ = true;
+    fail(what, directory_, (reason.empty() ? "" : reason + "; ") + "the new one is kept in " + (failure ? aside_ : kept));
+}
+
+std::vector<Problem> ResultDirectory::tidy_up(bool replaces, RunLog& log) {
+    const std::size_t lines = log.lines().size();
+    std::vector<Problem> problems;
+    std::vector<std::string> older = replaced_results(directory_);
+    if (replaces && std::find(older.begin(), older.end(), aside_) == older.end()) older.push_back(aside_);
+    for (const std::string& folder : older) {
+        const int mine = lock_folder(folder, false);
+        if (mine < 0 && errno == EWOULDBLOCK) continue;  // another run is at it
+        const std::vector<Problem> more = replace_result(folder, directory_, log);
+        problems.insert(problems.end(), more.begin(), more.end());
+        if (mine >= 0) ::close(mine);
+    }
+    for (const std::string& folder : left_results(directory_)) {
+        if (!remove_unfinished(folder))
+            log.tell("a run that was killed has left " + folder + "; it holds more than frana wrote there, and stays");
+    }
+    if (log.lines().size() > lines) {
+        write_text_file(final_path("log.txt"), log.text());
+        record_files({final_path("log.txt")});
+    }
+    return problems;
+}
+
+std::string ResultDirectory::final_path(const std::string& name) const {
+    return (fs::path(directory_) / name).string();
 }
 
 void ResultDirectory::forget_the_way(bool frames) const {
+    std::vector<std::string> folders{k_checkpoint_folder};
+    if (frames) folders.emplace_back("frames");
+    const std::optional<Manifest> manifest = read_manifest(directory_);
+    if (!manifest) return;
     std::error_code ignored;
-    fs::remove_all(fs::path(directory_) / k_checkpoint_folder, ignored);
-    if (frames) fs::remove_all(fs::path(directory_) / "frames", ignored);
-}
-
-void ResultDirectory::keep_users_files(const std::string& old) const {
-    std::error_code failure;
-    for (const fs::directory_entry& entry : fs::directory_iterator(old, failure)) {
-        const std::string name = entry.path().filename().string();
-        if (is_ours(name)) continue;
-        std::error_code kept;
-        fs::rename(entry.path(), fs::path(directory_) / name, kept);
-        if (kept) fail("a file of yours could not be kept; it is still in " + old, name, kept.message());
+    for (const std::string& folder : folders) {
+        for (const auto& [name, mark] : manifest->files)
+            if (name.starts_with(folder + "/")) fs::remove(final_path(name), ignored);
+        fs::remove(final_path(folder), ignored);  // unless the user has files there
     }
-    fs::remove_all(old, failure);
-}
-
-// What is not ours stays: an older result's files of the user's may be there, if a run was killed while it moved them.
-void ResultDirectory::remove_leftovers() const {
-    for (const std::string& folder : left_results(directory_)) {
-        std::error_code failure;
-        const bool all_ours = std::all_of(fs::directory_iterator(folder, failure), fs::directory_iterator(),
-                                          [](const fs::directory_entry& entry) {
-                                              const std::string name = entry.path().filename().string();
-                                              return is_ours(name) || name.find(".partial") != std::string::npos;
-                                          });
-        if (all_ours && !failure) fs::remove_all(folder, failure);
-    }
+    forget_files(directory_, folders);
 }
 
 }  // namespace frana::app

@@ -4,26 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "app/run_log.h"
 #include "core/error.h"
 
 namespace frana::app {
 
-/// A result directory's path, absolute and without trailing slashes.
-std::string result_path(const std::string& directory);
-
-/// Looks, before anything is computed, whether a result can be written to a directory. Adds to `problems`: an
-/// existing result without leave to overwrite it, a folder that is no result (never overwritten), inputs
-/// inside the folder to be replaced, a place that cannot be written. Throws Error(environment) for the last where
-/// nothing else is wrong.
-void check_result_directory(const std::string& directory, bool overwrite,
-                            const std::vector<std::string>& inputs, const std::string& where,
-                            Problems& problems);
-
-/// Folders beside a result in which one was being built by runs that are no more.
-std::vector<std::string> left_results(const std::string& directory);
-
-/// Folders beside a result in which one is or was being built, the latest first.
-std::vector<std::string> unfinished_results(const std::string& directory);
+/// What a result's manifest says of it besides its files.
+struct ResultFacts {
+    std::string scene_hash;
+    double simulated_seconds = 0;
+};
 
 /// A result is built in a sibling folder and takes its name when it is whole: a run that fails leaves an
 /// older result as it was.
@@ -45,9 +35,10 @@ class ResultDirectory {
     [[nodiscard]] std::string path(const std::string& name) const;
     /// Makes a folder inside the sibling. Throws Error(environment).
     void make_folder(const std::string& name) const;
-    /// Puts the sibling in the directory's place. Files of an older result are replaced as a whole; what the
-    /// user laid beside them is kept, and what killed runs left of the same result goes. Throws Error(environment).
-    void publish();
+    /// Lists the sibling's files in its manifest and puts it in the directory's place. An older result is taken apart,
+    /// see replace_result(), and what killed runs left of the same result goes. Returns what of the older result could
+    /// not be moved. Throws Error(environment) where the result cannot take its name; it is kept beside it.
+    [[nodiscard]] std::vector<Problem> publish(const ResultFacts& facts, RunLog& log);
 
     /// Removes from the published result what only a run on its way needs: checkpoints, and frames from which a film
     /// was made, if so wished.
@@ -55,10 +46,11 @@ class ResultDirectory {
 
   private:
     void make_sibling();
-    void refuse_a_second_run();
     [[noreturn]] void refuse();
-    void keep_users_files(const std::string& old) const;
-    void remove_leftovers() const;
+    void take_place_in_steps(bool replaces);
+    [[noreturn]] void keep_beside(const std::string& what, const std::string& reason);
+    std::vector<Problem> tidy_up(bool replaces, RunLog& log);
+    [[nodiscard]] std::string final_path(const std::string& name) const;
 
     std::string directory_;
     std::string aside_;

@@ -11,7 +11,7 @@
 #include "app/layers.h"
 #include "app/number_text.h"
 #include "app/particle_dots.h"
-#include "app/result_directory.h"
+#include "app/unfinished_results.h"
 #include "app/version.h"
 #include "core/error.h"
 #include "core/json.h"

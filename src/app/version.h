@@ -11,4 +11,7 @@ inline constexpr const char* k_version = FRANA_VERSION;
 /// meaning. Results that tell none are older and read.
 inline constexpr long k_result_format = 1;
 
+/// Format of a result's manifest.json.
+inline constexpr long k_manifest_format = 1;
+
 }  // namespace frana::app

@@ -37,7 +37,7 @@ TEST(Layers, ClassesHoldEveryMaximum) {
 
 TEST(Layers, EveryMapOfTheSceneKeysIsALayer) {
     // Rasters that only some runs write are drawn as their files say.
-    const std::set<std::string> of_some_runs{"hazard", "eroded_depth", "deposited_depth"};
+    const std::set<std::string> of_some_runs{"hazard"};
     for (std::string name : map_names()) {
         if (name.ends_with("_3d")) name.resize(name.size() - 3);
         if (of_some_runs.count(name) == 0) {

@@ -3,38 +3,13 @@
 
 #include <algorithm>
 #include <csignal>
-#include <sstream>
+
+#include "same_result.h"
 
 namespace frana::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool tells_time(const std::string& name) {
-    return name.ends_with(".gpkg") || name.ends_with("log.txt") || name.ends_with("report.html");
-}
-
-// Without the lines that tell how long it took, on how many threads, and what the memory held.
-std::string figures_of(const std::string& summary) {
-    std::istringstream lines(summary);
-    std::string kept;
-    for (std::string line; std::getline(lines, line);) {
-        bool wanted = true;
-        for (const char* name : {"\"threads\"", "\"total\"", "\"input\"", "\"engine\"", "\"output\"",
-                                 "\"render\"", "particle_steps_per_second", "peak_memory_bytes"})
-            wanted = wanted && line.find(name) == std::string::npos;
-        if (wanted) kept += line + "\n";
-    }
-    return kept;
-}
-
-std::vector<std::string> files_below(const fs::path& folder) {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder).string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
 
 }  // namespace
 
@@ -78,18 +53,7 @@ void Resuming::interrupt(const std::string& result, const std::vector<std::strin
 }
 
 void Resuming::expect_same_result(const std::string& one, const std::string& other) const {
-    const std::vector<std::string> names = files_below(folder_ / one);
-    EXPECT_EQ(names, files_below(folder_ / other));
-    EXPECT_GT(names.size(), 20U);
-    for (const std::string& name : names) {
-        if (tells_time(name)) continue;
-        const std::string a = read_text(path(one + "/" + name)), b = read_text(path(other + "/" + name));
-        if (name == "summary.json") {
-            EXPECT_EQ(figures_of(a), figures_of(b));
-        } else {
-            EXPECT_TRUE(a == b) << other << "/" << name;
-        }
-    }
+    EXPECT_GT(expect_same_files(path(one), path(other)), 20U);
 }
 
 void Resuming::expect_tidy(const std::string& result) const {

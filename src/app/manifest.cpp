@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/manifest.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "app/result_files.h"
+#include "app/text_file.h"
+#include "app/version.h"
+#include "core/error.h"
+#include "core/json.h"
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Tree = boost::property_tree::ptree;
+
+constexpr const char* k_checksum = "xxh128";
+
+[[noreturn]] void fail(const std::string& what, const std::string& path, int reason) {
+    throw Error(ErrorKind::environment,
+                Problem{what + ": " + std::strerror(reason), path, "", "", "Check the place's rights and free space"});
+}
+
+std::string now_utc() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    ::gmtime_r(&now, &parts);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return text;
+}
+
+std::optional<Tree> read_tree(const fs::path& path) {
+    std::ifstream file(path);
+    if (!file) return std::nullopt;
+    Tree tree;
+    try {
+        boost::property_tree::read_json(file, tree);
+    } catch (const boost::property_tree::json_parser_error&) {
+        return std::nullopt;
+    }
+    return tree;
+}
+
+/// Holds a result's manifest while it is read, changed and written: the folder itself is locked.
+class ManifestLock {
+  public:
+    explicit ManifestLock(const std::string& folder)
+        : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        if (descriptor_ < 0) fail("cannot be opened", folder, errno);
+        while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+        }
+    }
+    ~ManifestLock() { ::close(descriptor_); }
+    ManifestLock(const ManifestLock&) = delete;
+    ManifestLock& operator=(const ManifestLock&) = delete;
+
+  private:
+    int descriptor_;
+};
+
+/// The nearest folder above a file that is a result; empty: none.
+fs::path result_around(const fs::path& file) {
+    for (fs::path folder = file.parent_path();; folder = folder.parent_path()) {
+        if (is_listed_result(folder.string())) return folder;
+        if (!folder.has_relative_path()) return {};
+    }
+}
+
+}  // namespace
+
+std::string escaped_name(const std::string& name) {
+    std::string text;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte > 0x20 && byte < 0x7f && c != '%') {
+            text += c;
+        } else {
+            char code[4];
+            std::snprintf(code, sizeof code, "%%%02X", byte);
+            text += code;
+        }
+    }
+    return text;
+}
+
+std::string unescaped_name(const std::string& text) {
+    std::string name;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '%' && i + 2 < text.size()) {
+            name += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
+            i += 2;
+        } else {
+            name += text[i];
+        }
+    }
+    return name;
+}
+
+FileMark mark_of(const std::string& path) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), &std::fclose);
+    if (!file) fail("cannot be read", path, errno);
+    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), &XXH3_freeState);
+    XXH3_128bits_reset(state.get());
+    std::vector<char> block(1U << 20U);
+    FileMark mark;
+    while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
+        XXH3_128bits_update(state.get(), block.data(), count);
+        mark.bytes += count;
+    }
+    if (std::ferror(file.get()) != 0) fail("cannot be read", path, errno);
+    const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
+    char text[33];
+    std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                  static_cast<unsigned long long>(hash.low64));
+    mark.checksum = text;
+    return mark;
+}
+
+std::optional<Manifest> read_manifest(const std::string& folder) {
+    const std::optional<Tree> tree = read_tree(fs::path(folder) / k_manifest_file);
+    if (!tree || tree->get<std::string>("program", "") != k_program || tree->get<long>("format", 0) < 1 ||
+        tree->get<long>("format", 0) > k_manifest_format)
+        return std::nullopt;
+    Manifest manifest;
+    manifest.scene_hash = tree->get<std::string>("scene_hash", "");
+    manifest.simulated_seconds = tree->get<double>("simulated_seconds", 0);
+    const auto files = tree->get_child_optional("files");
+    if (!files) return std::nullopt;
+    try {
+        for (const auto& [key, entry] : *files)
+            manifest.files[unescaped_name(entry.get<std::string>("name"))] = {entry.get<std::uint64_t>("bytes"),
+                                                                         entry.get<std::string>(k_checksum)};
+    } catch (const std::exception&) {
+        return std::nullopt;
+    }
+    return manifest;
+}
+
+void write_manifest(const std::string& folder, const Manifest& manifest) {
+    JsonWriter json;
+    json.begin_object().text("program", k_program).text("version", k_version);
+    json.integer("format", k_manifest_format).text("written", now_utc());
+    json.text("scene_hash", manifest.scene_hash).number("simulated_seconds", manifest.simulated_seconds);
+    json.begin_array("files");
+    for (const auto& [name, mark] : manifest.files) {
+        json.begin_object().text("name", escaped_name(name)).integer("bytes", static_cast<std::int64_t>(mark.bytes));
+        json.text(k_checksum, mark.checksum).end_object();
+    }
+    json.end_array().end_object();
+    write_text_file((fs::path(folder) / k_manifest_file).string(), json.str());
+}
+
+bool is_listed_result(const std::string& folder) {
+    return read_manifest(folder).has_value();
+}
+
+bool is_unlisted_result(const std::string& folder) {
+    std::error_code failure;
+    if (is_listed_result(folder) || !fs::exists(fs::path(folder) / "scene.ini", failure)) return false;
+    const std::optional<Tree> summary = read_tree(fs::path(folder) / "summary.json");
+    return summary && summary->get<std::string>("program", "") == k_program;
+}
+
+void record_files(const std::vector<std::string>& paths) {
+    std::map<fs::path, fs::path> results;  // by folder
+    std::map<fs::path, std::vector<fs::path>> by_result;
+    for (const std::string& path : paths) {
+        std::error_code failure;
+        const fs::path file = fs::canonical(path, failure);
+        if (failure || !fs::is_regular_file(file, failure)) continue;
+        const auto [known, is_new] = results.try_emplace(file.parent_path());
+        if (is_new) known->second = result_around(file);
+        if (!known->second.empty()) by_result[known->second].push_back(file);
+    }
+    for (const auto& [result, files] : by_result) {
+        const ManifestLock lock(result.string());
+        std::optional<Manifest> manifest = read_manifest(result.string());
+        if (!manifest) continue;
+        for (const fs::path& file : files)
+            manifest->files[file.lexically_relative(result).generic_string()] = mark_of(file.string());
+        write_manifest(result.string(), *manifest);
+    }
+}
+
+void forget_files(const std::string& folder, const std::vector<std::string>& names) {
+    const ManifestLock lock(folder);
+    std::optional<Manifest> manifest = read_manifest(folder);
+    if (!manifest) return;
+    std::erase_if(manifest->files, [&](const auto& file) {
+        return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+            return file.first == name || file.first.starts_with(name + "/");
+        });
+    });
+    write_manifest(folder, *manifest);
+}
+
+}  // namespace frana::app

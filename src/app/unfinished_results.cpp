@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/unfinished_results.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+
+#include "app/checkpoints.h"
+#include "app/manifest.h"
+#include "app/result_files.h"
+#include "app/result_place.h"
+#include "app/text_file.h"
+#include "app/version.h"
+#include "core/json.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string own_name(const std::string& folder) {
+    return fs::path(folder).filename().string();
+}
+
+void write_note(const fs::path& path, const std::string& folder_name, const std::string& result) {
+    char host[256] = "";
+    ::gethostname(host, sizeof host - 1);
+    JsonWriter json;
+    json.begin_object().text("program", k_program).text("version", k_version);
+    json.text("folder", escaped_name(folder_name)).text("result", escaped_name(result));
+    json.integer("process", ::getpid()).text("host", escaped_name(host)).end_object();
+    write_text_file(path.string(), json.str());
+}
+
+/// The folder's name that a note gives; empty where there is no note of frana's.
+std::string noted_name(const fs::path& path) {
+    std::ifstream file(path);
+    if (!file) return {};
+    try {
+        boost::property_tree::ptree tree;
+        boost::property_tree::read_json(file, tree);
+        if (tree.get<std::string>("program") != k_program) return {};
+        return unescaped_name(tree.get<std::string>("folder"));
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
+template <class Is>
+std::vector<std::string> siblings(const std::string& directory, const Is& is_wanted) {
+    const fs::path result = result_path(directory);
+    const std::string beginning = result.filename().string() + k_building;
+    std::vector<std::pair<fs::file_time_type, std::string>> found;
+    std::error_code failure;
+    for (const fs::directory_entry& entry : fs::directory_iterator(result.parent_path(), failure)) {
+        if (own_name(entry.path()).starts_with(beginning) && is_wanted(entry.path().string()))
+            found.emplace_back(entry.last_write_time(failure), entry.path().string());
+    }
+    std::sort(found.rbegin(), found.rend());
+    std::vector<std::string> folders;
+    for (const auto& [time, folder] : found) folders.push_back(folder);
+    return folders;
+}
+
+bool is_free(const std::string& folder) {
+    const int descriptor = lock_folder(folder, false);
+    if (descriptor < 0) return false;
+    ::close(descriptor);
+    return true;
+}
+
+}  // namespace
+
+void note_building(const std::string& folder, const std::string& result) {
+    write_note(fs::path(folder) / k_building_file, own_name(folder), result);
+}
+
+bool is_being_built(const std::string& folder) {
+    return !is_being_replaced(folder) && noted_name(fs::path(folder) / k_building_file) == own_name(folder);
+}
+
+void note_replaced(const std::string& result, const std::string& later_name) {
+    write_note(fs::path(result) / k_replaced_file, later_name, result);
+}
+
+bool is_being_replaced(const std::string& folder) {
+    return noted_name(fs::path(folder) / k_replaced_file) == own_name(folder);
+}
+
+int lock_folder(const std::string& folder, bool wait) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return -1;
+    if (::flock(descriptor, wait ? LOCK_EX : LOCK_EX | LOCK_NB) == 0) return descriptor;
+    const int reason = errno;
+    ::close(descriptor);
+    errno = reason;
+    return -1;
+}
+
+std::vector<std::string> unfinished_results(const std::string& directory) {
+    return siblings(directory, [](const std::string& folder) {
+        return is_being_built(folder) || (!is_being_replaced(folder) && !checkpoints_in(folder).empty());
+    });
+}
+
+bool another_run_builds(const std::string& directory, const std::string& own) {
+    for (const std::string& folder : siblings(directory, [](const std::string&) { return true; })) {
+        if (folder == own) continue;
+        const int other = lock_folder(folder, false);
+        if (other < 0 && errno == EWOULDBLOCK) return true;
+        if (other >= 0) ::close(other);  // left behind by a run that was killed, or no run's
+    }
+    return false;
+}
+
+std::vector<std::string> left_results(const std::string& directory) {
+    std::vector<std::string> folders = unfinished_results(directory);
+    std::erase_if(folders, [](const std::string& folder) { return !is_free(folder); });
+    std::sort(folders.begin(), folders.end());
+    return folders;
+}
+
+std::vector<std::string> replaced_results(const std::string& directory) {
+    std::vector<std::string> folders = siblings(directory, is_being_replaced);
+    std::erase_if(folders, [](const std::string& folder) { return !is_free(folder); });
+    return folders;
+}
+
+bool remove_unfinished(const std::string& folder) {
+    if (!is_being_built(folder)) return false;
+    std::vector<fs::path> files, folders{folder};
+    std::error_code failure;
+    // The note goes last: a folder that is removed in part can still be.
+    const fs::path note = fs::path(folder) / k_building_file;
+    for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
+        const fs::file_status status = entry->symlink_status(failure);
+        if (failure) return false;
+        if (fs::is_directory(status)) {
+            folders.push_back(entry->path());
+        } else if (fs::is_regular_file(status) &&
+                   known_file(entry->path().lexically_relative(folder).generic_string()) != nullptr) {
+            if (entry->path() != note) files.push_back(entry->path());
+        } else {
+            return false;
+        }
+    }
+    if (failure) return false;
+    std::reverse(folders.begin(), folders.end());  // those inside come first
+    for (const fs::path& file : files)
+        if (!fs::remove(file, failure) || failure) return false;
+    for (const fs::path& one : folders) {
+        if (one == folder) fs::remove(note, failure);
+        if (!fs::remove(one, failure) || failure) return false;
+    }
+    return true;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+// A result takes an older one's place: nothing of the older one passes for the new, and nothing of the user's is lost.
+#include <map>
+
+#include "app/manifest.h"
+#include "app/result_files.h"
+#include "resuming.h"
+#include "same_result.h"
+#include "tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string k_gauge =
+    R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [
+       {"type": "Feature", "properties": {"name": "top"}, "geometry": {"type": "Point", "coordinates": [527045, 5094075]}}]})";
+const std::string k_section =
+    R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [
+       {"type": "Feature", "properties": {"name": "bridge"}, "geometry": {"type": "LineString", "coordinates": [[527080, 5094000], [527080, 5094150]]}}]})";
+
+const std::string k_every_output =
+    "[output]\nframes = on\nmap-size = 800x600\nmap-formats = png, pdf\nmaps = max_depth, max_velocity_3d\n"
+    "formats = geotiff, netcdf, zarr, ascii, particles-gpkg, particles-vtp\nnames = avaframe\n"
+    "gauges = gauge.geojson\ncross-sections = section.geojson\n"
+    "[hazard]\nscheme = austrian-torrent\n[scar]\nperimeter = scar.geojson\n";
+
+class Overwrite : public TinyScene {
+  protected:
+    Overwrite() {
+        write("gauge.geojson", k_gauge);
+        write("section.geojson", k_section);
+        write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
+    }
+    /// Runs a scene's text on cells of 10 m into a folder.
+    void run(const std::string& text, const std::string& result, const std::vector<std::string>& more = {}) const {
+        write("scene.ini", "[terrain]\ndtm = dtm.asc\ncell-size = 10\n[release]\nperimeter = perimeter.geojson\n"
+                           "thickness = 2\n[time]\nend = 2\nframe-interval = 0.5\nstop-when-still = off\n" +
+                               text);
+        std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--quiet"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = frana(arguments);
+        ASSERT_EQ(outcome.exit_code, 0) << result << ": " << outcome.err;
+    }
+    void copy(const std::string& from, const std::string& to) const {
+        fs::copy(path(from), path(to), fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+    }
+    [[nodiscard]] bool exists(const std::string& name) const { return fs::exists(fs::symlink_status(path(name))); }
+};
+
+const std::string k_voellmy = "[material]\nfriction-angle = 15\nturbulence = 500\n";
+const std::string k_structured =
+    "[material]\nmodel = structured\n[structured]\nphases = solids-and-fluid\ncohesion = 2e3\n"
+    "internal-friction-angle = 28\nbed-friction-angle = 12\nyoung-modulus = 1e6\nbulk-modulus = 1e6\nmanning = 0.05\n"
+    "[numerics]\nparticles-per-cell = 9\n";
+const std::string k_entrainment =
+    "[entrainment]\nerosion = growth\ngrowth-rate = 0.005\nerodible-depth = 0.5\ndeposition = on\n"
+    "deposition-rate = 0.01\ndeposition-shear = 2000\n";
+
+TEST_F(Overwrite, LeavesWhatAFreshRunWrites) {
+    const std::map<std::string, std::string> scenes{
+        {"all_of_the_first_model", k_voellmy + k_entrainment + k_every_output},
+        {"all_of_the_second_model", k_structured + k_every_output},
+        {"least", k_voellmy + "[output]\nmaps = off\nanimation = off\nframes = off\nreport = off\n"},
+        {"film", k_voellmy + "[output]\nmaps = off\nframes = off\nmap-size = 800x600\n"},
+        {"scar", k_voellmy + k_numbers_only + "[scar]\nperimeter = scar.geojson\n"},
+        {"other_frames", k_voellmy + "[output]\nmaps = off\nanimation = off\nformats = geotiff, zarr\n"}};
+    for (const auto& [name, text] : scenes) run(text, name);
+    for (const auto& [older, older_text] : scenes) {
+        if (!older.starts_with("all")) continue;
+        for (const auto& [name, text] : scenes) {
+            if (name == older) continue;
+            SCOPED_TRACE(older + " replaced by " + name);
+            fs::remove_all(path("old"));
+            copy(older, "old");
+            run(text, "old", {"--overwrite"});
+            EXPECT_GT(expect_same_files(path(name), path("old")), 20U);
+        }
+    }
+}
+
+// The table is complete, and nothing in it is made up.
+TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
+    run(k_voellmy + k_entrainment + k_every_output, "old");
+    run(k_structured + k_every_output, "other");
+    std::map<std::string, int> rows;
+    for (const std::string result : {"old", "other"}) {
+        const auto manifest = app::read_manifest(path(result));
+        ASSERT_TRUE(manifest);
+        for (const std::string& name : files_below(path(result))) {
+            const app::ResultFile* row = app::known_file(name);
+            ASSERT_NE(row, nullptr) << name;
+            ++rows[row->pattern];
+            if (name == "manifest.json") continue;
+            ASSERT_EQ(manifest->files.count(name), 1U) << name;
+            EXPECT_TRUE(manifest->files.at(name) == app::mark_of(path(result + "/" + name))) << name;
+        }
+        EXPECT_EQ(manifest->files.size() + 1, files_below(path(result)).size());
+    }
+    // What neither of the two scenes asks for: notes of a run on its way, other formats of the same.
+    for (const app::ResultFile& row : app::result_files()) {
+        if (row.kind == app::FileKind::working || row.pattern == "animation.gif" || row.pattern.ends_with(".tif") ||
+            row.pattern.starts_with("plates/") || rows.count(row.pattern) > 0)
+            continue;
+        ADD_FAILURE() << row.pattern << " is in the table, and no run writes it";
+    }
+}
+
+TEST_F(Overwrite, KeepsTheUsersFilesWhereverTheyLie) {
+    run(k_voellmy + k_entrainment + "[output]\nmap-size = 800x600\nmaps = max_depth\nanimation = off\n", "old");
+    const std::map<std::string, std::string> same_name{{"notes.txt", "a"},
+                                                       {"maps/mine.png", "b"},
+                                                       {"charts/mine.csv", "c"},
+                                                       {"frames/mine.tif", "d"},
+                                                       {"frames/depth_9999_mine.txt", "d2"},
+                                                       {"gis/deep/er.qgz", "e"},
+                                                       {"manifest.json.bak", "f"}};
+    // Changed files, and those that a GIS lays beside ours: they would be read with the new raster.
+    const std::map<std::string, std::string> other_name{{"max_depth.qml", "max_depth.kept-1.qml"},
+                                                        {"eroded_depth.tif", "eroded_depth.kept-1.tif"},
+                                                        {"maps/max_depth.png", "maps/max_depth.kept-1.png"},
+                                                        {"max_depth.tif.aux.xml", "max_depth.tif.aux.kept-1.xml"},
+                                                        {"extent.gpkg-wal", "extent.kept-1.gpkg-wal"},
+                                                        {"hazard.tif", "hazard.kept-1.tif"},
+                                                        {"frames/depth_0001.tif", "frames/depth_0001.kept-1.tif"}};
+    for (const auto& [name, text] : same_name) {
+        fs::create_directories(fs::path(path("old/" + name)).parent_path());
+        write("old/" + name, text);
+    }
+    for (const auto& [name, later] : other_name) write("old/" + name, "mine: " + name);
+    fs::create_symlink("/nowhere", path("old/link"));
+    fs::create_directory(path("old/empty"));
+    write("old/max_depth.kept-1.sld", "of an earlier time");
+
+    run(k_voellmy + k_numbers_only, "fresh");
+    run(k_voellmy + k_numbers_only, "old", {"--overwrite"});
+    for (const auto& [name, text] : same_name) EXPECT_EQ(read_text(path("old/" + name)), text) << name;
+    for (const auto& [name, later] : other_name) EXPECT_EQ(read_text(path("old/" + later)), "mine: " + name) << name;
+    EXPECT_EQ(fs::read_symlink(path("old/link")), "/nowhere");
+    EXPECT_TRUE(fs::is_directory(path("old/empty")));
+    EXPECT_EQ(read_text(path("old/max_depth.kept-1.sld")), "of an earlier time");
+    const std::string log = read_text(path("old/log.txt"));
+    EXPECT_NE(log.find("max_depth.qml, which was changed since frana wrote it, is kept as max_depth.kept-1.qml"),
+              std::string::npos)
+        << log;
+    const auto manifest = app::read_manifest(path("old"));
+    ASSERT_TRUE(manifest);
+    EXPECT_TRUE(manifest->files.at("log.txt") == app::mark_of(path("old/log.txt")));
+    // The rest is what a fresh run writes.
+    for (const std::string& name : files_below(path("fresh")))
+        EXPECT_TRUE(lasting_bytes(path("fresh"), name) == lasting_bytes(path("old"), name)) << name;
+    EXPECT_EQ(files_below(path("old")).size(),
+              files_below(path("fresh")).size() + same_name.size() + other_name.size() + 2);
+    // A second time the numbers count on.
+    write("old/max_depth.qml", "again");
+    run(k_voellmy + k_numbers_only, "old", {"--overwrite"});
+    EXPECT_EQ(read_text(path("old/max_depth.kept-2.qml")), "again");
+    EXPECT_EQ(read_text(path("old/max_depth.kept-1.qml")), "mine: max_depth.qml");
+    for (const std::string& name : files()) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
+}
+
+TEST_F(Overwrite, AnotherProgramsFolderIsNoResult) {
+    run(k_voellmy + k_numbers_only, "old");
+    fs::create_directory(path("foreign"));
+    write("foreign/scene.ini", "[cars]\n");
+    write("foreign/summary.json", "{\"program\": \"another\"}");
+    write("foreign/manifest.json", "{\"program\": \"another\", \"format\": 1, \"files\": []}");
+    const std::vector<std::string> before = files();
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "foreign", "--overwrite"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("not a result; it is never overwritten"), std::string::npos) << outcome.err;
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Overwrite, AnOlderResultWithoutAManifestIsKeptWhole) {
+    run(k_voellmy + k_numbers_only, "old");
+    run(k_voellmy + k_numbers_only, "fresh");
+    write("old/notes.txt", "mine");
+    fs::remove(path("old/manifest.json"));
+    const std::vector<std::string> before = files_below(path("old"));
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "old", "--overwrite"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("kept whole in " + path("old.kept-1")), std::string::npos) << outcome.err;
+    EXPECT_EQ(files_below(path("old.kept-1")), before);
+    expect_same_files(path("fresh"), path("old"));
+}
+
+// A manifest is only text: it does not lead out of the folder.
+TEST_F(Overwrite, AManifestReachesNoFileElsewhere) {
+    run(k_voellmy + k_numbers_only, "old");
+    fs::create_directory(path("photos"));
+    write("photos/one.jpg", "a photograph");
+    fs::create_directory_symlink("../photos", path("old/album"));
+    auto manifest = app::read_manifest(path("old"));
+    ASSERT_TRUE(manifest);
+    for (const std::string name : {"../photos/one.jpg", "album/one.jpg"})
+        manifest->files[name] = app::mark_of(path("photos/one.jpg"));
+    app::write_manifest(path("old"), *manifest);
+    run(k_voellmy + k_numbers_only, "old", {"--overwrite"});
+    EXPECT_EQ(read_text(path("photos/one.jpg")), "a photograph");
+    EXPECT_EQ(fs::read_symlink(path("old/album")), "../photos");
+}
+
+// Folders beside the result are frana's only where they say so, under their own name.
+TEST_F(Overwrite, FoldersBesideTheResultStay) {
+    run(k_voellmy + k_numbers_only, "old");
+    copy("old", "old.partial-backup");
+    fs::create_directories(path("old.partial-Ab12Cd/maps"));
+    write("old.partial-Ab12Cd/maps/mine.png", "x");
+    const std::vector<std::string> backup = files_below(path("old.partial-backup"));
+    run(k_voellmy + k_numbers_only, "old", {"--overwrite"});
+    EXPECT_EQ(files_below(path("old.partial-backup")), backup);
+    EXPECT_TRUE(exists("old.partial-Ab12Cd/maps/mine.png"));
+}
+
+class LeftBehind : public Resuming {};
+
+TEST_F(LeftBehind, ACopyOrAUsersFileSavesTheFolderOfAKilledRun) {
+    interrupt("result");
+    std::string left;
+    for (const auto& entry : fs::directory_iterator(folder_))
+        if (entry.path().filename().string().starts_with("result.partial-")) left = entry.path().filename().string();
+    ASSERT_NE(left, "");
+    fs::copy(path(left), path("result.partial-backup"), fs::copy_options::recursive);
+    write(left + "/notes.txt", "mine");
+    const std::vector<std::string> killed = files_below(path(left)), backup = files_below(path("result.partial-backup"));
+    const Outcome outcome = frana(run("result", {"--overwrite"}));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find(left + "; it holds more than frana wrote there, and stays"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(files_below(path(left)), killed);
+    EXPECT_EQ(files_below(path("result.partial-backup")), backup);
+    fs::remove(path(left + "/notes.txt"));
+    ASSERT_EQ(frana(run("result", {"--overwrite"})).exit_code, 0);
+    EXPECT_FALSE(fs::exists(path(left)));
+    EXPECT_EQ(files_below(path("result.partial-backup")), backup);
+}
+
+}  // namespace
+}  // namespace frana::test
