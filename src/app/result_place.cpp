@@ -68,9 +68,9 @@ bool is_kept_by_its_owner(const fs::path& path) {
 /// What the rights or the disk do not allow; none where the folder can be made, or replaced.
 std::optional<std::string> refusal(const fs::path& path) {
     const fs::path parent = existing_parent(path);
-    if (::access(parent.c_str(), W_OK | X_OK) != 0) return std::strerror(errno);
-    if (::access(path.c_str(), F_OK) != 0) return std::nullopt;
-    if (::access(path.c_str(), R_OK | W_OK | X_OK) != 0)
+    if (::faccessat(AT_FDCWD, parent.c_str(), W_OK | X_OK, AT_EACCESS) != 0) return std::strerror(errno);
+    if (::faccessat(AT_FDCWD, path.c_str(), F_OK, AT_EACCESS) != 0) return std::nullopt;
+    if (::faccessat(AT_FDCWD, path.c_str(), R_OK | W_OK | X_OK, AT_EACCESS) != 0)
         return std::string("the folder that is there may not be changed: ") + std::strerror(errno);
     if (is_kept_by_its_owner(path))
         return "the folder that is there is another user's, and only its owner may rename it";
