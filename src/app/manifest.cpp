@@ -34,8 +34,8 @@ using Tree = boost::property_tree::ptree;
 constexpr const char* k_checksum = "xxh128";
 
 [[noreturn]] void fail(const std::string& what, const std::string& path, int reason) {
-    throw Error(ErrorKind::environment,
-                Problem{what + ": " + std::strerror(reason), path, "", "", "Check the place's rights and free space"});
+    throw Error(ErrorKind::environment, Problem{what + ": " + std::strerror(reason), path, "", "",
+                                                "Check the place's rights and free space"});
 }
 
 std::string now_utc() {
@@ -117,7 +117,8 @@ std::string unescaped_name(const std::string& text) {
 FileMark mark_of(const std::string& path) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), &std::fclose);
     if (!file) fail("cannot be read", path, errno);
-    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), &XXH3_freeState);
+    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(),
+                                                                                &XXH3_freeState);
     XXH3_128bits_reset(state.get());
     std::vector<char> block(1U << 20U);
     FileMark mark;
@@ -146,8 +147,8 @@ std::optional<Manifest> read_manifest(const std::string& folder) {
     if (!files) return std::nullopt;
     try {
         for (const auto& [key, entry] : *files)
-            manifest.files[unescaped_name(entry.get<std::string>("name"))] = {entry.get<std::uint64_t>("bytes"),
-                                                                         entry.get<std::string>(k_checksum)};
+            manifest.files[unescaped_name(entry.get<std::string>("name"))] = {
+                entry.get<std::uint64_t>("bytes"), entry.get<std::string>(k_checksum)};
     } catch (const std::exception&) {
         return std::nullopt;
     }
@@ -161,7 +162,9 @@ void write_manifest(const std::string& folder, const Manifest& manifest) {
     json.text("scene_hash", manifest.scene_hash).number("simulated_seconds", manifest.simulated_seconds);
     json.begin_array("files");
     for (const auto& [name, mark] : manifest.files) {
-        json.begin_object().text("name", escaped_name(name)).integer("bytes", static_cast<std::int64_t>(mark.bytes));
+        json.begin_object()
+            .text("name", escaped_name(name))
+            .integer("bytes", static_cast<std::int64_t>(mark.bytes));
         json.text(k_checksum, mark.checksum).end_object();
     }
     json.end_array().end_object();

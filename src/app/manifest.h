@@ -17,8 +17,9 @@ struct FileMark {
     bool operator==(const FileMark&) const = default;
 };
 
-/// What a result says of itself in manifest.json: which program wrote it, of which scene, and every file that is the
-/// program's. Who has it has a finished result; what is not in it, or not as it says any more, is the user's.
+/// What a result says of itself in manifest.json: which program wrote it, of which scene, and every file that
+/// is the program's. Who has it has a finished result; what is not in it, or not as it says any more, is the
+/// user's.
 struct Manifest {
     std::string scene_hash;  ///< as in the rasters' metadata
     double simulated_seconds = 0;
@@ -33,7 +34,8 @@ std::string unescaped_name(const std::string& text);
 /// The mark of a file's content. Throws Error(environment) where it cannot be read.
 FileMark mark_of(const std::string& path);
 
-/// A folder's manifest; none where there is none, or not frana's, or of a format that this frana does not know.
+/// A folder's manifest; none where there is none, or not frana's, or of a format that this frana does not
+/// know.
 std::optional<Manifest> read_manifest(const std::string& folder);
 
 /// Writes it in one go. Throws Error(environment).
@@ -44,12 +46,13 @@ bool is_listed_result(const std::string& folder);
 /// Whether a folder is the result of a frana that did not list files yet: its summary.json names the program.
 bool is_unlisted_result(const std::string& folder);
 
-/// Adds files that were just written to the manifest of the result that they lie in, with their marks; those outside
-/// results, or in results without a manifest, are left out. Several programs may do so at once. Throws
-/// Error(environment).
+/// Adds files that were just written to the manifest of the result that they lie in, with their marks; those
+/// outside results, or in results without a manifest, are left out. Several programs may do so at once.
+/// Throws Error(environment).
 void record_files(const std::vector<std::string>& paths);
 
-/// Takes files, or all below folders, out of a result's manifest: they are no more. Throws Error(environment).
+/// Takes files, or all below folders, out of a result's manifest: they are no more. Throws
+/// Error(environment).
 void forget_files(const std::string& folder, const std::vector<std::string>& names);
 
 }  // namespace frana::app

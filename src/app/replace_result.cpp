@@ -23,7 +23,8 @@ constexpr const char* k_kept = ".kept-";
 std::error_code move_to_free(const fs::path& from, const fs::path& to) {
     if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return {};
     std::error_code failure(errno, std::generic_category());
-    if (failure != std::errc::invalid_argument) return failure;  // else a file system that does not know the way
+    if (failure != std::errc::invalid_argument)
+        return failure;  // else a file system that does not know the way
     std::error_code ignored;
     if (fs::exists(fs::symlink_status(to, ignored))) return std::make_error_code(std::errc::file_exists);
     fs::rename(from, to, failure);
@@ -31,7 +32,8 @@ std::error_code move_to_free(const fs::path& from, const fs::path& to) {
 }
 
 /// To the first free name with a number.
-std::error_code move_to_kept(const fs::path& from, const fs::path& stem, const fs::path& extension, fs::path& to) {
+std::error_code move_to_kept(const fs::path& from, const fs::path& stem, const fs::path& extension,
+                             fs::path& to) {
     for (int number = 1;; ++number) {
         to = stem;
         to += k_kept + std::to_string(number);
@@ -53,7 +55,8 @@ bool goes_with_a_file(const std::string& name) {
     return false;
 }
 
-/// A name that means one thing in every result: such a file of the older one must not pass for one of the new.
+/// A name that means one thing in every result: such a file of the older one must not pass for one of the
+/// new.
 bool is_a_results_own_name(const std::string& name) {
     const ResultFile* file = known_file(name);
     return file != nullptr && file->pattern.find('*') == std::string::npos;
@@ -133,8 +136,8 @@ class Replacement {
             const fs::path stem = to.parent_path() / to.stem(), extension = to.extension();
             failure = move_to_kept(from, stem, extension, to);
             if (!failure)
-                kept_.push_back(name + (is_changed ? ", which was changed since frana wrote it, " : " ") + "is kept as " +
-                                to.lexically_relative(result_).string());
+                kept_.push_back(name + (is_changed ? ", which was changed since frana wrote it, " : " ") +
+                                "is kept as " + to.lexically_relative(result_).string());
         }
         if (failure) problem("a file of yours could not be moved into the new result", name, failure);
     }
@@ -153,8 +156,8 @@ class Replacement {
                 fs::remove(older_ / name, failure);
             }
         if (failure)
-            log_.warn("the older result could not be removed: " + failure.message() + "; what is left of it is in " +
-                      older_.string());
+            log_.warn("the older result could not be removed: " + failure.message() +
+                      "; what is left of it is in " + older_.string());
     }
 
     void problem(const std::string& what, const std::string& name, const std::error_code& failure) {
@@ -166,9 +169,11 @@ class Replacement {
 
     void tell() {
         constexpr std::size_t k_most = 20;
-        for (std::size_t i = 0; i < std::min(k_most, kept_.size()); ++i) log_.tell("older result: " + kept_[i]);
+        for (std::size_t i = 0; i < std::min(k_most, kept_.size()); ++i)
+            log_.tell("older result: " + kept_[i]);
         if (kept_.size() > k_most)
-            log_.tell("older result: " + std::to_string(kept_.size() - k_most) + " more files are kept under such names");
+            log_.tell("older result: " + std::to_string(kept_.size() - k_most) +
+                      " more files are kept under such names");
     }
 
     fs::path older_, result_;

@@ -152,7 +152,8 @@ void ResultDirectory::keep_beside(const std::string& what, const std::string& re
     if (!failure) fs::remove(fs::path(kept) / k_building_file, ignored);
     fs::remove(fs::path(directory_) / k_replaced_file, ignored);
     published_ = true;
-    fail(what, directory_, (reason.empty() ? "" : reason + "; ") + "the new one is kept in " + (failure ? aside_ : kept));
+    fail(what, directory_,
+         (reason.empty() ? "" : reason + "; ") + "the new one is kept in " + (failure ? aside_ : kept));
 }
 
 std::vector<Problem> ResultDirectory::tidy_up(bool replaces, RunLog& log) {
@@ -169,7 +170,8 @@ std::vector<Problem> ResultDirectory::tidy_up(bool replaces, RunLog& log) {
     }
     for (const std::string& folder : left_results(directory_)) {
         if (!remove_unfinished(folder))
-            log.tell("a run that was killed has left " + folder + "; it holds more than frana wrote there, and stays");
+            log.tell("a run that was killed has left " + folder +
+                     "; it holds more than frana wrote there, and stays");
     }
     if (log.lines().size() > lines) {
         write_text_file(final_path("log.txt"), log.text());

@@ -19,8 +19,8 @@ struct ResultFacts {
 /// older result as it was.
 class ResultDirectory {
   public:
-    /// Creates the sibling, or goes on in one that was left, and holds a lock on it. Throws Error(environment), and
-    /// Error(input) where another run is writing the same result.
+    /// Creates the sibling, or goes on in one that was left, and holds a lock on it. Throws
+    /// Error(environment), and Error(input) where another run is writing the same result.
     ResultDirectory(const std::string& directory, bool overwrite, const std::string& left = "");
     /// Removes the sibling unless it was published or has a checkpoint to go on from.
     ~ResultDirectory();
@@ -35,13 +35,14 @@ class ResultDirectory {
     [[nodiscard]] std::string path(const std::string& name) const;
     /// Makes a folder inside the sibling. Throws Error(environment).
     void make_folder(const std::string& name) const;
-    /// Lists the sibling's files in its manifest and puts it in the directory's place. An older result is taken apart,
-    /// see replace_result(), and what killed runs left of the same result goes. Returns what of the older result could
-    /// not be moved. Throws Error(environment) where the result cannot take its name; it is kept beside it.
+    /// Lists the sibling's files in its manifest and puts it in the directory's place. An older result is
+    /// taken apart, see replace_result(), and what killed runs left of the same result goes. Returns what of
+    /// the older result could not be moved. Throws Error(environment) where the result cannot take its name;
+    /// it is kept beside it.
     [[nodiscard]] std::vector<Problem> publish(const ResultFacts& facts, RunLog& log);
 
-    /// Removes from the published result what only a run on its way needs: checkpoints, and frames from which a film
-    /// was made, if so wished.
+    /// Removes from the published result what only a run on its way needs: checkpoints, and frames from which
+    /// a film was made, if so wished.
     void forget_the_way(bool frames) const;
 
   private:
@@ -56,7 +57,7 @@ class ResultDirectory {
     std::string aside_;
     bool overwrite_;
     bool published_ = false;
-    bool made_;       ///< the sibling, by this run
+    bool made_;      ///< the sibling, by this run
     int lock_ = -1;  ///< descriptor of the locked sibling
 };
 

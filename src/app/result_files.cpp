@@ -41,12 +41,12 @@ std::vector<ResultFile> make_table() {
     Table table;
     table.by("run");
     table.add(FileKind::text, {"scene.ini", "summary.json", "log.txt", k_manifest_file});
-    table.add(FileKind::working, {k_building_file, k_replaced_file, "checkpoint/step_*.frana", "checkpoint/reserve"});
+    table.add(FileKind::working,
+              {k_building_file, k_replaced_file, "checkpoint/step_*.frana", "checkpoint/reserve"});
     for (const Layer& layer : all_layers()) table.add_raster(layer.name);
     table.add_raster("release").add_raster("hazard");
     for (const char* plain : {"dtm", "bed", "max_flux", "max_head"}) table.add_raster(plain, false);
-    table.add(FileKind::vector,
-              {"extent.gpkg", "profiles.gpkg", "gauges.gpkg", "hazard_zones.gpkg"});
+    table.add(FileKind::vector, {"extent.gpkg", "profiles.gpkg", "gauges.gpkg", "hazard_zones.gpkg"});
     table.add(FileKind::style, {"hazard_zones.qml", "hazard_zones.sld"});
     table.add(FileKind::table, {"timeseries.csv", "profiles.csv", "gauges.csv", "sections.csv"});
     table.add(FileKind::page, {"report.html"});
@@ -70,7 +70,8 @@ std::vector<ResultFile> make_table() {
 }
 
 bool matches(const ResultFile& row, const std::string& path) {
-    if (!row.pattern.ends_with(k_all_below)) return ::fnmatch(row.pattern.c_str(), path.c_str(), FNM_PATHNAME) == 0;
+    if (!row.pattern.ends_with(k_all_below))
+        return ::fnmatch(row.pattern.c_str(), path.c_str(), FNM_PATHNAME) == 0;
     return path.starts_with(row.pattern.substr(0, row.pattern.size() - 2));
 }
 

@@ -8,10 +8,11 @@ namespace frana::app {
 
 enum class FileKind { text, table, vector, raster, style, picture, page, film, stack, working };
 
-/// A file that frana writes into a result directory. The one list: what a result's manifest may name, what a folder in
-/// the making may hold and what the documents and tests know of.
+/// A file that frana writes into a result directory. The one list: what a result's manifest may name, what a
+/// folder in the making may hold and what the documents and tests know of.
 struct ResultFile {
-    /// Of the path inside the result: "*" stands for any text within a name, "/**" at the end for all that is below.
+    /// Of the path inside the result: "*" stands for any text within a name, "/**" at the end for all that is
+    /// below.
     std::string pattern;
     FileKind kind;
     std::string written_by;  ///< the first command that does: "run", "render"
@@ -20,8 +21,8 @@ struct ResultFile {
 /// All of them; rasters of the table of layers come with their styles.
 const std::vector<ResultFile>& result_files();
 
-/// The row of a path inside a result, also while that file is being written ("max_depth.partial123.tif"); null for
-/// what frana does not write.
+/// The row of a path inside a result, also while that file is being written ("max_depth.partial123.tif");
+/// null for what frana does not write.
 const ResultFile* known_file(const std::string& path);
 
 inline constexpr const char* k_manifest_file = "manifest.json";

@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* k_choose = "Choose another result directory with --out";
 
-/// The folders above it as they really are, its own name as it was given. Trailing slashes would hide that name.
+/// The folders above it as they really are, its own name as it was given. Trailing slashes would hide that
+/// name.
 fs::path clean(const fs::path& directory) {
     fs::path path = fs::absolute(directory);
     while (!path.has_filename() && path.has_relative_path()) path = path.parent_path();
@@ -52,15 +53,18 @@ bool is_mount_point(const fs::path& path) {
     if (::statx(AT_FDCWD, path.c_str(), 0, STATX_BASIC_STATS, &facts) == 0 &&
         (facts.stx_attributes_mask & STATX_ATTR_MOUNT_ROOT) != 0)
         return (facts.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
-    struct stat own {}, above {};  // a kernel before 5.8
+    struct stat own {
+    }, above{};  // a kernel before 5.8
     return ::stat(path.c_str(), &own) == 0 && ::stat(path.parent_path().c_str(), &above) == 0 &&
            own.st_dev != above.st_dev;
 }
 
 /// In such a folder (/tmp) a name belongs to its owner alone.
 bool is_kept_by_its_owner(const fs::path& path) {
-    struct stat own {}, above {};
-    if (::geteuid() == 0 || ::stat(path.c_str(), &own) != 0 || ::stat(path.parent_path().c_str(), &above) != 0)
+    struct stat own {
+    }, above{};
+    if (::geteuid() == 0 || ::stat(path.c_str(), &own) != 0 ||
+        ::stat(path.parent_path().c_str(), &above) != 0)
         return false;
     return (above.st_mode & S_ISVTX) != 0 && own.st_uid != ::geteuid() && above.st_uid != ::geteuid();
 }
@@ -78,26 +82,30 @@ std::optional<std::string> refusal(const fs::path& path) {
 }
 
 /// What is wrong with a symbolic link; none where there is no link, or it can be followed.
-std::optional<Problem> broken_link(const std::string& directory, const fs::path& path, const std::string& where) {
+std::optional<Problem> broken_link(const std::string& directory, const fs::path& path,
+                                   const std::string& where) {
     std::error_code failure;
     if (fs::is_symlink(path, failure))
         return Problem{"is a symbolic link that leads back to itself", where, path.string(), "", k_choose};
     const fs::path named = clean(directory);
-    if (path == named || !fs::is_symlink(named, failure) || fs::exists(path.parent_path(), failure)) return {};
-    return Problem{"is a symbolic link to a place that is not there", where, named.string() + " -> " + path.string(), "",
-                   "Connect the disk or make the folder it points into, or choose another result directory with --out"};
+    if (path == named || !fs::is_symlink(named, failure) || fs::exists(path.parent_path(), failure))
+        return {};
+    return Problem{
+        "is a symbolic link to a place that is not there", where, named.string() + " -> " + path.string(), "",
+        "Connect the disk or make the folder it points into, or choose another result directory with --out"};
 }
 
 /// What of the older result goes, or moves, must not be read while it does.
-bool would_be_replaced(const fs::path& input, const fs::path& result, const std::optional<Manifest>& manifest) {
+bool would_be_replaced(const fs::path& input, const fs::path& result,
+                       const std::optional<Manifest>& manifest) {
     if (!is_inside(input, result)) return false;
     const std::string name = input.lexically_relative(result).generic_string();
     if (name == "scene.ini") return false;  // read before anything is written, and written again
     return !manifest || manifest->files.count(name) > 0 || known_file(name) != nullptr;
 }
 
-void check_older(const fs::path& path, bool overwrite, const std::vector<std::string>& inputs, const std::string& where,
-                 Problems& problems) {
+void check_older(const fs::path& path, bool overwrite, const std::vector<std::string>& inputs,
+                 const std::string& where, Problems& problems) {
     const std::optional<Manifest> manifest = read_manifest(path.string());
     if (!manifest && !is_unlisted_result(path.string())) {
         problems.add({"is a folder with other files in it, not a result; it is never overwritten", where,
@@ -138,8 +146,9 @@ bool holds_files(const std::string& folder) {
     return failure || !is_empty;
 }
 
-void check_result_directory(const std::string& directory, bool overwrite, const std::vector<std::string>& inputs,
-                            const std::string& where, Problems& problems) {
+void check_result_directory(const std::string& directory, bool overwrite,
+                            const std::vector<std::string>& inputs, const std::string& where,
+                            Problems& problems) {
     const fs::path path = result_path(directory);
     if (const auto problem = broken_link(directory, path, where)) {
         problems.add(*problem);
@@ -147,12 +156,14 @@ void check_result_directory(const std::string& directory, bool overwrite, const 
     }
     std::error_code failure;
     if (fs::exists(path, failure) && !fs::is_directory(path, failure)) {
-        problems.add({"is a file, not a folder", where, path.string(), "", "Choose another result directory"});
+        problems.add(
+            {"is a file, not a folder", where, path.string(), "", "Choose another result directory"});
         return;
     }
     if (fs::is_directory(path, failure) && is_mount_point(path)) {
-        problems.add({"is a mount point (a disk or a container's volume), which no result can take the place of", where,
-                      path.string(), "", "Choose a folder in it: --out " + (path / "result").string()});
+        problems.add(
+            {"is a mount point (a disk or a container's volume), which no result can take the place of",
+             where, path.string(), "", "Choose a folder in it: --out " + (path / "result").string()});
         return;
     }
     if (holds_files(path.string())) check_older(path, overwrite, inputs, where, problems);

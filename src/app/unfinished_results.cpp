@@ -139,7 +139,8 @@ bool remove_unfinished(const std::string& folder) {
     std::error_code failure;
     // The note goes last: a folder that is removed in part can still be.
     const fs::path note = fs::path(folder) / k_building_file;
-    for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
+    for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
+         entry.increment(failure)) {
         const fs::file_status status = entry->symlink_status(failure);
         if (failure) return false;
         if (fs::is_directory(status)) {

@@ -14,14 +14,15 @@ void note_building(const std::string& folder, const std::string& result);
 /// Whether a folder says so of itself, under the name that it has: a copy does not.
 bool is_being_built(const std::string& folder);
 
-/// Notes down in a result that another will take its place, and that it will then have this name until the user's files
-/// in it are in the new one. Throws Error(environment).
+/// Notes down in a result that another will take its place, and that it will then have this name until the
+/// user's files in it are in the new one. Throws Error(environment).
 void note_replaced(const std::string& result, const std::string& later_name);
 /// Whether a folder is such an older result under its later name.
 bool is_being_replaced(const std::string& folder);
 
-/// Locks a folder for as long as the descriptor that is returned stays open; the system lets go of it when the
-/// program ends, however it ends. -1, with errno, where somebody else holds it; `wait`: until nobody does.
+/// Locks a folder for as long as the descriptor that is returned stays open; the system lets go of it when
+/// the program ends, however it ends. -1, with errno, where somebody else holds it; `wait`: until nobody
+/// does.
 int lock_folder(const std::string& folder, bool wait);
 
 /// Folders beside a result in which one is or was being built, the latest first: they say so, or they hold
@@ -31,11 +32,12 @@ std::vector<std::string> unfinished_results(const std::string& directory);
 std::vector<std::string> left_results(const std::string& directory);
 /// Whether somebody holds a lock on a folder beside a result that is not one's own.
 bool another_run_builds(const std::string& directory, const std::string& own);
-/// Older results beside the one that took their place, where a run was killed before it had moved the user's files.
+/// Older results beside the one that took their place, where a run was killed before it had moved the user's
+/// files.
 std::vector<std::string> replaced_results(const std::string& directory);
 
-/// Removes a folder in which a result was being built, if it says so and every file in it is one that frana writes;
-/// false where it is left as it is.
+/// Removes a folder in which a result was being built, if it says so and every file in it is one that frana
+/// writes; false where it is left as it is.
 bool remove_unfinished(const std::string& folder);
 
 }  // namespace frana::app

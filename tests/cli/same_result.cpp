@@ -36,12 +36,14 @@ std::string without_dates(std::string bytes) {
     const auto fits = [&](std::size_t at) {
         for (std::size_t i = 0; i < form.size(); ++i) {
             const auto c = static_cast<unsigned char>(bytes[at + i]);
-            if (form[i] == 'd' ? std::isdigit(c) == 0 : c != static_cast<unsigned char>(form[i])) return false;
+            if (form[i] == 'd' ? std::isdigit(c) == 0 : c != static_cast<unsigned char>(form[i]))
+                return false;
         }
         return true;
     };
     for (std::size_t dash = bytes.find('-', 4); dash != std::string::npos; dash = bytes.find('-', dash + 1))
-        if (dash + form.size() - 4 <= bytes.size() && fits(dash - 4)) bytes.replace(dash - 4, form.size(), form);
+        if (dash + form.size() - 4 <= bytes.size() && fits(dash - 4))
+            bytes.replace(dash - 4, form.size(), form);
     return bytes;
 }
 
@@ -53,7 +55,8 @@ std::string marks(const std::string& result) {
     const auto manifest = app::read_manifest(result);
     if (!manifest) return "no manifest";
     std::string text = manifest->scene_hash + " " + std::to_string(manifest->simulated_seconds) + "\n";
-    for (const auto& [name, mark] : manifest->files) text += name + " " + (tells_time(name) ? "" : mark.checksum) + "\n";
+    for (const auto& [name, mark] : manifest->files)
+        text += name + " " + (tells_time(name) ? "" : mark.checksum) + "\n";
     return text;
 }
 
@@ -80,7 +83,8 @@ std::size_t expect_same_files(const std::string& expected, const std::string& re
     EXPECT_EQ(names, files_below(result));
     for (const std::string& name : names) {
         if (fs::exists(fs::path(result) / name)) {
-            EXPECT_TRUE(lasting_bytes(expected, name) == lasting_bytes(result, name)) << result << "/" << name;
+            EXPECT_TRUE(lasting_bytes(expected, name) == lasting_bytes(result, name))
+                << result << "/" << name;
         }
     }
     return names.size();
