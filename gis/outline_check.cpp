@@ -6,6 +6,7 @@
 
 #include "gis/gdal_session.h"
 #include "gis/polygon_geometry.h"
+#include "gis/simple_outline.h"
 
 namespace frana::gis {
 namespace {
@@ -22,16 +23,20 @@ std::string fault_of(const OGRGeometry& geometry) {
     return message.empty() ? "unsound" : message;
 }
 
+std::string place_text(double x, double y) {
+    std::ostringstream text;
+    text.precision(12);
+    text << "at " << x << ", " << y;
+    return text.str();
+}
+
 std::string place_in(const std::string& fault) {
     const std::size_t start = fault.find(k_place);
     if (start == std::string::npos) return {};
     std::istringstream numbers(fault.substr(start + k_place.size()));
     double x = 0, y = 0;
     if (!(numbers >> x >> y)) return {};
-    std::ostringstream text;
-    text.precision(12);
-    text << "at " << x << ", " << y;
-    return text.str();
+    return place_text(x, y);
 }
 
 std::string area_text(double area) {
@@ -54,12 +59,29 @@ void mend(const OGRGeometry& geometry, const std::string& fault, double area_bef
     for (auto& polygon : polygons) found.polygons.push_back(std::move(polygon));
 }
 
+/// Of an outline of many vertices. GEOS compares all edges whose boxes overlap: long spikes have it compare each with
+/// each.
+OutlineVerdict verdict_on(const OGRPolygon& polygon) {
+    constexpr int k_many = 5000;
+    const OGRLinearRing* outer = polygon.getExteriorRing();
+    if (outer == nullptr || outer->getNumPoints() < k_many) return {};
+    const std::optional<Polygon> ours = from_ogr(polygon);
+    if (!ours || ours->holes.size() != static_cast<std::size_t>(polygon.getNumInteriorRings())) return {};
+    return sweep(*ours);
+}
+
 }  // namespace
 
 OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons) {
     OutlineCheck found;
     for (auto& polygon : polygons) {
-        const std::string fault = fault_of(*polygon);
+        const OutlineVerdict verdict = verdict_on(*polygon);
+        if (verdict.crossing) {
+            found.polygons.clear();
+            found.crossing = place_text(verdict.crossing->x, verdict.crossing->y);
+            return found;
+        }
+        const std::string fault = verdict.sound ? std::string() : fault_of(*polygon);
         if (fault.rfind(k_crossing, 0) == 0) {
             found.polygons.clear();
             found.crossing = place_in(fault);
