@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "core/counted_texts.h"
 #include "core/error.h"
 #include "core/json.h"
 #include "gis/crs.h"
@@ -22,6 +24,8 @@ constexpr double k_bend_tolerance = 1e-3;          // 1 mm where the target is i
 constexpr double k_bend_tolerance_degrees = 1e-8;  // the same on the ground
 
 constexpr double k_overlap_share = 1e-3;  // less comes from digitising neighbours apart
+
+constexpr std::size_t k_most_overlaps = 1'000'000;  // by then the layer is wrong as a whole
 
 constexpr std::size_t k_most_problems = 10;  // a layer of lines would fill the screen
 
@@ -47,7 +51,7 @@ void take_attributes(const OGRFeature& from, PolygonFeature& feature) {
 
 /// One feature in its own CRS; adds to `problems` what keeps it from being used.
 PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, Problems& problems,
-                            std::vector<std::string>& warnings) {
+                            CountedTexts& warnings) {
     PolygonFeature feature;
     const std::string name = "feature " + std::to_string(from.GetFID());
     const auto problem = [&](const std::string& what, const std::string& value, const std::string& remedy) {
@@ -55,12 +59,12 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
     };
     const OGRGeometry* geometry = from.GetGeometryRef();
     if (!geometry || geometry->IsEmpty()) {
-        warnings.push_back(source.where + ": " + name + " has no geometry and was left out");
+        warnings.add("empty", source.where + ": " + name + " has no geometry and was left out");
         return feature;
     }
     PolygonParts parts = polygon_parts(*geometry);
     if (parts.closed_lines > 0) {
-        warnings.push_back(source.where + ": " + name + " is a closed line and was taken as an area");
+        warnings.add("line", source.where + ": " + name + " is a closed line and was taken as an area");
     }
     if (parts.unbounded > 0) {
         problem("has a coordinate that is no number, or farther than any map reaches",
@@ -83,7 +87,7 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
         return feature;
     }
     for (const std::string& repair : check.repairs)
-        warnings.push_back(source.where + ": " + name + ": " + repair);
+        warnings.add("repair", source.where + ": " + name + ": " + repair);
     for (const auto& polygon : check.polygons) {
         if (auto part = from_ogr(*polygon); part && area(*part) > 0)
             feature.parts.push_back(std::move(*part));
@@ -128,6 +132,7 @@ Bounds bounds_of(const std::vector<PolygonFeature>& features) {
 std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& source, TimeLimit& limit,
                                           std::vector<std::string>& warnings) {
     Problems problems;
+    CountedTexts counted;
     std::vector<PolygonFeature> features;
     std::int64_t seen = 0, untold = 0;
     VertexCount vertices(source);
@@ -137,7 +142,7 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& s
         limit.again();
         vertices.add(from->GetGeometryRef());
         Problems of_this;
-        PolygonFeature feature = read_feature(*from, source, of_this, warnings);
+        PolygonFeature feature = read_feature(*from, source, of_this, counted);
         for (const Problem& problem : of_this.list()) {
             problems.list().size() < k_most_problems ? problems.add(problem) : void(++untold);
         }
@@ -147,35 +152,65 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& s
         problems.add(
             Problem{std::to_string(untold) + " more features have problems", source.where, "", "", ""});
     problems.throw_if_any();
+    warnings = counted.told();
     if (seen == 0) throw vector_fault(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
     if (features.empty())
         throw vector_fault(source, "the layer holds no polygon", layer.GetName(), "Draw at least one");
     return features;
 }
 
-/// Ground that lies in two features: what that means, the caller knows.
-bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorSource& source,
-                      std::vector<std::string>& warnings) {
-    bool any = false;
-    std::vector<Bounds> boxes;
-    for (const PolygonFeature& feature : features) boxes.push_back(bounds(feature.parts));
-    const auto apart = [](const Bounds& a, const Bounds& b) {
-        return a.east <= b.west || b.east <= a.west || a.north <= b.south || b.north <= a.south;
+bool same_vertices(const MultiPolygon& a, const MultiPolygon& b) {
+    const auto same_ring = [](const Ring& one, const Ring& other) {
+        return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                          [](Point p, Point q) { return p.x == q.x && p.y == q.y; });
     };
-    for (std::size_t i = 0; i < features.size(); ++i) {
-        for (std::size_t j = i + 1; j < features.size(); ++j) {
-            if (apart(boxes[i], boxes[j])) continue;
-            const double shared = shared_area(features[i].parts, features[j].parts);
-            const double smaller = std::min(area(features[i].parts), area(features[j].parts));
-            if (shared <= k_overlap_share * smaller) continue;
-            warnings.push_back(source.where + ": areas " + std::to_string(i + 1) + " and " +
-                               std::to_string(j + 1) + " overlap by " +
-                               shortest_text(std::round(shared * 10) / 10) +
-                               " square units");
-            any = true;
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Polygon& one, const Polygon& other) {
+        return same_ring(one.outer, other.outer) &&
+               std::equal(one.holes.begin(), one.holes.end(), other.holes.begin(), other.holes.end(), same_ring);
+    });
+}
+
+/// Ground that lies in two features: what that means, the caller knows.
+bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorSource& source, TimeLimit& limit,
+                      std::vector<std::string>& warnings) {
+    std::vector<Bounds> boxes;
+    std::vector<double> areas;
+    for (const PolygonFeature& feature : features) {
+        boxes.push_back(bounds(feature.parts));
+        areas.push_back(area(feature.parts));
+    }
+    // From west to east, so that features far apart are not compared; told in the layer's order.
+    std::vector<std::size_t> order(features.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return boxes[a].west < boxes[b].west; });
+    struct Overlap {
+        std::size_t one, other;
+        double shared;
+    };
+    std::vector<Overlap> found;
+    for (std::size_t i = 0; i < order.size() && found.size() < k_most_overlaps; ++i) {
+        for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].west < boxes[order[i]].east; ++j) {
+            const std::size_t one = std::min(order[i], order[j]), other = std::max(order[i], order[j]);
+            if (boxes[one].north <= boxes[other].south || boxes[other].north <= boxes[one].south) continue;
+            limit.again();
+            const MultiPolygon &a = features[one].parts, &b = features[other].parts;
+            const double shared = same_vertices(a, b) ? areas[one] : shared_area(a, b);
+            if (shared > k_overlap_share * std::min(areas[one], areas[other])) found.push_back({one, other, shared});
+            if (found.size() >= k_most_overlaps) break;
         }
     }
-    return any;
+    std::sort(found.begin(), found.end(), [](const Overlap& a, const Overlap& b) {
+        return a.one < b.one || (a.one == b.one && a.other < b.other);
+    });
+    CountedTexts counted;
+    for (const auto& [one, other, shared] : found) {
+        counted.add("overlap", source.where + ": areas " + std::to_string(one + 1) + " and " +
+                                   std::to_string(other + 1) + " overlap by " +
+                                   shortest_text(std::round(shared * 10) / 10) + " square units");
+    }
+    for (std::string& text : counted.told()) warnings.push_back(std::move(text));
+    if (found.size() >= k_most_overlaps) warnings.back() += " (further pairs were not looked at)";
+    return !found.empty();
 }
 
 }  // namespace
@@ -232,7 +267,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
                            error.problems().front().remedy);
     }
     read.bounds = bounds_of(read.features);
-    read.overlap = warn_of_overlaps(read.features, source, read.warnings);
+    read.overlap = warn_of_overlaps(read.features, source, limit, read.warnings);
     return read;
 }
 

@@ -23,10 +23,12 @@ LineSet::LineSet(const MultiPolygon& area) {
         add(polygon.outer, true);
         for (const Ring& hole : polygon.holes) add(hole, true);
     }
+    nearest_ = NearestSegment(segments_);
 }
 
 LineSet::LineSet(const std::vector<Polyline>& lines) {
     for (const Polyline& line : lines) add(line, false);
+    nearest_ = NearestSegment(segments_);
 }
 
 void LineSet::add(const Polyline& line, bool closed) {
@@ -43,16 +45,8 @@ void LineSet::add(const Polyline& line, bool closed) {
     }
 }
 
-double LineSet::distance(Point point) const noexcept {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Segment& s : segments_) {
-        const double dx = s.to.x - s.from.x, dy = s.to.y - s.from.y;
-        const double px = point.x - s.from.x, py = point.y - s.from.y;
-        const double t = std::clamp((px * dx + py * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-        const double ex = px - t * dx, ey = py - t * dy;
-        nearest = std::min(nearest, ex * ex + ey * ey);
-    }
-    return segments_.empty() ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(nearest);
+double LineSet::distance(Point point) const {
+    return empty() ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(nearest_.square_of_distance(point));
 }
 
 std::vector<Point> LineSet::samples(double spacing) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/geometry.h"
+#include "core/nearest_segment.h"
 
 namespace frana {
 
@@ -17,17 +18,15 @@ class LineSet {
 
     [[nodiscard]] bool empty() const noexcept { return segments_.empty(); }
     /// Distance from a point to the nearest place of the lines [m]; NaN where there is none.
-    [[nodiscard]] double distance(Point point) const noexcept;
+    [[nodiscard]] double distance(Point point) const;
     /// Points along the lines, at equal distances of at most `spacing` within each straight piece, each in
     /// the middle of the stretch it stands for.
     [[nodiscard]] std::vector<Point> samples(double spacing) const;
 
   private:
-    struct Segment {
-        Point from, to;
-    };
     void add(const Polyline& line, bool closed);
     std::vector<Segment> segments_;
+    NearestSegment nearest_;  // of the same
 };
 
 /// How far two sets of lines lie apart.

@@ -2,6 +2,7 @@
 #include "analysis/slip_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/inside_test.h"
 
 namespace frana {
 namespace {
@@ -29,9 +31,10 @@ Inside cells_inside(const GridSpec& grid, const MultiPolygon& outline) {
                        row1 = clamped((grid.north - box.south) / grid.cell_size, grid.rows - 1),
                        column0 = clamped((box.west - grid.west) / grid.cell_size, grid.columns - 1),
                        column1 = clamped((box.east - grid.west) / grid.cell_size, grid.columns - 1);
+    const InsideTest in_outline(outline);
     for (std::int64_t row = row0; row <= row1; ++row) {
         for (std::int64_t column = column0; column <= column1; ++column) {
-            if (!contains(outline, grid.cell_centre(row, column))) continue;
+            if (!in_outline(grid.cell_centre(row, column))) continue;
             if (row == 0 || column == 0 || row == grid.rows - 1 || column == grid.columns - 1)
                 throw Error(ErrorKind::input,
                             Problem{"a slip surface cannot be fitted to a perimeter that touches the grid's edge",
@@ -73,18 +76,56 @@ Point minus(Point a, Point b) {
     return {a.x - b.x, a.y - b.y};
 }
 
-// Distance of a point from the centre over that of the ring in the same direction; a ring seen whole from there.
-double radius_share(const Ring& ring, Point centre, Point point) {
-    const Point d = minus(point, centre);
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-        const Point a = minus(ring[j], centre), b = minus(ring[i], centre), edge = minus(b, a);
-        const double across = cross(d, edge);
-        if (across == 0) continue;
-        const double along = cross(a, edge) / across, place = cross(a, d) / across;  // along d, along the edge
-        if (along > 0 && place >= -1e-12 && place <= 1 + 1e-12) return 1 / along;
+// Distances from the centre over that of a ring in the same direction; of a ring seen whole from there, whose
+// vertices come in the order of their directions.
+class RadiusShare {
+  public:
+    RadiusShare(const Ring& ring, Point centre) : ring_(ring), centre_(centre), turned_(ring.size()) {
+        const Point first = minus(ring.front(), centre);
+        sense_ = cross(first, minus(ring[1], centre)) > 0 ? 1 : -1;
+        for (std::size_t i = 1; i < ring.size(); ++i) turned_[i] = turn_to(minus(ring[i], centre));
     }
-    return 0;  // the centre itself
-}
+
+    [[nodiscard]] double operator()(Point point) const {
+        const Point d = minus(point, centre_);
+        // Rounding may choose the edge beside.
+        constexpr std::size_t k_beside = 2;
+        const auto after = static_cast<std::size_t>(
+            std::upper_bound(turned_.begin(), turned_.end(), turn_to(d)) - turned_.begin());
+        const std::size_t n = ring_.size(), count = std::min(n, 2 * k_beside + 1);
+        std::array<std::size_t, 2 * k_beside + 1> near{};
+        for (std::size_t k = 0; k < count; ++k) near[k] = (after + n + k - k_beside) % n;
+        std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count));
+        for (std::size_t k = 0; k < count; ++k)
+            if (const double share = across_edge(near[k], d)) return share;
+        for (std::size_t i = 0; i < n; ++i)
+            if (const double share = across_edge(i, d)) return share;
+        return 0;  // the centre itself
+    }
+
+  private:
+    // The angle from the first vertex in the ring's direction, 0 to a full turn.
+    [[nodiscard]] double turn_to(Point d) const {
+        const Point first = minus(ring_.front(), centre_);
+        const double turn = sense_ * std::atan2(cross(first, d), first.x * d.x + first.y * d.y);
+        return turn < 0 ? turn + 2 * std::numbers::pi : turn;
+    }
+
+    // Where the edge that ends at vertex i is met; 0: not.
+    [[nodiscard]] double across_edge(std::size_t i, Point d) const {
+        const std::size_t j = i == 0 ? ring_.size() - 1 : i - 1;
+        const Point a = minus(ring_[j], centre_), b = minus(ring_[i], centre_), edge = minus(b, a);
+        const double across = cross(d, edge);
+        if (across == 0) return 0;
+        const double along = cross(a, edge) / across, place = cross(a, d) / across;  // along d, along the edge
+        return along > 0 && place >= -1e-12 && place <= 1 + 1e-12 ? 1 / along : 0;
+    }
+
+    const Ring& ring_;
+    Point centre_;
+    double sense_ = 1;
+    std::vector<double> turned_;  // 0 at the first vertex, increasing
+};
 
 }  // namespace
 
@@ -156,11 +197,11 @@ SlipSurface::SlipSurface(const Raster& ground, const MultiPolygon& perimeter, st
     relax(inside, 0, membrane);
     for (const std::size_t c : inside.cells) above_membrane_.values[c] = ground.values[c] - membrane.values[c];
     if (shape_ == SlipShape::ellipsoid) {
-        const Point centre = centroid(perimeter);
+        const RadiusShare radius_share(perimeter.front().outer, centroid(perimeter));
         for (const std::size_t c : inside.cells) {
             const auto cell = static_cast<std::int64_t>(c);
             const Point p = ground.grid.cell_centre(cell / ground.grid.columns, cell % ground.grid.columns);
-            const double r = radius_share(perimeter.front().outer, centre, p);
+            const double r = radius_share(p);
             form_.values[c] = std::sqrt(std::max(0.0, 1 - r * r));
         }
     } else {

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "app/number_text.h"
+#include "gis/footprint.h"
 #include "gis/rasterize.h"
 
 namespace frana::app {
@@ -129,8 +130,8 @@ void check_overlap(const ReleaseInput& release, const GridSpec& grid, RunLog& lo
     if (release.areas.size() < 2) return;
     Raster times(grid);
     for (const ReleaseArea& area : release.areas) {
-        const Raster cover = gis::coverage(area.outline, grid);
-        for (std::size_t i = 0; i < times.values.size(); ++i) times.values[i] += cover.values[i];
+        gis::visit_cells(area.outline, grid, gis::Cover::centres,
+                         [&](std::int64_t row, std::int64_t column) { times.at(row, column) += 1; });
     }
     const CellList twice = cells_where(times, [&](std::size_t i) { return times.values[i] > 1; });
     if (twice.count > 0)

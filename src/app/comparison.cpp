@@ -8,6 +8,7 @@
 #include "analysis/trace.h"
 #include "app/number_text.h"
 #include "core/error.h"
+#include "core/inside_test.h"
 #include "gis/rasterize.h"
 
 namespace frana::app {
@@ -44,7 +45,7 @@ std::optional<PathRunout> path_runout(const ComparisonInput& input, const Raster
     return PathRunout{runout_along(path, trace), runout_along(path, observed)};
 }
 
-FrontComparison compare_front(const gis::NamedLine& front, const LineSet& outline, const MultiPolygon& trace,
+FrontComparison compare_front(const gis::NamedLine& front, const LineSet& outline, const InsideTest& inside_trace,
                               double spacing) {
     FrontComparison result;
     result.name = front.name;
@@ -52,7 +53,7 @@ FrontComparison compare_front(const gis::NamedLine& front, const LineSet& outlin
     double inside = 0;
     const std::vector<Point> samples = LineSet({front.line}).samples(spacing);
     for (const Point& point : samples) {
-        const bool reached = contains(trace, point);
+        const bool reached = inside_trace(point);
         distances.push_back(outline.distance(point) * (reached ? 1 : -1));
         result.mean_m += distances.back() / static_cast<double>(samples.size());
         inside += reached;
@@ -71,11 +72,12 @@ void compare_fronts_and_tips(const ComparisonInput& input, RunLog& log, Comparis
         return;
     }
     const LineSet outline(trace);
+    const InsideTest inside_trace(trace);
     for (const gis::NamedLine& front : survey.fronts)
-        comparison.fronts.push_back(compare_front(front, outline, trace, input.depth.grid.cell_size));
+        comparison.fronts.push_back(compare_front(front, outline, inside_trace, input.depth.grid.cell_size));
     for (const gis::NamedPoint& tip : survey.tips)
         comparison.tips.push_back(
-            {tip.name, outline.distance(tip.place) * (contains(trace, tip.place) ? 1 : -1)});
+            {tip.name, outline.distance(tip.place) * (inside_trace(tip.place) ? 1 : -1)});
 }
 
 void compare_area(const ComparisonInput& input, const Raster& depth, RunLog& log, Comparison& comparison) {

@@ -7,6 +7,7 @@
 #include "app/layer_values.h"
 #include "app/number_text.h"
 #include "app/transform_report.h"
+#include "core/counted_texts.h"
 #include "gis/footprint.h"
 #include "gis/vector_in.h"
 
@@ -31,7 +32,7 @@ std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const s
 
 /// Sets every cell of a feature to at least `value`; says how much larger the footprint became where it is thin.
 void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, const std::string& key,
-           Raster& raster, RunLog& log, Problems& problems, const std::string& where) {
+           Raster& raster, CountedTexts& warnings, Problems& problems, const std::string& where) {
     const MultiPolygon& parts = layer.features[feature].parts;
     std::int64_t cells = 0;
     gis::visit_cells(parts, raster.grid, gis::Cover::closed, [&](std::int64_t row, std::int64_t column) {
@@ -43,8 +44,9 @@ void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, co
     if (cells == 0) {
         problems.add({name + " covers no cell", where, grouped(drawn) + " m2", "", "Choose smaller cells"});
     } else if (footprint > k_widened * drawn) {
-        log.warn(key + ": " + name + " is narrower than the cells: it covers " + grouped(footprint) +
-                 " m2 of the working grid, drawn are " + grouped(drawn) + " m2; choose smaller cells");
+        warnings.add("narrow", key + ": " + name + " is narrower than the cells: it covers " + grouped(footprint) +
+                                   " m2 of the working grid, drawn are " + grouped(drawn) +
+                                   " m2; choose smaller cells");
     }
 }
 
@@ -55,10 +57,12 @@ void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector
     const auto layer = read_layer(reading, key, *spec.obstacles, ground, files, log, problems);
     if (!layer || !spec.obstacle_height) return;
     Raster height(ground->terrain.grid);
+    CountedTexts warnings;
     for (std::size_t f = 0; f < layer->features.size(); ++f) {
         const auto metres = value_of(reading, "terrain.obstacle-height", *spec.obstacle_height, *layer, f, problems);
-        if (metres) stamp(*layer, f, *metres, key, height, log, problems, reading.where(key));
+        if (metres) stamp(*layer, f, *metres, key, height, warnings, problems, reading.where(key));
     }
+    for (const std::string& warning : warnings.told()) log.warn(warning);
     double most = 0;
     std::int64_t raised = 0;
     for (std::size_t i = 0; i < height.values.size(); ++i) {
@@ -86,8 +90,10 @@ std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInpu
         const auto layer = read_layer(reading, key, *spec.walls, ground, files, log, problems);
         if (!layer) return walls;
         walls.emplace(ground->terrain.grid);
+        CountedTexts warnings;
         for (std::size_t f = 0; f < layer->features.size(); ++f)
-            stamp(*layer, f, 1, key, *walls, log, problems, reading.where(key));
+            stamp(*layer, f, 1, key, *walls, warnings, problems, reading.where(key));
+        for (const std::string& warning : warnings.told()) log.warn(warning);
         log.note("walls stand on " +
                  grouped(std::count(walls->values.begin(), walls->values.end(), 1.0)) + " cells");
     } catch (const Error& error) {

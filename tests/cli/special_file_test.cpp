@@ -3,6 +3,7 @@
 #include <ogrsf_frmts.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 
@@ -76,6 +77,16 @@ TEST_F(SpecialFile, InputsKeepTheirFolderAsItIs) {
         fs::remove_all(folder_ / "result");
         EXPECT_EQ(files(), before) << command;
     }
+}
+
+// Each pair told would be 44 850 lines.
+TEST_F(SpecialFile, EqualPolygonsAreToldOnceAndCounted) {
+    const std::string square = "POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))";
+    gis::test::make_vector(path("equal.gpkg"), "GPKG", "EPSG:32632", std::vector<std::string>(300, square));
+    const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=equal.gpkg"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("and 44 847 more like it"), std::string::npos) << outcome.err;
+    EXPECT_LT(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 8);
 }
 
 TEST_F(SpecialFile, ADamagedBackgroundIsFoundByCheck) {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/counted_texts.h"
+
+#include <algorithm>
+
+namespace frana {
+namespace {
+
+constexpr std::size_t k_told = 3;
+
+std::string grouped_digits(std::int64_t count) {
+    std::string text = std::to_string(count);
+    for (std::size_t place = text.size(); place > 3; place -= 3) text.insert(place - 3, " ");
+    return text;
+}
+
+}  // namespace
+
+void CountedTexts::add(const std::string& kind, const std::string& text) {
+    auto found = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& k) { return k.name == kind; });
+    if (found == kinds_.end()) found = kinds_.insert(kinds_.end(), Kind{kind, {}, 0});
+    if (found->first.size() < k_told) {
+        found->first.push_back(text);
+    } else {
+        ++found->more;
+    }
+}
+
+std::vector<std::string> CountedTexts::told() const {
+    std::vector<std::string> all;
+    for (const Kind& kind : kinds_) {
+        all.insert(all.end(), kind.first.begin(), kind.first.end());
+        if (kind.more > 0) all.back() += "; and " + grouped_digits(kind.more) + " more like it";
+    }
+    return all;
+}
+
+}  // namespace frana

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace frana {
+
+/// Messages of which there may be very many alike: of each kind the first few are told, the rest are counted.
+class CountedTexts {
+  public:
+    void add(const std::string& kind, const std::string& text);
+
+    /// Kinds in the order in which they came: the first texts of each, then "and 497 more like it".
+    [[nodiscard]] std::vector<std::string> told() const;
+
+  private:
+    struct Kind {
+        std::string name;
+        std::vector<std::string> first;
+        std::int64_t more = 0;
+    };
+    std::vector<Kind> kinds_;
+};
+
+}  // namespace frana

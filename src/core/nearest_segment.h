@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/grid_spec.h"
+
+namespace frana {
+
+struct Segment {
+    Point from, to;  // differ
+};
+
+/// Finds the segment nearest to a point among many: boxes in boxes, halved by the segments' middles. The distance is
+/// that of comparing with every one, to the bit.
+class NearestSegment {
+  public:
+    NearestSegment() = default;
+    explicit NearestSegment(std::vector<Segment> segments);
+
+    [[nodiscard]] const std::vector<Segment>& segments() const noexcept { return segments_; }
+    /// Square of the distance; infinite where there is no segment.
+    [[nodiscard]] double square_of_distance(Point point) const;
+
+  private:
+    struct Box {
+        Bounds bounds;
+        std::size_t first, last;             // segments
+        std::array<std::size_t, 2> halves{};  // boxes; both 0: none
+    };
+
+    std::size_t build(std::size_t first, std::size_t last);
+    void search(std::size_t box, Point point, double& nearest) const;
+
+    std::vector<Segment> segments_;
+    std::vector<Box> boxes_;
+};
+
+}  // namespace frana
