@@ -83,32 +83,46 @@ NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, s
     return d;
 }
 
-/// Acceleration of a node that holds mass. With n = 1 + |grad Z|^2 and G^-1 = I - grad Z grad Z^T / n:
-///     gentle   a = -g grad(h + Z)
-///     surface  a = -(g/n) grad(h + Z)
-///     normal   a = -(g/n) [ grad Z + G^-1 grad h ], the G^-1 part only where material does not pond
+/// Least share of g that vertical acceleration may leave as divisor: a layer that its bed throws upwards weighs at most
+/// twice as much.
+inline constexpr double k_least_bearing = 0.5;
+
+/// Acceleration of a node that holds mass. With S = grad(h + Z) and n = 1 + |grad Z|^2:
+///     gentle   a = -g S
+///     surface  a = -(g/n) S
+///     normal   a = -g' S,  g' = g + a . grad Z = g / (1 + S . grad Z)
+/// The last is the weight of a layer whose vertical acceleration is that of its bed (Denlinger and Iverson 2004,
+/// J. Geophys. Res. 109, F01014). A uniform layer has g' = g / n, a level pool g' = g however steep its walls. Where the
+/// surface is steeper than the bed (fronts) the linear terms in grad h are kept alone, as in Savage and Hutter (1989):
+///     a = -(g/n) [ grad Z + G^-1 grad h ],  G^-1 = I - grad Z grad Z^T / n
 /// The load of the motion over the bed's curvature is not in it: see follow_bed.
 /// Reads NodeSums mass, fx, fy; NodeLevel (if allocated); bed.
 template <class Slope>
 NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column,
                    std::int64_t row) {
     NodeDrive d = ground_of<Slope>(nodes, k, i, column, row);
-    const bool referenced = nodes.levels.size() != 0;
-    const double ponding = referenced ? nodes.levels[i].ponding : 0;
     // The part of gravity that the reference state held back from the particles' sum.
-    const double weight = referenced ? k.gravity * nodes.levels[i].support * (1 - ponding) : 0;
+    const double weight =
+        nodes.levels.size() != 0 ? k.gravity * nodes.levels[i].support * (1 - nodes.levels[i].ponding) : 0;
     const NodeSums& node = nodes.sums[i];
-    d.ax = node.fx / node.mass;
-    d.ay = node.fy / node.mass;
+    const double fall_x = node.fx / node.mass - weight * d.slope_x;  // -g S
+    const double fall_y = node.fy / node.mass - weight * d.slope_y;
+    d.ax = fall_x / d.n;
+    d.ay = fall_y / d.n;
     if constexpr (Slope::thin_layer) {
-        const double rest = k.gravity - weight;  // what of -grad Z is still inside ax, ay
-        const double pressure_x = d.ax + rest * d.slope_x, pressure_y = d.ay + rest * d.slope_y;
-        const double along = (1 - ponding) * (d.slope_x * pressure_x + d.slope_y * pressure_y) / d.n;
-        d.ax -= d.slope_x * along;
-        d.ay -= d.slope_y * along;
+        const double bearing = 1 - (fall_x * d.slope_x + fall_y * d.slope_y) / k.gravity;
+        if (bearing < d.n) {
+            const double divisor = std::max(k_least_bearing, bearing);
+            d.ax = fall_x / divisor;
+            d.ay = fall_y / divisor;
+        } else {
+            const double along = k.gravity * (d.n - bearing) / (d.n * d.n);  // grad Z . (-g grad h) / n^2
+            d.ax -= d.slope_x * along;
+            d.ay -= d.slope_y * along;
+        }
     }
-    d.ax = (d.ax - weight * d.slope_x) / d.n + k.gravity_x;
-    d.ay = (d.ay - weight * d.slope_y) / d.n + k.gravity_y;
+    d.ax += k.gravity_x;
+    d.ay += k.gravity_y;
     return d;
 }
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// V-shaped gullies: the pressure of a layer on a slope must not hold back the levelling of what fills the gully.
+#include <gtest/gtest.h>
+
+#include "cases.h"
+
+namespace frana::test {
+namespace {
+
+constexpr double k_degree = M_PI / 180;
+
+/// Walls of `wall_deg` that meet along y = 50 m, 1.85 m north of a node row; falls eastwards by `fall_deg`.
+Raster gully(double dx, double wall_deg, double fall_deg) {
+    const double length = 200, wall = std::tan(wall_deg * k_degree), fall = std::tan(fall_deg * k_degree);
+    return bench::sample_raster(bench::plain_grid(std::llround(length / dx), std::llround(100 / dx), dx), [=](Point p) {
+        return std::abs(p.y - 51.85) * wall + (length - p.x) * fall;
+    });
+}
+
+class LevelPool : public testing::TestWithParam<std::tuple<double, double>> {};
+
+// The mark is rounding, as for the lakes at rest; 30 m of water make it three times theirs.
+TEST_P(LevelPool, StaysLevelHoweverSteepItsWalls) {
+    const auto [wall_deg, jitter] = GetParam();
+    const double level = 30 * std::tan(wall_deg * k_degree);
+    const Raster bed = gully(2.5, wall_deg, 0);
+    const auto elevation = spline_bed(bed, Boundary::wall);
+    const ParticleSet seeds =
+        bench::fill_lattice(bed.grid, 2, jitter, [&](Point p) { return bench::Seed{level - elevation(p)}; });
+    Flow flow(bed, seeds, water(), numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1);
+    flow.advance_to(10);
+    EXPECT_LT(greatest_speed(flow), 3e-12);
+    EXPECT_GT(flow.steps(), 50);
+}
+
+INSTANTIATE_TEST_SUITE_P(Walls, LevelPool,
+                         testing::Combine(testing::Values(30.0, 45.0, 60.0), testing::Values(0.0, 0.8)));
+
+/// A cap of 8 m slumps into the gully, with friction of 15 degrees; sum h^2 / sum h after 6 s, a depth that hangs on no
+/// single cell [m].
+double slumped_depth(double dx, double wall_deg) {
+    const Raster bed = gully(dx, wall_deg, 20);
+    const ParticleSet seeds = bench::fill_lattice(bed.grid, 2, 0, [&](Point p) {
+        const double r2 = ((p.x - 40) * (p.x - 40) + (p.y - 51.85) * (p.y - 51.85)) / (25 * 25);
+        return bench::Seed{8 * (1 - r2)};
+    });
+    Material material = dry_friction(15);
+    material.turbulence = 1000;
+    Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
+    flow.advance_to(6);
+    double depth = 0, square = 0;
+    for (const double h : flow.nodal_fields().depth.values) {
+        depth += h;
+        square += h * h;
+    }
+    return square / depth;
+}
+
+class Slump : public testing::TestWithParam<double> {};
+
+// Order 0.8: halving the cells leaves at most 2^-0.8 of the change that the halving before made. With the linear form of
+// the pressure in the whole gully the depth grew on: 6.6, 6.9, 10.7, 12.5 m between walls of 60 degrees.
+TEST_P(Slump, SettlesWithRefinement) {
+    const double coarse = slumped_depth(2.5, GetParam()), middle = slumped_depth(1.25, GetParam()),
+                 fine = slumped_depth(0.625, GetParam());
+    EXPECT_LT(std::abs(fine - middle), std::exp2(-0.8) * std::abs(middle - coarse)) << coarse << ' ' << middle << ' ' << fine;
+}
+
+INSTANTIATE_TEST_SUITE_P(Walls, Slump, testing::Values(30.0, 45.0, 60.0));
+
+}  // namespace
+}  // namespace frana::test
