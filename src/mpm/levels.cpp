@@ -2,6 +2,7 @@
 #include "mpm/levels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace frana {
@@ -14,6 +15,23 @@ constexpr double k_flat = 1e-6;
 double smooth_step(double from, double to, double value) {
     const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
     return t * t * (3 - 2 * t);
+}
+
+/// Integral of the quadratic spline of a node up to a distance from it [cells]: the fraction of the node's
+/// ground that lies on the near side of a straight shoreline.
+double near_side(double distance) {
+    const double far = 1.5 - std::min(std::abs(distance), 1.5);
+    const double beyond = std::abs(distance) < 0.5
+                              ? 0.5 - std::abs(distance) * (0.75 - distance * distance / 3)
+                              : far * far * far / 6;
+    return distance > 0 ? 1 - beyond : beyond;
+}
+
+/// Fraction of a node's ground that lies under a level, the bed taken as the plane through its neighbours.
+double under_level(const double* bed, std::int64_t stride, double level, double dx) {
+    const double slope = std::hypot(bed[1] - bed[-1], bed[stride] - bed[-stride]) / (2 * dx);
+    const double clearance = level - *bed;
+    return slope * dx > 0 ? near_side(clearance / (slope * dx)) : (clearance > 0 ? 1 : 0);
 }
 
 }  // namespace
@@ -48,7 +66,7 @@ void node_references(const NodeRange& range, NodeGrid& nodes) {
     const double* bed = nodes.bed.data();
     const std::uint8_t* solid = nodes.solid();
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
-    const double inverse_dx2 = 1 / (nodes.cell_size() * nodes.cell_size());
+    const double dx = nodes.cell_size(), inverse_dx2 = 1 / (dx * dx);
     range.for_each(stride, [&](std::size_t n, std::int64_t i, std::int64_t j) {
         if (!(sums[n].area > 0)) return;
         if (i == 0 || j == 0 || i == stride - 1 || j == rows - 1) return;  // outermost ghosts: never read
@@ -67,7 +85,12 @@ void node_references(const NodeRange& range, NodeGrid& nodes) {
             for (std::int64_t a = -1; a <= 1; ++a) {
                 const std::size_t k = n + static_cast<std::size_t>(b * stride + a);
                 if (solid && solid[k]) continue;
-                const double filled = std::min(1.0, sums[k].area * inverse_dx2 / k_filled_share);
+                double fillable = 1;
+                if (level.ponding > 0 && i + a > 0 && j + b > 0 && i + a < stride - 1 && j + b < rows - 1)
+                    fillable -= level.ponding * (1 - under_level(bed + k, stride, level.level, dx));
+                const double share = sums[k].area * inverse_dx2;
+                const double filled =
+                    share < k_filled_share * fillable ? share / (k_filled_share * fillable) : 1;
                 support = std::min(support, bed[k] >= level.level ? std::max(filled, level.ponding) : filled);
             }
         }

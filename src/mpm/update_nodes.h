@@ -83,17 +83,18 @@ NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, s
     return d;
 }
 
-/// Least share of g that vertical acceleration may leave as divisor: a layer that its bed throws upwards weighs at most
-/// twice as much.
+/// Least share of g that vertical acceleration may leave as divisor: a layer that its bed throws upwards
+/// weighs at most twice as much.
 inline constexpr double k_least_bearing = 0.5;
 
 /// Acceleration of a node that holds mass. With S = grad(h + Z) and n = 1 + |grad Z|^2:
 ///     gentle   a = -g S
 ///     surface  a = -(g/n) S
 ///     normal   a = -g' S,  g' = g + a . grad Z = g / (1 + S . grad Z)
-/// The last is the weight of a layer whose vertical acceleration is that of its bed (Denlinger and Iverson 2004,
-/// J. Geophys. Res. 109, F01014). A uniform layer has g' = g / n, a level pool g' = g however steep its walls. Where the
-/// surface is steeper than the bed (fronts) the linear terms in grad h are kept alone, as in Savage and Hutter (1989):
+/// The last is the weight of a layer whose vertical acceleration is that of its bed (Denlinger and Iverson
+/// 2004, J. Geophys. Res. 109, F01014). A uniform layer has g' = g / n, a level pool g' = g however steep its
+/// walls. Where the surface is steeper than the bed (fronts) the linear terms in grad h are kept alone, as in
+/// Savage and Hutter (1989):
 ///     a = -(g/n) [ grad Z + G^-1 grad h ],  G^-1 = I - grad Z grad Z^T / n
 /// The load of the motion over the bed's curvature is not in it: see follow_bed.
 /// Reads NodeSums mass, fx, fy; NodeLevel (if allocated); bed.

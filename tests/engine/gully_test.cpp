@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// V-shaped gullies: the pressure of a layer on a slope must not hold back the levelling of what fills the gully.
+// V-shaped gullies: the pressure of a layer on a slope must not hold back the levelling of what fills the
+// gully.
 #include <gtest/gtest.h>
 
 #include "cases.h"
@@ -12,9 +13,9 @@ constexpr double k_degree = M_PI / 180;
 /// Walls of `wall_deg` that meet along y = 50 m, 1.85 m north of a node row; falls eastwards by `fall_deg`.
 Raster gully(double dx, double wall_deg, double fall_deg) {
     const double length = 200, wall = std::tan(wall_deg * k_degree), fall = std::tan(fall_deg * k_degree);
-    return bench::sample_raster(bench::plain_grid(std::llround(length / dx), std::llround(100 / dx), dx), [=](Point p) {
-        return std::abs(p.y - 51.85) * wall + (length - p.x) * fall;
-    });
+    return bench::sample_raster(
+        bench::plain_grid(std::llround(length / dx), std::llround(100 / dx), dx),
+        [=](Point p) { return std::abs(p.y - 51.85) * wall + (length - p.x) * fall; });
 }
 
 class LevelPool : public testing::TestWithParam<std::tuple<double, double>> {};
@@ -36,8 +37,8 @@ TEST_P(LevelPool, StaysLevelHoweverSteepItsWalls) {
 INSTANTIATE_TEST_SUITE_P(Walls, LevelPool,
                          testing::Combine(testing::Values(30.0, 45.0, 60.0), testing::Values(0.0, 0.8)));
 
-/// A cap of 8 m slumps into the gully, with friction of 15 degrees; sum h^2 / sum h after 6 s, a depth that hangs on no
-/// single cell [m].
+/// A cap of 8 m slumps into the gully, with friction of 15 degrees; sum h^2 / sum h after 6 s, a depth that
+/// hangs on no single cell [m].
 double slumped_depth(double dx, double wall_deg) {
     const Raster bed = gully(dx, wall_deg, 20);
     const ParticleSet seeds = bench::fill_lattice(bed.grid, 2, 0, [&](Point p) {
@@ -58,12 +59,14 @@ double slumped_depth(double dx, double wall_deg) {
 
 class Slump : public testing::TestWithParam<double> {};
 
-// Order 0.8: halving the cells leaves at most 2^-0.8 of the change that the halving before made. With the linear form of
-// the pressure in the whole gully the depth grew on: 6.6, 6.9, 10.7, 12.5 m between walls of 60 degrees.
+// Order 0.8: halving the cells leaves at most 2^-0.8 of the change that the halving before made. With the
+// linear form of the pressure in the whole gully the depth grew on: 6.6, 6.9, 10.7, 12.5 m between walls of
+// 60 degrees.
 TEST_P(Slump, SettlesWithRefinement) {
     const double coarse = slumped_depth(2.5, GetParam()), middle = slumped_depth(1.25, GetParam()),
                  fine = slumped_depth(0.625, GetParam());
-    EXPECT_LT(std::abs(fine - middle), std::exp2(-0.8) * std::abs(middle - coarse)) << coarse << ' ' << middle << ' ' << fine;
+    EXPECT_LT(std::abs(fine - middle), std::exp2(-0.8) * std::abs(middle - coarse))
+        << coarse << ' ' << middle << ' ' << fine;
 }
 
 INSTANTIATE_TEST_SUITE_P(Walls, Slump, testing::Values(30.0, 45.0, 60.0));
