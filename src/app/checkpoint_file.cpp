@@ -61,10 +61,17 @@ void serialise_frame(Archive& archive, Frame& frame) {
 }
 
 template <class Archive>
+void serialise_records(Archive& archive, std::vector<FrameRecord>& records) {
+    records.resize(transfer_count(archive, records.size(), sizeof(std::uint64_t)));
+    for (auto& [name, bytes, sum] : records) archive(name, bytes, sum);
+}
+
+template <class Archive>
 void serialise(Archive& archive, CheckpointHead& head, std::uint32_t format) {
-    auto& [build, scene, step, time, end, wall_seconds, frame_times, waiting, log, origin] = head;
+    auto& [build, scene, step, time, end, wall_seconds, frame_times, waiting, log, origin, frame_records] = head;
     if (format != 3 && !origin) origin.emplace();  // in format 2 the grid's corner
     if (format >= 4) archive(origin->column, origin->row);
+    if (format >= 5) serialise_records(archive, frame_records);
     archive(build, scene, step, time, end, wall_seconds, frame_times);
     waiting.resize(transfer_count(archive, waiting.size(), sizeof(std::uint64_t)));
     for (Frame& frame : waiting) serialise_frame(archive, frame);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/frame_files.h"
 #include "app/reserved_space.h"
 #include "simulation/result.h"
 #include "simulation/scene_origin.h"
@@ -14,8 +15,9 @@
 namespace frana::app {
 
 /// Format of checkpoint files: counts up with every change of what any serialise writes. Those from the oldest format
-/// on are read. 2: places count from the grid's corner; 3: from where place_origin says; 4: the origin is told.
-inline constexpr std::uint32_t k_checkpoint_format = 4, k_oldest_checkpoint_format = 2;
+/// on are read. 2: places count from the grid's corner; 3: from where place_origin says; 4: the origin is told; 5: the
+/// frames' files are.
+inline constexpr std::uint32_t k_checkpoint_format = 5, k_oldest_checkpoint_format = 2;
 
 /// What a checkpoint tells of the run that it belongs to.
 struct CheckpointHead {
@@ -28,6 +30,7 @@ struct CheckpointHead {
     std::vector<Frame> waiting;       ///< frames after those, which the disk would not take; without their grid
     std::vector<std::string> log;     ///< lines so far
     std::optional<OriginCell> origin;  ///< that its places count from; none: where place_origin puts it
+    std::vector<FrameRecord> frame_records;  ///< of the files of frame_times; none before format 5
 };
 
 /// This program, as CheckpointHead::build tells it.

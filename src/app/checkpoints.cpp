@@ -73,7 +73,7 @@ CheckpointHead Checkpoints::head(const Progress& now) {
     if (identity_.empty()) identity_ = scene_identity(prepared_);
     const GridSpec& grid = prepared_.scene.grid;
     return {checkpoint_build(), identity_, now.step, now.time, now.end, earlier_ + since_start_.seconds(), {}, {},
-            log_.lines(), OriginCell{grid.origin_column, grid.origin_row}};
+            log_.lines(), OriginCell{grid.origin_column, grid.origin_row}, {}};
 }
 
 void Checkpoints::save(const Progress& now, const SaveState& state) {
@@ -86,6 +86,7 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
             described.waiting = frames_->settle();
             described.frame_times = frames_->times();
             described.frame_times.resize(described.frame_times.size() - described.waiting.size());
+            described.frame_records = frames_->records();
         }
         const std::string path = (fs::path(folder_) / file_name(now.step)).string();
         const std::uint64_t bytes = write_checkpoint(path, std::move(described), state, space_);

@@ -157,7 +157,8 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     const Prepared& prepared = session.prepared;
     const ParticleFormats particles = particle_formats(prepared.spec.output.formats);
     FrameWriter frames(directory.path("frames"), provenance(prepared), particles,
-                       from != nullptr ? from->head().frame_times : std::vector<double>{});
+                       from != nullptr ? from->head().frame_times : std::vector<double>{},
+                       from != nullptr ? frame_records(*from, directory.path("frames")) : std::vector<FrameRecord>{});
     const bool wants_frames = prepared.scene.time.frame_interval > 0;
     if (wants_frames) directory.make_folder("frames");
     publish_ground(prepared, directory);

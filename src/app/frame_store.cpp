@@ -2,7 +2,6 @@
 #include "app/frame_store.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -22,15 +21,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string frame_file(const std::string& folder, const std::string& what, std::size_t index,
-                       const char* ending = ".tif") {
-    char number[16];
-    std::snprintf(number, sizeof number, "_%04zu", index);
-    return (fs::path(folder) / (what + number + ending)).string();
-}
-
 std::string list_file(const std::string& folder) {
     return (fs::path(folder) / "frames.csv").string();
+}
+
+gis::BandText band_text(const std::string& what) {
+    if (what == k_depth_file.what) return {what, "Flow depth at one instant, vertical", "m", {}};
+    if (what == k_velocity_file.what) return {what, "Flow speed at one instant, along the bed", "m/s", {}};
+    const Layer layer = layer_named(what);
+    return {what, layer.title + " at one instant", layer.unit, {}};
+}
+
+const Raster& raster_of(const Frame& frame, const std::string& what) {
+    if (what == k_depth_file.what) return frame.depth;
+    if (what == k_velocity_file.what) return frame.velocity;
+    return std::find_if(frame.more.begin(), frame.more.end(), [&](const NamedRaster& one) { return one.name == what; })
+        ->values;
 }
 
 // As a checkpoint holds it: rasters in single precision, points in double.
@@ -43,20 +49,14 @@ std::uint64_t bytes_of(const Frame& frame) {
 
 }  // namespace
 
-ParticleFormats particle_formats(const std::vector<std::string>& formats) {
-    const auto has = [&](const char* word) {
-        return std::find(formats.begin(), formats.end(), word) != formats.end();
-    };
-    return {has("particles-gpkg"), has("particles-vtp")};
-}
-
 FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata,
-                         ParticleFormats particles, std::vector<double> times)
+                         ParticleFormats particles, std::vector<double> times, std::vector<FrameRecord> records)
     : folder_(std::move(folder)),
       metadata_(std::move(metadata)),
       particles_(particles),
       times_(std::move(times)),
       settled_(times_.size()),
+      records_(std::move(records)),
       thread_([this] { serve(); }) {}
 
 FrameWriter::~FrameWriter() {
@@ -81,32 +81,32 @@ void FrameWriter::add(Frame frame) {
     seconds_ += watch.seconds();
 }
 
-void FrameWriter::write(const Job& job) const {
-    std::map<std::string, std::string> time = metadata_;
-    time["TIME_S"] = shortest_text(job.frame.time);
-    gis::write_geotiff(frame_file(folder_, "depth", job.index), job.frame.depth,
-                       {"depth", "Flow depth at one instant, vertical", "m", time});
-    gis::write_geotiff(frame_file(folder_, "velocity", job.index), job.frame.velocity,
-                       {"velocity", "Flow speed at one instant, along the bed", "m/s", time});
-    for (const NamedRaster& raster : job.frame.more) {
-        const Layer layer = layer_named(raster.name);
-        gis::write_geotiff(frame_file(folder_, raster.name, job.index), raster.values,
-                           {raster.name, layer.title + " at one instant", layer.unit, time});
+std::vector<FrameRecord> FrameWriter::write(const Job& job) const {
+    std::vector<FrameRecord> records;
+    for (const FrameFile& file : frame_files(job.frame, particles_)) {
+        write(file, job);
+        records.push_back(record_of(frame_path(folder_, file, job.index)));
     }
-    if (particles_.any()) write_particles(job);
+    return records;
 }
 
-void FrameWriter::write_particles(const Job& job) const {
-    const PointTable& table = job.frame.particles;
-    if (particles_.gpkg)
-        gis::write_points(frame_file(folder_, "particles", job.index, ".gpkg"), job.frame.depth.grid.crs_wkt,
-                          "particles", table);
-    if (!particles_.vtp) return;
-    std::vector<double> heights(table.places.size());
-    const std::vector<double>*bed = table.find("bed_m"), *depth = table.find("depth_m");
-    for (std::size_t p = 0; p < heights.size(); ++p) heights[p] = (*bed)[p] + (*depth)[p];
-    render::write_vtk_points(frame_file(folder_, "particles", job.index, ".vtp"), table, heights,
-                             job.frame.time);
+void FrameWriter::write(const FrameFile& file, const Job& job) const {
+    const std::string path = frame_path(folder_, file, job.index);
+    const Frame& frame = job.frame;
+    const PointTable& table = frame.particles;
+    if (file.ending == k_particle_table.ending) {
+        gis::write_points(path, frame.depth.grid.crs_wkt, "particles", table);
+    } else if (file.ending == k_particle_cloud.ending) {
+        std::vector<double> heights(table.places.size());
+        const std::vector<double>*bed = table.find("bed_m"), *depth = table.find("depth_m");
+        for (std::size_t p = 0; p < heights.size(); ++p) heights[p] = (*bed)[p] + (*depth)[p];
+        render::write_vtk_points(path, table, heights, frame.time);
+    } else {
+        gis::BandText text = band_text(file.what);
+        text.metadata = metadata_;
+        text.metadata["TIME_S"] = shortest_text(frame.time);
+        gis::write_geotiff(path, raster_of(frame, file.what), text);
+    }
 }
 
 // ParaView's list of files and their times.
@@ -114,7 +114,7 @@ void FrameWriter::list_particles(const std::vector<double>& times) const {
     std::string text =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
     for (std::size_t i = 0; i < times.size(); ++i) {
-        const fs::path file = frame_file(folder_, "particles", i, ".vtp");
+        const fs::path file = frame_path(folder_, k_particle_cloud, i);
         text += "    <DataSet timestep=\"" + shortest_text(times[i]) + "\" file=\"" +
                 file.filename().string() + "\"/>\n";
     }
@@ -139,8 +139,9 @@ void FrameWriter::serve() {
         const std::vector<double> times(times_.begin(), end);
         lock.unlock();
         std::exception_ptr failure;
+        std::vector<FrameRecord> written;
         try {
-            write(job);
+            written = write(job);
             list(times);  // who looks in on the run finds what is whole
         } catch (...) {
             failure = std::current_exception();
@@ -150,6 +151,7 @@ void FrameWriter::serve() {
             failure_ = failure;
             failed_ = true;
         } else {
+            records_.insert(records_.end(), written.begin(), written.end());
             waiting_.pop_front();
         }
         changed_.notify_all();
@@ -164,6 +166,11 @@ void FrameWriter::require_good() {
 
 void FrameWriter::wait_until_written(std::unique_lock<std::mutex>& lock) {
     changed_.wait(lock, [&] { return failure_ || waiting_.empty(); });
+}
+
+std::vector<FrameRecord> FrameWriter::records() const {
+    const std::lock_guard lock(mutex_);
+    return records_;
 }
 
 std::uint64_t FrameWriter::most_bytes_waiting() const {
@@ -195,22 +202,6 @@ void FrameWriter::finish() {
     list(times_);
 }
 
-std::optional<std::size_t> frame_index(const std::string& name) {
-    constexpr std::string_view k_ending = ".tif";
-    const auto place = name.rfind('_');
-    if (place == std::string::npos || !name.ends_with(k_ending)) return std::nullopt;
-    const std::string digits = name.substr(place + 1, name.size() - place - 1 - k_ending.size());
-    if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
-    return static_cast<std::size_t>(std::stoull(digits));
-}
-
-bool has_frames(const std::string& folder, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i)
-        for (const char* what : {"depth", "velocity"})
-            if (!fs::exists(frame_file(folder, what, i))) return false;
-    return true;
-}
-
 std::vector<StoredFrame> stored_frames(const std::string& folder) {
     std::ifstream file(list_file(folder));
     if (!file) {
@@ -225,9 +216,8 @@ std::vector<StoredFrame> stored_frames(const std::string& folder) {
         const auto time = words.size() == 2 ? number_from_text(words[1]) : std::nullopt;
         if (!time)
             throw Error(ErrorKind::input, Problem{"is not index,time_s", list_file(folder), line, "", ""});
-        frames.push_back(
-            {*time, frame_file(folder, "depth", frames.size()), frame_file(folder, "velocity", frames.size()),
-             (fs::path(frame_file(folder, "particles", frames.size())).replace_extension("gpkg")).string()});
+        const auto path = [&](const FrameFile& what) { return frame_path(folder, what, frames.size()); };
+        frames.push_back({*time, path(k_depth_file), path(k_velocity_file), path(k_particle_table)});
     }
     return frames;
 }

@@ -13,19 +13,11 @@
 #include <thread>
 #include <vector>
 
+#include "app/frame_files.h"
 #include "core/raster.h"
 #include "simulation/result.h"
 
 namespace frana::app {
-
-/// How a frame's particles are written, where it has any: frames/particles_0000.gpkg, .vtp.
-struct ParticleFormats {
-    bool gpkg = false, vtp = false;
-
-    [[nodiscard]] bool any() const noexcept { return gpkg || vtp; }
-};
-/// What output.formats says of them.
-ParticleFormats particle_formats(const std::vector<std::string>& formats);
 
 /// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, particles, and frames.csv (index,
 /// time_s). A thread of its own writes them while the run goes on, and lists what is whole after each; at most two
@@ -35,8 +27,9 @@ class FrameWriter {
   public:
     /// `metadata` goes into every raster.
     /// @param times of frames that are there already [s]
+    /// @param records of their files
     FrameWriter(std::string folder, std::map<std::string, std::string> metadata, ParticleFormats particles = {},
-                std::vector<double> times = {});
+                std::vector<double> times = {}, std::vector<FrameRecord> records = {});
     /// Writes what was added, if nothing has failed.
     ~FrameWriter();
     FrameWriter(const FrameWriter&) = delete;
@@ -47,6 +40,8 @@ class FrameWriter {
     [[nodiscard]] bool failed() const noexcept { return failed_; }
     /// Waits until every frame so far is on the disk or has failed; returns those that are not there.
     [[nodiscard]] std::vector<Frame> settle();
+    /// The files of all frames that are on the disk.
+    [[nodiscard]] std::vector<FrameRecord> records() const;
     /// What settle() may return, as a checkpoint holds it [bytes].
     [[nodiscard]] std::uint64_t most_bytes_waiting() const;
     /// Throws Error(environment) when a frame could not be written.
@@ -67,9 +62,9 @@ class FrameWriter {
     };
     static constexpr std::size_t k_most_waiting = 2;
 
-    void write(const Job& job) const;
+    [[nodiscard]] std::vector<FrameRecord> write(const Job& job) const;
+    void write(const FrameFile& file, const Job& job) const;
     void wait_until_written(std::unique_lock<std::mutex>& lock);
-    void write_particles(const Job& job) const;
     void list(const std::vector<double>& times) const;
     void list_particles(const std::vector<double>& times) const;
     void serve();
@@ -79,8 +74,9 @@ class FrameWriter {
     ParticleFormats particles_;
     std::vector<double> times_;
     std::size_t settled_;  // frames that are on the disk for good
+    std::vector<FrameRecord> records_;
     double seconds_ = 0;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Job> waiting_;     // the first is being written
     std::exception_ptr failure_;  // the first; nothing is written after it
@@ -96,11 +92,6 @@ struct StoredFrame {
     std::string velocity_file;
     std::string particle_file;  ///< there only where output.formats asked for it
 };
-
-/// The number in a frame's name: "depth_0012.tif" is 12; none for other names.
-std::optional<std::size_t> frame_index(const std::string& name);
-/// Whether the first `count` frames are in a folder.
-bool has_frames(const std::string& folder, std::size_t count);
 
 /// What frames.csv lists. Throws Error(input) when it is missing or broken.
 std::vector<StoredFrame> stored_frames(const std::string& folder);

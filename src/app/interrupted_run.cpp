@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "app/checkpoints.h"
-#include "app/frame_store.h"
+#include "app/frame_files.h"
 #include "app/result_files.h"
 #include "app/scene_identity.h"
 #include "app/unfinished_results.h"
@@ -27,8 +27,8 @@ std::string hindrance(const CheckpointFile& checkpoint, const std::string& ident
     if (head.scene != identity)
         return "is of another scene: " + joined(identity_differences(identity, head.scene), "; ");
     const std::string frames = (result_of(checkpoint.path()) / "frames").string();
-    if (!has_frames(frames, head.frame_times.size())) return "counts on frames that are not there any more";
-    return {};
+    const std::string fault = frame_fault(frames, head.frame_times.size(), head.frame_records);
+    return fault.empty() ? "" : "counts on a frame that " + fault;
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::error_code& failure) {
@@ -119,12 +119,18 @@ void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& dire
     }
     directory.make_folder(k_checkpoint_folder);
     directory.make_folder("frames");
-    std::error_code failure;
-    for (const fs::directory_entry& entry : fs::directory_iterator(from / "frames", failure)) {
-        const std::string file = entry.path().filename().string();
-        if (is_earlier_frame(file)) link(entry.path(), to / "frames" / file);
-    }
+    for (const std::string& file : names_of_frames((from / "frames").string(), frames))
+        link(from / "frames" / file, to / "frames" / file);
     link(checkpoint.path(), to / k_checkpoint_folder / name);
+}
+
+std::vector<FrameRecord> frame_records(const CheckpointFile& checkpoint, const std::string& folder) {
+    const CheckpointHead& head = checkpoint.head();
+    if (!head.frame_records.empty()) return head.frame_records;
+    std::vector<FrameRecord> records;
+    for (const std::string& name : names_of_frames(folder, head.frame_times.size()))
+        records.push_back(record_of((fs::path(folder) / name).string()));
+    return records;
 }
 
 }  // namespace frana::app

@@ -41,4 +41,8 @@ std::string folder_of(const CheckpointFile& checkpoint, const std::string& direc
 /// nothing else. Throws Error(environment).
 void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& directory);
 
+/// The files of the frames that a checkpoint counts on: as it tells them, or as they are in `folder` where it is older
+/// than such records.
+std::vector<FrameRecord> frame_records(const CheckpointFile& checkpoint, const std::string& folder);
+
 }  // namespace frana::app

@@ -20,12 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t k_format_place = 12, k_size_place = 16, k_start = 24, k_origin_bytes = 16, k_sum = 4;
+constexpr std::size_t k_format_place = 12, k_size_place = 16, k_start = 24, k_origin_bytes = 16, k_records_bytes = 8, k_sum = 4;
 constexpr std::int64_t k_saved_step = 8;
 
-// The same state as formats 2 and 3 have it: without the origin, which format 4 tells first.
+// The same state as older formats have it: without the origin, which format 4 tells first, and the list, here empty, of
+// the frames' files, which format 5 tells then.
 std::string in_format(std::uint32_t format, std::string file) {
-    file.erase(k_start, k_origin_bytes);
+    file.erase(k_start + k_origin_bytes, k_records_bytes);
+    if (format < 4) file.erase(k_start, k_origin_bytes);
     const std::uint64_t size = file.size() - k_start - k_sum;
     const auto sum =
         static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(file.data()) + k_start, size));
@@ -50,7 +52,7 @@ class OlderCheckpoint : public TinyScene {
             if (now.step != k_saved_step) return;
             app::ReservedSpace none(path("reserve"));
             app::write_checkpoint(file(), {app::checkpoint_build(), app::scene_identity(prepared_), now.step,
-                                           now.time, now.end, 1, {}, {}, {}, told},
+                                           now.time, now.end, 1, {}, {}, {}, told, {}},
                                   state, none);
         };
         const RunResult result = run(prepared_.scene, options);
@@ -101,6 +103,14 @@ TEST_F(OlderCheckpoint, OfFormat3CountsFromTheRelease) {
     expect_goes_on_to(expected);
 }
 
+TEST_F(OlderCheckpoint, OfFormat4TellsItsOrigin) {
+    put_origin(prepared_.scene, {0, 0});
+    const Raster expected = run_to_end(OriginCell{0, 0});
+    const std::string older = in_format(4, read_text(file()));
+    std::ofstream(file(), std::ios::binary) << older;
+    expect_goes_on_to(expected);
+}
+
 // What a run writes that went on from format 2.
 TEST_F(OlderCheckpoint, OfThisFormatCountsFromWhereItTells) {
     put_origin(prepared_.scene, {0, 0});
@@ -122,7 +132,7 @@ TEST_F(OlderCheckpoint, OfFormatsThatAreTooOldOrTooNewIsRefusedInASentence) {
         const Outcome outcome = frana({"run", path("scene.ini"), "--out", "result", "--resume"});
         EXPECT_EQ(outcome.exit_code, 2);
         EXPECT_NE(outcome.err.find("was written by " + age + " frana, in format " + std::to_string(format) +
-                                   "; this one reads 2 to 4"),
+                                   "; this one reads 2 to 5"),
                   std::string::npos)
             << outcome.err;
     }

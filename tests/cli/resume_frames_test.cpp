@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files of the frames that an interrupted run has left: all of them are there after it was resumed, and none that
+// is damaged is counted on.
+#include <csignal>
+#include <fstream>
+
+#include "app/checkpoint_file.h"
+#include "particle_points.h"
+#include "resuming.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ResumedFrames : public Resuming {
+  protected:
+    [[nodiscard]] std::vector<std::string> with_particles(const std::string& result,
+                                                          std::vector<std::string> more = {}) const {
+        more.insert(more.end(), {"--quiet", "--set", "output.formats=geotiff,particles-gpkg,particles-vtp", "--set",
+                                 "terrain.cell-size=2.5", "--set", "numerics.particles-per-cell=9"});
+        return run(result, more);
+    }
+    void expect_same_particles(const std::string& one, const std::string& other) const {
+        for (int i = 0; i < 9; ++i) {
+            const std::string name = "/frames/particles_000" + std::to_string(i) + ".gpkg";
+            const Points a = read_points(path(one + name)), b = read_points(path(other + name));
+            EXPECT_GT(a.size(), 100U);
+            EXPECT_EQ(a.columns, b.columns) << name;
+        }
+    }
+    // The folder with the checkpoint and its frames.
+    [[nodiscard]] fs::path folder_of(const std::string& checkpoint) const {
+        return fs::path(checkpoint).parent_path().parent_path();
+    }
+    static void damage(const fs::path& file) {
+        std::string bytes = read_text(file.string());
+        ASSERT_GT(bytes.size(), 100U) << file;
+        bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
+        std::ofstream(file, std::ios::binary) << bytes;
+    }
+};
+
+TEST_F(ResumedFrames, HaveTheParticlesOfAKilledRun) {
+    ASSERT_EQ(frana(with_particles("whole")).exit_code, 0);
+    StartedProgram program(folder_.string(), with_particles("result"));
+    ASSERT_TRUE(program.wait_until([&] {
+        return has_checkpoints("result", 2) && app::CheckpointFile(checkpoints("result")[0]).head().frame_times.size() > 2;
+    })) << program.wait().err;
+    program.send(SIGKILL);
+    program.wait();
+    const Outcome resumed = frana(with_particles("result", {"--resume"}));
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    expect_same_result("whole", "result");
+    expect_same_particles("whole", "result");
+}
+
+TEST_F(ResumedFrames, HaveTheParticlesOfAStoppedRun) {
+    ASSERT_EQ(frana(with_particles("whole")).exit_code, 0);
+    {
+        StartedProgram program(folder_.string(), with_particles("result"));
+        ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("result", 2); })) << program.wait().err;
+        program.send(SIGTERM);
+        ASSERT_EQ(program.wait().exit_code, 128 + SIGTERM);
+    }
+    const Outcome resumed = frana(with_particles("result", {"--resume"}));
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    expect_same_result("whole", "result");
+    expect_same_particles("whole", "result");
+}
+
+TEST_F(ResumedFrames, OfWhichAnyFileIsMissingAreSaid) {
+    StartedProgram program(folder_.string(), with_particles("result"));
+    ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("result", 2); })) << program.wait().err;
+    program.send(SIGKILL);
+    program.wait();
+    const fs::path file = folder_of(checkpoints("result")[0]) / "frames/particles_0000.vtp";
+    fs::remove(file);
+    const Outcome refused = frana(with_particles("result", {"--resume"}));
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("counts on a frame that is not there any more: " + file.string()), std::string::npos)
+        << refused.err;
+}
+
+// Else all would be computed, and the film or the stack of frames fail in the end, each time anew.
+TEST_F(ResumedFrames, ThatAreDamagedAreSaidBeforeAnythingIsComputed) {
+    interrupt("result");
+    const fs::path file = folder_of(checkpoints("result")[0]) / "frames/velocity_0000.tif";
+    damage(file);
+    const Outcome refused = frana(run("result", {"--resume"}));
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("counts on a frame that is not as it was written: " + file.string()), std::string::npos)
+        << refused.err;
+    EXPECT_NE(refused.err.find("--overwrite"), std::string::npos) << refused.err;
+    EXPECT_EQ(checkpoints("result").size(), 2U);
+}
+
+TEST_F(ResumedFrames, ThatAreDamagedCostNoMoreThanTheyMust) {
+    ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
+    StartedProgram program(folder_.string(), run("result"));
+    // Two checkpoints that count on different numbers of frames.
+    ASSERT_TRUE(program.wait_until([&] {
+        const auto found = checkpoints("result");
+        if (found.size() < 2) return false;
+        program.send(SIGSTOP);
+        try {
+            const std::size_t later = app::CheckpointFile(found[0]).head().frame_times.size();
+            if (later > app::CheckpointFile(found[1]).head().frame_times.size()) return true;
+        } catch (const Error&) {  // removed meanwhile
+        }
+        program.send(SIGCONT);
+        return false;
+    })) << program.wait().err;
+    program.send(SIGKILL);
+    program.wait();
+    const std::string newest = checkpoints("result")[0];
+    const std::size_t frames = app::CheckpointFile(newest).head().frame_times.size();
+    damage(folder_of(newest) / ("frames/depth_000" + std::to_string(frames - 1) + ".tif"));
+    const Outcome resumed = frana(run("result", {"--resume"}));
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+    EXPECT_NE(resumed.err.find("checkpoint not used: " + newest + ": counts on a frame"), std::string::npos)
+        << resumed.err;
+    EXPECT_NE(resumed.err.find("going on from"), std::string::npos) << resumed.err;
+    // The summary tells of the checkpoint that was not used; all else is the same.
+    fs::remove(path("result/summary.json"));
+    fs::remove(path("whole/summary.json"));
+    expect_same_result("whole", "result");
+}
+
+}  // namespace
+}  // namespace frana::test
