@@ -87,6 +87,15 @@ void write_picture_geotiff(const std::string& path, const PicturePixels& picture
     write(path, dataset.get(), "COG", options, session);
 }
 
+bool is_drawn_geotiff(const std::string& path) {
+    const GdalSession session;
+    const GdalDataset dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+    if (!dataset || GDALGetRasterCount(dataset.get()) != 3) return false;
+    for (const char* key : {"TITLE", "SOURCE", "ATTRIBUTION"})
+        if (GDALGetMetadataItem(dataset.get(), key, nullptr) == nullptr) return false;
+    return GDALGetRasterDataType(GDALGetRasterBand(dataset.get(), 1)) == GDT_Byte;
+}
+
 void write_picture_pdf(const std::string& path, const PicturePixels& picture, double dots_per_inch,
                        const std::optional<PicturePlace>& place, const std::string& title) {
     const GdalSession session;

@@ -29,6 +29,9 @@ struct PicturePlace {
 void write_picture_geotiff(const std::string& path, const PicturePixels& picture, const Bounds& box,
                            const std::string& crs_wkt, const std::map<std::string, std::string>& metadata);
 
+/// Whether a file is one that write_picture_geotiff wrote, for a map.
+bool is_drawn_geotiff(const std::string& path);
+
 /// A PDF of one page, as large as the pixels are at `dots_per_inch`; with a place it is a geospatial PDF (ISO 32000)
 /// whose map frame is the neat line. `title` goes into its properties. Written aside and renamed. Throws
 /// Error(environment).

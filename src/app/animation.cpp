@@ -36,6 +36,12 @@ std::string time_text(double seconds, int decimals) {
     return text.data();
 }
 
+std::string picture_name(std::size_t frame) {
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "frame_%04zu.png", frame);
+    return name.data();
+}
+
 /// A film file, or a folder of pictures.
 class FilmOut {
   public:
@@ -52,9 +58,7 @@ class FilmOut {
     [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< of playback; 0: a folder
     void add(const render::Image& image) {
         if (!movie_) {
-            std::array<char, 32> name{};
-            std::snprintf(name.data(), name.size(), "frame_%04d.png", count_++);
-            render::write_png(path_ + name.data(), image);
+            render::write_png(path_ + picture_name(count_++), image);
             return;
         }
         movie_->add(image, repeats_);
@@ -66,7 +70,8 @@ class FilmOut {
   private:
     std::string path_;
     std::unique_ptr<render::MovieWriter> movie_;
-    int repeats_ = 1, count_ = 0;
+    int repeats_ = 1;
+    std::size_t count_ = 0;
     double seconds_ = 0;
 };
 
@@ -134,7 +139,7 @@ void beside(render::Image& page, const render::Image& part, int left) {
 }
 
 template <class Animator, class Spec>
-void film(const FilmRequest& request, const std::string& path) {
+bool film(const FilmRequest& request, const std::string& path) {
     const std::vector<StoredFrame>& frames = request.first.frames;
     FilmOut out(path, request.size, frames.size());
     const Size half{request.second ? request.size.width / 2 : request.size.width, request.size.height};
@@ -151,6 +156,7 @@ void film(const FilmRequest& request, const std::string& path) {
     Animator animator(left);
     [[maybe_unused]] double along = 0;  // from the flight's start to its end
     for (const StoredFrame& frame : frames) {
+        if (request.stop_requested && request.stop_requested()) return false;
         if constexpr (std::is_same_v<Animator, render::ViewAnimator>) {
             if (request.fly) animator.fly(along);
             along += 1 / static_cast<double>(std::max<std::size_t>(1, frames.size() - 1));
@@ -167,6 +173,7 @@ void film(const FilmRequest& request, const std::string& path) {
         out.add(page);
     }
     out.finish();
+    return true;
 }
 
 }  // namespace
@@ -175,6 +182,13 @@ Size film_size(Size map) {
     constexpr int k_widest = 1280;
     if (map.width <= k_widest) return map;
     return {k_widest, std::max(480, map.height * k_widest / map.width)};
+}
+
+std::vector<std::string> film_files(const std::string& path, std::size_t frames) {
+    if (!path.ends_with('/')) return {path};
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < frames; ++i) files.push_back(path + picture_name(i));
+    return files;
 }
 
 FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {
@@ -187,11 +201,9 @@ FilmSource film_source(const ResultReader& result, const MapSource& source, cons
     return film;
 }
 
-void write_animation(const FilmRequest& request, const std::string& path) {
-    if (request.view_3d)
-        film<render::ViewAnimator, render::ViewSpec>(request, path);
-    else
-        film<render::MapAnimator, render::MapSpec>(request, path);
+bool write_animation(const FilmRequest& request, const std::string& path) {
+    return request.view_3d ? film<render::ViewAnimator, render::ViewSpec>(request, path)
+                           : film<render::MapAnimator, render::MapSpec>(request, path);
 }
 
 }  // namespace frana::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,11 +35,15 @@ struct FilmRequest {
     bool view_3d = false;
     bool fly = false;  ///< 3-D: the camera glides from the flow's top to its front
     Size size;         ///< of the whole picture
+    std::function<bool()> stop_requested = {};  ///< asked before every frame; empty: never
 };
+
+/// The files that a film of so many frames becomes.
+std::vector<std::string> film_files(const std::string& path, std::size_t frames);
 
 /// Writes the frames of a result as a film: .mp4 at 25 frames a second (a frame of the result is shown longer where
 /// there are few), .gif, or, where `path` ends in '/', PNG files frame_0000.png ... in that folder, which must exist.
-/// Throws Error.
-void write_animation(const FilmRequest& request, const std::string& path);
+/// False where it was stopped on the way: then there is no film. Throws Error.
+bool write_animation(const FilmRequest& request, const std::string& path);
 
 }  // namespace frana::app

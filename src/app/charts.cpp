@@ -232,6 +232,16 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
     return charts;
 }
 
+std::vector<std::string> chart_files(const ResultReader& result, const MapSource& source, const std::string& folder) {
+    std::vector<std::string> files;
+    for (const NamedChart& one : result_charts(result, source)) {
+        const auto more =
+            picture_files(source.style, (std::filesystem::path(folder) / one.name).string(), false);
+        files.insert(files.end(), more.begin(), more.end());
+    }
+    return files;
+}
+
 std::vector<std::string> draw_charts(const ResultReader& result, const MapSource& source, const std::string& folder) {
     std::vector<std::string> files;
     const Size size = source.style.size;

@@ -21,6 +21,9 @@ struct NamedChart {
 /// numbers are those of the files. Throws Error(input) for a broken table.
 std::vector<NamedChart> result_charts(const ResultReader& result, const MapSource& source);
 
+/// The files that they become in a folder.
+std::vector<std::string> chart_files(const ResultReader& result, const MapSource& source, const std::string& folder);
+
 /// Draws them into a folder that exists and returns the names of the files.
 std::vector<std::string> draw_charts(const ResultReader& result, const MapSource& source,
                                      const std::string& folder);

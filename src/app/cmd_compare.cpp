@@ -2,10 +2,12 @@
 #include <boost/program_options/value_semantic.hpp>
 #include <filesystem>
 #include <iostream>
+#include <utility>
 
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/comparison.h"
+#include "app/kept_files.h"
 #include "app/ranking.h"
 #include "app/result_reader.h"
 #include "app/text_file.h"
@@ -58,15 +60,19 @@ Raster foreign_depth(const std::string& file) {
 struct Simulated {
     ComparisonInput input;
     MapSource source;
-    std::string name;          ///< for folders and the ranking
-    std::string usual_folder;  ///< where the files go unless told otherwise
 };
+
+/// For folders and the ranking.
+std::string name_of(const std::string& operand) {
+    if (!fs::is_directory(operand)) return fs::path(operand).stem().string();
+    const fs::path folder = fs::absolute(ResultReader(operand).directory()).lexically_normal();
+    return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+}
 
 Simulated read_simulated(const std::string& operand, const std::optional<double>& threshold) {
     Simulated simulated;
     ComparisonInput& input = simulated.input;
     double usual_threshold = OutputSpec{}.trace_threshold;
-    simulated.usual_folder = ".";
     if (fs::is_directory(operand)) {
         const ResultReader result(operand);
         input.depth = result.raster("max_depth");
@@ -78,13 +84,10 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
         simulated.source = result.map_source();
         usual_threshold = result.scene_number("scar.threshold",
                                               result.scene_number("output.trace-threshold", usual_threshold));
-        simulated.usual_folder = result.directory();
         input.depth_label = result.path("max_depth.tif");
-        simulated.name = fs::absolute(result.directory()).lexically_normal().filename().string();
     } else {
         input.depth = foreign_depth(operand);
-        simulated.name = fs::path(operand).stem().string();
-        simulated.source.title = simulated.name;
+        simulated.source.title = name_of(operand);
         simulated.source.foreign = true;
         simulated.source.crs_label = gis::crs_name(input.depth.grid.crs_wkt);
         input.depth_label = operand;
@@ -102,6 +105,59 @@ Survey read_survey(const std::optional<std::string>& scar, const std::optional<s
     if (scar) add_surveyed(*scar, grid.crs_wkt, "--scar", log, survey);
     if (deposit) add_deposit(*deposit, grid, "--deposit", log, survey);
     return survey;
+}
+
+/// One result or raster against one survey, and where the files go.
+struct Pair {
+    std::string operand;
+    std::optional<std::string> scar;
+    std::string name, folder;
+};
+
+std::vector<Pair> pairs_of(const std::vector<std::string>& operands, const std::vector<std::string>& scars,
+                           const std::optional<std::string>& out, Ranking& ranking) {
+    std::vector<std::optional<std::string>> surveyed(scars.begin(), scars.end());
+    if (surveyed.empty()) surveyed.emplace_back();
+    if (operands.size() == 1 && surveyed.size() == 1) {
+        const std::string& only = operands.front();
+        const std::string usual = fs::is_directory(only) ? ResultReader(only).directory() : ".";
+        return {{only, surveyed.front(), "", out.value_or(usual)}};
+    }
+    std::vector<Pair> pairs;
+    for (const std::string& operand : operands) {
+        for (const auto& scar : surveyed) {
+            const std::string name =
+                ranking.folder_for(name_of(operand), scar ? fs::path(*scar).stem().string() : "deposit");
+            pairs.push_back({operand, scar, name, (fs::path(out.value_or(".")) / name).string()});
+        }
+    }
+    return pairs;
+}
+
+/// Before anything is computed: nothing that is read or that a result is made of is written over.
+void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::string>& deposit,
+                   const std::string& ranking_file) {
+    KeptFiles kept;
+    MapStyle any;
+    any.formats = {"png", "pdf", "tif"};
+    for (const Pair& pair : pairs) {
+        if (fs::is_directory(pair.operand)) {
+            const std::string result = ResultReader(pair.operand).directory();
+            kept.add_result(result, comparison_files(result));
+        }
+    }
+    for (const Pair& pair : pairs) {  // whatever they are called
+        if (!fs::is_directory(pair.operand)) kept.add(pair.operand);
+        kept.add(pair.scar.value_or(""));
+    }
+    kept.add(deposit.value_or(""));
+    Problems problems;
+    for (const Pair& pair : pairs) {
+        kept.check(comparison_files(pair.folder), "--out", problems);
+        kept.check(comparison_pictures(any, pair.folder), "--out", problems);
+    }
+    if (pairs.size() > 1) kept.check({ranking_file}, "--out", problems);
+    problems.throw_if_any();
 }
 
 std::string make_folder(const std::string& folder) {
@@ -122,7 +178,7 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
     if (comparison.figures) {
         simulated.source.scar = simulated.input.survey.scar;
         LayerDrawer drawer(simulated.source);
-        draw_comparison(comparison, drawer, (fs::path(folder) / "comparison").string());
+        draw_comparison(comparison, drawer, folder);
     }
     return comparison;
 }
@@ -142,29 +198,25 @@ int cmd_compare(const Arguments& arguments) {
     const auto size = size_option(*values);
     const auto out = text_option(*values, "out");
     const auto operands = text_options(*values, "operand");
-    const bool several = operands.size() > 1 || scars.size() > 1;
-    std::vector<std::optional<std::string>> surveyed(scars.begin(), scars.end());
-    if (surveyed.empty()) surveyed.emplace_back();
-    RunLog log(false);
     Ranking ranking;
-    for (const std::string& operand : operands) {
-        Simulated simulated = read_simulated(operand, threshold);
+    const std::vector<Pair> pairs = pairs_of(operands, scars, out, ranking);
+    const std::string ranking_file = (fs::path(out.value_or(".")) / "ranking.csv").string();
+    check_outputs(pairs, deposit, ranking_file);
+    RunLog log(false);
+    std::string operand;
+    Simulated simulated;
+    for (const Pair& pair : pairs) {
+        if (std::exchange(operand, pair.operand) != pair.operand) simulated = read_simulated(operand, threshold);
         if (size) simulated.source.style.size = *size;
-        for (const auto& scar : surveyed) {
-            simulated.input.survey = read_survey(scar, deposit, simulated.input.depth.grid, log);
-            if (!several) {
-                const Comparison comparison =
-                    compare_into(simulated, out.value_or(simulated.usual_folder), log);
-                std::cout << comparison_json(comparison, simulated.input);
-                return static_cast<int>(ExitCode::done);
-            }
-            const std::string scar_name = scar ? fs::path(*scar).stem().string() : "deposit";
-            const std::string folder = ranking.folder_for(simulated.name, scar_name);
-            ranking.add(folder, operand, scar.value_or(deposit.value_or("")),
-                        compare_into(simulated, (fs::path(out.value_or(".")) / folder).string(), log));
+        simulated.input.survey = read_survey(pair.scar, deposit, simulated.input.depth.grid, log);
+        const Comparison comparison = compare_into(simulated, pair.folder, log);
+        if (pair.name.empty()) {
+            std::cout << comparison_json(comparison, simulated.input);
+            return static_cast<int>(ExitCode::done);
         }
+        ranking.add(pair.name, pair.operand, pair.scar.value_or(deposit.value_or("")), comparison);
     }
-    write_text_file((fs::path(out.value_or(".")) / "ranking.csv").string(), ranking.csv());
+    write_text_file(ranking_file, ranking.csv());
     std::cout << ranking.csv();
     return static_cast<int>(ExitCode::done);
 }

@@ -11,6 +11,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/error_estimate.h"
+#include "app/kept_files.h"
 #include "app/number_text.h"
 #include "app/prepare.h"
 #include "app/progress.h"
@@ -195,9 +196,18 @@ int level_count(const boost::program_options::variables_map& values) {
     return static_cast<int>(*count);
 }
 
-fs::path make_folder(const std::string& name, bool overwrite) {
+constexpr const char *k_uncertainty = "uncertainty.tif", *k_chart = "convergence.png", *k_table = "convergence.csv",
+                     *k_study = "convergence.json";
+
+fs::path make_folder(const std::string& name, bool overwrite, const SceneSpec& spec) {
     fs::path folder = fs::absolute(name);
-    if (fs::exists(folder / "convergence.json") && !overwrite) {
+    KeptFiles kept;
+    for (const std::string& file : input_files(spec)) kept.add(file);
+    Problems problems;
+    for (const char* file : {k_uncertainty, k_chart, k_table, k_study, k_error_estimate_file})
+        kept.check({(folder / file).string()}, "--out", problems);
+    problems.throw_if_any();
+    if (fs::exists(folder / k_study) && !overwrite) {
         throw Error(ErrorKind::input, Problem{"holds a convergence study already", "--out", folder.string(),
                                               "", "Choose another folder, or add --overwrite"});
     }
@@ -233,7 +243,7 @@ int cmd_converge(const Arguments& arguments) {
     const SceneSpec spec = scenes.front().spec;
     const fs::path folder =
         make_folder(text_option(*values, "out").value_or(convergence_directory(output_directory(spec))),
-                    values->count("overwrite") > 0);
+                    values->count("overwrite") > 0, spec);
     const double finest = scenes.front().scene.grid.cell_size;
     for (int k = 1; k < count; ++k) {
         scenes.push_back(read_level({"terrain.cell-size=" + shortest_text(finest * std::pow(2.0, k))}));
@@ -250,15 +260,15 @@ int cmd_converge(const Arguments& arguments) {
     std::vector<Raster> depths;
     for (Level& level : levels) depths.push_back(std::move(level.depth));
     const std::string told = sentences(levels);
-    gis::write_geotiff((folder / "uncertainty.tif").string(), field_uncertainty(depths),
+    gis::write_geotiff((folder / k_uncertainty).string(), field_uncertainty(depths),
                        {"uncertainty",
                         "Estimated discretisation error of the maximum depth",
                         "m",
                         {{"PROGRAM", k_program}, {"VERSION", k_version}}});
-    render::write_png((folder / "convergence.png").string(), chart_of(levels));
-    write_text_file((folder / "convergence.csv").string(), csv_text(levels));
+    render::write_png((folder / k_chart).string(), chart_of(levels));
+    write_text_file((folder / k_table).string(), csv_text(levels));
     write_error_estimate(folder.string(), spec, told);
-    write_text_file((folder / "convergence.json").string(), json_text(levels, spec));
+    write_text_file((folder / k_study).string(), json_text(levels, spec));
     std::cout << table_text(levels) << '\n' << told;
     if (!quiet) std::cerr << "frana: convergence study in " << folder.string() << '\n';
     return static_cast<int>(ExitCode::done);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <boost/program_options/value_semantic.hpp>
 #include <filesystem>
 #include <iostream>
@@ -8,6 +9,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/foreign_map.h"
+#include "app/kept_files.h"
 #include "app/plates.h"
 #include "app/result_reader.h"
 #include "core/error.h"
@@ -156,7 +158,8 @@ void make_folder(const std::string& folder) {
     }
 }
 
-void render_film(const ResultReader& result, const MapSource& source, const Request& request, Size size) {
+void render_film(const ResultReader& result, const MapSource& source, const Request& request, Size size,
+                 KeptFiles& kept) {
     FilmRequest film{film_source(result, source, request.film_of), {}, request.view_3d, request.fly, size};
     if (request.beside) {
         const ResultReader other(*request.beside);
@@ -169,19 +172,41 @@ void render_film(const ResultReader& result, const MapSource& source, const Requ
                                 "Run one of the scenes with the other's terrain.crs"});
         }
         film.second = film_source(other, second, request.film_of);
+        kept.add_result(other.directory());
     }
+    Problems problems;
+    kept.check(film_files(*request.film, film.first.frames.size()), "--animation", problems);
+    problems.throw_if_any();
     if (request.film->ends_with('/')) make_folder(*request.film);
     write_animation(film, *request.film);
     std::cout << *request.film << '\n';
 }
 
 void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d,
-          const std::string& folder) {
+          const std::string& folder, const KeptFiles& kept) {
+    const auto stem = [&](const MapLayer& layer) {
+        return (fs::path(folder) / (layer.name + (view_3d ? "_3d" : ""))).string();
+    };
+    Problems problems;
+    for (const MapLayer& layer : layers)
+        kept.check_pictures(picture_files(source.style, stem(layer), !view_3d), "--out", problems);
+    problems.throw_if_any();
     make_folder(folder);
     LayerDrawer drawer(source);
-    for (const MapLayer& layer : layers) {
-        const std::string stem = (fs::path(folder) / (layer.name + (view_3d ? "_3d" : ""))).string();
-        for (const std::string& file : drawer.draw(layer, view_3d, stem)) std::cout << file << '\n';
+    for (const MapLayer& layer : layers)
+        for (const std::string& file : drawer.draw(layer, view_3d, stem(layer))) std::cout << file << '\n';
+}
+
+/// A picture among a result's rasters would be taken for one of them.
+void check_folder(const ResultReader& result, const Request& request, const MapSource& source, Problems& problems) {
+    const std::vector<std::string>& formats = source.style.formats;
+    if (!request.out || std::find(formats.begin(), formats.end(), "tif") == formats.end()) return;
+    std::error_code ignored;
+    const fs::path folder = fs::weakly_canonical(*request.out, ignored);
+    for (const char* data : {"", "frames"}) {
+        if (fs::weakly_canonical(result.path(data), ignored) / "" == folder / "")
+            problems.add({"holds the result's own rasters: pictures as tif do not go among them", "--out",
+                          *request.out, "", "Leave --out away: RESULT_DIR/maps"});
     }
 }
 
@@ -228,17 +253,24 @@ void render_result(const Values& values, const Request& request, Problems& probl
             }
         }
     }
+    check_folder(result, request, source, problems);
     problems.throw_if_any();
+    KeptFiles kept;
+    kept.add_result(result.directory());
+    kept.add(source.style.background);
     if (request.film) {
         render_film(result, source, request,
-                    values.count("size") > 0 ? source.style.size : film_size(source.style.size));
+                    values.count("size") > 0 ? source.style.size : film_size(source.style.size), kept);
     } else if (request.charts || request.plates) {
         const std::string folder = request.out.value_or(result.path(request.charts ? "charts" : "plates"));
+        kept.check(request.charts ? chart_files(result, source, folder) : plate_files(source, folder), "--out",
+                   problems);
+        problems.throw_if_any();
         make_folder(folder);
         const auto draw_pages = request.charts ? draw_charts : draw_plates;
         for (const std::string& file : draw_pages(result, source, folder)) std::cout << file << '\n';
     } else {
-        draw(source, layers, request.view_3d, request.out.value_or(result.path("maps")));
+        draw(source, layers, request.view_3d, request.out.value_or(result.path("maps")), kept);
     }
 }
 
@@ -261,7 +293,11 @@ void render_raster(const Values& values, const Request& request, Problems& probl
     map.source.title = text_option(values, "title").value_or(map.source.title);
     if (!style.background.empty())
         gis::check_picture(style.background, map.layer.values.grid.crs_wkt, "--background");
-    draw(map.source, {std::move(map.layer)}, request.view_3d, request.out.value_or("."));
+    KeptFiles kept;
+    kept.add(file);
+    kept.add(text_option(values, "dtm").value_or(""));
+    kept.add(style.background);
+    draw(map.source, {std::move(map.layer)}, request.view_3d, request.out.value_or("."), kept);
 }
 
 }  // namespace

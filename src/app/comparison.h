@@ -73,8 +73,14 @@ std::string comparison_curve_csv(const Comparison& comparison);
 /// into a folder. Throws Error.
 void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder);
 
-/// The map of hits, false alarms and misses with the figures beside it: STEM.png, or what the style asks for.
-void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& stem);
+/// The map of hits, false alarms and misses with the figures beside it: comparison.png or .pdf in a folder; as GeoTIFF
+/// maps/comparison.tif below it, for comparison.tif is the raster of classes. Throws Error.
+void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& folder);
+
+/// The files that draw_comparison makes.
+std::vector<std::string> comparison_pictures(const MapStyle& style, const std::string& folder);
+/// The files that write_comparison may make.
+std::vector<std::string> comparison_files(const std::string& folder);
 
 /// What `compare` found, in one line for the terminal and the log.
 std::string comparison_headline(const Comparison& comparison);

@@ -6,12 +6,33 @@
 #include "app/number_text.h"
 #include "app/text_file.h"
 #include "app/version.h"
+#include "core/error.h"
 #include "core/json.h"
 #include "gis/raster_out.h"
 #include "gis/styles.h"
 
 namespace frana::app {
 namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char *k_figures = "comparison.json", *k_curve = "comparison_curve.csv", *k_raster = "comparison.tif";
+
+std::string picture_stem(const std::string& folder) {
+    return (fs::path(folder) / "comparison").string();
+}
+
+std::string tif_stem(const std::string& folder) {
+    return (fs::path(folder) / "maps" / "comparison").string();
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure)
+        throw Error(ErrorKind::environment,
+                    Problem{"cannot be made: " + failure.message(), folder.string(), "", "", "Check the rights"});
+}
 
 struct ClassText {
     Agreement kind;
@@ -134,17 +155,17 @@ std::string comparison_curve_csv(const Comparison& comparison) {
 }
 
 void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder) {
-    const std::filesystem::path place = folder;
-    write_text_file((place / "comparison.json").string(), comparison_json(comparison, input));
+    const fs::path place = folder;
+    write_text_file((place / k_figures).string(), comparison_json(comparison, input));
     if (!comparison.figures) return;
-    write_text_file((place / "comparison_curve.csv").string(), comparison_curve_csv(comparison));
+    write_text_file((place / k_curve).string(), comparison_curve_csv(comparison));
     std::vector<gis::ClassEntry> classes;
     std::vector<gis::ColourStop> stops;
     for (const ClassText& entry : k_classes) {
         classes.push_back({static_cast<std::uint8_t>(entry.kind), entry.label, entry.colour});
         stops.push_back({static_cast<double>(entry.kind), entry.colour, entry.label});
     }
-    const std::string raster = (place / "comparison.tif").string();
+    const std::string raster = (place / k_raster).string();
     gis::write_class_geotiff(
         raster, comparison.classes, classes,
         {"comparison", "Simulated trace against the surveyed scar: 1 hit, 2 false alarm, 3 miss", "",
@@ -152,7 +173,18 @@ void write_comparison(const Comparison& comparison, const ComparisonInput& input
     gis::write_styles(raster, stops, "", gis::StyleKind::exact);
 }
 
-void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& stem) {
+std::vector<std::string> comparison_files(const std::string& folder) {
+    std::vector<std::string> files;
+    for (const char* name : {k_figures, k_curve, k_raster, "comparison.qml", "comparison.sld"})
+        files.push_back((fs::path(folder) / name).string());
+    return files;
+}
+
+std::vector<std::string> comparison_pictures(const MapStyle& style, const std::string& folder) {
+    return picture_files(style, picture_stem(folder), true, tif_stem(folder));
+}
+
+void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& folder) {
     const ComparisonFigures& f = *comparison.figures;
     MapLayer layer;
     layer.notes_alone = true;
@@ -169,10 +201,12 @@ void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const st
         layer.notes.push_back("Outlines " + figure(comparison.outline->mean_m, 3) + " m apart");
     layer.title = "Comparison with the scar";
     layer.values = comparison.classes;
-    layer.source = "comparison.tif, band 1";
+    layer.source = std::string(k_raster) + ", band 1";
     for (const ClassText& entry : k_classes)
         layer.categories.push_back({static_cast<double>(entry.kind), entry.label, entry.colour});
-    drawer.draw(layer, false, stem);
+    for (const std::string& file : comparison_pictures(drawer.style(), folder))
+        make_folder(fs::path(file).parent_path());
+    drawer.draw(layer, false, picture_stem(folder), tif_stem(folder));
 }
 
 }  // namespace frana::app

@@ -13,8 +13,6 @@
 namespace frana::app {
 namespace {
 
-constexpr const char* k_file = "error_estimate.txt";
-
 // FNV-1a, 64 bits.
 std::uint64_t hash(const std::string& text) {
     std::uint64_t h = 0xcbf29ce484222325ULL;
@@ -50,12 +48,12 @@ std::string convergence_directory(const std::string& result_directory) {
 }
 
 void write_error_estimate(const std::string& folder, const SceneSpec& scene, const std::string& sentences) {
-    write_text_file((std::filesystem::path(folder) / k_file).string(),
+    write_text_file((std::filesystem::path(folder) / k_error_estimate_file).string(),
                     numbers_fingerprint(scene) + '\n' + sentences);
 }
 
 std::optional<std::string> read_error_estimate(const std::string& result_directory, const SceneSpec& scene) {
-    std::ifstream file(std::filesystem::path(convergence_directory(result_directory)) / k_file);
+    std::ifstream file(std::filesystem::path(convergence_directory(result_directory)) / k_error_estimate_file);
     std::string fingerprint;
     if (!std::getline(file, fingerprint) || fingerprint != numbers_fingerprint(scene)) return std::nullopt;
     std::ostringstream rest;

@@ -150,13 +150,21 @@ render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer) {
     return spec;
 }
 
-std::vector<std::string> write_plain_picture(const render::Image& image, const MapStyle& style,
-                                             const std::string& title, const std::string& stem) {
+std::vector<std::string> picture_files(const MapStyle& style, const std::string& stem, bool lies_on_ground,
+                                       const std::string& tif_stem) {
     std::vector<std::string> files;
     for (const std::string& format : style.formats) {
-        if (format == "tif") continue;
-        const std::string file = files.emplace_back(stem + "." + format);
-        if (format == "png") {
+        const bool is_tif = format == "tif";
+        if (lies_on_ground || !is_tif) files.push_back((is_tif && !tif_stem.empty() ? tif_stem : stem) + "." + format);
+    }
+    return files;
+}
+
+std::vector<std::string> write_plain_picture(const render::Image& image, const MapStyle& style,
+                                             const std::string& title, const std::string& stem) {
+    const std::vector<std::string> files = picture_files(style, stem, false);
+    for (const std::string& file : files) {
+        if (file.ends_with(".png")) {
             render::write_png(file, image, style.size.dots_per_inch);
         } else {
             gis::write_picture_pdf(file, pixels(image), style.size.dots_per_inch, std::nullopt, title);
@@ -165,17 +173,15 @@ std::vector<std::string> write_plain_picture(const render::Image& image, const M
     return files;
 }
 
-std::vector<std::string> LayerDrawer::draw_map(const MapLayer& layer, const std::string& stem) {
+std::vector<std::string> LayerDrawer::draw_map(const MapLayer& layer, const std::vector<std::string>& files) {
     const render::MapSpec spec = map_spec(source_, layer);
     render::MapLayout layout;
     const render::Image image = maps_.draw(spec, &layout);
     const std::string& crs = layer.values.grid.crs_wkt;
-    std::vector<std::string> files;
-    for (const std::string& format : source_.style.formats) {
-        const std::string file = files.emplace_back(stem + "." + format);
-        if (format == "png") {
+    for (const std::string& file : files) {
+        if (file.ends_with(".png")) {
             render::write_png(file, image, source_.style.size.dots_per_inch);
-        } else if (format == "pdf") {
+        } else if (file.ends_with(".pdf")) {
             gis::write_picture_pdf(file, pixels(image), source_.style.size.dots_per_inch,
                                    gis::PicturePlace{ground_of_page(layout), layout.window, crs}, spec.title);
         } else {
@@ -188,8 +194,9 @@ std::vector<std::string> LayerDrawer::draw_map(const MapLayer& layer, const std:
     return files;
 }
 
-std::vector<std::string> LayerDrawer::draw(const MapLayer& layer, bool view_3d, const std::string& stem) {
-    if (!view_3d) return draw_map(layer, stem);
+std::vector<std::string> LayerDrawer::draw(const MapLayer& layer, bool view_3d, const std::string& stem,
+                                           const std::string& tif_stem) {
+    if (!view_3d) return draw_map(layer, picture_files(source_.style, stem, true, tif_stem));
     const render::ViewSpec spec = view_spec(source_, layer);
     return write_plain_picture(views_.draw(spec), source_.style, spec.title, stem);
 }

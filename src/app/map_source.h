@@ -73,18 +73,26 @@ render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer);
 /// Where a map point of a CRS lies on the globe; absent without CRS.
 std::function<Point(Point)> longitude_latitude(const std::string& crs_wkt);
 
+/// The files that a picture becomes, as the style asks: STEM.png, STEM.pdf, and STEM.tif of what lies on the ground.
+/// @param tif_stem instead of STEM, where a raster has that name
+std::vector<std::string> picture_files(const MapStyle& style, const std::string& stem, bool lies_on_ground,
+                                       const std::string& tif_stem = "");
+
 /// Draws layers of one result, one after the other: what they share is drawn once.
 class LayerDrawer {
   public:
     /// The source must outlive the drawer and stay as it is.
     explicit LayerDrawer(const MapSource& source) : source_(source) {}
 
+    [[nodiscard]] const MapStyle& style() const noexcept { return source_.style; }
+
     /// Draws the map STEM.png (or .pdf, .tif, as the style asks) or a view, and returns the names of the files. A view
-    /// is no GeoTIFF. Throws Error.
-    std::vector<std::string> draw(const MapLayer& layer, bool view_3d, const std::string& stem);
+    /// is no GeoTIFF; `tif_stem` as in picture_files. Throws Error.
+    std::vector<std::string> draw(const MapLayer& layer, bool view_3d, const std::string& stem,
+                                  const std::string& tif_stem = "");
 
   private:
-    std::vector<std::string> draw_map(const MapLayer& layer, const std::string& stem);
+    std::vector<std::string> draw_map(const MapLayer& layer, const std::vector<std::string>& files);
 
     const MapSource& source_;
     render::MapSeries maps_;

@@ -15,6 +15,9 @@
 namespace frana::app {
 namespace {
 
+constexpr const char *k_initial_state = "initial_state", *k_snapshots = "snapshots", *k_stresses = "stresses",
+                     *k_comparison = "comparison";
+
 /// A map with what a plate says once for all left out.
 render::Image lean_map(const MapSource& source, const MapLayer& layer, const std::string& subtitle, int width,
                        int height) {
@@ -83,6 +86,15 @@ MapLayer normal_stress(const MapLayer& depth, double density, double gravity, do
 
 }  // namespace
 
+std::vector<std::string> plate_files(const MapSource& source, const std::string& folder) {
+    std::vector<std::string> files;
+    for (const char* name : {k_initial_state, k_snapshots, k_stresses, k_comparison}) {
+        const auto more = picture_files(source.style, (std::filesystem::path(folder) / name).string(), false);
+        files.insert(files.end(), more.begin(), more.end());
+    }
+    return files;
+}
+
 std::vector<std::string> draw_plates(const ResultReader& result, const MapSource& source, const std::string& folder) {
     std::vector<std::string> files;
     const Size size = source.style.size;
@@ -99,13 +111,13 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
 
     MapLayer start = result.map_layer("depth@0");
     start.classes = depths.depths.front().classes;
-    write("initial_state", {source.title + ": initial state",
+    write(k_initial_state, {source.title + ": initial state",
                             source.subtitle,
                             source.crs_label,
                             2,
                             {[&](int w, int h) { return lean_map(source, start, "thickness on the map", w, h); },
                              [&](int w, int h) { return lean_view(source, start, "from before the slope", w, h); }}});
-    write("snapshots", plate_of(depths, source));
+    write(k_snapshots, plate_of(depths, source));
 
     const double density = result.scene_number("material.density", MaterialSpec{}.density);
     const double gravity = result.scene_number("numerics.gravity", NumericsSpec{}.gravity);
@@ -116,7 +128,7 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
                            " m/s\u00B2 times vertical depth"};
     for (const MapLayer& layer : depths.depths)
         stresses.depths.push_back(normal_stress(layer, density, gravity, greatest));
-    write("stresses", plate_of(stresses, source));
+    write(k_stresses, plate_of(stresses, source));
 
     if (!result.has("comparison.tif")) return files;
     MapLayer comparison = result.map_layer("comparison");
@@ -133,7 +145,7 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
     }
     last.parts.push_back(
         [&](int w, int h) { return lean_map(source, comparison, "hits, false alarms, misses", w, h); });
-    write("comparison", last);
+    write(k_comparison, last);
     return files;
 }
 

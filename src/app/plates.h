@@ -8,6 +8,9 @@
 
 namespace frana::app {
 
+/// The files that its plates may become in a folder.
+std::vector<std::string> plate_files(const MapSource& source, const std::string& folder);
+
 /// The publication's plates of a result, drawn into a folder that exists: the initial state (Figure 5), snapshots of
 /// depth (6) and of the normal stress on the bed (7: density times gravity times depth, hydrostatic), the profile
 /// beside the comparison with the scar (8, only where there is a comparison). Returns the names of the files. Throws

@@ -199,7 +199,7 @@ void draw_everything(const Finished& run, const std::optional<Comparison>& compa
     LayerDrawer drawer(source);
     publish_maps(output.maps, written, drawer, directory, drawings);
     if (comparison && comparison->figures)
-        drawings.attempt("comparison", [&] { draw_comparison(*comparison, drawer, directory.path("comparison")); });
+        drawings.attempt("comparison", [&] { draw_comparison(*comparison, drawer, directory.path("")); });
     if (output.charts && output.maps.front() != "off") {
         directory.make_folder("charts");
         drawings.attempt("charts", [&] { draw_charts(written, source, directory.path("charts")); });

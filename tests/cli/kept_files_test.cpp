@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// No picture and no table takes the place of a file that is read or that a result is made of, whichever path or name
+// leads to it.
+#include <gdal.h>
+
+#include <fstream>
+
+#include "tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+int bands(const std::string& path) {
+    GDALAllRegister();
+    GDALDatasetH dataset = GDALOpen(path.c_str(), GA_ReadOnly);
+    const int count = dataset != nullptr ? GDALGetRasterCount(dataset) : 0;
+    if (dataset != nullptr) GDALClose(dataset);
+    return count;
+}
+
+class KeptFilesOf : public TinyScene {
+  protected:
+    void SetUp() override {
+        write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\n");
+        ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2"}).exit_code, 0);
+    }
+    [[nodiscard]] std::map<std::string, std::string> contents() const {
+        std::map<std::string, std::string> all;
+        for (const std::string& name : files())
+            if (fs::is_regular_file(path(name)) && name.find(".started") == std::string::npos)
+                all[name] = read_text(path(name));
+        return all;
+    }
+    // With exit code 2, these words, and every file as it was.
+    void expect_refusal(const std::vector<std::string>& arguments, const std::string& words) const {
+        const auto before = contents();
+        const Outcome outcome = frana(arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+        EXPECT_TRUE(contents() == before);
+    }
+};
+
+TEST_F(KeptFilesOf, ARasterThatIsDrawn) {
+    expect_refusal({"render", "result/max_depth.tif", "--format", "tif", "--out", "result", "--size", "640x480"},
+                   "--out: would be written over: it is read here, or belongs to a result (value "
+                   "result/max_depth.tif)");
+    fs::create_directory(path("maps"));
+    fs::create_hard_link(path("result/max_depth.tif"), path("maps/max_depth.tif"));
+    expect_refusal({"render", "result/max_depth.tif", "--format", "tif", "--out", "maps", "--size", "640x480"},
+                   "would be written over");
+}
+
+TEST_F(KeptFilesOf, AResult) {
+    expect_refusal({"render", "result", "--out", "result", "--format", "tif", "--size", "640x480"},
+                   "pictures as tif do not go among them");
+    fs::create_directory_symlink(path("result"), path("alias"));
+    expect_refusal({"render", "result", "--out", "alias", "--format", "tif", "--size", "640x480"},
+                   "pictures as tif do not go among them");
+    fs::create_symlink(path("result/max_depth.tif"), path("film.mp4"));
+    expect_refusal({"render", "result", "--animation", "film.mp4", "--size", "640x480"}, "would be written over");
+    fs::create_directory(path("pictures"));
+    fs::create_symlink(path("dtm.asc"), path("pictures/max_depth.png"));
+    expect_refusal({"render", "result", "--map", "max_depth", "--out", "pictures", "--size", "640x480"},
+                   "would be written over");
+    fs::create_directory(path("charts"));
+    fs::create_hard_link(path("result/summary.json"), path("charts/timeseries.png"));
+    expect_refusal({"render", "result", "--charts", "--out", "charts"}, "would be written over");
+}
+
+TEST_F(KeptFilesOf, AnybodyWithTheNameOfAPicture) {
+    fs::create_directory(path("pictures"));
+    fs::copy_file(path("result/dtm.tif"), path("pictures/max_depth.tif"));
+    const std::vector<std::string> draw{"render", "result", "--map",    "max_depth", "--out",
+                                        "pictures", "--format", "tif", "--size",    "640x480"};
+    expect_refusal(draw, "is there already and is no picture that frana drew");
+    fs::remove(path("pictures/max_depth.tif"));
+    for (int i = 0; i < 2; ++i) {  // its own pictures it draws anew
+        const Outcome outcome = frana(draw);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_EQ(bands(path("pictures/max_depth.tif")), 3);
+    }
+}
+
+TEST_F(KeptFilesOf, TheClassesOfAComparison) {
+    write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
+    write_scene(
+        "[output]\nmaps = off\nanimation = off\nframes = off\nmap-formats = png, tif\nmap-size = 640x480\n"
+        "[scar]\nperimeter = scar.geojson\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "compared", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(bands(path("compared/comparison.tif")), 1);
+    EXPECT_EQ(bands(path("compared/maps/comparison.tif")), 3);
+    EXPECT_TRUE(fs::exists(path("compared/comparison.png")));
+    const std::string classes = read_text(path("compared/comparison.tif"));
+    const Outcome again = frana({"compare", "compared", "--scar", "scar.geojson", "--out", "again"});
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(bands(path("again/comparison.tif")), 1);
+    EXPECT_EQ(bands(path("again/maps/comparison.tif")), 3);
+}
+
+TEST_F(KeptFilesOf, WhatIsCompared) {
+    write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
+    fs::create_directory(path("foreign"));
+    fs::copy_file(path("result/max_depth.tif"), path("foreign/comparison.tif"));
+    expect_refusal({"compare", "foreign/comparison.tif", "--scar", "scar.geojson", "--out", "foreign"},
+                   "would be written over");
+    fs::rename(path("scar.geojson"), path("result/comparison.json"));
+    expect_refusal({"compare", "result", "--scar", "result/comparison.json"}, "would be written over");
+}
+
+TEST_F(KeptFilesOf, WhatAConvergenceStudyReads) {
+    fs::create_directory(path("study"));
+    fs::rename(path("dtm.asc"), path("study/convergence.csv"));
+    fs::rename(path("dtm.prj"), path("study/convergence.prj"));
+    expect_refusal({"converge", "scene.ini", "--set", "terrain.dtm=study/convergence.csv", "--out", "study", "--quiet"},
+                   "would be written over");
+}
+
+}  // namespace
+}  // namespace frana::test
