@@ -6,6 +6,7 @@
 #include "app/checkpoints.h"
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/complete_result.h"
 #include "app/error_estimate.h"
 #include "app/interrupted_run.h"
 #include "app/memory_limit.h"
@@ -47,7 +48,7 @@ CommandForm run_form() {
     return form;
 }
 
-ExitCode exit_code(const RunResult& result, bool all_drawn) {
+ExitCode exit_code(const RunResult& result, const PictureOutcome& pictures) {
     switch (result.stop_reason) {
         // The map ends where the terrain does: a script must not take it for a whole one.
         case StopReason::reached_no_data:
@@ -56,7 +57,7 @@ ExitCode exit_code(const RunResult& result, bool all_drawn) {
         case StopReason::volume_drift:
             return ExitCode::numerical;
         default:
-            return all_drawn ? ExitCode::done : ExitCode::environment;
+            return pictures.failed.empty() ? ExitCode::done : ExitCode::environment;
     }
 }
 
@@ -177,19 +178,21 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     checkpoints.release();
     tell_of_run(result, prepared.scene.time.end, log);
 
-    const bool all_drawn = publish({prepared, result, session.threads, session.input_seconds,
+    const PictureOutcome pictures = publish({prepared, result, session.threads, session.input_seconds,
                                     session.earlier_seconds, session.since_start},
                                    directory, frames, log);
     const std::vector<Problem> of_the_older =
         directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds}, log);
-    const bool came_through = result.stop_reason != StopReason::requested && result.troubles.empty();
-    if (came_through) directory.forget_the_way(!prepared.spec.output.frames);
+    // Whatever ends with another code than 0 leaves what --resume needs to complete it.
+    const bool stopped = result.stop_reason == StopReason::requested || !pictures.left_out.empty();
+    const int code = stopped ? static_cast<int>(ExitCode::signal) + stop_signal()
+                             : static_cast<int>(exit_code(result, pictures));
+    if (code == static_cast<int>(ExitCode::done)) directory.forget_the_way(!prepared.spec.output.frames);
     if (const auto estimate = read_error_estimate(directory.target(), prepared.spec))
         log.tell("error estimate of `frana converge`:\n" + *estimate);
     log.tell("result in " + directory.target());
     if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
-    if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
-    return static_cast<int>(exit_code(result, all_drawn));
+    return code;
 }
 
 }  // namespace
@@ -210,13 +213,21 @@ int cmd_run(const Arguments& arguments) {
     const std::string place = out.value_or(output_directory(reading.scene)), target = result_path(place);
     const bool resume = values->count("resume") > 0;
     const InterruptedRun interrupted(target);
-    check_result_directory(place, overwrite || (resume && interrupted.in_place()),
+    const bool is_complete = resume && !overwrite && !interrupted.any() && is_finished(target);
+    if (!is_complete)
+        check_result_directory(place, overwrite || (resume && interrupted.in_place()),
                            input_files(reading.scene), out ? "--out" : reading.where("output.directory"),
                            reading.problems);
     if (!resume && !overwrite) refuse_to_forget(interrupted, target, reading.problems);
     log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
              std::to_string(threads) + " threads");
     Prepared prepared = prepare(reading, log);
+    if (is_complete) {
+        catch_stop_signals();
+        const bool all_there = complete_result(prepared, target, log);
+        if (!all_there && stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
+        return static_cast<int>(all_there ? ExitCode::done : ExitCode::environment);
+    }
     if (memory_is_limited()) {
         const RunEstimate expected = estimate(prepared.scene, threads);
         refuse_over_limit(

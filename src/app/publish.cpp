@@ -3,21 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "analysis/trace.h"
-#include "app/animation.h"
-#include "app/charts.h"
 #include "app/comparison.h"
+#include "app/comparison_input.h"
 #include "app/layers.h"
 #include "app/number_text.h"
 #include "app/provenance.h"
 #include "app/publish_exchange.h"
 #include "app/publish_hazard.h"
+#include "app/publish_pictures.h"
 #include "app/publish_rasters.h"
 #include "app/publish_series.h"
 #include "app/report.h"
-#include "app/result_reader.h"
+#include "app/scene_identity.h"
 #include "app/text_file.h"
 #include "app/thickness_volume.h"
 #include "app/timeseries.h"
@@ -31,90 +30,13 @@ namespace {
 
 constexpr double k_shown_share = 0.05;  // by which a raster's volume may miss the flow's without a word
 
-std::string title_of(const SceneSpec& spec) {
-    return spec.output.title.value_or(scene_name(spec));
-}
-
-/// What was written is what is drawn.
-MapSource map_source(const ResultReader& written, const SceneSpec& spec) {
-    MapSource source = written.map_source();
-    source.title = title_of(spec);  // the folder has not its name yet
-    return source;
-}
-
-/// Draws what it is asked to; a fault is a warning, since the numbers are worth more than the picture.
-class Drawings {
-  public:
-    explicit Drawings(RunLog& log) : log_(log) {}
-
-    template <class Draw>
-    void attempt(const std::string& what, const Draw& draw) {
-        try {
-            draw();
-            log_.note("drew " + what);
-        } catch (const Error& error) {
-            log_.warn(what + " could not be drawn: " + error.what());
-            all_drawn_ = false;
-        }
-    }
-    [[nodiscard]] bool all_drawn() const noexcept { return all_drawn_; }
-
-  private:
-    RunLog& log_;
-    bool all_drawn_ = true;
-};
-
-void publish_maps(const std::vector<std::string>& asked, const ResultReader& written, LayerDrawer& drawer,
-                  const ResultDirectory& directory, Drawings& drawings) {
-    if (asked.front() == "off") return;
-    directory.make_folder("maps");
-    const std::string ending = "_3d";
-    const bool all = asked.front() == "on";
-    std::vector<std::string> names = all ? map_names() : asked;
-    const auto add = [&](const std::string& name) {
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    };
-    if (all) {
-        for (const Layer& layer : all_layers()) add(layer.name);
-    }
-    if (written.has("hazard.tif")) add("hazard");  // a scheme of classes asks for its map
-    for (const std::string& name : names) {
-        const bool view_3d = name.ends_with(ending);
-        const std::string layer = view_3d ? name.substr(0, name.size() - ending.size()) : name;
-        if (all && !written.has(layer + ".tif")) continue;
-        drawings.attempt("maps/" + name, [&] {
-            drawer.draw(written.map_layer(layer), view_3d, directory.path("maps/" + name));
-        });
-    }
-}
-
-void publish_animation(const Finished& run, const ResultReader& written, const MapSource& source,
-                       const ResultDirectory& directory, const FrameWriter& frames, Drawings& drawings) {
-    const OutputSpec& output = run.prepared.spec.output;
-    if (output.animation && frames.count() > 0) {
-        drawings.attempt("animation.mp4", [&] {
-            FilmRequest film{film_source(written, source, "depth"), {}, false, false, film_size(source.style.size)};
-            write_animation(film, directory.path("animation.mp4"));
-        });
-    }
-}
-
 ComparisonInput comparison_input(const Finished& run) {
-    const Prepared& prepared = run.prepared;
-    ComparisonInput input;
-    input.survey = prepared.extra.survey;
-    if (prepared.scar) {
-        input.survey.scar = parts_of(prepared.scar->features);
-        input.survey.scar_label = prepared.spec.scar.perimeter.value();
-    }
+    ComparisonInput input = surveyed(run.prepared);
     if (input.survey.empty()) return input;
     input.depth = run.result.max_depth;
-    input.threshold = scar_threshold(prepared.spec);
-    input.depth_label = "max_depth.tif";
     input.bed = run.result.bed;
     input.release = run.result.release;
     input.final_depth = run.result.final_depth;
-    input.metadata = provenance(prepared);
     return input;
 }
 
@@ -191,25 +113,9 @@ std::optional<Comparison> publish_comparison(const Finished& run, const ResultDi
     }
 }
 
-void draw_everything(const Finished& run, const std::optional<Comparison>& comparison,
-                     const ResultDirectory& directory, const FrameWriter& frames, Drawings& drawings) {
-    const OutputSpec& output = run.prepared.spec.output;
-    const ResultReader written(directory.path(""));
-    const MapSource source = map_source(written, run.prepared.spec);
-    LayerDrawer drawer(source);
-    publish_maps(output.maps, written, drawer, directory, drawings);
-    if (comparison && comparison->figures)
-        drawings.attempt("comparison", [&] { draw_comparison(*comparison, drawer, directory.path("")); });
-    if (output.charts && output.maps.front() != "off") {
-        directory.make_folder("charts");
-        drawings.attempt("charts", [&] { draw_charts(written, source, directory.path("charts")); });
-    }
-    publish_animation(run, written, source, directory, frames, drawings);
-}
-
 }  // namespace
 
-bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
+PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
     const Stopwatch output_watch;
     const Prepared& prepared = run.prepared;
     const RunResult& result = run.result;
@@ -236,8 +142,7 @@ bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter&
     facts.wall.output = output_watch.seconds() + frames.seconds();
 
     const Stopwatch render_watch;
-    Drawings drawings(log);
-    draw_everything(run, comparison, directory, frames, drawings);
+    const PictureOutcome pictures = draw_pictures({prepared.spec, directory.path(""), comparison, false}, log);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;
@@ -245,12 +150,13 @@ bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter&
     facts.wall.total = run.earlier_seconds + run.since_start.seconds();
     facts.peak_memory_bytes = peak_memory_bytes();
     facts.warnings = log.warnings();
+    facts.data_identity = data_identity(prepared);
     if (prepared.spec.output.report)
         write_report({prepared, result, facts, comparison, facts.hazard}, directory);
     write_text_file(directory.path("summary.json"), summary_json(result, facts));
     log.note("wrote summary.json");
     write_text_file(directory.path("log.txt"), log.text());
-    return drawings.all_drawn();
+    return pictures;
 }
 
 }  // namespace frana::app

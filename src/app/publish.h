@@ -3,6 +3,7 @@
 
 #include "app/frame_store.h"
 #include "app/prepare.h"
+#include "app/publish_pictures.h"
 #include "app/result_directory.h"
 #include "app/summary.h"
 #include "simulation/result.h"
@@ -21,8 +22,8 @@ struct Finished {
 
 /// Writes the files of a result: rasters with styles, outlines, maps, animation, comparison, series, summary,
 /// scene, log; the summary and the log last, as they tell of all the rest. A map or film that cannot be drawn
-/// does not cost the numbers: it is a warning, and the answer is false. Throws Error(environment) when a file
+/// does not cost the numbers: it is a warning, and the answer tells of it. Throws Error(environment) when a file
 /// cannot be written.
-bool publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log);
+PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log);
 
 }  // namespace frana::app

@@ -3,6 +3,8 @@
 
 #include <zlib.h>
 
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -115,21 +117,59 @@ std::string by_place(const std::optional<StructuredMaterial>& material) {
            line("the fluid that lies there", material->initial_fluid);
 }
 
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> all;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) all.push_back(line);
+    return all;
+}
+
+std::string identity(const std::string& scene_text, const std::vector<std::string>& data) {
+    std::string text = keys(scene_text);
+    for (const std::string& fact : data) text += fact + "\n";
+    return text;
+}
+
+std::string text_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
 }  // namespace
 
-std::string scene_identity(const Prepared& prepared) {
+std::vector<std::string> data_identity(const Prepared& prepared) {
     const Scene& scene = prepared.scene;
     const GridSpec& grid = scene.grid;
-    return keys(echoed_scene(prepared)) + "working grid = " + std::to_string(grid.columns) + " x " +
-           std::to_string(grid.rows) + " of " + shortest_text(grid.cell_size) + " m from (" +
-           shortest_text(grid.west) + ", " + shortest_text(grid.north) + ")\n" +
-           line("the coordinate reference system", grid.crs_wkt) + line("the terrain", scene.terrain) +
-           line("walls", scene.walls) + line("the release", scene.release, scene.release_volume) +
-           line("inflows", scene.inflows) +
-           line("zones", scene.zones.friction_coefficient, scene.zones.turbulence, scene.zones.cohesion,
-                scene.zones.erodible_depth) +
-           by_place(scene.structured) +
-           line("gauges and sections", scene.recording.gauges, scene.recording.sections);
+    return lines_of("working grid = " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " of " +
+                    shortest_text(grid.cell_size) + " m from (" + shortest_text(grid.west) + ", " +
+                    shortest_text(grid.north) + ")\n" + line("the coordinate reference system", grid.crs_wkt) +
+                    line("the terrain", scene.terrain) + line("walls", scene.walls) +
+                    line("the release", scene.release, scene.release_volume) + line("inflows", scene.inflows) +
+                    line("zones", scene.zones.friction_coefficient, scene.zones.turbulence, scene.zones.cohesion,
+                         scene.zones.erodible_depth) +
+                    by_place(scene.structured) +
+                    line("gauges and sections", scene.recording.gauges, scene.recording.sections));
+}
+
+std::string scene_identity(const Prepared& prepared) {
+    return identity(echoed_scene(prepared), data_identity(prepared));
+}
+
+std::optional<std::string> result_identity(const std::string& result_folder) {
+    const std::filesystem::path folder = result_folder;
+    const std::string summary = text_of(folder / "summary.json"), scene = text_of(folder / "scene.ini");
+    const std::string key = std::string("\"") + k_data_key + "\": [";
+    const auto begin = summary.find(key);
+    if (begin == std::string::npos || scene.empty()) return std::nullopt;
+    std::vector<std::string> data;
+    const auto end = summary.find(']', begin + key.size());
+    for (auto from = summary.find('"', begin + key.size()); from < end; from = summary.find('"', from)) {
+        const auto to = summary.find('"', from + 1);
+        if (to == std::string::npos) return std::nullopt;
+        data.push_back(summary.substr(from + 1, to - from - 1));
+        from = to + 1;
+    }
+    return identity(scene, data);
 }
 
 std::vector<std::string> identity_differences(const std::string& here, const std::string& then) {

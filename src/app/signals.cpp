@@ -15,8 +15,10 @@ namespace {
 volatile std::sig_atomic_t received = 0;
 
 extern "C" void take_note(int signal_number) {
-    received = signal_number;
-    std::signal(signal_number, SIG_DFL);
+    if (received == 0) received = signal_number;
+    // Whichever comes next ends the program; what is ignored stays so.
+    for (const int each : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(each, SIG_DFL) == SIG_IGN) std::signal(each, SIG_IGN);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/trace.h"
+#include "app/scene_identity.h"
 #include "app/version.h"
 #include "core/json.h"
 #include "simulation/simulation.h"
@@ -156,6 +157,9 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
     write_figures(json, result, facts);
     json.begin_array("warnings");
     for (const std::string& warning : facts.warnings) json.text("", warning);
+    json.end_array();
+    json.begin_array(k_data_key);
+    for (const std::string& fact : facts.data_identity) json.text("", fact);
     json.end_array();
     json.end_object();
     return json.str();

@@ -27,6 +27,7 @@ struct SummaryFacts {
     double covered_area_m2 = 0;      ///< of the trace: greatest depth over output.trace-threshold
     std::vector<HazardArea> hazard;  ///< empty: no scheme
     std::vector<std::string> warnings;
+    std::vector<std::string> data_identity;  ///< what --resume knows the scene's data by
 };
 
 /// summary.json.

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Signals and faults after the last step, while files and pictures are made; and results that --resume completes.
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "resuming.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Late : public Resuming {
+  protected:
+    void SetUp() override {
+        write_scene(
+            "frame-interval = 0.2\n[output]\nmap-size = 640x480\nmaps = max_depth, max_velocity, final_depth\n"
+            "animation = on\nreport = on\n[terrain]\ncell-size = 4\n");
+    }
+    [[nodiscard]] static std::vector<std::string> command(const std::string& result,
+                                                          const std::vector<std::string>& more = {}) {
+        std::vector<std::string> words{"run", "scene.ini", "--out", result};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+    // Whether a file is there in the folder in which a result is being built.
+    [[nodiscard]] bool has_begun(const std::string& result, const std::string& file) const {
+        std::error_code ignored;
+        for (const auto& entry : fs::directory_iterator(folder_, ignored))
+            if (entry.path().filename().string().starts_with(result + ".partial-") && fs::exists(entry.path() / file))
+                return true;
+        return false;
+    }
+    // Sends signals once a file is there.
+    Outcome stop_at(const std::string& result, const std::string& file, const std::vector<int>& signals,
+                    const std::vector<std::string>& more = {}) const {
+        StartedProgram program(folder_.string(), command(result, more));
+        EXPECT_TRUE(program.wait_until([&] { return has_begun(result, file); })) << program.wait().err;
+        for (const int number : signals) {
+            program.send(number);
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));  // two at once would count as one
+        }
+        return program.wait();
+    }
+    void expect_completed(const std::string& result, std::vector<std::string> more = {}) const {
+        more.emplace_back("--resume");
+        const Outcome resumed = frana(command(result, more));
+        EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+        expect_same_result("whole", result);
+        expect_tidy(result);
+    }
+};
+
+TEST_F(Late, SignalLeavesOutPicturesWhichResumingDraws) {
+    ASSERT_EQ(frana(command("whole", {"--quiet"})).exit_code, 0);
+    const Outcome outcome = stop_at("result", "maps/max_depth.png", {SIGTERM});
+    EXPECT_EQ(outcome.exit_code, 128 + SIGTERM) << outcome.err;
+    EXPECT_NE(outcome.err.find("left out because of the signal"), std::string::npos) << outcome.err;
+    // All numbers are there, and what is needed to draw the rest.
+    const std::string summary = read_text(path("result/summary.json"));
+    EXPECT_EQ(summary.find("\"requested\""), std::string::npos);
+    EXPECT_NE(summary.find("left out because of the signal"), std::string::npos);
+    EXPECT_EQ(read_text(path("result/max_depth.tif")), read_text(path("whole/max_depth.tif")));
+    EXPECT_FALSE(fs::exists(path("result/animation.mp4")));
+    EXPECT_EQ(checkpoints("result").size(), 1U);
+    expect_completed("result");
+}
+
+TEST_F(Late, SecondSignalEndsAtOnceAndResumingCompletes) {
+    // So large that drawing one takes longer than a second signal.
+    const std::vector<std::string> large{"--quiet", "--set", "output.map-size=2400x1600", "--set",
+                                         "output.maps=max_depth,max_velocity", "--set", "output.charts=off", "--set",
+                                         "output.animation=off", "--set", "output.report=off"};
+    ASSERT_EQ(frana(command("whole", large)).exit_code, 0);
+    const Outcome outcome = stop_at("result", "maps/max_depth.png", {SIGINT, SIGTERM}, large);
+    EXPECT_EQ(outcome.exit_code, -SIGTERM) << outcome.err;
+    expect_completed("result", large);
+}
+
+// Nothing was left out: the signal came too late to matter.
+TEST_F(Late, SignalThatCostsNothingIsNoFailure) {
+    const std::vector<std::string> plain{"--set", "output.maps=off", "--set", "output.animation=off"};
+    const Outcome outcome = stop_at("result", "max_depth.tif", {SIGTERM}, plain);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(fs::exists(path("result/summary.json")));
+    expect_tidy("result");
+}
+
+TEST_F(Late, FaultOfAPictureKeepsWhatResumingNeeds) {
+    ASSERT_EQ(frana(command("first", {"--quiet", "--set", "output.maps=off", "--set", "output.animation=off"})).exit_code,
+              0);
+    ASSERT_EQ(frana({"render", "first", "--map", "max_depth", "--format", "tif", "--out", "."}).exit_code, 0);
+    fs::rename(path("max_depth.tif"), path("photo.tif"));
+    const std::vector<std::string> photo{"--set", "output.map-background=photo.tif", "--set", "output.animation=off"};
+    ASSERT_EQ(frana(command("whole", photo)).exit_code, 0);
+    StartedProgram program(folder_.string(), command("result", photo));
+    ASSERT_TRUE(program.wait_until([&] { return has_begun("result", "frames/depth_0001.tif"); }));
+    fs::rename(path("photo.tif"), path("elsewhere.tif"));
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+    fs::rename(path("elsewhere.tif"), path("photo.tif"));
+    expect_completed("result", photo);
+}
+
+TEST_F(Late, ResumingAFinishedResultDrawsWhatIsMissing) {
+    ASSERT_EQ(frana(command("whole", {"--quiet"})).exit_code, 0);
+    fs::copy(path("whole"), path("result"), fs::copy_options::recursive);
+    const Outcome complete = frana(command("result", {"--resume"}));
+    EXPECT_EQ(complete.exit_code, 0) << complete.err;
+    EXPECT_NE(complete.err.find("the result is complete"), std::string::npos) << complete.err;
+    for (const char* name : {"result/maps/max_velocity.png", "result/animation.mp4"}) fs::remove(path(name));
+    fs::remove_all(path("result/charts"));
+    const Outcome drawn = frana(command("result", {"--resume"}));
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_NE(drawn.err.find("maps/max_velocity, charts, animation.mp4"), std::string::npos) << drawn.err;
+    expect_same_result("whole", "result");
+    // It is not computed anew: not even for another scene, which is said.
+    const Outcome other = frana(command("result", {"--resume", "--set", "time.end=3"}));
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_NE(other.err.find("holds the finished result of another scene: time.end is 3 here and was 4"),
+              std::string::npos)
+        << other.err;
+    write_dtm([](int, int column) { return 301 - 2.5 * column; });
+    const Outcome data = frana(command("result", {"--resume"}));
+    EXPECT_EQ(data.exit_code, 2);
+    EXPECT_NE(data.err.find("of another scene: the terrain differs"), std::string::npos) << data.err;
+}
+
+}  // namespace
+}  // namespace frana::test
