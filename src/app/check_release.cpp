@@ -17,6 +17,8 @@ constexpr int k_cells_named = 5;
 
 // The largest known ones are some hundred metres thick.
 constexpr double k_most_thickness = 2000;
+// Thinner is no mass; far thinner its volume and its depths are no numbers any more.
+constexpr double k_least_thickness = 1e-6;
 
 /// Count of the covered cells that satisfy a test, and the first few by row, column and coordinates.
 struct CellList {
@@ -102,10 +104,13 @@ void check_thickness_raster(const SceneReading& reading, const Raster& thickness
 /// More than any landslide is thick: a raster of elevations, nodata that no file declares, a volume in other units.
 void check_greatest(const SceneReading& reading, const ReleaseInput& release, const MultiPolygon& outlines,
                     const Raster& cover, Problems& problems) {
-    const auto refuse_over = [&](double thickness, const std::string& key) {
-        if (thickness <= k_most_thickness) return;
-        problems.add({"the release would be thicker than any landslide", reading.where(key),
-                      figure(thickness, 6) + " m", "at most " + figure(k_most_thickness) + " m",
+    const auto refuse_beyond = [&](double thickness, const std::string& key) {
+        const bool thick = thickness > k_most_thickness;
+        if (!thick && !(thickness > 0 && thickness < k_least_thickness)) return;
+        problems.add({std::string("the release would be ") + (thick ? "thicker" : "thinner") + " than any landslide",
+                      reading.where(key), figure(thickness, 6) + " m",
+                      thick ? "at most " + figure(k_most_thickness) + " m"
+                            : "at least " + figure(k_least_thickness) + " m",
                       "Check the unit, the sign and the nodata value of what gives it"});
     };
     double greatest = 0, mean = 0;
@@ -121,8 +126,8 @@ void check_greatest(const SceneReading& reading, const ReleaseInput& release, co
     }
     const auto& volume = reading.scene.release.volume;
     if (volume && volume->kind == SourceSpec::Kind::number) mean = std::max(mean, volume->number / area(outlines));
-    refuse_over(greatest, "release.thickness");
-    refuse_over(mean, "release.volume");
+    refuse_beyond(greatest, "release.thickness");
+    refuse_beyond(mean, "release.volume");
 }
 
 /// Polygons that overlap release their thickness twice.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/trace.h"
+#include "app/check_terrain.h"
 #include "app/choose_crs.h"
 #include "app/flow_window.h"
 #include "app/memory_limit.h"
@@ -112,6 +113,7 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     }
     if (spec.nodata_policy == "fill" && input.nodata_cells > 0)
         input.filled_cells = gis::fill_nodata(input.terrain, k_fill_distance_cells);
+    check_terrain(reading, input.terrain, log);
     return input;
 }
 

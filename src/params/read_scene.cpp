@@ -124,6 +124,18 @@ void Reader::drop_unread_of_preset() {
     }
 }
 
+/// A line of a scene file cannot hold it: line breaks and their like.
+bool has_control_characters(const std::string& text) {
+    return std::any_of(text.begin(), text.end(), [](unsigned char c) { return (c < 0x20 && c != '\t') || c == 0x7F; });
+}
+
+/// The same with every such character shown as '?'.
+std::string shown(std::string text) {
+    for (char& c : text)
+        if (has_control_characters({c})) c = '?';
+    return text;
+}
+
 void Reader::make_paths_absolute(const Parameter& parameter, const std::string& where) {
     if (parameter.map_files) {
         parameter.map_files(reading_.scene,
@@ -133,6 +145,10 @@ void Reader::make_paths_absolute(const Parameter& parameter, const std::string& 
     if (value.find('#') != std::string::npos) {
         reading_.problems.add({"contains '#', which starts a comment in scene files", where, value, "",
                                "Rename the file or folder"});
+    }
+    if (has_control_characters(value)) {
+        reading_.problems.add({"contains a line break or another control character, which no line of a scene file can hold",
+                               where, shown(value), "", "Rename the file or folder, or correct the text"});
     }
 }
 
@@ -192,6 +208,11 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
     reading.label = path;
     const fs::path absolute = fs::absolute(path).lexically_normal();
     reading.scene.file = absolute.string();
+    if (has_control_characters(reading.scene.file)) {
+        throw Error(ErrorKind::input, Problem{"the scene's path contains a line break or another control character, "
+                                              "which the result's own scene file could not hold",
+                                              shown(path), shown(reading.scene.file), "", "Rename the file or folder"});
+    }
 
     const Layer file{Origin::scene_file, path, read_ini(path)};
     const Layer command_line = command_line_layer(overrides, reading.problems);

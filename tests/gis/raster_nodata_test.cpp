@@ -51,6 +51,22 @@ TEST(ReadRaster, NoDataStaysAndDoesNotBleed) {
     EXPECT_TRUE(same.warnings.empty());
 }
 
+TEST(ReadRaster, WarnsOfABandOf9999ButNotOfSlopesThatPassIt) {
+    const Folder folder;
+    const GridSpec grid = utm_grid(527000, 5095000, 5, 20, 20);
+    TestRaster raster = plane_raster(20, 20, 5);
+    for (std::size_t i = 0; i < raster.values.size(); ++i) raster.values[i] = i % 20 < 4 ? 9999 : 500;
+    make_raster(folder.file("band.tif"), raster);
+    const RasterRead band = read_raster_on(folder.file("band.tif"), grid, "", Resampling::automatic);
+    ASSERT_EQ(band.warnings.size(), 1U);
+    EXPECT_NE(band.warnings[0].find("80 cells hold 9999,"), std::string::npos) << band.warnings[0];
+    // In centimetres, at 100 m: steps of 45 degrees pass the value.
+    for (std::size_t i = 0; i < raster.values.size(); ++i) raster.values[i] = 4999 + 500 * static_cast<double>(i % 20);
+    raster.scale = 0.01;
+    make_raster(folder.file("slope.tif"), raster);
+    EXPECT_TRUE(read_raster_on(folder.file("slope.tif"), grid, "", Resampling::automatic).warnings.empty());
+}
+
 TEST(ReadRaster, WarnsOfUndeclaredNoData) {
     const Folder folder;
     TestRaster raster = plane_raster(4, 4, 5);
