@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "app/number_text.h"
 #include "gis/footprint.h"
@@ -101,6 +102,18 @@ void check_thickness_raster(const SceneReading& reading, const Raster& thickness
     }
 }
 
+/// Areas whose thickness rasters are to be looked at: a raster file is the same for all, a fitted surface is each area's
+/// own.
+std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, const ReleaseInput& release) {
+    std::vector<const ReleaseArea*> areas;
+    for (const ReleaseArea& area : release.areas) {
+        if (!area.thickness_raster) continue;
+        areas.push_back(&area);
+        if (!reading.scene.release.thickness->fitted()) break;
+    }
+    return areas;
+}
+
 /// More than any landslide is thick: a raster of elevations, nodata that no file declares, a volume in other units.
 void check_greatest(const SceneReading& reading, const ReleaseInput& release, const MultiPolygon& outlines,
                     const Raster& cover, Problems& problems) {
@@ -113,20 +126,22 @@ void check_greatest(const SceneReading& reading, const ReleaseInput& release, co
                             : "at least " + figure(k_least_thickness) + " m",
                       "Check the unit, the sign and the nodata value of what gives it"});
     };
-    double greatest = 0, mean = 0;
+    double least = k_most_thickness, greatest = 0, mean = 0;
+    for (const ReleaseArea* release_area : different_rasters(reading, release)) {
+        const std::vector<double>& values = release_area->thickness_raster->values;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (cover.values[i] != 0 && values[i] > greatest) greatest = values[i];
+    }
     for (const ReleaseArea& release_area : release.areas) {
-        if (release_area.thickness_raster) {
-            const std::vector<double>& values = release_area.thickness_raster->values;
-            for (std::size_t i = 0; i < values.size(); ++i)
-                if (cover.values[i] != 0 && values[i] > greatest) greatest = values[i];
-        } else {
+        if (!release_area.thickness_raster) {
+            least = std::min(least, release_area.thickness);
             greatest = std::max(greatest, release_area.thickness);
         }
         if (release_area.volume) mean = std::max(mean, *release_area.volume / area(release_area.outline));
     }
     const auto& volume = reading.scene.release.volume;
     if (volume && volume->kind == SourceSpec::Kind::number) mean = std::max(mean, volume->number / area(outlines));
-    refuse_beyond(greatest, "release.thickness");
+    refuse_beyond(least < k_least_thickness ? least : greatest, "release.thickness");
     refuse_beyond(mean, "release.volume");
 }
 
@@ -157,9 +172,8 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
     if (!check_extent(reading, ground, outlines, problems)) return;
     const Raster cover = gis::coverage(outlines, ground.terrain.grid);
     check_ground(reading, ground, cover, problems);
-    for (const ReleaseArea& area : release.areas)
-        if (area.thickness_raster)
-            check_thickness_raster(reading, *area.thickness_raster, cover, log, problems);
+    for (const ReleaseArea* area : different_rasters(reading, release))
+        check_thickness_raster(reading, *area->thickness_raster, cover, log, problems);
     check_greatest(reading, release, outlines, cover, problems);
     check_overlap(release, ground.terrain.grid, log);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -90,7 +91,11 @@ int report(const Error& error) {
         std::cerr << "frana: " << describe(problems.front()) << '\n';
     } else {
         std::cerr << "frana: " << problems.size() << " problems:\n";
-        for (const Problem& problem : problems) std::cerr << "  - " << describe(problem) << '\n';
+        // One a feature: ten thousand would push the first, which tell as much, off the screen.
+        constexpr std::size_t k_told = 50;
+        for (std::size_t i = 0; i < std::min(problems.size(), k_told); ++i)
+            std::cerr << "  - " << describe(problems[i]) << '\n';
+        if (problems.size() > k_told) std::cerr << "  - and " << problems.size() - k_told << " more\n";
     }
     switch (error.kind()) {
         case ErrorKind::numerical:

@@ -89,6 +89,21 @@ TEST_F(SpecialFile, EqualPolygonsAreToldOnceAndCounted) {
     EXPECT_LT(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 8);
 }
 
+TEST_F(SpecialFile, AThousandProblemsAreCountedToo) {
+    std::vector<std::string> squares;
+    for (int i = 0; i < 1000; ++i) {
+        const std::string west = std::to_string(527020 + i % 40), east = west + ".5", south = std::to_string(5094055 + i / 40),
+                          north = south + ".5";
+        squares.push_back("POLYGON((" + west + " " + south + "," + east + " " + south + "," + east + " " + north + "," +
+                          west + " " + north + "," + west + " " + south + "))");
+    }
+    gis::test::make_vector(path("many.gpkg"), "GPKG", "EPSG:32632", squares);
+    const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=many.gpkg", "--set",
+                                   "release.thickness=attribute:none"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_LT(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 60) << outcome.err;
+}
+
 TEST_F(SpecialFile, ADamagedBackgroundIsFoundByCheck) {
     gis::test::TestRaster picture;
     picture.columns = 60;
