@@ -5,6 +5,7 @@
 
 #include "app/manifest.h"
 #include "app/result_files.h"
+#include "app/unfinished_results.h"
 #include "resuming.h"
 #include "same_result.h"
 #include "tiny_scene.h"
@@ -224,6 +225,54 @@ TEST_F(Overwrite, FoldersBesideTheResultStay) {
     run(k_voellmy + k_numbers_only, "old", {"--overwrite"});
     EXPECT_EQ(files_below(path("old.partial-backup")), backup);
     EXPECT_TRUE(exists("old.partial-Ab12Cd/maps/mine.png"));
+}
+
+// A run that was killed after the results had changed places, and before the user's files had followed.
+TEST_F(Overwrite, TheNextRunEndsWhatAKilledOneLeft) {
+    run(k_voellmy + k_entrainment + k_numbers_only, "old");
+    run(k_voellmy + k_numbers_only, "fresh");
+    copy("fresh", "new");
+    write("old/notes.txt", "mine");
+    write("old/max_depth.qml", "my style");
+    app::note_replaced(path("old"), "result.partial-Ab12Cd");
+    fs::rename(path("old"), path("result.partial-Ab12Cd"));
+    fs::rename(path("new"), path("result"));
+    copy("result.partial-Ab12Cd", "result.partial-backup");
+    run(k_voellmy + k_numbers_only, "result", {"--overwrite"});
+    EXPECT_EQ(read_text(path("result/notes.txt")), "mine");
+    EXPECT_EQ(read_text(path("result/max_depth.kept-1.qml")), "my style");
+    EXPECT_FALSE(exists("result/eroded_depth.tif"));
+    EXPECT_FALSE(exists("result.partial-Ab12Cd"));
+    EXPECT_TRUE(exists("result.partial-backup/notes.txt"));
+    EXPECT_EQ(files_below(path("result")).size(), files_below(path("fresh")).size() + 2);
+}
+
+// One that cannot be exchanged, as on some file systems and where somebody has put another folder there.
+TEST_F(Overwrite, AResultThatCannotTakeItsNameIsKeptBesideIt) {
+    write("scene.ini", "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[time]\n"
+                       "end = 60\nstop-when-still = off\n" +
+                           k_voellmy + k_numbers_only);
+    StartedProgram program(folder_.string(), {"run", "scene.ini", "--out", "result", "--quiet"});
+    ASSERT_TRUE(program.wait_until([&] {
+        const auto names = files();
+        return std::any_of(names.begin(), names.end(), [](const std::string& name) {
+            return name.starts_with("result.partial-") && name.ends_with("extent.gpkg");
+        });
+    }));
+    fs::create_directory(path("result"));
+    write("result/notes.txt", "mine");
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+    const auto at = outcome.err.find("the new one is kept in ");
+    ASSERT_NE(at, std::string::npos) << outcome.err;
+    EXPECT_EQ(files_below(path("result")), std::vector<std::string>{"notes.txt"});
+    int kept = 0;
+    for (const std::string& name : files()) {
+        kept += name.starts_with("result.kept-") && name.ends_with("/manifest.json") ? 1 : 0;
+        EXPECT_EQ(name.find("partial"), std::string::npos) << name;
+        EXPECT_EQ(name.find("being_"), std::string::npos) << name;
+    }
+    EXPECT_EQ(kept, 1);
 }
 
 class LeftBehind : public Resuming {};
