@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/comparison.h"
 #include "app/kept_files.h"
+#include "app/manifest.h"
 #include "app/ranking.h"
 #include "app/result_reader.h"
 #include "app/text_file.h"
@@ -179,6 +180,10 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
         simulated.source.scar = simulated.input.survey.scar;
         LayerDrawer drawer(simulated.source);
         draw_comparison(comparison, drawer, folder);
+        record_files(comparison_files(folder));
+        record_files(comparison_pictures(drawer.style(), folder));
+    } else {
+        record_files({comparison_files(folder).front()});
     }
     return comparison;
 }
@@ -217,6 +222,7 @@ int cmd_compare(const Arguments& arguments) {
         ranking.add(pair.name, pair.operand, pair.scar.value_or(deposit.value_or("")), comparison);
     }
     write_text_file(ranking_file, ranking.csv());
+    record_files({ranking_file});
     std::cout << ranking.csv();
     return static_cast<int>(ExitCode::done);
 }

@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/foreign_map.h"
 #include "app/kept_files.h"
+#include "app/manifest.h"
 #include "app/plates.h"
 #include "app/result_reader.h"
 #include "core/error.h"
@@ -158,6 +159,12 @@ void make_folder(const std::string& folder) {
     }
 }
 
+/// To the user, and to the result that the files lie in.
+void tell_written(const std::vector<std::string>& files) {
+    record_files(files);
+    for (const std::string& file : files) std::cout << file << '\n';
+}
+
 void render_film(const ResultReader& result, const MapSource& source, const Request& request, Size size,
                  KeptFiles& kept) {
     FilmRequest film{film_source(result, source, request.film_of), {}, request.view_3d, request.fly, size};
@@ -179,6 +186,7 @@ void render_film(const ResultReader& result, const MapSource& source, const Requ
     problems.throw_if_any();
     if (request.film->ends_with('/')) make_folder(*request.film);
     write_animation(film, *request.film);
+    record_files(film_files(*request.film, film.first.frames.size()));
     std::cout << *request.film << '\n';
 }
 
@@ -194,7 +202,7 @@ void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool vie
     make_folder(folder);
     LayerDrawer drawer(source);
     for (const MapLayer& layer : layers)
-        for (const std::string& file : drawer.draw(layer, view_3d, stem(layer))) std::cout << file << '\n';
+        tell_written(drawer.draw(layer, view_3d, stem(layer)));
 }
 
 /// A picture among a result's rasters would be taken for one of them.
@@ -268,7 +276,7 @@ void render_result(const Values& values, const Request& request, Problems& probl
         problems.throw_if_any();
         make_folder(folder);
         const auto draw_pages = request.charts ? draw_charts : draw_plates;
-        for (const std::string& file : draw_pages(result, source, folder)) std::cout << file << '\n';
+        tell_written(draw_pages(result, source, folder));
     } else {
         draw(source, layers, request.view_3d, request.out.value_or(result.path("maps")), kept);
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 
 #include "app/checkpoints.h"
 #include "app/frame_files.h"
@@ -32,8 +33,9 @@ std::string hindrance(const CheckpointFile& checkpoint, const std::string& ident
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::error_code& failure) {
-    throw Error(ErrorKind::environment, Problem{"an interrupted run's files cannot be taken over: " + failure.message(),
-                                                path.string(), "", "", "Check the disk's space and the rights"});
+    throw Error(ErrorKind::environment,
+                Problem{"an interrupted run's files cannot be taken over: " + failure.message(),
+                        path.string(), "", "", "Check the disk's space and the rights"});
 }
 
 // The same file under a second name, where the file system knows that; else a copy.
@@ -44,12 +46,27 @@ void link(const fs::path& from, const fs::path& to) {
     if (failure) fail(from, failure);
 }
 
-void keep_only(const fs::path& folder, const auto& is_wanted) {
+// Removes what frana wrote into a folder in the making and is wanted no more; a file of somebody else's
+// stays.
+void remove_unwanted(const fs::path& root, const std::string& folder,
+                     const std::function<bool(const std::string&)>& is_wanted) {
     std::error_code failure;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
-        if (!is_wanted(entry.path().filename().string())) fs::remove_all(entry.path(), failure);
-        if (failure) fail(entry.path(), failure);
+    std::vector<fs::path> files, folders;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / folder, failure)) {
+        const std::string name = entry.path().lexically_relative(root).generic_string();
+        if (is_wanted(entry.path().filename().string())) continue;
+        if (fs::is_directory(entry.symlink_status(failure))) {
+            remove_unwanted(root, name, [](const std::string&) { return false; });
+            folders.push_back(entry.path());
+        } else if (known_file(name) != nullptr) {
+            files.push_back(entry.path());
+        }
     }
+    for (const fs::path& file : files) {
+        fs::remove(file, failure);
+        if (failure) fail(file, failure);
+    }
+    for (const fs::path& empty : folders) fs::remove(empty, failure);  // where they are
 }
 
 }  // namespace
@@ -68,9 +85,10 @@ InterruptedRun::InterruptedRun(const std::string& directory) {
         }
     }
     // Of two at the same step the one in a folder of its own comes first: nothing need be linked.
-    std::stable_sort(checkpoints_.begin(), checkpoints_.end(), [](const std::string& a, const std::string& b) {
-        return fs::path(a).filename() > fs::path(b).filename();
-    });
+    std::stable_sort(checkpoints_.begin(), checkpoints_.end(),
+                     [](const std::string& a, const std::string& b) {
+                         return fs::path(a).filename() > fs::path(b).filename();
+                     });
 }
 
 std::unique_ptr<CheckpointFile> InterruptedRun::choose(const std::string& identity, RunLog& log) const {
@@ -108,13 +126,13 @@ void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& dire
         return index && *index < frames;
     };
     if (fs::path(directory.folder()) == from) {
-        keep_only(to, [](const std::string& file) {
+        remove_unwanted(to, "", [](const std::string& file) {
             return file == k_checkpoint_folder || file == "frames" || file == k_building_file;
         });
-        keep_only(to / k_checkpoint_folder, [&](const std::string& file) {
+        remove_unwanted(to, k_checkpoint_folder, [&](const std::string& file) {
             return file <= name && file.find(".partial") == std::string::npos;
         });
-        keep_only(to / "frames", is_earlier_frame);
+        remove_unwanted(to, "frames", is_earlier_frame);
         return;
     }
     directory.make_folder(k_checkpoint_folder);
