@@ -10,6 +10,7 @@
 #include "app/kept_files.h"
 #include "app/manifest.h"
 #include "app/ranking.h"
+#include "app/replace_result.h"
 #include "app/result_reader.h"
 #include "app/text_file.h"
 #include "app/version.h"
@@ -175,6 +176,9 @@ std::string make_folder(const std::string& folder) {
 Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog& log) {
     Comparison comparison = compare_with_survey(simulated.input, log);
     make_folder(folder);
+    keep_changed_files(comparison.figures ? comparison_files(folder)
+                                          : std::vector<std::string>{comparison_files(folder).front()});
+    if (comparison.figures) keep_changed_files(comparison_pictures(simulated.source.style, folder));
     write_comparison(comparison, simulated.input, folder);
     if (comparison.figures) {
         simulated.source.scar = simulated.input.survey.scar;

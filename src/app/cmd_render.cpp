@@ -12,6 +12,7 @@
 #include "app/kept_files.h"
 #include "app/manifest.h"
 #include "app/plates.h"
+#include "app/replace_result.h"
 #include "app/result_reader.h"
 #include "core/error.h"
 #include "gis/picture_in.h"
@@ -182,11 +183,13 @@ void render_film(const ResultReader& result, const MapSource& source, const Requ
         kept.add_result(other.directory());
     }
     Problems problems;
-    kept.check(film_files(*request.film, film.first.frames.size()), "--animation", problems);
+    const std::vector<std::string> files = film_files(*request.film, film.first.frames.size());
+    kept.check(files, "--animation", problems);
     problems.throw_if_any();
+    keep_changed_files(files);
     if (request.film->ends_with('/')) make_folder(*request.film);
     write_animation(film, *request.film);
-    record_files(film_files(*request.film, film.first.frames.size()));
+    record_files(files);
     std::cout << *request.film << '\n';
 }
 
@@ -196,9 +199,12 @@ void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool vie
         return (fs::path(folder) / (layer.name + (view_3d ? "_3d" : ""))).string();
     };
     Problems problems;
+    std::vector<std::string> files;
     for (const MapLayer& layer : layers)
-        kept.check_pictures(picture_files(source.style, stem(layer), !view_3d), "--out", problems);
+        for (const std::string& file : picture_files(source.style, stem(layer), !view_3d)) files.push_back(file);
+    kept.check_pictures(files, "--out", problems);
     problems.throw_if_any();
+    keep_changed_files(files);
     make_folder(folder);
     LayerDrawer drawer(source);
     for (const MapLayer& layer : layers)
@@ -271,9 +277,11 @@ void render_result(const Values& values, const Request& request, Problems& probl
                     values.count("size") > 0 ? source.style.size : film_size(source.style.size), kept);
     } else if (request.charts || request.plates) {
         const std::string folder = request.out.value_or(result.path(request.charts ? "charts" : "plates"));
-        kept.check(request.charts ? chart_files(result, source, folder) : plate_files(source, folder), "--out",
-                   problems);
+        const std::vector<std::string> files =
+            request.charts ? chart_files(result, source, folder) : plate_files(source, folder);
+        kept.check(files, "--out", problems);
         problems.throw_if_any();
+        keep_changed_files(files);
         make_folder(folder);
         const auto draw_pages = request.charts ? draw_charts : draw_plates;
         tell_written(draw_pages(result, source, folder));

@@ -84,6 +84,21 @@ fs::path result_around(const fs::path& file) {
     }
 }
 
+/// Of these files those that are there and lie in results, by result.
+std::map<fs::path, std::vector<fs::path>> by_result(const std::vector<std::string>& paths) {
+    std::map<fs::path, fs::path> results;  // by folder
+    std::map<fs::path, std::vector<fs::path>> found;
+    for (const std::string& path : paths) {
+        std::error_code failure;
+        const fs::path file = fs::canonical(path, failure);
+        if (failure || !fs::is_regular_file(file, failure)) continue;
+        const auto [known, is_new] = results.try_emplace(file.parent_path());
+        if (is_new) known->second = result_around(file);
+        if (!known->second.empty()) found[known->second].push_back(file);
+    }
+    return found;
+}
+
 }  // namespace
 
 std::string escaped_name(const std::string& name) {
@@ -183,17 +198,7 @@ bool is_unlisted_result(const std::string& folder) {
 }
 
 void record_files(const std::vector<std::string>& paths) {
-    std::map<fs::path, fs::path> results;  // by folder
-    std::map<fs::path, std::vector<fs::path>> by_result;
-    for (const std::string& path : paths) {
-        std::error_code failure;
-        const fs::path file = fs::canonical(path, failure);
-        if (failure || !fs::is_regular_file(file, failure)) continue;
-        const auto [known, is_new] = results.try_emplace(file.parent_path());
-        if (is_new) known->second = result_around(file);
-        if (!known->second.empty()) by_result[known->second].push_back(file);
-    }
-    for (const auto& [result, files] : by_result) {
+    for (const auto& [result, files] : by_result(paths)) {
         const ManifestLock lock(result.string());
         std::optional<Manifest> manifest = read_manifest(result.string());
         if (!manifest) continue;
@@ -201,6 +206,20 @@ void record_files(const std::vector<std::string>& paths) {
             manifest->files[file.lexically_relative(result).generic_string()] = mark_of(file.string());
         write_manifest(result.string(), *manifest);
     }
+}
+
+std::vector<std::string> changed_files(const std::vector<std::string>& paths) {
+    std::vector<std::string> changed;
+    for (const auto& [result, files] : by_result(paths)) {
+        const std::optional<Manifest> manifest = read_manifest(result.string());
+        if (!manifest) continue;
+        for (const fs::path& file : files) {
+            const auto listed = manifest->files.find(file.lexically_relative(result).generic_string());
+            if (listed == manifest->files.end() || mark_of(file.string()) != listed->second)
+                changed.push_back(file.string());
+        }
+    }
+    return changed;
 }
 
 void forget_files(const std::string& folder, const std::vector<std::string>& names) {

@@ -51,6 +51,9 @@ bool is_unlisted_result(const std::string& folder);
 /// Throws Error(environment).
 void record_files(const std::vector<std::string>& paths);
 
+/// Of these files those that lie in a result with a manifest, are there, and are not as it says.
+std::vector<std::string> changed_files(const std::vector<std::string>& paths);
+
 /// Takes files, or all below folders, out of a result's manifest: they are no more. Throws
 /// Error(environment).
 void forget_files(const std::string& folder, const std::vector<std::string>& names);

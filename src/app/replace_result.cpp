@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <optional>
 
 #include "app/manifest.h"
@@ -197,6 +198,21 @@ std::vector<Problem> replace_result(const std::string& older, const std::string&
                  "It is still there; the new result is complete in " + result}};
     log.tell("the older result does not list its files: it is kept whole in " + kept.string());
     return {};
+}
+
+void keep_changed_files(const std::vector<std::string>& paths) {
+    for (const std::string& path : changed_files(paths)) {
+        const fs::path file = path;
+        fs::path kept;
+        if (const std::error_code failure =
+                move_to_kept(file, file.parent_path() / file.stem(), file.extension(), kept))
+            throw Error(ErrorKind::environment,
+                        Problem{"was changed since frana wrote it, and cannot be kept under another name: " +
+                                    failure.message(),
+                                path, "", "", "Choose another folder with --out"});
+        std::cerr << "frana: " << path << " is not as frana wrote it: kept as " << kept.filename().string()
+                  << '\n';
+    }
 }
 
 }  // namespace frana::app

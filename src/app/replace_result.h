@@ -18,4 +18,9 @@ namespace frana::app {
 /// is still where it was.
 std::vector<Problem> replace_result(const std::string& older, const std::string& result, RunLog& log);
 
+/// Before files are written once more: those that lie in a result, are there, and are not as its manifest
+/// says, are the user's and get such a name. Told on stderr. Files outside results are left to be replaced.
+/// Throws Error(environment).
+void keep_changed_files(const std::vector<std::string>& paths);
+
 }  // namespace frana::app

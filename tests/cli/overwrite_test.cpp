@@ -195,6 +195,29 @@ TEST_F(Overwrite, KeepsTheUsersFilesWhereverTheyLie) {
     for (const std::string& name : files()) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
 }
 
+// Drawing and comparing once more replace what they wrote, and keep what somebody made of it.
+TEST_F(Overwrite, WhatIsDrawnAgainKeepsWhatWasChanged) {
+    run(k_voellmy + k_numbers_only, "old");
+    for (int time = 0; time < 2; ++time) {
+        render({"--map", "max_depth", "--size", "800x600"});
+        ASSERT_EQ(frana({"compare", "old", "--scar", "scar.geojson"}).exit_code, 0);
+    }
+    EXPECT_FALSE(exists("old/maps/max_depth.kept-1.png"));
+    write("old/maps/max_depth.png", "my arrows");
+    write("old/maps/final_depth.png", "my own");
+    write("old/comparison.qml", "my style");
+    render({"--map", "max_depth", "--map", "final_depth", "--size", "800x600"});
+    const Outcome compared = frana({"compare", "old", "--scar", "scar.geojson"});
+    ASSERT_EQ(compared.exit_code, 0) << compared.err;
+    EXPECT_NE(compared.err.find("comparison.qml is not as frana wrote it: kept as comparison.kept-1.qml"),
+              std::string::npos)
+        << compared.err;
+    EXPECT_EQ(read_text(path("old/maps/max_depth.kept-1.png")), "my arrows");
+    EXPECT_EQ(read_text(path("old/maps/final_depth.kept-1.png")), "my own");
+    EXPECT_EQ(read_text(path("old/comparison.kept-1.qml")), "my style");
+    EXPECT_GT(fs::file_size(path("old/maps/max_depth.png")), 1000U);
+}
+
 TEST_F(Overwrite, AnotherProgramsFolderIsNoResult) {
     run(k_voellmy + k_numbers_only, "old");
     fs::create_directory(path("foreign"));
