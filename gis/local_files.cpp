@@ -28,16 +28,23 @@ class LocalFiles : public VSIFilesystemHandler {
   public:
     explicit LocalFiles(VSIFilesystemHandler& files) : files_(files) {}
 
-    VSIVirtualHandle* Open(const char* path, const char* access, bool set_error, CSLConstList options) override {
+    VSIVirtualHandle* Open(const char* path, const char* access, bool set_error,
+                           CSLConstList options) override {
         if (writes(access) && refuse_writing()) return nullptr;
         if (refuse_special_file(path)) return nullptr;
         return files_.Open(path, access, set_error, options);
     }
-    int Stat(const char* path, VSIStatBufL* status, int flags) override { return files_.Stat(path, status, flags); }
+    int Stat(const char* path, VSIStatBufL* status, int flags) override {
+        return files_.Stat(path, status, flags);
+    }
     int Unlink(const char* path) override { return refuse_writing() ? -1 : files_.Unlink(path); }
-    int Mkdir(const char* path, long mode) override { return refuse_writing() ? -1 : files_.Mkdir(path, mode); }
+    int Mkdir(const char* path, long mode) override {
+        return refuse_writing() ? -1 : files_.Mkdir(path, mode);
+    }
     int Rmdir(const char* path) override { return refuse_writing() ? -1 : files_.Rmdir(path); }
-    int RmdirRecursive(const char* path) override { return refuse_writing() ? -1 : files_.RmdirRecursive(path); }
+    int RmdirRecursive(const char* path) override {
+        return refuse_writing() ? -1 : files_.RmdirRecursive(path);
+    }
     int Rename(const char* from, const char* to) override {
         return refuse_writing() ? -1 : files_.Rename(from, to);
     }
@@ -79,7 +86,8 @@ void guard_local_files() {
     static VSIFilesystemHandler* const streams[] = {VSIFileManager::GetHandler("/vsistdin/"),
                                                     VSIFileManager::GetHandler("/vsistdin?")};
     (void)streams;
-    for (const char* prefix : {"/vsistdin/", "/vsistdin?"}) VSIFileManager::InstallHandler(prefix, new NoStream);
+    for (const char* prefix : {"/vsistdin/", "/vsistdin?"})
+        VSIFileManager::InstallHandler(prefix, new NoStream);
 }
 
 bool refuse_special_file(const char* path) {

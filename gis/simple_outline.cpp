@@ -50,7 +50,8 @@ bool further_south(const Edge& a, const Edge& b) {
 
 Point meeting(const Edge& a, const Edge& b) {
     const Point d{a.last.x - a.first.x, a.last.y - a.first.y}, e{b.last.x - b.first.x, b.last.y - b.first.y};
-    const double t = ((b.first.x - a.first.x) * e.y - (b.first.y - a.first.y) * e.x) / (d.x * e.y - d.y * e.x);
+    const double t =
+        ((b.first.x - a.first.x) * e.y - (b.first.y - a.first.y) * e.x) / (d.x * e.y - d.y * e.x);
     return {a.first.x + t * d.x, a.first.y + t * d.y};
 }
 
@@ -114,9 +115,10 @@ class Sweep {
 
     void compare(std::size_t one, std::size_t other) {
         const Edge &a = edges_[one], &b = edges_[other];
-        if (same(a.first, b.first) || same(a.last, b.last) || same(a.first, b.last) || same(a.last, b.first)) {
-            // Neighbours along the ring meet in their vertex alone unless one lies on the other: in line, and both to
-            // the same side of it.
+        if (same(a.first, b.first) || same(a.last, b.last) || same(a.first, b.last) ||
+            same(a.last, b.first)) {
+            // Neighbours along the ring meet in their vertex alone unless one lies on the other: in line, and
+            // both to the same side of it.
             if (same(a.first, b.first)) (void)certain(side(a.first, a.last, b.last));
             if (same(a.last, b.last)) (void)certain(side(a.last, a.first, b.first));
             return;

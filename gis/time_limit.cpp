@@ -14,6 +14,8 @@
 namespace frana::gis {
 namespace {
 
+constexpr std::int64_t k_first_word_ms = 3000, k_words_ms = 10000;
+
 std::int64_t now() {
     using namespace std::chrono;
     return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
@@ -26,6 +28,7 @@ struct Watch {
     std::vector<const TimeLimit*> limits;
     std::int64_t limit_ms = 0;
     void (*end)(const Problem&) = nullptr;
+    void (*tell)(const std::string&, double) = nullptr;
     bool watching = false;
 };
 
@@ -37,14 +40,27 @@ Watch& watch() {
 void watch_over() {
     Watch& w = watch();
     std::unique_lock lock(w.guard);
+    std::int64_t told_of = 0, next_word = 0;
     for (;;) {
         w.changed.wait(lock, [&] { return !w.limits.empty(); });
-        const auto next = *std::min_element(w.limits.begin(), w.limits.end(), [](const auto* a, const auto* b) {
-            return a->deadline() < b->deadline();
-        });
-        const std::int64_t left = next->deadline() - now();
+        const auto next =
+            *std::min_element(w.limits.begin(), w.limits.end(),
+                              [](const auto* a, const auto* b) { return a->deadline() < b->deadline(); });
+        const std::int64_t time = now(), left = next->deadline() - time;
+        std::int64_t wait = left;
+        if (w.tell != nullptr) {
+            // The outermost is the file that the user named.
+            const TimeLimit& file = *w.limits.front();
+            if (file.begun() != told_of) next_word = file.begun() + k_first_word_ms;
+            told_of = file.begun();
+            if (time >= next_word) {
+                w.tell(file.where(), static_cast<double>(time - file.begun()) / 1000);
+                next_word = time + k_words_ms;
+            }
+            wait = std::min(left, next_word - time);
+        }
         if (left > 0) {
-            w.changed.wait_for(lock, std::chrono::milliseconds(left));
+            w.changed.wait_for(lock, std::chrono::milliseconds(wait));
             continue;
         }
         w.end({"reading takes longer than a file may", next->where(), "",
@@ -57,7 +73,7 @@ void watch_over() {
 
 }  // namespace
 
-TimeLimit::TimeLimit(std::string where) : where_(std::move(where)) {
+TimeLimit::TimeLimit(std::string where) : where_(std::move(where)), begun_(now()) {
     Watch& w = watch();
     const std::lock_guard lock(w.guard);
     again();
@@ -83,6 +99,12 @@ void when_time_is_up(double seconds, void (*end)(const Problem&)) {
     const std::lock_guard lock(w.guard);
     w.limit_ms = static_cast<std::int64_t>(1000 * seconds);
     w.end = end;
+}
+
+void while_reading_takes_long(void (*tell)(const std::string& where, double seconds)) {
+    Watch& w = watch();
+    const std::lock_guard lock(w.guard);
+    w.tell = tell;
 }
 
 }  // namespace frana::gis

@@ -14,8 +14,8 @@ constexpr std::size_t k_needles_kept = 5;
 double median_slope_deg(const Raster& terrain) {
     constexpr double k_samples = 1e6;
     const GridSpec& grid = terrain.grid;
-    const auto stride =
-        static_cast<std::int64_t>(std::ceil(std::sqrt(std::max(1.0, static_cast<double>(grid.cell_count()) / k_samples))));
+    const auto stride = static_cast<std::int64_t>(
+        std::ceil(std::sqrt(std::max(1.0, static_cast<double>(grid.cell_count()) / k_samples))));
     std::vector<double> slopes;
     for (std::int64_t row = 1; row + 1 < grid.rows; row += stride) {
         for (std::int64_t column = 1; column + 1 < grid.columns; column += stride) {

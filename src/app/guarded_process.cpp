@@ -16,6 +16,7 @@
 #include <iterator>
 
 #include "app/commands.h"
+#include "app/number_text.h"
 #include "core/error.h"
 #include "core/json.h"
 #include "gis/time_limit.h"
@@ -60,9 +61,14 @@ double seconds_to_read() {
     if (text == nullptr) return k_default;
     const auto seconds = number_from_text(text);
     if (!seconds || !(*seconds > 0 && *seconds <= k_most))
-        throw Error(ErrorKind::input, Problem{"is not a time in seconds", "FRANA_READ_SECONDS", text,
-                                              "above 0, up to " + shortest_text(k_most), "Correct or unset it"});
+        throw Error(ErrorKind::input,
+                    Problem{"is not a time in seconds", "FRANA_READ_SECONDS", text,
+                            "above 0, up to " + shortest_text(k_most), "Correct or unset it"});
     return *seconds;
+}
+
+void tell_of_reading(const std::string& where, double seconds) {
+    std::cerr << "frana: reading " + where + ", " + figure(seconds, 2) + " s so far\n";
 }
 
 /// The thread that reads cannot be reached: the program ends here, before anything was computed.
@@ -73,10 +79,11 @@ void end_program(const Problem& problem) {
 
 }  // namespace
 
-void guard_process(bool network) {
+void guard_process(bool network, bool quiet) {
     // SpatiaLite's functions may then read and write files, from a view in a database that somebody sent.
     ::unsetenv("SPATIALITE_SECURITY");
     if (!network) forbid_internet_sockets();
+    if (!quiet && ::isatty(STDERR_FILENO) == 1) gis::while_reading_takes_long(tell_of_reading);
     gis::when_time_is_up(seconds_to_read(), end_program);
 }
 

@@ -60,7 +60,9 @@ constexpr Command k_commands[] = {{"run", cmd_run},
 int dispatch(Arguments words) {
     // Whoever starts the program decides this, never a scene.
     if (std::erase(words, "--allow-network") > 0) gis::allow_network();
-    guard_process(gis::network_allowed());
+    const bool quiet = std::any_of(words.begin(), words.end(),
+                                   [](const std::string& word) { return word == "--quiet" || word == "-q"; });
+    guard_process(gis::network_allowed(), quiet);
     if (words.empty()) {
         std::cerr << k_help;
         return static_cast<int>(ExitCode::input);

@@ -30,7 +30,8 @@ InsideTest::InsideTest(const MultiPolygon& polygons) {
     }
     // As many bands as edges, but so few that an edge is in eight of them on average at most.
     const double n = static_cast<double>(edges_.size());
-    const auto bands = static_cast<std::size_t>(std::max(1.0, std::min(n, 7 * n * (north_ - south_) / heights)));
+    const auto bands =
+        static_cast<std::size_t>(std::max(1.0, std::min(n, 7 * n * (north_ - south_) / heights)));
     height_ = (north_ - south_) / static_cast<double>(bands);
     begins_.assign(bands + 1, 0);
     const auto each_band = [&](const auto& visit) {

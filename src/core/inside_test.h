@@ -8,8 +8,8 @@
 
 namespace frana {
 
-/// `contains` for many points: the edges are kept by their heights, so that a point is compared with those beside it.
-/// Says the same as `contains`, to the last point.
+/// `contains` for many points: the edges are kept by their heights, so that a point is compared with those
+/// beside it. Says the same as `contains`, to the last point.
 class InsideTest {
   public:
     explicit InsideTest(const MultiPolygon& polygons);
@@ -25,8 +25,8 @@ class InsideTest {
     [[nodiscard]] std::size_t band(double y) const;
 
     double south_ = 0, north_ = 0, height_ = 1;
-    std::vector<Edge> edges_;           // by polygon and ring
-    std::vector<std::size_t> begins_;   // of each band in `listed_`, and the end
+    std::vector<Edge> edges_;            // by polygon and ring
+    std::vector<std::size_t> begins_;    // of each band in `listed_`, and the end
     std::vector<std::uint32_t> listed_;  // edges that a band meets, in their order
 };
 

@@ -37,8 +37,8 @@ std::size_t NearestSegment::build(std::size_t first, std::size_t last) {
     Bounds box{k_far, k_far, -k_far, -k_far};
     for (std::size_t i = first; i < last; ++i) {
         const auto [a, b] = segments_[i];
-        box = {std::min({box.west, a.x, b.x}), std::min({box.south, a.y, b.y}), std::max({box.east, a.x, b.x}),
-               std::max({box.north, a.y, b.y})};
+        box = {std::min({box.west, a.x, b.x}), std::min({box.south, a.y, b.y}),
+               std::max({box.east, a.x, b.x}), std::max({box.north, a.y, b.y})};
     }
     box = {box.west - k_rounding, box.south - k_rounding, box.east + k_rounding, box.north + k_rounding};
     const std::size_t self = boxes_.size();

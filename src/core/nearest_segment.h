@@ -13,8 +13,8 @@ struct Segment {
     Point from, to;  // differ
 };
 
-/// Finds the segment nearest to a point among many: boxes in boxes, halved by the segments' middles. The distance is
-/// that of comparing with every one, to the bit.
+/// Finds the segment nearest to a point among many: boxes in boxes, halved by the segments' middles. The
+/// distance is that of comparing with every one, to the bit.
 class NearestSegment {
   public:
     NearestSegment() = default;
@@ -27,7 +27,7 @@ class NearestSegment {
   private:
     struct Box {
         Bounds bounds;
-        std::size_t first, last;             // segments
+        std::size_t first, last;              // segments
         std::array<std::size_t, 2> halves{};  // boxes; both 0: none
     };
 

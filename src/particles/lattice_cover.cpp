@@ -7,7 +7,8 @@
 namespace frana {
 namespace {
 
-// Where parts may overlap, their edges cross at heights that are not looked for: a row is divided this often besides.
+// Where parts may overlap, their edges cross at heights that are not looked for: a row is divided this often
+// besides.
 constexpr int k_divisions = 8;
 constexpr double k_gauss = 0.57735026918962576;  // 1 / sqrt(3)
 // Crossings of lines with edges in a row, beyond which going along the edges is faster.
@@ -47,7 +48,8 @@ bool apart(const MultiPolygon& outline) {
     for (const Polygon& polygon : outline) {
         const Bounds box = bounds({polygon});
         for (const Bounds& b : boxes) {
-            if (box.west < b.east && b.west < box.east && box.south < b.north && b.south < box.north) return false;
+            if (box.west < b.east && b.west < box.east && box.south < b.north && b.south < box.north)
+                return false;
         }
         boxes.push_back(box);
     }
@@ -92,8 +94,8 @@ void LatticeCover::enter_row(double from, double to) {
         if (edges_[entered_].high > from) active_.push_back(entered_);
 }
 
-// Heights within a row at which the outline bends or passes from one column to the next, with the row's ends: between
-// two of them the outline's edges are straight within each cell.
+// Heights within a row at which the outline bends or passes from one column to the next, with the row's ends:
+// between two of them the outline's edges are straight within each cell.
 std::vector<double> LatticeCover::strip_heights(const Band& band) const {
     const auto [from, to] = band;
     std::vector<double> heights{from, to};
@@ -115,20 +117,22 @@ std::vector<double> LatticeCover::strip_heights(const Band& band) const {
     return heights;
 }
 
-// Whether strips would meet edges and columns too often for going by them. Their number is estimated first: a million
-// long edges would make too many to be listed.
+// Whether strips would meet edges and columns too often for going by them. Their number is estimated first: a
+// million long edges would make too many to be listed.
 bool LatticeCover::too_many_strips(const Band& band) const {
     double strips = 0;
     for (const std::size_t e : active_) {
         const Point a = edges_[e].from, b = edges_[e].to;
-        const double part = (std::min(edges_[e].high, band.to) - std::max(edges_[e].low, band.from)) / spacing_;
+        const double part =
+            (std::min(edges_[e].high, band.to) - std::max(edges_[e].low, band.from)) / spacing_;
         strips += 1 + part * std::abs((b.x - a.x) / (b.y - a.y));
     }
     if (strips * static_cast<double>(cells_.size()) > k_most_crossings) return true;
     const std::vector<double> heights = strip_heights(band);
     double work = static_cast<double>(heights.size()) * static_cast<double>(cells_.size());
     for (const std::size_t e : active_) {
-        const auto first = std::lower_bound(heights.begin(), heights.end(), std::max(edges_[e].low, band.from));
+        const auto first =
+            std::lower_bound(heights.begin(), heights.end(), std::max(edges_[e].low, band.from));
         const auto last = std::lower_bound(first, heights.end(), std::min(edges_[e].high, band.to));
         work += static_cast<double>(last - first);
     }
@@ -141,7 +145,8 @@ void LatticeCover::cover_by_strips(const std::vector<double>& heights) {
     std::vector<Interval> inside;
     std::size_t next = 0;
     const auto cut = [&](double y) {
-        for (; next < active_.size() && edges_[active_[next]].low <= y; ++next) crossed.push_back(active_[next]);
+        for (; next < active_.size() && edges_[active_[next]].low <= y; ++next)
+            crossed.push_back(active_[next]);
         std::erase_if(crossed, [&](std::size_t e) { return edges_[e].high <= y; });
         crossings.clear();
         for (const std::size_t e : crossed) {
@@ -164,7 +169,8 @@ void LatticeCover::cover_by_strips(const std::vector<double>& heights) {
             cut(y);
             for (const Interval& piece : inside) {
                 const auto from = static_cast<std::int64_t>(std::floor(piece.from / spacing_));
-                const auto to = std::min(static_cast<std::int64_t>(std::floor(piece.to / spacing_)), last_column_);
+                const auto to =
+                    std::min(static_cast<std::int64_t>(std::floor(piece.to / spacing_)), last_column_);
                 for (std::int64_t column = from; column <= to; ++column) {
                     const double west = std::max(piece.from, static_cast<double>(column) * spacing_);
                     const double east = std::min(piece.to, static_cast<double>(column + 1) * spacing_);
@@ -180,8 +186,8 @@ void LatticeCover::cover_by_strips(const std::vector<double>& heights) {
     }
 }
 
-// A piece of an edge within one cell bounds what lies to its west: in its own cell by Green's theorem, of the cells
-// further west everything between its heights.
+// A piece of an edge within one cell bounds what lies to its west: in its own cell by Green's theorem, of the
+// cells further west everything between its heights.
 void LatticeCover::add_piece(const Band& band, std::int64_t column, Point from, Point to, double sense) {
     const auto c = static_cast<std::size_t>(std::clamp(column, first_column_, last_column_) - first_column_);
     const double west = static_cast<double>(first_column_ + static_cast<std::int64_t>(c)) * spacing_;
@@ -225,8 +231,9 @@ void LatticeCover::cover_along_edges(const Band& band) {
         moment += beyond_[c].second;
         cell.area = std::clamp(cell.area, 0.0, spacing_ * spacing_);
         const auto inside = [&](double m) { return std::clamp(m, 0.0, cell.area * spacing_); };
-        cell.moment_x = inside(cell.moment_x) +
-                        cell.area * static_cast<double>(first_column_ + static_cast<std::int64_t>(c)) * spacing_;
+        cell.moment_x =
+            inside(cell.moment_x) +
+            cell.area * static_cast<double>(first_column_ + static_cast<std::int64_t>(c)) * spacing_;
         cell.moment_y = inside(cell.moment_y) + cell.area * band.from;
     }
 }

@@ -15,8 +15,9 @@ struct Covered {
     double area = 0, moment_x = 0, moment_y = 0;
 };
 
-/// Which part of each cell of a square lattice an outline covers: exactly, but where edges of overlapping parts cross.
-/// Holes count as outside, ground in several parts counts once. The lattice is anchored at the origin.
+/// Which part of each cell of a square lattice an outline covers: exactly, but where edges of overlapping
+/// parts cross. Holes count as outside, ground in several parts counts once. The lattice is anchored at the
+/// origin.
 ///
 /// The work grows with the vertices times the logarithm of their number, whatever the outline's form.
 class LatticeCover {
@@ -26,7 +27,8 @@ class LatticeCover {
     [[nodiscard]] std::int64_t first_row() const noexcept { return first_row_; }
     [[nodiscard]] std::int64_t last_row() const noexcept { return last_row_; }
 
-    /// The cells of one row from west to east; valid until the next call. Rows must be asked for from the south on.
+    /// The cells of one row from west to east; valid until the next call. Rows must be asked for from the
+    /// south on.
     const std::vector<Covered>& row(std::int64_t row);
 
   private:
@@ -54,7 +56,8 @@ class LatticeCover {
     std::size_t entered_ = 0;
     std::vector<std::size_t> active_;  // edges in the row, by their lower ends
     std::vector<Covered> cells_;
-    std::vector<std::pair<double, double>> beyond_;  // height and its first moment of pieces that end in a cell
+    std::vector<std::pair<double, double>>
+        beyond_;  // height and its first moment of pieces that end in a cell
 };
 
 }  // namespace frana

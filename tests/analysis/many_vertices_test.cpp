@@ -2,6 +2,7 @@
 // What stands for loops over all vertices says the same as they do, to the bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -21,7 +22,8 @@ Ring random_ring(Point centre, double radius, int points, std::mt19937& random) 
     for (int i = 0; i < points; ++i) {
         const double angle = 2 * std::numbers::pi * i / points, r = radius * uniform(random);
         // Whole numbers: many edges are level, and many points lie at a vertex's height.
-        ring.push_back({std::round(centre.x + r * std::cos(angle)), std::round(centre.y + r * std::sin(angle))});
+        ring.push_back(
+            {std::round(centre.x + r * std::cos(angle)), std::round(centre.y + r * std::sin(angle))});
     }
     return ring;
 }
@@ -31,7 +33,8 @@ TEST(InsideTest, SaysWhatContainsSays) {
     std::uniform_real_distribution<double> anywhere(-60, 160);
     for (int k = 0; k < 60; ++k) {
         MultiPolygon polygons{{random_ring({50, 50}, 50, 3 + 5 * k, random), {}}};
-        if (k % 2 == 0) polygons[0].holes = {random_ring({50, 50}, 12, 9, random), random_ring({55, 45}, 9, 40, random)};
+        if (k % 2 == 0)
+            polygons[0].holes = {random_ring({50, 50}, 12, 9, random), random_ring({55, 45}, 9, 40, random)};
         if (k % 3 == 0) polygons.push_back({random_ring({90, 50}, 40, 30, random), {}});
         if (k % 7 == 0) polygons.push_back({});
         const InsideTest inside(polygons);

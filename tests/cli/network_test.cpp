@@ -21,16 +21,19 @@ class Network : public TinyScene {
         return "<OGRVRTDataSource><OGRVRTLayer name=\"perimeter\"><SrcDataSource>" + source +
                "</SrcDataSource>" + more + "</OGRVRTLayer></OGRVRTDataSource>";
     }
-    [[nodiscard]] static std::string raster_of(const std::string& source, const std::string& crs = "EPSG:32632") {
+    [[nodiscard]] static std::string raster_of(const std::string& source,
+                                               const std::string& crs = "EPSG:32632") {
         return "<VRTDataset rasterXSize=\"60\" rasterYSize=\"30\"><SRS>" + crs + "</SRS><GeoTransform>" +
                std::to_string(k_west) + ",5,0," + std::to_string(k_south + 150) +
                ",0,-5</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\"><SimpleSource>"
                "<SourceFilename>" +
-               source + "</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>";
+               source +
+               "</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>";
     }
     [[nodiscard]] std::string gml(const std::string& head, const std::string& crs) const {
         return "<?xml version=\"1.0\"?>" + head +
-               "<ogr:FeatureCollection xmlns:ogr=\"http://ogr.maptools.org/\" xmlns:gml=\"http://www.opengis.net/gml\">"
+               "<ogr:FeatureCollection xmlns:ogr=\"http://ogr.maptools.org/\" "
+               "xmlns:gml=\"http://www.opengis.net/gml\">"
                "<gml:featureMember><ogr:a><ogr:geometryProperty><gml:Polygon srsName=\"" +
                crs +
                "\"><gml:outerBoundaryIs><gml:LinearRing><gml:coordinates>527020,5094055 527070,5094055 "
@@ -77,7 +80,8 @@ TEST_F(Network, NoVectorFileLeadsThereUnlessAllowed) {
     const std::string url = server.url() + "/a";
     write("link.geojson", perimeter_with_crs(R"({"type": "link", "properties": {"href": ")" + url +
                                              R"(", "type": "ogcwkt"}})"));
-    write("name.geojson", perimeter_with_crs(R"({"type": "name", "properties": {"name": ")" + url + R"("}})"));
+    write("name.geojson",
+          perimeter_with_crs(R"({"type": "name", "properties": {"name": ")" + url + R"("}})"));
     write("url.vrt", layer_of(url + ".geojson"));
     write("geojson.vrt", layer_of("GeoJSON:" + url));
     write("esrijson.vrt", layer_of("ESRIJSON:" + url));
@@ -124,8 +128,9 @@ TEST_F(Network, NoRasterLeadsThereUnlessAllowed) {
     write("inner.vrt", raster_of(path("curl.vrt")));
     write("tiles.vrt", raster_of("&lt;GDAL_WMS&gt;&lt;Service name='TMS'&gt;&lt;ServerUrl&gt;" + url +
                                  "&lt;/ServerUrl&gt;&lt;/Service&gt;&lt;/GDAL_WMS&gt;"));
-    write("map.xml", "<GDAL_WMS><Service name=\"TMS\"><ServerUrl>" + url +
-                         "</ServerUrl></Service><DataWindow><UpperLeftX>0</UpperLeftX></DataWindow></GDAL_WMS>");
+    write("map.xml",
+          "<GDAL_WMS><Service name=\"TMS\"><ServerUrl>" + url +
+              "</ServerUrl></Service><DataWindow><UpperLeftX>0</UpperLeftX></DataWindow></GDAL_WMS>");
     for (const std::string file : {"curl.vrt", "http.vrt", "crs.vrt", "dap.vrt", "plain-dap.vrt", "fits.vrt",
                                    "inner.vrt", "tiles.vrt", "map.xml"}) {
         const Outcome outcome = frana({"check", "scene.ini", "--set", "terrain.dtm=" + file});

@@ -32,8 +32,8 @@ class SpecialFile : public TinyScene {
 };
 
 TEST_F(SpecialFile, IsNoInput) {
-    for (const std::string key : {"terrain.dtm", "release.perimeter", "scar.perimeter", "scar.front", "output.gauges",
-                                  "output.map-background", "terrain.walls"}) {
+    for (const std::string key : {"terrain.dtm", "release.perimeter", "scar.perimeter", "scar.front",
+                                  "output.gauges", "output.map-background", "terrain.walls"}) {
         expect_refused({"scene.ini", "--set", key + "=" + path("fifo")}, "is no file to read");
         expect_refused({"scene.ini", "--set", key + "=/dev/zero"}, "is no file to read");
     }
@@ -48,7 +48,8 @@ TEST_F(SpecialFile, IsNoInput) {
 }
 
 TEST_F(SpecialFile, IsNoHydrograph) {
-    gis::test::make_vector(path("line.gpkg"), "GPKG", "EPSG:32632", {"LINESTRING(527100 5094020,527100 5094100)"});
+    gis::test::make_vector(path("line.gpkg"), "GPKG", "EPSG:32632",
+                           {"LINESTRING(527100 5094020,527100 5094100)"});
     for (const std::string& file : {path("fifo"), std::string("/dev/zero")})
         expect_refused({"scene.ini", "--set", "inflow.line=line.gpkg", "--set", "inflow.hydrograph=" + file},
                        "is no file to read");
@@ -65,9 +66,10 @@ TEST_F(SpecialFile, InputsKeepTheirFolderAsItIs) {
     gis::test::make_vector(path("in/a.shp"), "ESRI Shapefile", "EPSG:32632", square);
     write_dtm({}, true, "in/dtm.asc");
     const std::vector<std::string> before = files();
-    const std::vector<std::string> keys{"terrain.dtm=in/dtm.asc", "release.perimeter=in/a.gml",
+    const std::vector<std::string> keys{"terrain.dtm=in/dtm.asc",   "release.perimeter=in/a.gml",
                                         "scar.perimeter=in/a.gpkg", "scar.deposit=in/a.shp",
-                                        "output.maps=off", "output.animation=off", "output.frames=off"};
+                                        "output.maps=off",          "output.animation=off",
+                                        "output.frames=off"};
     for (const std::string command : {"check", "run"}) {
         std::vector<std::string> arguments{command, "scene.ini"};
         for (const std::string& key : keys) arguments.insert(arguments.end(), {"--set", key});
@@ -81,7 +83,8 @@ TEST_F(SpecialFile, InputsKeepTheirFolderAsItIs) {
 
 // Each pair told would be 44 850 lines.
 TEST_F(SpecialFile, EqualPolygonsAreToldOnceAndCounted) {
-    const std::string square = "POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))";
+    const std::string square =
+        "POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))";
     gis::test::make_vector(path("equal.gpkg"), "GPKG", "EPSG:32632", std::vector<std::string>(300, square));
     const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=equal.gpkg"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -92,10 +95,10 @@ TEST_F(SpecialFile, EqualPolygonsAreToldOnceAndCounted) {
 TEST_F(SpecialFile, AThousandProblemsAreCountedToo) {
     std::vector<std::string> squares;
     for (int i = 0; i < 1000; ++i) {
-        const std::string west = std::to_string(527020 + i % 40), east = west + ".5", south = std::to_string(5094055 + i / 40),
-                          north = south + ".5";
-        squares.push_back("POLYGON((" + west + " " + south + "," + east + " " + south + "," + east + " " + north + "," +
-                          west + " " + north + "," + west + " " + south + "))");
+        const std::string west = std::to_string(527020 + i % 40), east = west + ".5",
+                          south = std::to_string(5094055 + i / 40), north = south + ".5";
+        squares.push_back("POLYGON((" + west + " " + south + "," + east + " " + south + "," + east + " " +
+                          north + "," + west + " " + north + "," + west + " " + south + "))");
     }
     gis::test::make_vector(path("many.gpkg"), "GPKG", "EPSG:32632", squares);
     const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=many.gpkg", "--set",
@@ -122,12 +125,14 @@ TEST_F(SpecialFile, ADamagedBackgroundIsFoundByCheck) {
 }
 
 TEST_F(SpecialFile, AFilterThatHoldsAQueryIsRefused) {
-    gis::test::make_vector(path("a.gpkg"), "GPKG", "EPSG:32632",
-                           {"POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"});
+    gis::test::make_vector(
+        path("a.gpkg"), "GPKG", "EPSG:32632",
+        {"POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"});
     const std::string endless =
         "1 IN (WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x+1 FROM c) SELECT x FROM c WHERE x < 0)";
-    expect_refused({"scene.ini", "--set", "release.perimeter=a.gpkg", "--set", "release.perimeter-filter=" + endless},
-                   "holds a query of its own");
+    expect_refused(
+        {"scene.ini", "--set", "release.perimeter=a.gpkg", "--set", "release.perimeter-filter=" + endless},
+        "holds a query of its own");
     EXPECT_EQ(frana({"check", "scene.ini", "--set", "release.perimeter=a.gpkg", "--set",
                      "release.perimeter-filter=name <> 'select' AND thick = 10"})
                   .exit_code,
@@ -139,7 +144,8 @@ TEST_F(SpecialFile, AVrtRunsNoProgram) {
     write("own.vrt",
           "<VRTDataset rasterXSize=\"60\" rasterYSize=\"30\"><SRS>EPSG:32632</SRS><GeoTransform>" +
               std::to_string(k_west) + ",5,0," + std::to_string(k_south + 150) +
-              ",0,-5</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\" subClass=\"VRTDerivedRasterBand\">"
+              ",0,-5</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\" "
+              "subClass=\"VRTDerivedRasterBand\">"
               "<PixelFunctionType>f</PixelFunctionType><PixelFunctionLanguage>Python</PixelFunctionLanguage>"
               "<PixelFunctionCode><![CDATA[\ndef f(in_ar, out_ar, *args, **kwargs):\n    open('" +
               path("ran") +
@@ -153,13 +159,15 @@ TEST_F(SpecialFile, AVrtRunsNoProgram) {
 // A library cannot be stopped in the middle; the program can.
 TEST_F(SpecialFile, AViewThatNeverEndsIsGivenUp) {
     const std::string file = path("view.gpkg");
-    gis::test::make_vector(file, "GPKG", "EPSG:32632",
-                           {"POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"});
+    gis::test::make_vector(
+        file, "GPKG", "EPSG:32632",
+        {"POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"});
     {
         const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
         ASSERT_TRUE(dataset);
         for (const char* statement :
-             {"CREATE VIEW endless AS SELECT x AS fid, (SELECT geom FROM shapes) AS geom FROM (WITH RECURSIVE c(x) AS "
+             {"CREATE VIEW endless AS SELECT x AS fid, (SELECT geom FROM shapes) AS geom FROM (WITH "
+              "RECURSIVE c(x) AS "
               "(SELECT 1 UNION ALL SELECT x+1 FROM c) SELECT x FROM c WHERE x < 0)",
               "INSERT INTO gpkg_contents (table_name, data_type, identifier, srs_id) VALUES "
               "('endless', 'features', 'endless', 32632)",

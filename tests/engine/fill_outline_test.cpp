@@ -32,7 +32,8 @@ double thickness(Point p) {
 
 void expect_same_bits(const MultiPolygon& outline, double spacing) {
     ParticleSet simple, filled;
-    EXPECT_EQ(test::simple_fill(outline, spacing, thickness, simple), fill_outline(outline, spacing, thickness, filled));
+    EXPECT_EQ(test::simple_fill(outline, spacing, thickness, simple),
+              fill_outline(outline, spacing, thickness, filled));
     ASSERT_EQ(simple.size(), filled.size());
     for (std::size_t p = 0; p < simple.size(); ++p)
         for (const Field field : {Field::x, Field::y, Field::area, Field::volume})
@@ -44,9 +45,12 @@ TEST(FillOutline, IsTheSimpleWayToTheBit) {
     for (int k = 0; k < 40; ++k) {
         const double wild = k % 4 * 0.2;
         Polygon polygon{random_ring({60, 55}, 50, 5 + 7 * k, wild, random), {}};
-        if (k % 3 == 1) polygon.holes = {random_ring({50, 50}, 8, 20, 0.5, random), random_ring({70, 60}, 6, 9, 0, random)};
+        if (k % 3 == 1)
+            polygon.holes = {random_ring({50, 50}, 8, 20, 0.5, random),
+                             random_ring({70, 60}, 6, 9, 0, random)};
         MultiPolygon outline{polygon};
-        if (k % 5 == 2) outline.push_back({random_ring({90, 60}, 30, 40, 0.5, random), {}});  // overlaps the first
+        if (k % 5 == 2)
+            outline.push_back({random_ring({90, 60}, 30, 40, 0.5, random), {}});  // overlaps the first
         if (k % 5 == 3) outline.push_back({random_ring({190, 60}, 30, 40, 0.5, random), {}});
         expect_same_bits(outline, k % 2 == 0 ? 2.5 : 1.7);
     }
@@ -71,7 +75,8 @@ TEST(FillOutline, AStarOfManySpikesKeepsAreaAndCentroid) {
         polygon.holes.push_back(star({60, 55}, 3, 4, 50'000).outer);
         if (turned) std::reverse(polygon.outer.begin(), polygon.outer.end());
         ParticleSet particles;
-        const double volume = fill_outline({polygon}, 2.5, [](Point) { return 1.0; }, particles);
+        const double volume = fill_outline(
+            {polygon}, 2.5, [](Point) { return 1.0; }, particles);
         // Sums of 200 000 pieces, each rounded to 1e-16 of a cell.
         EXPECT_NEAR(volume / area(polygon), 1, 1e-9);
         Point moment;

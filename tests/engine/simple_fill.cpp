@@ -9,7 +9,8 @@
 namespace frana::test {
 namespace {
 
-// Where parts may overlap, their edges cross at heights that are not looked for: a row is divided this often besides.
+// Where parts may overlap, their edges cross at heights that are not looked for: a row is divided this often
+// besides.
 constexpr int k_divisions = 8;
 constexpr double k_gauss = 0.57735026918962576;  // 1 / sqrt(3)
 
@@ -68,8 +69,8 @@ void for_each_edge(const MultiPolygon& outline, const Visit& visit) {
     }
 }
 
-// Heights within a row of the lattice at which the outline bends or passes from one column to the next, with the row's
-// ends: between two of them the outline's edges are straight within each cell.
+// Heights within a row of the lattice at which the outline bends or passes from one column to the next, with
+// the row's ends: between two of them the outline's edges are straight within each cell.
 std::vector<double> strip_edges(const MultiPolygon& outline, double from, double to, double spacing) {
     std::vector<double> edges{from, to};
     const int divisions = outline.size() > 1 ? k_divisions : 1;
@@ -82,8 +83,8 @@ std::vector<double> strip_edges(const MultiPolygon& outline, double from, double
         if (a.x == b.x) return;
         const double slope = (b.x - a.x) / (b.y - a.y);
         const double one = a.x + (low - a.y) * slope, other = a.x + (high - a.y) * slope;
-        for (double column = std::floor(std::min(one, other) / spacing) + 1; column * spacing < std::max(one, other);
-             ++column)
+        for (double column = std::floor(std::min(one, other) / spacing) + 1;
+             column * spacing < std::max(one, other); ++column)
             edges.push_back(std::clamp(a.y + (column * spacing - a.x) / slope, low, high));
     });
     std::sort(edges.begin(), edges.end());
@@ -92,8 +93,8 @@ std::vector<double> strip_edges(const MultiPolygon& outline, double from, double
 
 }  // namespace
 
-double simple_fill(const MultiPolygon& outline, double spacing,
-                    const std::function<double(Point)>& thickness, ParticleSet& particles) {
+double simple_fill(const MultiPolygon& outline, double spacing, const std::function<double(Point)>& thickness,
+                   ParticleSet& particles) {
     const Bounds box = bounds(outline);
     const auto first_column = static_cast<std::int64_t>(std::floor(box.west / spacing));
     const auto last_column = static_cast<std::int64_t>(std::floor(box.east / spacing));
@@ -105,8 +106,8 @@ double simple_fill(const MultiPolygon& outline, double spacing,
     double volume = 0;
     for (std::int64_t row = first_row; row <= last_row; ++row) {
         std::fill(cells.begin(), cells.end(), Covered{});
-        const std::vector<double> edges =
-            strip_edges(outline, static_cast<double>(row) * spacing, static_cast<double>(row + 1) * spacing, spacing);
+        const std::vector<double> edges = strip_edges(outline, static_cast<double>(row) * spacing,
+                                                      static_cast<double>(row + 1) * spacing, spacing);
         for (std::size_t strip = 0; strip + 1 < edges.size(); ++strip) {
             const double half = 0.5 * (edges[strip + 1] - edges[strip]);
             if (!(half > 0)) continue;
@@ -118,7 +119,8 @@ double simple_fill(const MultiPolygon& outline, double spacing,
                 join(inside);
                 for (const Interval& piece : inside) {
                     const auto from = static_cast<std::int64_t>(std::floor(piece.from / spacing));
-                    const auto to = std::min(static_cast<std::int64_t>(std::floor(piece.to / spacing)), last_column);
+                    const auto to =
+                        std::min(static_cast<std::int64_t>(std::floor(piece.to / spacing)), last_column);
                     for (std::int64_t column = from; column <= to; ++column) {
                         const double west = std::max(piece.from, static_cast<double>(column) * spacing);
                         const double east = std::min(piece.to, static_cast<double>(column + 1) * spacing);

@@ -8,7 +8,8 @@
 
 namespace frana::test {
 
-/// What fill_outline does, to the bit where it goes by strips, in time that grows with the square of the vertices.
+/// What fill_outline does, to the bit where it goes by strips, in time that grows with the square of the
+/// vertices.
 double simple_fill(const MultiPolygon& outline, double spacing, const std::function<double(Point)>& thickness,
                    ParticleSet& particles);
 

@@ -37,8 +37,9 @@ TEST(Sweep, KnowsSoundOutlinesAndCrossings) {
     EXPECT_FALSE(sweep({square, {hole, {{2.5, 2.5}, {3, 2.5}, {3, 3}}}}).sound) << "a hole in a hole";
     EXPECT_TRUE(sweep({square, {{{8, 8}, {12, 8}, {9, 9}}}}).crossing) << "the hole leaves the outline";
     // Touching is left to others: no verdict.
-    for (const Ring& ring : {Ring{{0, 0}, {10, 0}, {5, 0}, {5, 5}}, Ring{{0, 0}, {10, 0}, {5, 5}, {10, 10}, {0, 10}, {5, 5}},
-                             Ring{{0, 0}, {10, 0}, {10, 10}, {5, 0}, {0, 10}}}) {
+    for (const Ring& ring :
+         {Ring{{0, 0}, {10, 0}, {5, 0}, {5, 5}}, Ring{{0, 0}, {10, 0}, {5, 5}, {10, 10}, {0, 10}, {5, 5}},
+          Ring{{0, 0}, {10, 0}, {10, 10}, {5, 0}, {0, 10}}}) {
         const OutlineVerdict verdict = sweep({ring, {}});
         EXPECT_FALSE(verdict.sound);
         EXPECT_FALSE(verdict.crossing);
@@ -54,7 +55,8 @@ TEST(Sweep, AgreesWithGeosOnRandomOutlines) {
     for (int k = 0; k < 4000; ++k) {
         Polygon polygon;
         const int points = 3 + k % 6;
-        for (int i = 0; i < points; ++i) polygon.outer.push_back({529400 + uniform(random), 5094000 + uniform(random)});
+        for (int i = 0; i < points; ++i)
+            polygon.outer.push_back({529400 + uniform(random), 5094000 + uniform(random)});
         if (k % 2 == 0) {
             polygon.outer = round_ring({0, 0}, 10 + uniform(random) / 5, 40, 8 + k % 30);
             polygon.holes = {round_ring({uniform(random) / 5, 0}, 3, 5, 9)};
