@@ -9,6 +9,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/input_table.h"
+#include "app/memory_forecast.h"
 #include "app/memory_limit.h"
 #include "app/number_text.h"
 #include "app/prepare.h"
@@ -123,10 +124,11 @@ int cmd_check(const Arguments& arguments) {
     check_result_directory(output_directory(reading.scene), true, {}, reading.where("output.directory"),
                            reading.problems);
     const Prepared prepared = prepare(reading, log);
+    const std::int64_t held = resident_memory();
     const RunEstimate expected = estimate(prepared.scene, threads);
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
-    const std::int64_t memory = memory_of_run(prepared, expected, trial);
-    refuse_over_limit(memory);
+    const std::int64_t memory = memory_of_run(prepared, held, expected, trial);
+    refuse_run_of(memory, reading, prepared);
     std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
     std::printf("\n%s", input_table(prepared, memory).c_str());
     print_site(prepared.scene);

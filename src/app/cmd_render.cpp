@@ -11,6 +11,8 @@
 #include "app/foreign_map.h"
 #include "app/kept_files.h"
 #include "app/manifest.h"
+#include "app/memory_forecast.h"
+#include "app/memory_limit.h"
 #include "app/plates.h"
 #include "app/replace_result.h"
 #include "app/result_reader.h"
@@ -151,6 +153,18 @@ Request read_request(const Values& values, Problems& problems) {
     return request;
 }
 
+/// Before anything is drawn or written. `film`: 0 where none is asked for.
+void refuse_too_large(const Values& values, const Request& request, Size page, Size film, std::int64_t cells) {
+    Drawing drawing;
+    drawing.cells = cells;
+    (request.film ? drawing.film : drawing.page) = request.film ? film : page;
+    drawing.views = request.view_3d || request.plates;
+    drawing.maps = !request.view_3d || request.film;
+    const Size size = request.film ? film : page;
+    refuse_pictures_of(memory_of_drawing(drawing), values.count("size") > 0 ? "--size" : "output.map-size",
+                       std::to_string(size.width) + "x" + std::to_string(size.height));
+}
+
 void make_folder(const std::string& folder) {
     std::error_code failure;
     fs::create_directories(folder, failure);
@@ -269,12 +283,13 @@ void render_result(const Values& values, const Request& request, Problems& probl
     }
     check_folder(result, request, source, problems);
     problems.throw_if_any();
+    const Size film = values.count("size") > 0 ? source.style.size : film_size(source.style.size);
+    refuse_too_large(values, request, source.style.size, film, result.grid().cell_count());
     KeptFiles kept;
     kept.add_result(result.directory());
     kept.add(source.style.background);
     if (request.film) {
-        render_film(result, source, request,
-                    values.count("size") > 0 ? source.style.size : film_size(source.style.size), kept);
+        render_film(result, source, request, film, kept);
     } else if (request.charts || request.plates) {
         const std::string folder = request.out.value_or(result.path(request.charts ? "charts" : "plates"));
         const std::vector<std::string> files =
@@ -305,6 +320,7 @@ void render_raster(const Values& values, const Request& request, Problems& probl
     if (limit && !above) problems.add({"is not a number", "--above", *limit, "", ""});
     problems.throw_if_any();
     ForeignMap map = read_foreign_map(file, text_option(values, "dtm"), text_option(values, "unit"), above);
+    refuse_too_large(values, request, style.size, {}, map.layer.values.grid.cell_count());
     map.source.style = style;
     map.source.title = text_option(values, "title").value_or(map.source.title);
     if (!style.background.empty())

@@ -228,11 +228,7 @@ int cmd_run(const Arguments& arguments) {
         if (!all_there && stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
         return static_cast<int>(all_there ? ExitCode::done : ExitCode::environment);
     }
-    if (memory_is_limited()) {
-        const RunEstimate expected = estimate(prepared.scene, threads);
-        refuse_over_limit(
-            memory_of_run(prepared, expected, estimate_time(reading, prepared, expected, threads)));
-    }
+    refuse_run_beyond_memory(reading, prepared, resident_memory(), threads);
     const double input_seconds = since_start.seconds();
     const std::unique_ptr<CheckpointFile> from =
         resume && interrupted.any() ? interrupted.choose(scene_identity(prepared), log) : nullptr;

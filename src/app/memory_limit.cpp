@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/memory_limit.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 
 #include "app/command_line.h"
+#include "app/memory_forecast.h"
 #include "app/number_text.h"
 #include "app/prepare_inflow.h"
 #include "core/error.h"
 #include "core/json.h"
 #include "params/value_text.h"
 #include "simulation/release.h"
+#include "simulation/simulation.h"
 
 namespace frana::app {
 namespace {
@@ -24,15 +23,10 @@ double limit = 0;  // 0: none
 
 // Particles are numbered with 32 bits, and a flow that spreads splits them.
 constexpr double k_most_particles = 1e9;
-// The fields that every particle has, and the copy in which they are put into order.
-constexpr double k_least_particle_bytes = 2 * 100;
-// Terrain, bed, release and five results, two more while files are written.
-constexpr double k_least_cell_bytes = 80;
-
-// What a run of the least scene takes with its libraries, and what is added by any picture, by maps of everything, that
-// for each cell too, and by a film; measured with GDAL 3.6, VTK 9.1, Mesa 22 on maps of 81 000 to 2 000 000 cells.
-constexpr std::int64_t k_libraries_bytes = 147'000'000, k_picture_bytes = 138'000'000,
-                       k_all_maps_bytes = 52'000'000, k_all_maps_cell_bytes = 28, k_film_bytes = 60'000'000;
+// The fields that every particle has, and those few of which there is a copy while they are put into order.
+constexpr double k_least_particle_bytes = 120;
+// Terrain, bed, release, maxima and results; see memory_forecast.cpp for what a whole run takes.
+constexpr double k_least_cell_bytes = 120;
 
 std::optional<double> bytes_from_text(const std::string& text) {
     static const std::map<std::string, double> k_units{
@@ -57,6 +51,11 @@ double particles_of(const Inflow& inflow, double spacing, double end) {
     return way / spacing * (length_of(inflow.line) / spacing + 1);
 }
 
+// "23.5 GB, which the machine has free"
+std::string bound_text(const MemoryBound& bound) {
+    return bytes_text(bound.bytes) + ", which " + bound.what;
+}
+
 }  // namespace
 
 void take_memory_limit(const boost::program_options::variables_map& values) {
@@ -69,17 +68,9 @@ void take_memory_limit(const boost::program_options::variables_map& values) {
     limit = *bytes;
 }
 
-bool memory_is_limited() {
-    return limit > 0;
-}
-
-double usable_memory() {
-    double least =
-        static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-    rlimit shell{};
-    if (::getrlimit(RLIMIT_AS, &shell) == 0 && shell.rlim_cur != RLIM_INFINITY)
-        least = std::min(least, static_cast<double>(shell.rlim_cur));
-    return memory_is_limited() ? std::min(least, limit) : least;
+MemoryBound usable_memory() {
+    if (limit > 0) return {limit, "--memory-limit allows"};
+    return machine_memory();
 }
 
 void refuse_too_much(const SceneReading& reading, const Scene& scene, double released_area) {
@@ -92,12 +83,11 @@ void refuse_too_much(const SceneReading& reading, const Scene& scene, double rel
     const double cells = static_cast<double>(scene.grid.columns) * static_cast<double>(scene.grid.rows);
     const double needed = cells * k_least_cell_bytes + particles * k_least_particle_bytes;
     const std::string cell = shortest_text(scene.grid.cell_size) + " m";
-    if (needed > usable_memory()) {
+    if (const MemoryBound bound = usable_memory(); needed > bound.bytes) {
         throw Error(ErrorKind::input,
                     Problem{"a run with " + grouped(cells) + " cells and " + grouped(particles) +
                                 " particles takes at least " + bytes_text(needed) + " of memory",
-                            reading.where("terrain.cell-size"), cell,
-                            bytes_text(usable_memory()) + ", which there are",
+                            reading.where("terrain.cell-size"), cell, bound_text(bound),
                             "Choose larger cells or fewer numerics.particles-per-cell"});
     }
     if (particles > k_most_particles) {
@@ -108,30 +98,33 @@ void refuse_too_much(const SceneReading& reading, const Scene& scene, double rel
     }
 }
 
-void refuse_over_limit(std::int64_t needed) {
-    if (!memory_is_limited() || static_cast<double>(needed) <= limit) return;
+void refuse_run_of(std::int64_t needed, const SceneReading& reading, const Prepared& prepared) {
+    const MemoryBound bound = usable_memory();
+    if (static_cast<double>(needed) <= bound.bytes) return;
     throw Error(
         ErrorKind::input,
-        Problem{
-            "a run of this scene takes about " + bytes_text(static_cast<double>(needed)) + " of memory",
-            "--memory-limit", bytes_text(limit), "",
-            "Choose larger cells, a part of the DTM with terrain.bounds, smaller pictures or none, or allow "
-            "more"});
+        Problem{"a run of this scene takes about " + bytes_text(static_cast<double>(needed)) + " of memory",
+                reading.where("terrain.cell-size"), shortest_text(prepared.scene.grid.cell_size) + " m",
+                bound_text(bound),
+                "Choose a larger terrain.cell-size, a part of the DTM with terrain.bounds, a smaller "
+                "output.map-size or no pictures; --memory-limit says that another amount may be taken"});
 }
 
-std::int64_t memory_of_run(const Prepared& prepared, const RunEstimate& expected,
-                           const std::optional<TimeEstimate>& trial) {
-    const OutputSpec& output = prepared.spec.output;
-    const bool maps = output.maps.front() != "off",
-               film = output.animation && prepared.scene.time.frame_interval > 0;
-    std::int64_t bytes = k_libraries_bytes + expected.memory_bytes;
-    if (maps || film || prepared.scar) bytes += k_picture_bytes;
-    if (output.maps.front() == "on")
-        bytes += k_all_maps_bytes + k_all_maps_cell_bytes * prepared.scene.grid.cell_count();
-    if (film) bytes += k_film_bytes;
-    if (trial && trial->particles_peak > expected.particles)
-        bytes += expected.bytes_of_particles(trial->particles_peak - expected.particles);
-    return bytes;
+void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepared, std::int64_t held,
+                              int threads) {
+    const RunEstimate expected = estimate(prepared.scene, threads);
+    if (static_cast<double>(most_memory_of_run(prepared, held, expected)) <= usable_memory().bytes) return;
+    refuse_run_of(
+        memory_of_run(prepared, held, expected, estimate_time(reading, prepared, expected, threads)), reading,
+        prepared);
+}
+
+void refuse_pictures_of(std::int64_t needed, const std::string& where, const std::string& size) {
+    const MemoryBound bound = usable_memory();
+    const double all = static_cast<double>(needed + resident_memory());
+    if (all <= bound.bytes) return;
+    throw Error(ErrorKind::input, Problem{"drawing takes about " + bytes_text(all) + " of memory", where,
+                                          size, bound_text(bound), "Choose a smaller size"});
 }
 
 }  // namespace frana::app

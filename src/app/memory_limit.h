@@ -3,8 +3,9 @@
 
 #include <boost/program_options/variables_map.hpp>
 #include <cstdint>
-#include <optional>
+#include <string>
 
+#include "app/machine_memory.h"
 #include "app/prepare.h"
 #include "app/time_estimate.h"
 #include "simulation/result.h"
@@ -14,22 +15,24 @@ namespace frana::app {
 /// --memory-limit ("4GB", "500 MB", "2GiB", bytes), which holds from now on. Throws Error(input).
 void take_memory_limit(const boost::program_options::variables_map& values);
 
-/// What this program may use [bytes]: the machine's memory, or less where the shell or --memory-limit set a limit.
-double usable_memory();
+/// What this program may hold in all: --memory-limit where it was given, which may be more than there is now;
+/// otherwise what the machine, this process's control group and the shell leave it.
+MemoryBound usable_memory();
 
-/// Whether --memory-limit was given.
-bool memory_is_limited();
-
-/// What a run takes at its fullest moment, as far as a trial foresees it: libraries, reading, engine, writing, drawing
-/// [bytes].
-std::int64_t memory_of_run(const Prepared& prepared, const RunEstimate& expected,
-                           const std::optional<TimeEstimate>& trial);
-
-/// Throws Error(input), before any particle is made, where the grid and the release's particles alone take more than
-/// there is, or are more than can be numbered.
+/// Throws Error(input), before any particle is made, where the grid and the release's particles alone take
+/// more than there is, or are more than can be numbered.
 void refuse_too_much(const SceneReading& reading, const Scene& scene, double released_area);
 
-/// Throws Error(input) where a run would take more than --memory-limit allows.
-void refuse_over_limit(std::int64_t needed);
+/// Throws Error(input) where a run takes more than there is. `held`: what this process held with all inputs
+/// read. A trial run is made only where the run's flow decides.
+void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepared, std::int64_t held,
+                              int threads);
+
+/// The same of a run whose memory is known [bytes].
+void refuse_run_of(std::int64_t needed, const SceneReading& reading, const Prepared& prepared);
+
+/// Throws Error(input) where pictures that take so much beside what this process holds are more than there
+/// is.
+void refuse_pictures_of(std::int64_t needed, const std::string& where, const std::string& size);
 
 }  // namespace frana::app

@@ -58,12 +58,12 @@ gis::Resampling resampling_of(const std::string& name) {
 void check_size(const SceneReading& reading, const GridSpec& grid) {
     const double cells = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
     const double needed = cells * k_bytes_per_cell;
-    if (needed > usable_memory()) {
+    if (const MemoryBound bound = usable_memory(); needed > bound.bytes) {
         throw Error(ErrorKind::input,
                     Problem{"a run on the working grid of " + grouped(cells) + " cells takes at least " +
                                 bytes_text(needed) + " of memory",
                             reading.where("terrain.cell-size"), shortest_text(grid.cell_size) + " m",
-                            bytes_text(usable_memory()) + ", which there are",
+                            bytes_text(bound.bytes) + ", which " + bound.what,
                             "Choose larger cells or a part of the DTM with terrain.bounds"});
     }
     if (cells <= k_most_cells) return;

@@ -21,6 +21,7 @@ constexpr double k_usual_growth = 1.3;
 /// steps with their side.
 struct Trial {
     double particle_steps = 0;
+    double steps = 0;
     double particles_peak = 0;
     double seconds_per_particle_step = 0;
     double reached = 0;  ///< simulated time [s]
@@ -43,8 +44,9 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
     trial.reached = result.simulated_seconds;
     trial.cut_short = result.stop_reason == StopReason::requested;
     const double steps = static_cast<double>(result.particle_steps), squared = factor * factor;
-    trial.particle_steps =
-        steps * squared * factor * (trial.cut_short ? prepared.scene.time.end / trial.reached : 1);
+    const double rest = trial.cut_short ? prepared.scene.time.end / trial.reached : 1;
+    trial.particle_steps = steps * squared * factor * rest;
+    trial.steps = static_cast<double>(result.steps) * factor * rest;
     trial.particles_peak = static_cast<double>(result.particles_peak) * squared;
     trial.seconds_per_particle_step = result.engine_seconds / steps;
     return trial;
@@ -77,6 +79,7 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
                               static_cast<double>(start.particles);
     estimate.engine_seconds = base.particle_steps * std::pow(growth, std::log2(estimate.coarsening)) *
                               std::min(start_cost, fine.seconds_per_particle_step);
+    estimate.steps = std::max(fine.steps, coarse.steps);
     estimate.particles_peak =
         std::max(start.particles, static_cast<std::int64_t>(base.particles_peak * more));
     if (!std::isfinite(estimate.engine_seconds)) return std::nullopt;

@@ -13,6 +13,7 @@ namespace frana::app {
 struct TimeEstimate {
     double engine_seconds = 0;
     std::int64_t particles_peak = 0;
+    double steps = 0;
     int coarsening = 1;      ///< cells of the trial, in cells of the scene
     double trial_end = 0;    ///< simulated time of the trial [s]
     bool cut_short = false;  ///< the trial was stopped before its end, the rest is extrapolated

@@ -43,7 +43,7 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
 
 // Rasters, as doubles, that a run has at its fullest moment: read, kept, in frames that wait for the disk, and about to
 // be written. Measured.
-constexpr std::int64_t k_rasters = 14, k_rasters_of_fluid = 16, k_rasters_of_phases = 31;
+constexpr std::int64_t k_rasters = 16, k_rasters_of_fluid = 16, k_rasters_of_phases = 31;
 
 std::int64_t rasters_at_once(const Flow&) {
     return k_rasters;

@@ -48,6 +48,7 @@ TinyScene::~TinyScene() {
 }
 
 void TinyScene::write(const std::string& name, const std::string& text) const {
+    fs::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name, std::ios::binary) << text;
 }
 
