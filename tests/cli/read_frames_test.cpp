@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/frame_store.h"
 #include "core/json.h"
 #include "gis/raster_in.h"
 #include "tiny_scene.h"
@@ -16,19 +17,21 @@ namespace {
 class ReadFrames : public TinyScene {
   protected:
     // Both quantities of every GeoTIFF frame in one file each; what Python is to find beside.
-    void write_expected(int frames, const std::string& scene) const {
+    void write_expected(const std::string& scene) const {
+        const std::vector<app::StoredFrame> stored = app::stored_frames(path("result/frames"));
+        ASSERT_EQ(stored.size(), 4U);
         JsonWriter json;
         json.begin_object();
         json.text("scene", scene);
         json.begin_array("time");
-        for (int i = 0; i < frames; ++i) json.number("", 0.5 * i);
+        for (const app::StoredFrame& frame : stored) json.number("", frame.time);
         json.end_array();
         GridSpec grid;
         for (const std::string name : {"depth", "velocity"}) {
             std::ofstream out(path("result/" + name + ".f32"), std::ios::binary);
-            for (int i = 0; i < frames; ++i) {
-                const Raster raster = gis::read_result_raster(
-                    path("result/frames/" + name + "_000" + std::to_string(i) + ".tif"));
+            for (const app::StoredFrame& frame : stored) {
+                const Raster raster =
+                    gis::read_result_raster(name == "depth" ? frame.depth_file : frame.velocity_file);
                 grid = raster.grid;
                 for (const double value : raster.values) {
                     const auto single = static_cast<float>(value);
@@ -56,7 +59,7 @@ TEST_F(ReadFrames, XarrayFindsTheFramesTheirPlacesAndTheirCrs) {
                "--set", "output.formats=geotiff,netcdf,zarr", "--set", "output.maps=off", "--set",
                "output.animation=off", "--set", "time.end=1.5", "--set", "terrain.cell-size=0.8"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    write_expected(4, scene);
+    write_expected(scene);
     const std::string said = path("python.txt"), command = std::string("/usr/bin/python3 '") +
                                                            FRANA_SOURCE_DIR + "/tests/cli/read_frames.py' '" +
                                                            path("result") + "' '" + path("expected.json") +
