@@ -8,6 +8,11 @@
 #include "render/sheet.h"
 
 namespace frana::render {
+namespace {
+
+constexpr int k_least_width = 320, k_least_height = 240;  // of a part: maps and views are not drawn any smaller
+
+}  // namespace
 
 Image draw_plate(const Plate& plate, int width, int height, std::vector<TextBox>* texts) {
     const PageStyle style(width, height);
@@ -21,6 +26,10 @@ Image draw_plate(const Plate& plate, int width, int height, std::vector<TextBox>
     const int down = std::max(1, (static_cast<int>(plate.parts.size()) + across - 1) / across);
     const int top = static_cast<int>(titles.bottom), high = (static_cast<int>(foot_top) - top) / down,
               wide = width / across;
+    if (!plate.parts.empty() && (wide < k_least_width || high < k_least_height)) {
+        return draw_plate(plate, std::max(width, k_least_width * across),
+                          height + down * std::max(0, k_least_height - high), texts);
+    }
     for (int i = 0; i < static_cast<int>(plate.parts.size()); ++i) {
         const Image part = plate.parts[static_cast<std::size_t>(i)](wide, high);
         for (int row = 0; row < part.height; ++row) {

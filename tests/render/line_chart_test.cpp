@@ -86,5 +86,23 @@ TEST(Plate, PartsStandInRowsUnderTheTitle) {
         EXPECT_TRUE(page.colour(5, static_cast<int>(text.box.top)) == (Rgb{255, 255, 255})) << text.text;
 }
 
+// 640 x 480 is the smallest size that --size takes: two rows and the title leave less than a map needs.
+TEST(Plate, GrowsWherePartsWouldBeTooSmallToDraw) {
+    Plate plate{"Four parts", "below a title", "foot", 2, {}};
+    int least_width = 10000, least_height = 10000;
+    for (int part = 0; part < 4; ++part) {
+        plate.parts.push_back([&](int width, int height) {
+            least_width = std::min(least_width, width);
+            least_height = std::min(least_height, height);
+            return Image(width, height);
+        });
+    }
+    const Image page = draw_plate(plate, 640, 480);
+    EXPECT_EQ(least_width, 320);
+    EXPECT_EQ(least_height, 240);
+    EXPECT_EQ(page.width, 640);
+    EXPECT_GT(page.height, 480);
+}
+
 }  // namespace
 }  // namespace frana::render
