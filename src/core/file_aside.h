@@ -7,7 +7,7 @@ namespace frana {
 
 /// A file in the making beside its final place. It takes its name when complete and vanishes otherwise, so
 /// that no reader meets half a file and a failed run leaves the old one. The extension stays last, as some
-/// formats insist.
+/// formats insist. What a process that was killed left of the same file goes before.
 class FileAside {
   public:
     explicit FileAside(std::string path);
