@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace frana::test {
+
+/// Every file below a folder by its path, with what it holds; folders have "/" after their names and hold
+/// nothing. Of log.txt, summary.json and report.html only what does not tell how long it took, on how many
+/// threads or what went wrong on the way.
+using FolderState = std::map<std::string, std::string>;
+FolderState state_of(const std::string& folder);
+
+/// The part whose paths satisfy a predicate.
+template <class Wanted>
+FolderState part_of(const FolderState& state, const Wanted& wanted) {
+    FolderState part;
+    for (const auto& [path, content] : state)
+        if (wanted(path)) part.emplace(path, content);
+    return part;
+}
+
+/// What is missing, new or changed, in words; empty: nothing.
+std::vector<std::string> differences(const FolderState& expected, const FolderState& found);
+std::string in_lines(const std::vector<std::string>& texts);
+
+/// Rasters below a folder (GeoTIFF) that do not open or cannot be read to the last cell.
+std::vector<std::string> broken_rasters(const std::string& folder);
+
+}  // namespace frana::test
