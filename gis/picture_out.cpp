@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/file_aside.h"
 #include "core/json.h"
+#include "core/utf8.h"
 #include "gis/gdal_session.h"
 #include "gis/memory_dataset.h"
 
@@ -79,7 +80,7 @@ void write_picture_geotiff(const std::string& path, const PicturePixels& picture
     const GdalDataset dataset = in_memory(picture, path, session);
     set_place(dataset.get(), box, crs_wkt);
     for (const auto& [key, value] : metadata)
-        GDALSetMetadataItem(dataset.get(), key.c_str(), value.c_str(), nullptr);
+        GDALSetMetadataItem(dataset.get(), key.c_str(), valid_utf8(value).c_str(), nullptr);
     CPLStringList options;
     options.SetNameValue("COMPRESS", "DEFLATE");
     options.SetNameValue("PREDICTOR", "STANDARD");
@@ -109,7 +110,7 @@ void write_picture_pdf(const std::string& path, const PicturePixels& picture, do
     options.SetNameValue("COMPRESS", "DEFLATE");
     options.SetNameValue("DPI", shortest_text(dots_per_inch).c_str());
     options.SetNameValue("GEO_ENCODING", on_earth ? "ISO32000" : "NONE");
-    options.SetNameValue("TITLE", title.c_str());
+    options.SetNameValue("TITLE", valid_utf8(title).c_str());
     // On more than one thread GDAL notes a stream's place and length before it is packed (OSGeo/gdal#6270).
     const ThreadOption one_thread("GDAL_NUM_THREADS", "1");
     write(path, dataset.get(), "PDF", options, session);

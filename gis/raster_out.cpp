@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/file_aside.h"
 #include "core/json.h"
+#include "core/utf8.h"
 #include "gis/gdal_session.h"
 #include "gis/memory_dataset.h"
 
@@ -52,7 +53,7 @@ void set_texts(GDALDatasetH dataset, const BandText& text) {
     GDALSetDescription(band, (text.name + ": " + text.description + unit).c_str());
     GDALSetRasterUnitType(band, text.unit.c_str());
     for (const auto& [key, value] : text.metadata)
-        GDALSetMetadataItem(dataset, key.c_str(), value.c_str(), nullptr);
+        GDALSetMetadataItem(dataset, key.c_str(), valid_utf8(value).c_str(), nullptr);
 }
 
 /// Of what the file holds, not of what it was rounded from.

@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 
+#include "core/utf8.h"
 #include "gis/geopackage.h"
 #include "gis/polygon_geometry.h"
 
@@ -101,7 +102,7 @@ bool write_layer(GDALDataset& dataset, OGRSpatialReference* crs, const std::stri
             if (!reserved<Kind>(name) && !std::isnan(value)) row.SetField(name.c_str(), value);
         }
         for (const auto& [name, value] : feature.texts) {
-            if (fields.texts.count(name) > 0) row.SetField(name.c_str(), value.c_str());
+            if (fields.texts.count(name) > 0) row.SetField(name.c_str(), valid_utf8(value).c_str());
         }
         row.SetGeometryDirectly(Kind::shape(feature).release());
         if (layer->CreateFeature(&row) != OGRERR_NONE) return false;

@@ -5,6 +5,7 @@
 #include <boost/uuid/uuid_io.hpp>
 
 #include "app/version.h"
+#include "core/utf8.h"
 #include "params/write_scene.h"
 
 namespace frana::app {
@@ -25,7 +26,7 @@ std::string echoed_scene(const Prepared& prepared) {
 std::map<std::string, std::string> provenance(const Prepared& prepared) {
     return {{"PROGRAM", k_program},
             {"VERSION", k_version},
-            {"SCENE", scene_name(prepared.spec)},
+            {"SCENE", valid_utf8(scene_name(prepared.spec))},
             {"SCENE_HASH", text_hash(echoed_scene(prepared))},
             {"TIFFTAG_SOFTWARE", std::string(k_program) + " " + k_version}};
 }

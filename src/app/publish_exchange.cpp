@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/file_stems.h"
 #include "app/provenance.h"
 #include "gis/frames_out.h"
 #include "gis/raster_in.h"
@@ -56,7 +57,7 @@ Raster normal_thickness(const Raster& depth, const Raster& bed) {
 }
 
 std::string avaframe_name(const std::string& scene, const std::string& hash) {
-    std::string release = scene, digits;
+    std::string release = shortened_name(scene), digits;
     std::replace(release.begin(), release.end(), '_', '-');
     for (const char c : hash)
         if (c != '-' && digits.size() < 10) digits += c;

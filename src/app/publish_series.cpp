@@ -2,6 +2,7 @@
 #include "app/publish_series.h"
 
 #include "analysis/flow_path.h"
+#include "app/csv_cell.h"
 #include "app/layers.h"
 #include "app/text_file.h"
 #include "core/json.h"
@@ -38,13 +39,6 @@ void add_numbers(std::string& text, std::initializer_list<double> numbers) {
 }
 
 }  // namespace
-
-std::string csv_cell(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-    return out + "\"";
-}
 
 std::string gauges_csv(const std::vector<GaugeRow>& rows, const std::vector<Gauge>& gauges) {
     std::string text = "time_s,gauge,depth_m,speed_ms\n";

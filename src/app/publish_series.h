@@ -25,7 +25,4 @@ void publish_series(const Prepared& prepared, const RunResult& result, const Res
 void publish_profiles(const Prepared& prepared, const RunResult& result, const Runout& run_out,
                       const ResultDirectory& directory);
 
-/// A text as one cell of a CSV file.
-std::string csv_cell(const std::string& text);
-
 }  // namespace frana::app

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/publish_series.h"
+#include "app/csv_cell.h"
+#include "app/file_stems.h"
 #include "core/json.h"
 
 namespace frana::app {
@@ -30,7 +31,7 @@ double disagreement(const Comparison& comparison) {
 }  // namespace
 
 std::string Ranking::folder_for(const std::string& result, const std::string& scar) {
-    const std::string name = result + "_" + scar;
+    const std::string name = shortened_name(result + "_" + scar);
     std::string folder = name;
     for (int i = 2; std::find(folders_.begin(), folders_.end(), folder) != folders_.end(); ++i)
         folder = name + "_" + std::to_string(i);

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <iostream>
 
+#include "core/utf8.h"
+
 namespace frana::app {
 
 void RunLog::note(const std::string& text) {
@@ -30,7 +32,7 @@ void RunLog::continue_from(const std::vector<std::string>& earlier) {
 std::string RunLog::text() const {
     std::string all;
     for (const std::string& line : lines_) {
-        all += line;
+        all += valid_utf8(line);
         all += '\n';
     }
     return all;

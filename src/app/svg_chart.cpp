@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/number_text.h"
+#include "core/utf8.h"
 
 namespace frana::app {
 namespace {
@@ -78,7 +79,7 @@ std::vector<std::size_t> shown_points(const SvgSeries& series) {
 
 std::string html_escaped(const std::string& text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : valid_utf8(text)) {
         if (c == '&')
             out += "&amp;";
         else if (c == '<')
@@ -87,6 +88,8 @@ std::string html_escaped(const std::string& text) {
             out += "&gt;";
         else if (c == '"')
             out += "&quot;";
+        else if (c == '\'')
+            out += "&#39;";
         else
             out += c;
     }

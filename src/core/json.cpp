@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/utf8.h"
+
 namespace frana {
 
 std::string shortest_text(double value) {
@@ -18,7 +20,7 @@ std::string shortest_text(double value) {
 std::string json_quoted(std::string_view text) {
     static constexpr char k_hex[] = "0123456789abcdef";
     std::string quoted = "\"";
-    for (const char c : text) {
+    for (const char c : valid_utf8(text)) {
         const auto byte = static_cast<unsigned char>(c);
         if (c == '"' || c == '\\') {
             quoted += '\\';

@@ -12,7 +12,7 @@ namespace frana {
 /// otherwise.
 std::string shortest_text(double value);
 
-/// A text in JSON's quotes, control characters escaped.
+/// A text in JSON's quotes: control characters escaped, valid UTF-8 whatever its bytes are.
 std::string json_quoted(std::string_view text);
 
 /// Writes JSON in order, two spaces a level. Non-finite numbers become null, as JSON has no word for them.

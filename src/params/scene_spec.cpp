@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <numbers>
 
+#include "params/value_text.h"
+
 namespace frana {
 namespace {
 
@@ -40,7 +42,11 @@ double frame_interval(const SceneSpec& scene) {
 std::string scene_name(const SceneSpec& scene) {
     const std::filesystem::path file = scene.file;
     const std::string folder = file.parent_path().filename().string();
-    return file.stem() == "scene" && !folder.empty() ? folder : file.stem().string();
+    std::string name = trimmed(file.stem() == "scene" && !folder.empty() ? folder : file.stem().string());
+    // It must mean the same once it stands in a scene file.
+    for (char& c : name)
+        if (c == '#' || static_cast<unsigned char>(c) < 0x20) c = '_';
+    return name.empty() ? "scene" : name;
 }
 
 std::string output_directory(const SceneSpec& scene) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/write_scene.h"
 
+#include "core/utf8.h"
 #include "params/model_keys.h"
 #include "params/scene_parameters.h"
 
@@ -24,7 +25,7 @@ std::string scene_text(const SceneSpec& scene, const std::map<std::string, std::
     std::string text =
         "# Every parameter of a run, as it was used; `frana run` on this file repeats the run.\n"
         "# Read from " +
-        scene.file + "\n";
+        one_line(scene.file) + "\n";
     std::string section;
     for (const Parameter& parameter : scene_parameters()) {
         if (!model_reads(scene, parameter.name())) continue;
@@ -36,7 +37,7 @@ std::string scene_text(const SceneSpec& scene, const std::map<std::string, std::
         if (!parameter.unit.empty()) text += " [" + parameter.unit + "]";
         text += " From: " + describe(scene.origin_of(parameter.name()));
         const auto chosen = resolved.find(parameter.name());
-        if (chosen != resolved.end()) text += "; used: " + chosen->second;
+        if (chosen != resolved.end()) text += "; used: " + one_line(chosen->second);
         text += '\n';
         const auto value = parameter.write(scene);
         text += value && !value->empty() ? parameter.key + " = " + *value + '\n'
