@@ -140,6 +140,8 @@ class MovieWriter::Encoder {
             codec_->color_trc = AVCOL_TRC_BT709;
             codec_->color_range = AVCOL_RANGE_MPEG;
             codec_->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+            // As many threads as processors would give other bytes on every machine.
+            codec_->thread_count = 1;
             // "animation" suits flat colours with sharp edges; quality 20 shows no blur round letters.
             check(av_opt_set(codec_->priv_data, "preset", "veryfast", 0),
                   "a film's encoder refuses an option");
@@ -147,7 +149,7 @@ class MovieWriter::Encoder {
                   "a film's encoder refuses an option");
             // Without looking far ahead it needs a fifth of the memory, and flat pictures lose nothing.
             check(av_opt_set(codec_->priv_data, "x264-params",
-                             "rc-lookahead=3:sync-lookahead=0:bframes=1:ref=2", 0),
+                             "rc-lookahead=3:sync-lookahead=0:bframes=1:ref=2:cpu-independent=1", 0),
                   "a film's encoder refuses an option");
             check(av_opt_set(codec_->priv_data, "crf", "20", 0), "a film's encoder refuses an option");
         }

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <sched.h>
+
 #include <fstream>
+#include <thread>
 
 #include "core/error.h"
 #include "scenes.h"
@@ -105,6 +108,28 @@ TEST(Movie, Mp4HasItsFramesInOrderWithSizeRateAndColours) {
             << k;
         EXPECT_TRUE(test::near(frame.colour(80, 90), {30, 40, 200}, 8)) << k;
     }
+}
+
+/// The bytes of a film made on so many of the processors this process may use.
+std::string film_on(int processors, const std::string& file) {
+    cpu_set_t all, some;
+    CPU_ZERO(&some);
+    sched_getaffinity(0, sizeof all, &all);
+    for (int cpu = 0; cpu < CPU_SETSIZE && CPU_COUNT(&some) < processors; ++cpu)
+        if (CPU_ISSET(cpu, &all)) CPU_SET(cpu, &some);
+    sched_setaffinity(0, sizeof some, &some);
+    MovieWriter movie(file, 320, 240, 25);
+    for (int k = 0; k < 30; ++k) movie.add(picture(320, 240, k % 12));
+    movie.finish();
+    sched_setaffinity(0, sizeof all, &all);
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Movie, AnMp4HasTheSameBytesOnAnyNumberOfProcessors) {
+    if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "needs two processors";
+    const test::Folder folder("processors");
+    EXPECT_EQ(film_on(1, folder.file("one.mp4")), film_on(CPU_SETSIZE, folder.file("all.mp4")));
 }
 
 TEST(Movie, TheIndexOfAnMp4IsInFront) {
