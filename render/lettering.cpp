@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/utf8.h"
 #include "render/vtk_errors.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -32,34 +33,14 @@ std::string find_font(const std::string& name) {
                                                 "install Debian's fonts-dejavu-core"});
 }
 
-/// Text from file names and attributes may hold anything; what is not UTF-8 becomes '?', line ends become
-/// spaces.
+// More letters fit on no page; setting a text takes as long as its letters are many.
+constexpr std::size_t k_most_letters = 500;
+
+/// Text from file names and attributes may hold anything: line ends and other control characters become spaces.
 std::string printable(const std::string& text) {
-    std::string clean;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        std::size_t length = byte < 0x80                   ? 1
-                             : byte >= 0xF0 && byte < 0xF5 ? 4
-                             : byte >= 0xE0                ? 3
-                             : byte >= 0xC2                ? 2
-                                                           : 0;
-        if (byte >= 0xF5) length = 0;
-        bool whole = length > 0 && i + length <= text.size();
-        for (std::size_t k = 1; whole && k < length; ++k) {
-            whole = (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
-        }
-        if (!whole) {
-            clean += '?';
-            ++i;
-            continue;
-        }
-        if (byte < 0x20 || byte == 0x7F) {
-            clean += ' ';
-        } else {
-            clean += text.substr(i, length);
-        }
-        i += length;
-    }
+    std::string clean = elided(valid_utf8(text), k_most_letters);
+    for (char& c : clean)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
     return clean;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <optional>
 
 #include "core/error.h"
@@ -90,11 +91,14 @@ MapPage::MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const Map
 
 void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& kept) {
     const PageBox page{0, 0, static_cast<double>(spec.width), static_cast<double>(spec.height)};
-    const LegendContent content{spec.legend_title, spec.unit, &scale_, &spec.outlines, &spec.side_notes};
-    constexpr double k_last_density = 0.66;
-    // Letters are made smaller until the legend fits above scale bar and arrow.
+    const std::vector<std::string> nothing;
+    // The page is crowded more and more until the legend fits above scale bar and arrow.
     double lacking = 0;
-    for (const double density : {1.0, 0.88, 0.77, k_last_density}) {
+    for (const Crowding& crowding : k_crowdings) {
+        const double density = crowding.density;
+        const bool notes_at_foot = crowding.notes_at_foot;
+        const LegendContent content{spec.legend_title, spec.unit, &scale_, &spec.outlines,
+                                    notes_at_foot ? &nothing : &spec.side_notes};
         const PageStyle style(spec.width, spec.height, density);
         Sheet sheet(spec.width, spec.height);
         layout_ = MapLayout{};
@@ -115,7 +119,9 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         // The contours' interval is known later; any takes about as much room.
         const auto foot_parts = [&](double interval) {
             const std::string remark = interval > 0 ? "contour interval " + number(interval) + " m" : "";
-            return std::vector<std::string>{spec.source, spec.crs_label, remark, spec.attribution};
+            std::vector<std::string> parts = notes_at_foot ? spec.side_notes : nothing;
+            parts.insert(parts.end(), {spec.source, spec.crs_label, remark, spec.attribution});
+            return parts;
         };
         const double inner = page.width() - 2 * style.margin;
         const bool contours = spec.terrain != nullptr && spec.contours;
@@ -136,8 +142,9 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         layout_.window = frame_.window;
         layout_.metres_per_pixel = frame_.metres_per_pixel();
 
-        // On the last try the legend begins beside the coordinates above the frame, where there is a little more room.
-        const double column_top = frame_.top - (density == k_last_density ? graticule_band : 0);
+        // On the last tries the legend begins beside the coordinates above the frame: there is a little more room.
+        const bool last = density == std::end(k_crowdings)[-1].density;
+        const double column_top = frame_.top - (last ? graticule_band : 0);
         const Column column{page.right - style.margin - column_width, column_top, column_width,
                             static_cast<double>(frame_.top + frame_.height)};
         const double legend_bottom =

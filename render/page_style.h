@@ -21,6 +21,13 @@ struct PageStyle {
     [[nodiscard]] double line(double at_full_size) const;
 };
 
+/// How much a page is crowded to get everything on it: one after the other until it fits.
+struct Crowding {
+    double density = 1;          ///< of letters and gaps
+    bool notes_at_foot = false;  ///< side notes run across the page, where they take far less height than in the column
+};
+inline constexpr Crowding k_crowdings[] = {{1, false}, {0.88, false}, {0.77, false}, {0.66, false}, {0.66, true}};
+
 inline constexpr Rgb k_ink{25, 28, 32};            ///< of letters and frames
 inline constexpr Rgb k_soft_ink{84, 90, 98};       ///< of what should step back
 inline constexpr Rgb k_no_terrain{236, 237, 238};  ///< inside the frame where there is no terrain

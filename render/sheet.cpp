@@ -3,7 +3,15 @@
 
 #include <sstream>
 
+#include "core/utf8.h"
+
 namespace frana::render {
+namespace {
+
+constexpr std::size_t k_most_letters = 2000;   // of a paragraph
+constexpr std::size_t k_longest_line = 500;    // bytes; what is longer need not be measured
+
+}  // namespace
 
 const TextBox& Sheet::text(const std::string& words, Point at, const TextStyle& style, Across across,
                            Upright upright) {
@@ -21,21 +29,24 @@ double Sheet::lines(const std::vector<std::string>& words, Point top, const Text
 
 std::vector<std::string> Sheet::wrapped(const std::string& words, const TextStyle& style,
                                         double width) const {
-    const auto fits = [&](const std::string& candidate) { return lettering_.width(candidate, style) <= width; };
-    std::vector<std::string> lines, parts;
-    std::istringstream stream(words);
-    for (std::string word; stream >> word;) {
-        if (!fits(word)) {  // shorten by whole UTF-8 characters
-            while (word.size() > 1 && !fits(word + "\u2026")) {
-                while (word.size() > 1 && (static_cast<unsigned char>(word.back()) & 0xC0) == 0x80)
-                    word.pop_back();
-                word.pop_back();
-            }
-            word += "\u2026";
+    const auto fits = [&](const std::string& candidate) {
+        return candidate.size() <= k_longest_line && lettering_.width(candidate, style) <= width;
+    };
+    // As much of it as fits is found by halving: setting a text to measure it is what costs.
+    const auto cut = [&](const std::string& word) {
+        std::size_t good = 1, bad = word.size() + 1;  // characters, with the ellipsis
+        while (good + 1 < bad) {
+            const std::size_t middle = (good + bad) / 2;
+            (fits(elided(word, middle)) ? good : bad) = middle;
         }
-        parts.push_back(std::move(word));
+        return elided(word, good);
+    };
+    std::vector<std::string> lines, parts;
+    std::istringstream stream(elided(valid_utf8(words), k_most_letters));
+    for (std::string word; stream >> word;) {
+        parts.push_back(fits(word) ? std::move(word) : cut(word));
     }
-    // Each line takes as many words as fit, found by halving: setting a text to measure it is what costs.
+    // Each line takes as many words as fit, likewise.
     for (std::size_t first = 0; first < parts.size();) {
         const auto line = [&](std::size_t end) {
             std::string all = parts[first];

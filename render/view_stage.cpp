@@ -191,17 +191,21 @@ class ViewStage::Scene {
     void arrange(const ViewSpec& spec, bool for_frames, bool nothing_to_show) {
         layout_.page = {0, 0, static_cast<double>(spec.width), static_cast<double>(spec.height)};
         const double north = layout_.north_arrow_deg = spec.convergence_deg - layout_.camera.azimuth_deg;
-        const LegendContent content{spec.legend_title, spec.unit, &scale_, &spec.outlines, &spec.side_notes};
-        for (const double density : {1.0, 0.88, 0.77, 0.66}) {
-            const PageStyle style(spec.width, spec.height, density);
+        const std::vector<std::string> nothing;
+        for (const Crowding& crowding : k_crowdings) {
+            const bool notes_at_foot = crowding.notes_at_foot;
+            const LegendContent content{spec.legend_title, spec.unit, &scale_, &spec.outlines,
+                                        notes_at_foot ? &nothing : &spec.side_notes};
+            std::vector<std::string> foot = notes_at_foot ? spec.side_notes : nothing;
+            foot.insert(foot.end(), {spec.source, spec.crs_label, spec.attribution});
+            const PageStyle style(spec.width, spec.height, crowding.density);
             Sheet sheet(spec.width, spec.height);
             layout_.legend.clear();
             const double inner = spec.width - 2 * style.margin;
             const TitleResult titles = draw_titles(sheet, style, spec.title, spec.subtitle, for_frames,
                                                    {style.margin, style.margin}, inner);
             subtitle_at_ = titles.subtitle_at;
-            const double foot_top = draw_foot(sheet, style, {spec.source, spec.crs_label, spec.attribution},
-                                              style.margin, spec.height - style.margin, inner);
+            const double foot_top = draw_foot(sheet, style, foot, style.margin, spec.height - style.margin, inner);
             const double column =
                 std::max(0.15 * spec.width, legend_width(content, style, sheet, 0.32 * spec.width));
             layout_.picture = {std::round(style.margin), std::round(titles.bottom + style.gap),
