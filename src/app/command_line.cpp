@@ -2,6 +2,7 @@
 #include "app/command_line.h"
 
 #include <algorithm>
+#include <boost/any.hpp>
 #include <boost/program_options/parsers.hpp>
 #include <boost/program_options/positional_options.hpp>
 #include <boost/program_options/value_semantic.hpp>
@@ -14,6 +15,27 @@
 namespace frana::app {
 
 namespace options = boost::program_options;
+
+namespace {
+
+/// A word that is not there, from an unset variable of a script, would stand for the folder or the file that is meant.
+void refuse_empty_words(const options::variables_map& values, const CommandForm& form) {
+    Problems problems;
+    const auto check = [&](const std::string& name, const std::string& word) {
+        if (!word.empty()) return;
+        problems.add({"is empty", name == "operand" ? form.operand : "--" + name, "", "", "Usage: " + form.usage});
+    };
+    for (const auto& [name, value] : values) {
+        const auto* option = form.options.find_nothrow(name, false);
+        if (option != nullptr && option->semantic()->max_tokens() == 0) continue;  // a switch
+        if (const auto* word = boost::any_cast<std::string>(&value.value())) check(name, *word);
+        if (const auto* words = boost::any_cast<std::vector<std::string>>(&value.value()))
+            for (const std::string& word : *words) check(name, word);
+    }
+    problems.throw_if_any();
+}
+
+}  // namespace
 
 std::optional<options::variables_map> parse_arguments(const CommandForm& form,
                                                       const std::vector<std::string>& arguments) {
@@ -50,6 +72,7 @@ std::optional<options::variables_map> parse_arguments(const CommandForm& form,
         throw Error(ErrorKind::input,
                     Problem{form.operand + " is missing", "command line", "", "", "Usage: " + form.usage});
     }
+    refuse_empty_words(values, form);
     return values;
 }
 

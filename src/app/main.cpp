@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
@@ -119,7 +121,8 @@ int main(int count, char** words) {
         frana::app::ignore_file_signals();
         const int code = frana::app::dispatch({words + 1, words + count});
         std::cout.flush();
-        if (!std::cout) {
+        // A write that failed earlier leaves its mark although the last one went well.
+        if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
             std::cerr << "frana: the output could not be written to stdout\n";
             return static_cast<int>(frana::app::ExitCode::environment);
         }
@@ -130,6 +133,11 @@ int main(int count, char** words) {
         std::cerr
             << "frana: out of memory. Choose larger cells or a smaller part of the DTM (terrain.cell-size, "
                "terrain.bounds)\n";
+    } catch (const std::filesystem::filesystem_error& error) {
+        // What no path can be is a word of the user's, whatever was done with it.
+        const bool word = error.code() == std::errc::filename_too_long || error.code() == std::errc::invalid_argument;
+        return frana::app::report({word ? frana::ErrorKind::input : frana::ErrorKind::environment,
+                                   frana::Problem{error.code().message(), error.path1().string(), "", "", ""}});
     } catch (const std::exception& error) {
         std::cerr << "frana: " << error.what() << '\n';
     }

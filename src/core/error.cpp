@@ -3,8 +3,12 @@
 
 #include <utility>
 
+#include "core/utf8.h"
+
 namespace frana {
 namespace {
+
+constexpr std::size_t k_longest_value = 1000;  // characters
 
 std::string join(const std::vector<Problem>& problems) {
     std::string text;
@@ -21,13 +25,14 @@ std::string describe(const Problem& problem) {
     std::string text = problem.where.empty() ? problem.what : problem.where + ": " + problem.what;
     if (!problem.value.empty() || !problem.limit.empty()) {
         text += " (";
-        if (!problem.value.empty()) text += "value " + problem.value;
+        if (!problem.value.empty()) text += "value " + elided(problem.value, k_longest_value);
         if (!problem.value.empty() && !problem.limit.empty()) text += "; ";
         if (!problem.limit.empty()) text += "allowed " + problem.limit;
         text += ')';
     }
     if (!problem.remedy.empty()) text += ". " + problem.remedy;
-    return text;
+    // Names of files may hold what a terminal takes for commands.
+    return one_line(text);
 }
 
 Error::Error(ErrorKind kind, std::vector<Problem> problems)

@@ -29,6 +29,16 @@ TEST_F(Command, MistakesOnTheCommandLine) {
     EXPECT_EQ(frana({"render", "nowhere"}).exit_code, 2);
     EXPECT_EQ(frana({"compare", "dtm.asc"}).exit_code, 2);
     EXPECT_EQ(frana({"params", "--json", "--ini"}).exit_code, 2);
+    for (const char* command : {"run", "check", "render", "compare", "converge", "bench"}) {
+        for (const std::string& word : {std::string(), std::string(5000, 'a'), std::string("--threads")}) {
+            const Outcome outcome = frana({command, word});
+            EXPECT_EQ(outcome.exit_code, 2) << command << " '" << word.substr(0, 20) << "'\n" << outcome.err;
+            EXPECT_LT(outcome.err.size(), 6000U);
+        }
+    }
+    const Outcome empty = frana({"run", "scene.ini", "--out", ""});
+    EXPECT_EQ(empty.exit_code, 2);
+    EXPECT_NE(empty.err.find("--out: is empty"), std::string::npos) << empty.err;
     EXPECT_EQ(files().size(), 4U);  // dtm.asc, dtm.prj, perimeter.geojson, scene.ini
 }
 
@@ -62,9 +72,20 @@ TEST_F(Command, CheckPrintsWhatWouldRunAndWritesNothing) {
 
 TEST_F(Command, FullDeviceForStandardOutputIsAnError) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
-    // The shell is needed for the redirection only.
-    const int status = std::system((std::string(FRANA_PROGRAM) + " params > /dev/full 2> /dev/null").c_str());
-    EXPECT_EQ(WEXITSTATUS(status), 4);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "output.maps=off", "--set",
+                     "output.animation=off"})
+                  .exit_code,
+              0);
+    // All that print to stdout; the shell is needed for the redirection only.
+    for (const std::string words :
+         {"params", "params --json", "materials", "--help", "--version", "run --help", "check scene.ini",
+          "render result --map max_depth --size 800x600", "render result --charts --size 800x600",
+          "compare result --scar perimeter.geojson --size 800x600", "bench stability --case single-cell --threads 1"}) {
+        const int status = std::system(
+            ("cd " + folder_.string() + " && " FRANA_PROGRAM " " + words + " > /dev/full 2> stderr").c_str());
+        EXPECT_EQ(WEXITSTATUS(status), 4) << words << "\n" << read_text(path("stderr"));
+        EXPECT_NE(read_text(path("stderr")).find("stdout"), std::string::npos) << words;
+    }
 }
 
 }  // namespace
