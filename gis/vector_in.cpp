@@ -215,6 +215,17 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
 
 }  // namespace
 
+bool holds_layer(const std::string& file, const std::string& layer, const std::string& where) {
+    const GdalSession session;
+    const VectorSource source = vector_source(file, where);
+    const GDALDatasetUniquePtr dataset = open_vector(source);
+    OGRLayer* const found = dataset->GetLayerByName(layer.c_str());
+    const bool holds = found != nullptr && found->GetFeatureCount() > 0;
+    if (session.failed())
+        throw vector_fault(source, "cannot be read whole: " + session.last_message(), "", "The file is damaged");
+    return holds;
+}
+
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt,
                            const std::string& where, const LayerChoice& choice) {
     const GdalSession session;

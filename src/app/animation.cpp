@@ -12,6 +12,7 @@
 #include "analysis/trace.h"
 #include "app/number_text.h"
 #include "app/particle_dots.h"
+#include "app/require_cells.h"
 #include "gis/raster_in.h"
 #include "render/animation.h"
 #include "render/movie.h"
@@ -84,7 +85,10 @@ template <class Animator>
 render::Image draw_frame(Animator& animator, const StoredFrame& frame, const FilmSource& of) {
     const std::string time = time_text(frame.time, time_decimals(of.frames));
     if (of.quantity == "particles") return animator.frame(read_particle_dots(frame.particle_file), time);
-    return animator.frame(gis::read_result_raster(file_of(frame, of.quantity)), time);
+    const std::string& file = file_of(frame, of.quantity);
+    const Raster values = gis::read_result_raster(file);
+    require_cells(values.grid, file, of.layer.values.grid, of.layer_file);
+    return animator.frame(values, time);
 }
 
 /// The frame nearest to a time: those of two runs lie a step apart where the same times were asked for.
@@ -193,7 +197,8 @@ std::vector<std::string> film_files(const std::string& path, std::size_t frames)
 
 FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {
     const bool particles = quantity == "particles";
-    FilmSource film{source, result.greatest(particles ? "velocity" : quantity), result.frames(), quantity};
+    const std::string colours = particles ? "velocity" : quantity;
+    FilmSource film{source, result.greatest(colours), result.path("max_" + colours + ".tif"), result.frames(), quantity};
     film.layer.title = particles             ? "Speed of particles"
                        : quantity == "depth" ? "Flow depth"
                                              : "Flow velocity";

@@ -19,7 +19,8 @@ Size film_size(Size map);
 /// What a film shows of one result.
 struct FilmSource {
     MapSource source;
-    MapLayer layer;  ///< the greatest values over time: they fix the colours and the window
+    MapLayer layer;          ///< the greatest values over time: they fix the colours and the window
+    std::string layer_file;  ///< where they are, for messages
     std::vector<StoredFrame> frames;
     std::string quantity;  ///< "depth", "velocity" or "particles"
 };

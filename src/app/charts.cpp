@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
+#include "app/csv_cell.h"
+#include "app/file_stems.h"
 #include "core/error.h"
+#include "core/utf8.h"
 #include "gis/table_in.h"
 #include "params/value_text.h"
 
@@ -22,21 +24,31 @@ constexpr Rgb k_blue{0, 114, 178}, k_vermilion{213, 94, 0}, k_green{0, 158, 115}
     k_ground{90, 70, 50};
 constexpr Rgb k_colours[] = {k_blue, k_vermilion, k_green, k_purple, k_ground, {86, 180, 233}, {230, 159, 0}};
 constexpr Stroke k_strokes[] = {Stroke::solid, Stroke::dashed, Stroke::dotted, Stroke::dash_dot};
+constexpr std::size_t k_most_curves = std::size(k_colours) * std::size(k_strokes);  // that look unequal
+constexpr std::size_t k_longest_name = 40;                                          // letters, in the key
 
 /// A table of a result: texts and numbers by column.
 class Columns {
   public:
-    explicit Columns(const std::string& path) : path_(path), table_(gis::read_table(path, "result")) {}
+    explicit Columns(const std::string& path) : path_(path), table_(gis::read_table(path, "RESULT_DIR")) {}
 
     [[nodiscard]] std::size_t rows() const { return table_.rows.size(); }
     [[nodiscard]] const std::string& text(std::size_t row, const std::string& name) const {
         return table_.rows[row][index(name)];
     }
-    /// NaN for an empty cell.
+    /// NaN for an empty cell and for what is not finite. Throws Error(input) for a word.
     [[nodiscard]] std::vector<double> numbers(const std::string& name) const {
         const std::size_t column = index(name);
         std::vector<double> values;
-        for (const auto& row : table_.rows) values.push_back(number_from_text(row[column]).value_or(k_no_data));
+        for (const auto& row : table_.rows) {
+            const std::string& cell = row[column];
+            const auto number = number_from_text(cell);
+            if (!number && !cell.empty() && cell != "nan" && cell != "inf" && cell != "-inf") {
+                throw Error(ErrorKind::input, Problem{"is no number in the column " + name, path_,
+                                                      elided(valid_utf8(cell), 80), "", "The file is damaged"});
+            }
+            values.push_back(number.value_or(k_no_data));
+        }
         return values;
     }
     [[nodiscard]] bool has(const std::string& name) const {
@@ -47,7 +59,9 @@ class Columns {
     [[nodiscard]] std::size_t index(const std::string& name) const {
         const auto found = std::find(table_.columns.begin(), table_.columns.end(), name);
         if (found == table_.columns.end())
-            throw Error(ErrorKind::input, Problem{"has no such column", path_, name, joined(table_.columns, ", "), ""});
+            throw Error(ErrorKind::input,
+                        Problem{"has no column " + name, path_, elided(valid_utf8(joined(table_.columns, ",")), 80), "",
+                                "The file is not a run's, or damaged"});
         return static_cast<std::size_t>(found - table_.columns.begin());
     }
 
@@ -71,18 +85,14 @@ std::vector<std::string> kinds_of(const Columns& table, const std::string& colum
     return kinds;
 }
 
-std::string file_name(std::string name) {
-    for (char& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
-    return name;
-}
-
 render::CurveChart page(const MapSource& source, const std::string& what, const std::string& file) {
-    const std::string& by = source.style.attribution;
-    return {source.title + ": " + what, source.subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), 1, {}};
+    const std::string by = page_attribution(source);
+    return {page_title(source, what), source.subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), 1, {}};
 }
 
-NamedChart profile_chart(const Columns& table, const std::string& line, const MapSource& source) {
+/// `line` as it stands in the table.
+NamedChart profile_chart(const Columns& table, const std::string& line, const std::string& stem,
+                         const MapSource& source) {
     const std::vector<double> distance = table.numbers("distance_m"), bed = table.numbers("bed_m");
     const auto column = [&](const std::string& name) {
         std::vector<double> values = table.numbers(name);
@@ -116,9 +126,9 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const Ma
                      {"at the end", k_vermilion, on_line(column("final_depth")), 2}};
     render::CurvePanel speeds{"Greatest speed, along the bed", metres, "speed [m/s]", {}, true};
     speeds.curves = {{"maximum", k_blue, on_line(column("max_velocity")), 2}};
-    render::CurveChart chart = page(source, "profile along " + line, "profiles.csv");
+    render::CurveChart chart = page(source, "profile along " + elided(text_of_cell(line), k_longest_name), "profiles.csv");
     chart.panels = {relief, depths, speeds};
-    return {"profile_" + file_name(line), chart};
+    return {"profile_" + stem, chart};
 }
 
 NamedChart series_chart(const Columns& table, const MapSource& source) {
@@ -187,11 +197,17 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
                         const std::vector<std::array<std::string, 3>>& quantities) {
     const std::vector<double> time = table.numbers("time_s");
     render::CurveChart chart = page(source, title, file + ".csv");
+    std::vector<std::string> kinds = kinds_of(table, place);
+    if (kinds.size() > k_most_curves) {
+        chart.subtitle = "the first " + std::to_string(k_most_curves) + " of " + std::to_string(kinds.size()) +
+                         "; all are in " + file + ".csv";
+        kinds.resize(k_most_curves);
+    }
     for (const auto& [column, name, label] : quantities) {
         const std::vector<double> values = table.numbers(column);
         render::CurvePanel panel{name, "time [s]", label, {}, true};
-        for (const std::string& kind : kinds_of(table, place)) {
-            render::Curve curve{kind, k_colours[panel.curves.size() % std::size(k_colours)], {}};
+        for (const std::string& kind : kinds) {
+            render::Curve curve{elided(text_of_cell(kind), k_longest_name), k_colours[panel.curves.size() % std::size(k_colours)], {}};
             curve.stroke = k_strokes[panel.curves.size() % std::size(k_strokes)];
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (table.text(i, place) == kind) curve.points.push_back({time[i], values[i]});
@@ -202,19 +218,40 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
     return {file, chart};
 }
 
+/// Whether a table has more than its header. Throws Error(input) where it has not even that, or is cut off.
+bool has_rows(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string header, first;
+    const bool named = std::getline(file, header) && !header.empty();
+    const bool any = static_cast<bool>(std::getline(file, first));
+    file.clear();
+    file.seekg(-1, std::ios::end);
+    if (!named || file.get() != '\n')
+        throw Error(ErrorKind::input, Problem{named ? "is cut off in the middle of a row" : "has no header", path, "",
+                                              "", "The file is damaged"});
+    return any;
+}
+
 }  // namespace
 
-std::vector<NamedChart> result_charts(const ResultReader& result, const MapSource& source) {
+std::vector<NamedChart> result_charts(const ResultReader& result, const MapSource& source, Problems& problems) {
     std::vector<NamedChart> charts;
     const auto table = [&](const std::string& name, const auto& draw) {
-        std::ifstream file(result.path(name));
-        std::string header, first;
-        std::getline(file, header);
-        if (std::getline(file, first)) draw(Columns(result.path(name)));  // else nothing flowed, or no line was found
+        if (!result.has(name)) return;
+        try {
+            // Without a row nothing flowed, or no line was found.
+            if (has_rows(result.path(name))) draw(Columns(result.path(name)));
+        } catch (const Error& error) {
+            problems.add(error);
+        }
     };
     table("profiles.csv", [&](const Columns& columns) {
-        for (const std::string& line : kinds_of(columns, "line"))
-            charts.push_back(profile_chart(columns, line, source));
+        const std::vector<std::string> lines = kinds_of(columns, "line");
+        std::vector<std::string> names;
+        for (const std::string& line : lines) names.push_back(text_of_cell(line));
+        const std::vector<std::string> stems = file_stems(names);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            charts.push_back(profile_chart(columns, lines[i], stems[i], source));
     });
     table("timeseries.csv", [&](const Columns& columns) { charts.push_back(series_chart(columns, source)); });
     table("gauges.csv", [&](const Columns& columns) {
@@ -234,7 +271,8 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
 
 std::vector<std::string> chart_files(const ResultReader& result, const MapSource& source, const std::string& folder) {
     std::vector<std::string> files;
-    for (const NamedChart& one : result_charts(result, source)) {
+    Problems drawn_later;  // and told then
+    for (const NamedChart& one : result_charts(result, source, drawn_later)) {
         const auto more =
             picture_files(source.style, (std::filesystem::path(folder) / one.name).string(), false);
         files.insert(files.end(), more.begin(), more.end());
@@ -242,14 +280,22 @@ std::vector<std::string> chart_files(const ResultReader& result, const MapSource
     return files;
 }
 
-std::vector<std::string> draw_charts(const ResultReader& result, const MapSource& source, const std::string& folder) {
+std::vector<std::string> draw_charts(const ResultReader& result, const MapSource& source, const std::string& folder,
+                                     Problems& problems) {
     std::vector<std::string> files;
     const Size size = source.style.size;
-    for (const NamedChart& one : result_charts(result, source)) {
-        for (const std::string& file :
-             write_plain_picture(render::draw_curves(one.chart, size.width, size.height), source.style, one.chart.title,
-                                 (std::filesystem::path(folder) / one.name).string()))
-            files.push_back(file);
+    for (const NamedChart& one : result_charts(result, source, problems)) {
+        try {
+            for (const std::string& file :
+                 write_plain_picture(render::draw_curves(one.chart, size.width, size.height), source.style,
+                                     one.chart.title, (std::filesystem::path(folder) / one.name).string()))
+                files.push_back(file);
+        } catch (const Error& error) {
+            for (Problem problem : error.problems()) {
+                problem.where += (problem.where.empty() ? "" : ", ") + ("chart " + one.name);
+                problems.add(Error(error.kind(), problem));
+            }
+        }
     }
     return files;
 }

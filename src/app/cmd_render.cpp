@@ -298,8 +298,9 @@ void render_result(const Values& values, const Request& request, Problems& probl
         problems.throw_if_any();
         keep_changed_files(files);
         make_folder(folder);
-        const auto draw_pages = request.charts ? draw_charts : draw_plates;
-        tell_written(draw_pages(result, source, folder));
+        tell_written(request.charts ? draw_charts(result, source, folder, problems)
+                                    : draw_plates(result, source, folder));
+        problems.throw_if_any();
     } else {
         draw(source, layers, request.view_3d, request.out.value_or(result.path("maps")), kept);
     }

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/json.h"
 #include "core/sync_path.h"
+#include "core/utf8.h"
 #include "gis/points_out.h"
 #include "gis/raster_out.h"
 #include "params/value_text.h"
@@ -208,17 +209,27 @@ std::vector<StoredFrame> stored_frames(const std::string& folder) {
         throw Error(ErrorKind::input, Problem{"the result has no frames", list_file(folder), "", "",
                                               "Run the scene with output.frames = on"});
     }
+    constexpr std::size_t k_shown = 80;  // characters of a broken line
     std::vector<StoredFrame> frames;
     std::string line;
     std::getline(file, line);
     while (std::getline(file, line)) {
         const auto words = words_of(trimmed(line));
         const auto time = words.size() == 2 ? number_from_text(words[1]) : std::nullopt;
-        if (!time)
-            throw Error(ErrorKind::input, Problem{"is not index,time_s", list_file(folder), line, "", ""});
+        const bool next = time && integer_from_text(words[0]) == static_cast<std::int64_t>(frames.size());
+        if (!next || file.eof() || (!frames.empty() && *time < frames.back().time)) {
+            throw Error(ErrorKind::input,
+                        Problem{"is no list of frames: a line is not the next index and a time not before the last",
+                                list_file(folder), elided(valid_utf8(line), k_shown), "index,time_s",
+                                "The file is damaged"});
+        }
         const auto path = [&](const FrameFile& what) { return frame_path(folder, what, frames.size()); };
         frames.push_back({*time, path(k_depth_file), path(k_velocity_file), path(k_particle_table)});
     }
+    if (frames.empty())
+        throw Error(ErrorKind::input, Problem{"lists no frames", list_file(folder), "", "",
+                                              "A run lists each as soon as it is whole; a finished one without any "
+                                              "was damaged"});
     return frames;
 }
 

@@ -93,7 +93,7 @@ struct StoredFrame {
     std::string particle_file;  ///< there only where output.formats asked for it
 };
 
-/// What frames.csv lists. Throws Error(input) when it is missing or broken.
+/// What frames.csv lists, at least one. Throws Error(input) when it is missing, empty or broken.
 std::vector<StoredFrame> stored_frames(const std::string& folder);
 
 }  // namespace frana::app

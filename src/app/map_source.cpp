@@ -6,6 +6,7 @@
 
 #include "app/number_text.h"
 #include "app/version.h"
+#include "core/utf8.h"
 #include "gis/crs.h"
 #include "gis/crs_transform.h"
 #include "gis/picture_in.h"
@@ -33,7 +34,8 @@ std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) 
 std::string attribution(const MapSource& source) {
     const std::string own =
         std::string(source.foreign ? "Drawn with " : "Simulated with ") + k_program + " " + k_version;
-    return source.style.attribution.empty() ? own : own + "; " + source.style.attribution;
+    const std::string by = page_attribution(source);
+    return by.empty() ? own : own + "; " + by;
 }
 
 std::string time_words(double seconds) {
@@ -44,7 +46,7 @@ std::string time_words(double seconds) {
 template <class Spec>
 Spec furnished(const MapSource& source, const MapLayer& layer) {
     Spec spec;
-    spec.title = source.title + ": " + layer.title;
+    spec.title = page_title(source, layer.title);
     spec.subtitle = layer.time ? time_words(*layer.time) : source.subtitle;
     if (layer.time && !source.subtitle.empty()) spec.subtitle += ", " + source.subtitle;
     spec.legend_title = layer.title;
@@ -102,9 +104,21 @@ render::Image face_of(const render::Image& page, const render::PageBox& map) {
 
 }  // namespace
 
+std::string page_title(const MapSource& source, const std::string& shown) {
+    constexpr std::size_t k_longest = 120;  // letters: two lines on a small page
+    return elided(valid_utf8(source.title), k_longest) + ": " + shown;
+}
+
+std::string page_attribution(const MapSource& source) {
+    constexpr std::size_t k_longest = 400;
+    return elided(valid_utf8(source.style.attribution), k_longest);
+}
+
 std::string map_subtitle(const MapFacts& facts) {
     const std::string model =
-        facts.model == "structured" ? "Structured model" : "Voellmy-Bingham, scheme " + facts.scheme;
+        facts.model.empty()           ? "Model unknown"
+        : facts.model == "structured" ? "Structured model"
+                                      : "Voellmy-Bingham, scheme " + facts.scheme;
     return model + ", " + figure(facts.simulated_seconds, 3) + " s simulated";
 }
 

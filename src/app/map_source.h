@@ -65,6 +65,11 @@ struct MapSource {
     MapStyle style;
 };
 
+/// A page's title: what is shown, after the result's own title, which is cut where it is long.
+std::string page_title(const MapSource& source, const std::string& shown);
+/// Sources of data and author, cut where they are long.
+std::string page_attribution(const MapSource& source);
+
 /// A map of one layer. The spec borrows the terrain of `source` and the values of `layer`.
 render::MapSpec map_spec(const MapSource& source, const MapLayer& layer);
 /// The same in perspective.

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "analysis/trace.h"
 #include "app/charts.h"
 #include "app/layers.h"
 #include "app/number_text.h"
+#include "core/error.h"
 #include "core/json.h"
-#include "params/scene_spec.h"
+#include "params/value_text.h"
 #include "render/plate.h"
 
 namespace frana::app {
@@ -61,7 +64,7 @@ struct Snapshots {
 };
 
 render::Plate plate_of(const Snapshots& snapshots, const MapSource& source) {
-    render::Plate plate{source.title + ": " + snapshots.title, snapshots.subtitle, source.crs_label, 2, {}};
+    render::Plate plate{page_title(source, snapshots.title), snapshots.subtitle, source.crs_label, 2, {}};
     for (const MapLayer& layer : snapshots.depths) {
         plate.parts.push_back([&](int width, int height) {
             return lean_map(source, layer, "t = " + figure(layer.time.value_or(0), 4) + " s", width, height);
@@ -84,6 +87,33 @@ MapLayer normal_stress(const MapLayer& depth, double density, double gravity, do
     return layer;
 }
 
+/// Density [kg/m3] and gravity [m/s2] of the run; none for a mixture, whose density differs from place to place. Throws
+/// Error(input) where the result does not tell them.
+std::optional<std::pair<double, double>> column_weight(const ResultReader& result) {
+    if (result.scene_value("material.model") == "structured") return std::nullopt;
+    const auto number = [&](const std::string& key) {
+        const auto text = result.scene_value(key);
+        if (const auto value = text ? number_from_text(*text) : std::nullopt) return *value;
+        throw Error(ErrorKind::input,
+                    Problem{"does not tell " + key + ", which the normal stress on the bed needs",
+                            result.path("scene.ini"), text.value_or(""), "", "The file is not a run's, or damaged"});
+    };
+    return std::pair{number("material.density"), number("numerics.gravity")};
+}
+
+/// The plate; its parts are small, and say what they lack without knowing of what they are part.
+render::Image draw(const render::Plate& plate, const std::string& name, Size size) {
+    try {
+        return render::draw_plate(plate, size.width, size.height);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::input) throw;
+        throw Error(ErrorKind::input,
+                    Problem{"cannot be drawn: " + std::string(error.what()), "plate " + name,
+                            std::to_string(size.width) + "x" + std::to_string(size.height), "",
+                            "Four parts share the page; draw it larger, for example with --size 1600x1200"});
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> plate_files(const MapSource& source, const std::string& folder) {
@@ -99,7 +129,7 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
     std::vector<std::string> files;
     const Size size = source.style.size;
     const auto write = [&](const std::string& name, const render::Plate& plate) {
-        const render::Image image = render::draw_plate(plate, size.width, size.height);
+        const render::Image image = draw(plate, name, size);
         for (const std::string& file : write_plain_picture(image, source.style, plate.title,
                                                            (std::filesystem::path(folder) / name).string()))
             files.push_back(file);
@@ -111,7 +141,7 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
 
     MapLayer start = result.map_layer("depth@0");
     start.classes = depths.depths.front().classes;
-    write(k_initial_state, {source.title + ": initial state",
+    write(k_initial_state, {page_title(source, "initial state"),
                             source.subtitle,
                             source.crs_label,
                             2,
@@ -119,22 +149,25 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
                              [&](int w, int h) { return lean_view(source, start, "from before the slope", w, h); }}});
     write(k_snapshots, plate_of(depths, source));
 
-    const double density = result.scene_number("material.density", MaterialSpec{}.density);
-    const double gravity = result.scene_number("numerics.gravity", NumericsSpec{}.gravity);
-    double greatest = maximum(start.values);
-    for (const MapLayer& layer : depths.depths) greatest = std::max(greatest, maximum(layer.values));
-    Snapshots stresses{{}, "stresses", "normal stress on the bed",
-                       "hydrostatic: density " + figure(density) + " kg/m\u00B3 times gravity " + figure(gravity) +
-                           " m/s\u00B2 times vertical depth"};
-    for (const MapLayer& layer : depths.depths)
-        stresses.depths.push_back(normal_stress(layer, density, gravity, greatest));
-    write(k_stresses, plate_of(stresses, source));
+    if (const auto weight = column_weight(result)) {
+        const auto [density, gravity] = *weight;
+        double greatest = maximum(start.values);
+        for (const MapLayer& layer : depths.depths) greatest = std::max(greatest, maximum(layer.values));
+        Snapshots stresses{{}, "stresses", "normal stress on the bed",
+                           "hydrostatic: density " + figure(density) + " kg/m\u00B3 times gravity " + figure(gravity) +
+                               " m/s\u00B2 times vertical depth"};
+        for (const MapLayer& layer : depths.depths)
+            stresses.depths.push_back(normal_stress(layer, density, gravity, greatest));
+        write(k_stresses, plate_of(stresses, source));
+    }
 
     if (!result.has("comparison.tif")) return files;
     MapLayer comparison = result.map_layer("comparison");
-    const std::vector<NamedChart> charts = result_charts(result, source);
+    Problems problems;
+    const std::vector<NamedChart> charts = result_charts(result, source, problems);
+    problems.throw_if_any();
     render::Plate last{
-        source.title + ": profile and comparison with the scar", source.subtitle, source.crs_label, 2, {}};
+        page_title(source, "profile and comparison with the scar"), source.subtitle, source.crs_label, 2, {}};
     if (!charts.empty() && charts.front().name.starts_with("profile")) {
         last.parts.push_back([&](int w, int h) {
             render::CurveChart chart = charts.front().chart;

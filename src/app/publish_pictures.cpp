@@ -116,7 +116,9 @@ void draw_all_charts(const ResultReader& written, const MapSource& source, Drawi
     }
     drawings.attempt("charts", files, [&] {
         make_folder(folder);
-        draw_charts(written, source, folder);
+        Problems problems;
+        draw_charts(written, source, folder, problems);
+        problems.throw_if_any();
         return true;
     });
 }

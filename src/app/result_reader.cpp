@@ -11,6 +11,8 @@
 #include "app/layers.h"
 #include "app/number_text.h"
 #include "app/particle_dots.h"
+#include "app/require_cells.h"
+#include "app/series_ends.h"
 #include "app/unfinished_results.h"
 #include "app/version.h"
 #include "core/error.h"
@@ -28,39 +30,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// First and last rows of timeseries.csv as numbers by column name; empty where the file is missing.
-struct SeriesEnds {
-    std::vector<std::string> names;
-    std::vector<double> first, last;
-
-    [[nodiscard]] static double value(const SeriesEnds& ends, const std::vector<double>& row,
-                                      const std::string& name) {
-        for (std::size_t i = 0; i < ends.names.size() && i < row.size(); ++i)
-            if (ends.names[i] == name) return row[i];
-        return 0;
-    }
-};
-
-SeriesEnds read_series_ends(const std::string& path) {
-    SeriesEnds ends;
-    std::ifstream file(path);
-    std::string line;
-    if (!std::getline(file, line)) return ends;
-    ends.names = words_of(trimmed(line));
-    while (std::getline(file, line)) {
-        std::vector<double> row;
-        for (const std::string& word : words_of(trimmed(line)))
-            row.push_back(number_from_text(word).value_or(0));
-        if (ends.first.empty()) ends.first = row;
-        ends.last = row;
-    }
-    return ends;
-}
-
-/// The scores that a comparison's map shows, from the file that frana wrote; where it is missing, none.
+/// The scores that a comparison's map shows, from the file that frana wrote. Throws Error(input) where it is cut off.
 void add_figures(const std::string& path, std::vector<std::string>& notes) {
     std::ifstream file(path);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = trimmed({std::istreambuf_iterator<char>(file), {}});
+    if (!text.starts_with('{') || !text.ends_with('}'))
+        throw Error(ErrorKind::input, Problem{"is not whole", path, "", "", "Compare anew: frana compare"});
     const auto add = [&](const std::string& key, const std::string& before, const std::string& after) {
         const auto place = text.find("\"" + key + "\":");  // the first is that of the area
         if (place == std::string::npos) return;
@@ -92,9 +67,15 @@ void refuse_newer_summary(const std::string& path) {
     if (format && *format > k_result_format) throw newer(path, *format, k_result_format);
 }
 
+/// Rasters of a user's own beside a run's may lie as they like.
+bool is_ours(const std::string& name) {
+    for (const Layer& layer : all_layers())
+        if (layer.name == name) return true;
+    return name == "release" || name == "comparison" || name == "hazard";
+}
+
 /// Gives cells without a value those of another raster of the same grid, where they are more than nothing.
 void include(Raster& extent, const Raster& more) {
-    if (!extent.grid.same_cells(more.grid)) return;
     for (std::size_t i = 0; i < extent.values.size(); ++i)
         if (std::isnan(extent.values[i]) && more.values[i] > 0) extent.values[i] = more.values[i];
 }
@@ -130,10 +111,19 @@ bool ResultReader::has(const std::string& name) const {
     return fs::exists(path(name));
 }
 
+void ResultReader::require(const std::string& name) const {
+    if (!has(name)) throw Error(ErrorKind::input, Problem{"is missing in the result", path(name), "", "", ""});
+}
+
 Raster ResultReader::raster(const std::string& name) const {
-    if (!has(name + ".tif"))
-        throw Error(ErrorKind::input, Problem{"is missing in the result", path(name + ".tif"), "", "", ""});
+    require(name + ".tif");
     return gis::read_result_raster(path(name + ".tif"));
+}
+
+Raster ResultReader::raster_on(const GridSpec& grid, const std::string& name) const {
+    Raster read = raster(name);
+    require_cells(read.grid, path(name + ".tif"), grid, path(grid_raster() + ".tif"));
+    return read;
 }
 
 std::optional<std::string> ResultReader::scene_value(const std::string& key) const {
@@ -150,15 +140,11 @@ double ResultReader::scene_number(const std::string& key, double otherwise) cons
 
 MultiPolygon ResultReader::outline(const std::string& layer, const std::string& crs_wkt) const {
     MultiPolygon all;
-    if (!has("extent.gpkg")) return all;
-    try {
-        const gis::PolygonLayer read =
-            gis::read_polygons(path("extent.gpkg") + "|layer=" + layer, crs_wkt, "extent.gpkg");
-        for (const PolygonFeature& feature : read.features)
-            all.insert(all.end(), feature.parts.begin(), feature.parts.end());
-    } catch (const Error&) {
-        all.clear();  // a result without a scar has no such layer
-    }
+    const std::string file = path("extent.gpkg");
+    // A result without a scar has no such layer.
+    if (!has("extent.gpkg") || !gis::holds_layer(file, layer, "RESULT_DIR")) return all;
+    for (const PolygonFeature& feature : gis::read_polygons(file + "|layer=" + layer, crs_wkt, "RESULT_DIR").features)
+        all.insert(all.end(), feature.parts.begin(), feature.parts.end());
     return all;
 }
 
@@ -168,22 +154,23 @@ MapFacts ResultReader::facts(const Raster& max_depth, const Raster& release) con
     facts.scheme = scene_value("numerics.scheme").value_or("unknown");
     facts.threshold = scene_number("output.trace-threshold", OutputSpec{}.trace_threshold);
     const SeriesEnds ends = read_series_ends(path("timeseries.csv"));
-    facts.simulated_seconds = SeriesEnds::value(ends, ends.last, "time_s");
-    facts.volume = SeriesEnds::value(ends, ends.last, "volume_entered_m3");
-    if (facts.volume == 0) {  // an older result
-        facts.volume = SeriesEnds::value(ends, ends.first, "volume_m3") +
-                       SeriesEnds::value(ends, ends.first, "volume_left_m3");
-    }
-    facts.volume_left = SeriesEnds::value(ends, ends.last, "volume_left_m3");
-    facts.last_speed = SeriesEnds::value(ends, ends.last, "max_speed_ms");
+    facts.simulated_seconds = ends.simulated_seconds;
+    facts.volume = ends.volume;
+    facts.volume_left = ends.volume_left;
+    facts.last_speed = ends.last_speed;
     const Raster trace = trace_mask(max_depth, facts.threshold);
     facts.covered_area = masked_area(trace);
-    facts.run_out = runout(raster("bed"), release, trace);
+    facts.run_out = runout(raster_on(max_depth.grid, "bed"), release, trace);
     return facts;
 }
 
-GridSpec ResultReader::grid() const {
-    return raster(under_way() ? "dtm" : drawable().front()).grid;
+const GridSpec& ResultReader::grid() const {
+    if (!grid_) grid_ = raster(grid_raster()).grid;
+    return *grid_;
+}
+
+std::string ResultReader::grid_raster() const {
+    return under_way() ? "dtm" : drawable().front();
 }
 
 const std::vector<StoredFrame>& ResultReader::frames() const {
@@ -194,7 +181,10 @@ const std::vector<StoredFrame>& ResultReader::frames() const {
 const MapLayer& ResultReader::greatest(const std::string& quantity) const {
     const auto known = greatest_.find(quantity);
     if (known != greatest_.end()) return known->second;
-    if (!under_way()) return greatest_.emplace(quantity, map_layer("max_" + quantity)).first->second;
+    if (!under_way()) {
+        require("max_" + quantity + ".tif");
+        return greatest_.emplace(quantity, map_layer("max_" + quantity)).first->second;
+    }
     std::vector<std::string> files;
     for (const StoredFrame& frame : frames())
         files.push_back(quantity == "velocity" ? frame.velocity_file : frame.depth_file);
@@ -220,13 +210,13 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         if (!time)
             throw Error(ErrorKind::input, Problem{"names no time", "--map", name, kind + "@SECONDS", ""});
         const std::vector<StoredFrame>& all = frames();
-        if (all.empty())
-            throw Error(ErrorKind::input, Problem{"the result has no frames", "--map", name, "", ""});
         const auto nearest = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
             return std::abs(a.time - *time) < std::abs(b.time - *time);
         });
         if (kind == "particles") return particle_layer(*nearest);
-        MapLayer layer = read_map_layer(kind == "depth" ? nearest->depth_file : nearest->velocity_file);
+        const std::string& file = kind == "depth" ? nearest->depth_file : nearest->velocity_file;
+        MapLayer layer = read_map_layer(file);
+        require_cells(layer.values.grid, file, grid(), path(grid_raster() + ".tif"));
         layer.source.insert(0, "frames/");
         layer.name = kind + "_t" + figure(nearest->time, 6);
         // The greatest values over time give the colours, so that maps of different times compare.
@@ -235,7 +225,8 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
     }
     if (has(name + ".tif")) {
         MapLayer layer = read_map_layer(path(name + ".tif"));
-        if (name == "comparison") add_figures(path("comparison.json"), layer.notes);
+        if (is_ours(name)) require_cells(layer.values.grid, path(name + ".tif"), grid(), path(grid_raster() + ".tif"));
+        if (name == "comparison" && has("comparison.json")) add_figures(path("comparison.json"), layer.notes);
         return layer;
     }
     const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
@@ -297,29 +288,30 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
         });
     };
     const auto lines = [&](const std::string& file, const std::string& label, Rgb colour, bool is_dashed) {
-        if (file.empty()) return;
-        attempt([&] {
-            render::Outline outline{label, {}, colour, 2, is_dashed};
-            for (const gis::NamedLine& line : gis::read_marks(file, crs_wkt, label).lines)
-                if (line.name != "flow path") outline.lines.push_back(line.line);
-            if (!outline.lines.empty()) all.push_back(std::move(outline));
-        });
+        render::Outline outline{label, {}, colour, 2, is_dashed};
+        for (const gis::NamedLine& line : gis::read_marks(file, crs_wkt, label).lines)
+            if (line.name != "flow path") outline.lines.push_back(line.line);
+        if (!outline.lines.empty()) all.push_back(std::move(outline));
+    };
+    // What the run itself wrote has not moved away.
+    const auto written = [&](const std::string& file, const std::string& layer) {
+        return has(file) && gis::holds_layer(path(file), layer, "RESULT_DIR");
     };
     areas("terrain.friction-zones", "Friction zones", k_zones, true);
     areas("terrain.obstacles", "Obstacles", k_obstacles, false);
-    lines(scene_value("terrain.walls").value_or(""), "Walls", k_obstacles, false);
+    if (const auto walls = scene_value("terrain.walls"))
+        attempt([&] { lines(*walls, "Walls", k_obstacles, false); });
     areas("terrain.walls", "Walls", k_obstacles, false);  // whichever they are
-    lines(has("profiles.gpkg") ? path("profiles.gpkg") + "|layer=lines" : "", "Profiles", k_lines, true);
-    lines(has("gauges.gpkg") ? path("gauges.gpkg") + "|layer=sections" : "", "Cross-sections", k_lines,
-          false);
-    if (has("gauges.gpkg")) {
-        attempt([&] {
-            render::Outline outline{"Gauges", {}, k_gauges, 2, false};
-            for (const gis::NamedPoint& one :
-                 gis::read_marks(path("gauges.gpkg") + "|layer=gauges", crs_wkt, "gauges").points)
-                outline.places.push_back({one.name, one.place});
-            if (!outline.places.empty()) all.push_back(std::move(outline));
-        });
+    if (written("profiles.gpkg", "lines"))
+        lines(path("profiles.gpkg") + "|layer=lines", "Profiles", k_lines, true);
+    if (written("gauges.gpkg", "sections"))
+        lines(path("gauges.gpkg") + "|layer=sections", "Cross-sections", k_lines, false);
+    if (written("gauges.gpkg", "gauges")) {
+        render::Outline outline{"Gauges", {}, k_gauges, 2, false};
+        for (const gis::NamedPoint& one :
+             gis::read_marks(path("gauges.gpkg") + "|layer=gauges", crs_wkt, "gauges").points)
+            outline.places.push_back({one.name, one.place});
+        all.push_back(std::move(outline));
     }
     return all;
 }
@@ -332,7 +324,7 @@ MapSource ResultReader::map_source() const {
     source.crs_label = gis::crs_name(grid.crs_wkt);
     source.convergence_deg = gis::meridian_convergence_deg(
         grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
-    if (has("dtm.tif")) source.terrain = raster("dtm");
+    if (has("dtm.tif")) source.terrain = raster_on(grid, "dtm");
     source.release = outline("release", grid.crs_wkt);
     source.scar = outline("scar", grid.crs_wkt);
     source.marks = marks(grid.crs_wkt);
@@ -343,8 +335,8 @@ MapSource ResultReader::map_source() const {
         source.extent = greatest("depth").values;
     }
     if (!has("max_depth.tif") || !has("release.tif")) return source;
-    const Raster release = raster("release");
-    Raster max_depth = raster("max_depth");
+    const Raster release = raster_on(grid, "release");
+    Raster max_depth = raster_on(grid, "max_depth");
     if (has("timeseries.csv") && has("bed.tif")) {
         const MapFacts known = facts(max_depth, release);
         source.subtitle = map_subtitle(known);
@@ -352,7 +344,7 @@ MapSource ResultReader::map_source() const {
     }
     source.extent = std::move(max_depth);
     include(source.extent, release);
-    if (has("comparison.tif")) include(source.extent, raster("comparison"));
+    if (has("comparison.tif")) include(source.extent, raster_on(grid, "comparison"));
     return source;
 }
 

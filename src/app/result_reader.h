@@ -25,6 +25,8 @@ class ResultReader {
     [[nodiscard]] bool has(const std::string& name) const;
     /// NAME.tif. Throws Error(input) when it is missing.
     [[nodiscard]] Raster raster(const std::string& name) const;
+    /// The same. Throws Error(input) also where its cells are not the grid's.
+    [[nodiscard]] Raster raster_on(const GridSpec& grid, const std::string& name) const;
     /// A value of the result's scene.ini as text, if there is one.
     [[nodiscard]] std::optional<std::string> scene_value(const std::string& key) const;
     /// The same as a number, or a default.
@@ -38,15 +40,17 @@ class ResultReader {
     [[nodiscard]] MapLayer particle_layer(const StoredFrame& frame) const;
     /// The rasters that can be drawn, by name; terrain and bed are under all maps and not among them.
     [[nodiscard]] std::vector<std::string> drawable() const;
-    /// As listed when first asked for: of a run under way none that come later. Throws Error(input).
+    /// As listed when first asked for, at least one: of a run under way none that come later. Throws Error(input).
     [[nodiscard]] const std::vector<StoredFrame>& frames() const;
-    /// Whether its run has not ended: it has frames and no maxima.
-    [[nodiscard]] bool under_way() const { return !has("max_depth.tif") && has("frames/frames.csv"); }
+    /// Whether its run has not ended: it has frames, no maxima, and no summary, which comes last.
+    [[nodiscard]] bool under_way() const {
+        return !has("summary.json") && !has("max_depth.tif") && has("frames/frames.csv");
+    }
     /// Of "depth" or "velocity": the maximum over time, of a run that has not ended over its frames so far.
     /// Throws Error(input).
     [[nodiscard]] const MapLayer& greatest(const std::string& quantity) const;
-    /// Of its rasters.
-    [[nodiscard]] GridSpec grid() const;
+    /// Of its rasters, as the first of them has it.
+    [[nodiscard]] const GridSpec& grid() const;
 
     /// Everything maps share; terrain and outlines only where the result has them.
     [[nodiscard]] MapSource map_source() const;
@@ -57,8 +61,14 @@ class ResultReader {
     [[nodiscard]] MultiPolygon outline(const std::string& layer, const std::string& crs_wkt) const;
     [[nodiscard]] MapFacts facts(const Raster& max_depth, const Raster& release) const;
 
+    /// Throws Error(input) where a file is missing.
+    void require(const std::string& name) const;
+    /// The raster that tells the grid.
+    [[nodiscard]] std::string grid_raster() const;
+
     std::string directory_;
-    mutable std::vector<StoredFrame> frames_;          ///< read once
+    mutable std::optional<GridSpec> grid_;             ///< read once
+    mutable std::vector<StoredFrame> frames_;          ///< likewise
     mutable std::map<std::string, MapLayer> greatest_;  ///< likewise
 };
 
