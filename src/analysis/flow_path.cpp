@@ -26,15 +26,17 @@ std::size_t require_cell(const GridSpec& grid, Point place) {
                                           shortest_text(place.x) + ", " + shortest_text(place.y), "", ""});
 }
 
-/// Cost of a metre through each cell: 1 / depth.
+/// Cost of a metre through each cell: 1 / depth. Thinner films all cost the same: no cost may be infinite, else there
+/// would be no way.
 std::vector<float> costs_of(const Raster& depth) {
+    constexpr double k_thinnest = 1e-6;  // [m]
     double least = std::numeric_limits<double>::infinity();
     for (const double value : depth.values)
-        if (value > 0) least = std::min(least, value);
+        if (value > 0) least = std::min(least, std::max(value, k_thinnest));
     if (std::isinf(least)) least = 1;
     std::vector<float> costs(depth.values.size(), static_cast<float>(100 / least));
     for (std::size_t i = 0; i < costs.size(); ++i)
-        if (depth.values[i] > 0) costs[i] = static_cast<float>(1 / depth.values[i]);
+        if (depth.values[i] > 0) costs[i] = static_cast<float>(1 / std::max(depth.values[i], k_thinnest));
     return costs;
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/json.h"
+#include "params/scene_parameters.h"
 
 namespace frana::app {
 
@@ -113,9 +114,11 @@ std::optional<double> threshold_option(const options::variables_map& values) {
     const auto text = text_option(values, "threshold");
     if (!text) return std::nullopt;
     const auto metres = number_from_text(*text);
-    if (!metres || !(*metres > 0))
+    for (const Parameter& key : scene_parameters()) {  // the option stands in for it
+        if (key.name() != "scar.threshold" || (metres && key.fits(*metres))) continue;
         throw Error(ErrorKind::input,
-                    Problem{"is not a depth", "--threshold", *text, "greater than 0 m", ""});
+                    Problem{"is not a depth", "--threshold", *text, key.limits + " " + key.unit, ""});
+    }
     return metres;
 }
 

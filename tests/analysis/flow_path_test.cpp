@@ -51,6 +51,15 @@ TEST(FlowPath, FollowsTheDeepChannelRoundABend) {
     EXPECT_EQ(runout_along(path, dry(60, 60)), 0);
 }
 
+TEST(FlowPath, FilmsWithoutMeasureAreNoWall) {
+    // Their costs were infinite: no way was found, and the search for it never ended.
+    Raster depth = dry(40, 9);
+    for (int column = 0; column < 40; ++column)
+        if (column < 20 || column > 21) depth.at(4, column) = column % 2 == 0 ? 1e-320 : 1;
+    const Polyline path = flow_path(depth, depth.grid.cell_centre(4, 0), depth.grid.cell_centre(4, 39));
+    EXPECT_NEAR(length(path), 39, 1e-9);
+}
+
 TEST(FlowPath, LeavesTheFlowOnlyWhereItMust) {
     // Flow in columns 0-19 and 22-39 of one row: a gap of two dry cells lies between start and end.
     Raster depth = dry(40, 9);

@@ -36,6 +36,11 @@ TEST_F(Command, MistakesOnTheCommandLine) {
             EXPECT_LT(outcome.err.size(), 6000U);
         }
     }
+    for (const std::string threshold : {"1e-320", "0", "-1", "nan", "1e308"}) {
+        const Outcome outcome = frana({"compare", "dtm.asc", "--scar", "perimeter.geojson", "--threshold", threshold});
+        EXPECT_EQ(outcome.exit_code, 2) << threshold;
+        EXPECT_NE(outcome.err.find("1e-06 to 100 m"), std::string::npos) << outcome.err;
+    }
     const Outcome empty = frana({"run", "scene.ini", "--out", ""});
     EXPECT_EQ(empty.exit_code, 2);
     EXPECT_NE(empty.err.find("--out: is empty"), std::string::npos) << empty.err;
