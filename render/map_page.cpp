@@ -53,7 +53,7 @@ struct Column {
 /// Draws scale bar, north arrow and its words upwards from the column's foot; returns the y of their upper
 /// edge.
 double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spec, const MapFrame& frame,
-                        const Column& column, MapLayout& layout) {
+                        const Column& column, bool words_at_foot, MapLayout& layout) {
     double y = column.bottom - scale_bar_height(style);
     const ScaleBar bar =
         draw_scale_bar(sheet, style, {column.left, y}, column.width, frame.metres_per_pixel());
@@ -61,7 +61,7 @@ double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spe
     layout.scale_bar_metres = bar.metres;
     y -= style.gap;
     const std::string words = convergence_words(spec.convergence_deg);
-    if (!words.empty()) {
+    if (!words.empty() && !words_at_foot) {
         const std::vector<std::string> lines = sheet.wrapped(words, style.small, column.width);
         y -= Sheet::line_height(style.small) * static_cast<double>(lines.size());
         sheet.lines(lines, {column.left, y}, style.small, Across::left);
@@ -120,6 +120,7 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         const auto foot_parts = [&](double interval) {
             const std::string remark = interval > 0 ? "contour interval " + number(interval) + " m" : "";
             std::vector<std::string> parts = notes_at_foot ? spec.side_notes : nothing;
+            if (notes_at_foot) parts.push_back(convergence_words(spec.convergence_deg));
             parts.insert(parts.end(), {spec.source, spec.crs_label, remark, spec.attribution});
             return parts;
         };
@@ -149,7 +150,7 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
                             static_cast<double>(frame_.top + frame_.height)};
         const double legend_bottom =
             draw_legend(content, style, {column.left, column.top}, column.width, sheet, layout_.legend);
-        const double arrow_top = draw_orientation(sheet, style, spec, frame_, column, layout_);
+        const double arrow_top = draw_orientation(sheet, style, spec, frame_, column, notes_at_foot, layout_);
         lacking = legend_bottom + style.gap - arrow_top;
         if (lacking > 0) continue;
         const MapGround& ground = ground_for(spec, frame_, density, kept);

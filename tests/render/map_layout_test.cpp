@@ -2,6 +2,7 @@
 // No text is cut off or covers another, at any size and with any of the things a map may hold.
 #include <gtest/gtest.h>
 
+#include "render/animation.h"
 #include "render/line_chart.h"
 #include "render/map2d.h"
 #include "render/plate.h"
@@ -106,6 +107,51 @@ TEST_P(AtSize, ViewsAreTidy) {
     const Image view = draw_view(spec, &layout);
     expect_tidy(layout.texts, layout.page, view);
     for (const TextBox& text : layout.texts) EXPECT_FALSE(text.box.overlaps(layout.picture)) << text.text;
+}
+
+/// All that a run can put on a map: every kind of outline, all figures, a film's pace, long texts.
+MapSpec fullest_map(const Raster& ground, const Raster& layer, int width, int height) {
+    MapSpec spec = test::crowded_map(ground, layer, width, height);
+    spec.title = std::string(119, 'w') + "\u2026: Maximum energy head";
+    spec.attribution = std::string(400, 'w');
+    spec.outlines.clear();
+    for (const char* label : {"Friction zones", "Obstacles", "Walls", "Profiles", "Cross-sections", "Gauges", "Release",
+                              "Surveyed scar"})
+        spec.outlines.push_back({label, test::square({527600, 5094700}, 80), {200, 20, 30}, 2.5, true});
+    spec.side_notes = {"Volume 1 200 000 m³", "Covered 1 200 000 m²", "(deeper than 0.1 m)", "Run-out 12 345 m",
+                       "Drop 1 234 m", "Angle of reach 21.3°", "Still moving at the end",
+                       "1 200 000 m³ left the map", "1 s of film: 100 s"};
+    return spec;
+}
+
+// The least and the most oblong pages that output.map-size takes, and the films made of them: what can be asked for can
+// be drawn, at the end of a run of days too.
+TEST(OnSmallPages, EverythingFits) {
+    const Raster ground = test::terrain(), layer = test::tongue();
+    for (const auto& [width, height] : {std::pair{640, 480}, {1280, 480}, {8000, 480}, {640, 8000}}) {
+        SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
+        MapSpec spec = fullest_map(ground, layer, width, height);
+        MapLayout layout;
+        const Image map = draw_map(spec, &layout);
+        expect_tidy(layout.texts, layout.page, map);
+        EXPECT_NO_THROW(MapAnimator(spec).frame(layer, "t = 1234.5 s"));
+        for (int i = 1; i <= 4; ++i) {
+            spec.categories.push_back({static_cast<double>(i), "Class " + std::to_string(i) + ": strong, over 2 m", {9, 9, 9}});
+        }
+        EXPECT_NO_THROW(draw_map(spec));
+        ViewSpec view;
+        view.title = spec.title;
+        view.legend_title = spec.legend_title;
+        view.attribution = spec.attribution;
+        view.terrain = &ground;
+        view.layer = &layer;
+        view.outlines = spec.outlines;
+        view.side_notes = spec.side_notes;
+        view.width = width;
+        view.height = height;
+        EXPECT_NO_THROW(draw_view(view));
+        EXPECT_NO_THROW(ViewAnimator(view).frame(layer, "t = 1234.5 s"));
+    }
 }
 
 /// A3 at 300 dpi, once: it takes as long as all the others.
