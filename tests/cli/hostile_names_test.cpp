@@ -83,6 +83,9 @@ TEST_F(HostileNames, BytesThatAreNotUtf8) {
         if (!file.starts_with("result/") || !text) continue;
         EXPECT_TRUE(is_utf8(read_text(path(file)))) << file;
     }
+    const std::string report = read_text(path("result/report.html"));
+    EXPECT_EQ(report.find("<i>"), std::string::npos);
+    EXPECT_NE(report.find("caf\\xe9 &lt;i&gt;&amp;amp;&quot;"), std::string::npos);
     const Outcome info = frana({"check", "result/scene.ini"});
     EXPECT_EQ(info.exit_code, 0) << info.err;
     // What the scene was, byte for byte: it can be run.
@@ -93,7 +96,10 @@ TEST_F(HostileNames, BytesThatAreNotUtf8) {
         return text.substr(text.find("\n[scene]"));
     };
     EXPECT_NE(values("again").find("title = caf\xE9 <i>"), std::string::npos);
-    EXPECT_EQ(read_text(path("again/max_depth.tif")), read_text(path("result/max_depth.tif")));
+    for (const std::string key : {"max_depth_m", "max_velocity_ms", "covered_area_m2", "steps"})
+        EXPECT_EQ(json_number(read_text(path("again/summary.json")), key),
+                  json_number(read_text(path("result/summary.json")), key))
+            << key;
 }
 
 TEST_F(HostileNames, TitlesOfFoldersSurviveTheEcho) {
