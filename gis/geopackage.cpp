@@ -22,7 +22,7 @@ namespace {
 void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt,
                       const std::function<bool(GDALDataset&, OGRSpatialReference*)>& write_layers) {
     const GdalSession session;
-    FileAside file(gpkg_path);
+    FileAside file(gpkg_path, FileAside::Kind::named);  // SQLite puts its journal beside it
     OGRSpatialReference crs;
     crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     if (crs_wkt.empty()) {
@@ -39,6 +39,7 @@ void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt,
     }
     // Closing writes the last bytes and reports only through the error handler.
     if (session.failed()) refuse(gpkg_path, session);
+    file.bring_to_disk();
     file.rename_into_place();
 }
 

@@ -10,11 +10,11 @@
 #include <cstdio>
 
 #include "core/error.h"
-#include "core/file_aside.h"
 #include "core/json.h"
 #include "core/utf8.h"
 #include "gis/gdal_session.h"
 #include "gis/memory_dataset.h"
+#include "gis/memory_folder.h"
 
 namespace frana::gis {
 namespace {
@@ -54,15 +54,15 @@ void set_place(GDALDatasetH dataset, const Bounds& box, const std::string& crs_w
 void write(const std::string& path, GDALDatasetH dataset, const char* driver, const CPLStringList& options,
            const GdalSession& session) {
     const NoSideFiles quiet;
-    FileAside file(path);
+    const MemoryFolder memory;
     {
-        const GdalDataset written(GDALCreateCopy(GDALGetDriverByName(driver), file.partial_path().c_str(), dataset,
+        const GdalDataset written(GDALCreateCopy(GDALGetDriverByName(driver), memory.place_of(path).c_str(), dataset,
                                                  FALSE, options.List(), nullptr, nullptr));
         if (!written) refuse(path, session);
     }
     // Closing writes the last bytes and reports only through the error handler.
     if (session.failed()) refuse(path, session);
-    file.rename_into_place();
+    memory.write_beside(path, Sync::no);
 }
 
 std::string neat_line(const Bounds& map) {

@@ -12,11 +12,11 @@
 #include <optional>
 
 #include "core/error.h"
-#include "core/file_aside.h"
 #include "core/json.h"
 #include "core/utf8.h"
 #include "gis/gdal_session.h"
 #include "gis/memory_dataset.h"
+#include "gis/memory_folder.h"
 
 namespace frana::gis {
 namespace {
@@ -100,7 +100,7 @@ void write_cog(const std::string& path, GDALDatasetH dataset, const char* resamp
     const GdalSession session;
     build_overviews(dataset, resampling, path, session);
     const NoSideFiles quiet;
-    FileAside file(path);
+    const MemoryFolder memory;
     CPLStringList options;
     options.SetNameValue("COMPRESS", "DEFLATE");
     options.SetNameValue("PREDICTOR", predictor);
@@ -109,14 +109,14 @@ void write_cog(const std::string& path, GDALDatasetH dataset, const char* resamp
     options.SetNameValue("OVERVIEW_RESAMPLING", resampling);
     options.SetNameValue("NUM_THREADS", "ALL_CPUS");  // the file is the same for any number
     {
-        const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("COG"), file.partial_path().c_str(),
+        const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("COG"), memory.place_of(path).c_str(),
                                                  dataset, TRUE, options.List(), nullptr, nullptr));
         if (!written) refuse(path, session);
         GDALFlushCache(written.get());
     }
     // Closing writes the last bytes and reports only through the error handler.
     if (session.failed()) refuse(path, session);
-    file.rename_into_place();
+    memory.write_beside(path);
 }
 
 std::vector<float> file_values(const Raster& raster) {
@@ -155,9 +155,14 @@ void write_ascii_grid(const std::string& path, const Raster& raster) {
     const NoSideFiles quiet;
     CPLStringList options;
     options.SetNameValue("SIGNIFICANT_DIGITS", "6");
-    const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("AAIGrid"), path.c_str(), dataset.get(),
-                                             TRUE, options.List(), nullptr, nullptr));
-    if (!written || session.failed()) refuse(path, session);
+    const MemoryFolder memory;
+    {
+        const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("AAIGrid"), memory.place_of(path).c_str(),
+                                                 dataset.get(), TRUE, options.List(), nullptr, nullptr));
+        if (!written) refuse(path, session);
+    }
+    if (session.failed()) refuse(path, session);
+    memory.write_beside(path);
 }
 
 void write_class_geotiff(const std::string& path, const Raster& raster,

@@ -23,8 +23,8 @@ struct BandText {
 };
 
 /// A Float32 cloud-optimised GeoTIFF with nodata -9999, overviews, statistics and texts inside; nothing
-/// beside it. Written aside and renamed: on failure an older file stays. Throws Error(environment), on a full
-/// disk too.
+/// beside it. Made in memory, written aside, brought to the disk and renamed: on failure an older file stays, and what
+/// the disk did not take is never left as if it were whole. Throws Error(environment), on a full disk too.
 void write_geotiff(const std::string& path, const Raster& raster, const BandText& text);
 
 /// An ESRI ASCII grid (.asc, and .prj where there is a CRS), six significant digits, nodata -9999: for

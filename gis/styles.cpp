@@ -5,10 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
-#include "core/error.h"
 #include "core/file_aside.h"
 #include "core/json.h"
 
@@ -42,19 +40,6 @@ std::string hex(Rgb colour) {
     std::array<char, 8> text{};
     std::snprintf(text.data(), text.size(), "#%02x%02x%02x", colour.r, colour.g, colour.b);
     return text.data();
-}
-
-void write_text(const std::string& path, const std::string& text) {
-    FileAside file(path);
-    std::ofstream out(file.partial_path(), std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) {
-        throw Error(ErrorKind::environment,
-                    Problem{"the style cannot be written", path, "", "",
-                            "Check that the folder exists, may be written and has room"});
-    }
-    file.rename_into_place();
 }
 
 const char* qgis_ramp_type(StyleKind kind) {
@@ -195,16 +180,16 @@ void write_styles(const std::string& tif_path, const std::vector<ColourStop>& st
                   StyleKind kind) {
     const std::filesystem::path tif(tif_path);
     std::filesystem::path beside = tif;
-    write_text(beside.replace_extension(".qml").string(), qml(stops, unit, kind));
-    write_text(beside.replace_extension(".sld").string(), sld(tif.stem().string(), stops, unit, kind));
+    write_file(beside.replace_extension(".qml").string(), qml(stops, unit, kind));
+    write_file(beside.replace_extension(".sld").string(), sld(tif.stem().string(), stops, unit, kind));
 }
 
 void write_polygon_styles(const std::string& gpkg_path, const std::string& attribute,
                           const std::vector<ColourStop>& stops) {
     const std::filesystem::path file(gpkg_path);
     std::filesystem::path beside = file;
-    write_text(beside.replace_extension(".qml").string(), polygon_qml(attribute, stops));
-    write_text(beside.replace_extension(".sld").string(),
+    write_file(beside.replace_extension(".qml").string(), polygon_qml(attribute, stops));
+    write_file(beside.replace_extension(".sld").string(),
                polygon_sld(file.stem().string(), attribute, stops));
 }
 

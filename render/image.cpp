@@ -6,7 +6,9 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
 
 #include "core/error.h"
 #include "core/file_aside.h"
@@ -64,13 +66,15 @@ void write_png(const std::string& path, const Image& image, double dots_per_inch
     if (image.width < 1 || image.height < 1) {
         throw Error(ErrorKind::environment, Problem{"an empty picture is not written", path, "", "", ""});
     }
-    FileAside file(path);
-    std::FILE* stream = std::fopen(file.partial_path().c_str(), "wb");
+    char* bytes = nullptr;
+    std::size_t size = 0;
+    std::FILE* stream = ::open_memstream(&bytes, &size);
     if (stream == nullptr) fail(path, "the picture cannot be written");
     const bool written = encode(stream, image, dots_per_inch);
     const bool closed = std::fclose(stream) == 0;
+    const std::unique_ptr<char, void (*)(void*)> owned(bytes, &std::free);
     if (!written || !closed) fail(path, "the picture could not be written whole");
-    file.rename_into_place();
+    write_file(path, {bytes, size});
 }
 
 }  // namespace frana::render

@@ -188,7 +188,7 @@ std::string checkpoint_build() {
 
 std::uint64_t write_checkpoint(const std::string& path, CheckpointHead head, const SaveState& state,
                                ReservedSpace& space) {
-    FileAside aside(path);
+    FileAside aside(path, FileAside::Kind::named);
     SummedOutput file(aside.partial_path(), space.become(aside.partial_path()));
     file.start(0);
     StateWriter writer([&](const void* data, std::size_t count) { file.write(data, count); });

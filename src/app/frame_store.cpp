@@ -184,12 +184,7 @@ std::vector<Frame> FrameWriter::settle() {
     std::vector<Frame> left;
     for (const Job& job : waiting_) left.push_back(job.frame);
     if (settled_ + left.size() == times_.size()) return left;
-    std::error_code failure;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, failure)) {
-        const auto index = frame_index(entry.path().filename().string());
-        if (index && *index >= settled_) sync_path(entry.path().string());
-    }
-    sync_path(folder_);
+    sync_path(folder_);  // each file is on the disk before it has its name
     settled_ = times_.size() - left.size();
     return left;
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/file_aside.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -22,9 +25,13 @@ constexpr const char* k_mark = ".partial";
 
 std::string beside(const fs::path& path) {
     fs::path name = path.stem();
-    name += k_mark + std::to_string(getpid());
+    name += k_mark + std::to_string(::getpid());
     name += path.extension();
     return (path.parent_path() / name).string();
+}
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
 bool runs(const std::string& process) {
@@ -75,27 +82,105 @@ class AbandonedFiles {
     std::map<fs::path, Left> folders_;
 };
 
+// Of a descriptor that is only looked at, or of a file system that knows no such thing, nothing is wanted.
+bool is_disk_trouble(int reason) {
+    return reason == EIO || reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
+}
+
+class Descriptor {
+  public:
+    Descriptor(const std::string& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int number() const noexcept { return number_; }
+
+  private:
+    int number_;
+};
+
+int write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t taken = ::write(descriptor, bytes.data(), bytes.size());
+        if (taken < 0 && errno == EINTR) continue;
+        if (taken <= 0) return taken < 0 ? errno : ENOSPC;
+        bytes.remove_prefix(static_cast<std::size_t>(taken));
+    }
+    return 0;
+}
+
 }  // namespace
 
-FileAside::FileAside(std::string path) : path_(std::move(path)), partial_(beside(path_)) {
+FileAside::FileAside(std::string path, Kind kind) : path_(std::move(path)), named_(beside(path_)), partial_(named_) {
+    if (kind == Kind::unnamed) open_without_name();
     static AbandonedFiles abandoned;
     abandoned.remove_those_of(path_);
 }
 
+void FileAside::open_without_name() {
+    descriptor_ = ::open(folder_of(path_).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) return;
+    partial_ = "/proc/self/fd/" + std::to_string(descriptor_);
+    if (::access(partial_.c_str(), R_OK | W_OK) == 0) return;
+    ::close(std::exchange(descriptor_, -1));
+    partial_ = named_;
+}
+
 FileAside::~FileAside() {
-    if (done_) return;
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (done_ || descriptor_ >= 0) return;
     std::error_code ignored;
-    std::filesystem::remove(partial_, ignored);
+    fs::remove(partial_, ignored);
+}
+
+void FileAside::fail(const std::string& what, int reason) const {
+    throw Error(ErrorKind::environment,
+                Problem{what + ": " + std::strerror(reason), path_, "", "", "Check the disk's space and the rights"});
+}
+
+void FileAside::bring_to_disk() const {
+    const Descriptor named(descriptor_ < 0 ? partial_ : "", O_RDONLY);
+    const int descriptor = descriptor_ >= 0 ? descriptor_ : named.number();
+    if (::fsync(descriptor) != 0 && is_disk_trouble(errno)) fail("cannot be brought to the disk", errno);
 }
 
 void FileAside::rename_into_place() {
-    std::error_code code;
-    std::filesystem::rename(partial_, path_, code);
-    if (code) {
-        throw Error(ErrorKind::environment, Problem{"a finished file cannot take its name", path_,
-                                                    code.message(), "", "Choose another name or folder"});
+    if (descriptor_ >= 0) {
+        const auto link = [&](const std::string& name) {
+            return ::linkat(AT_FDCWD, partial_.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+        };
+        done_ = link(path_);
+        if (done_) return;
+        // There is one of that name: only a file with a name can take its place.
+        const int refusal = errno;
+        ::unlink(named_.c_str());  // of a program that had our number
+        if (refusal != EEXIST) fail("a finished file cannot take its name", refusal);
+        if (!link(named_)) fail("a finished file cannot take its name", errno);
+    }
+    if (std::rename(named_.c_str(), path_.c_str()) != 0) {
+        const int reason = errno;
+        ::unlink(named_.c_str());
+        fail("a finished file cannot take its name", reason);
     }
     done_ = true;
+}
+
+void write_file(const std::string& path, std::string_view bytes, Sync sync) {
+    FileAside file(path);
+    const auto fail = [&](int reason) {
+        throw Error(ErrorKind::environment,
+                    Problem{std::string("cannot be written: ") + std::strerror(reason), path, "", "",
+                            "Check that the folder exists, may be written and has room"});
+    };
+    {
+        const Descriptor out(file.partial_path(), O_WRONLY | O_CREAT | O_TRUNC);
+        if (out.number() < 0) fail(errno);
+        if (const int reason = write_all(out.number(), bytes); reason != 0) fail(reason);
+    }
+    if (sync == Sync::yes) file.bring_to_disk();
+    file.rename_into_place();
 }
 
 }  // namespace frana

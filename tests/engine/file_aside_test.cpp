@@ -1,18 +1,77 @@
 // SPDX-License-Identifier: Apache-2.0
+// Files have their name when they are whole, and leave nothing when they never are.
 #include "core/file_aside.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <string>
+#include <set>
+
+#include "core/error.h"
 
 namespace frana {
 namespace {
 
 namespace fs = std::filesystem;
+
+class FileAsideIn : public ::testing::Test {
+  protected:
+    FileAsideIn() : folder_(fs::temp_directory_path() / ("frana_unnamed_" + std::to_string(::getpid()))) {
+        fs::create_directories(folder_);
+    }
+    ~FileAsideIn() override { fs::remove_all(folder_); }
+    [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    [[nodiscard]] std::set<std::string> names() const {
+        std::set<std::string> all;
+        for (const auto& entry : fs::directory_iterator(folder_)) all.insert(entry.path().filename().string());
+        return all;
+    }
+    static std::string text(const std::string& file) {
+        std::ifstream stream(file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+    fs::path folder_;
+};
+
+TEST_F(FileAsideIn, AnUnnamedFileNothingIsSeenUntilItIsWhole) {
+    for (const char* content : {"first", "second"}) {  // a new name, and one that is there
+        const auto before = names();
+        FileAside file(path("a.txt"));
+        if (file.partial_path().find("/proc/") == std::string::npos) GTEST_SKIP() << "no files without a name here";
+        std::ofstream(file.partial_path()) << content;
+        EXPECT_EQ(names(), before);
+        file.bring_to_disk();
+        file.rename_into_place();
+        EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
+        EXPECT_EQ(text(path("a.txt")), content);
+    }
+    {
+        const FileAside given_up(path("a.txt"));
+        std::ofstream(given_up.partial_path()) << "third";
+    }
+    EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
+    EXPECT_EQ(text(path("a.txt")), "second");
+}
+
+TEST_F(FileAsideIn, EveryByteIsSeenTo) {
+    write_file(path("a.txt"), "old");
+    rlimit usual{};
+    ::getrlimit(RLIMIT_FSIZE, &usual);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{1000, usual.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    EXPECT_THROW(write_file(path("a.txt"), std::string(2000, 'x'), Sync::yes), Error);
+    ::setrlimit(RLIMIT_FSIZE, &usual);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(text(path("a.txt")), "old");
+    EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
+    EXPECT_THROW(write_file(path("no/folder/a.txt"), "x"), Error);
+}
 
 /// The number of a process that is no more.
 std::string gone_process() {
