@@ -7,6 +7,8 @@
 #include "app/bench_chart.h"
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/own_files.h"
+#include "app/replace_result.h"
 #include "app/share_directory.h"
 #include "app/text_file.h"
 #include "bench/accuracy_report.h"
@@ -46,17 +48,38 @@ void report_line(const std::string& line) {
     std::cerr << line << '\n';
 }
 
-// Where the files go; made before anything is computed, so that a bad folder costs nothing.
-std::optional<fs::path> output_folder(const boost::program_options::variables_map& values) {
+// The files of a bench, and where they go.
+class Output {
+  public:
+    explicit Output(std::string folder, const std::vector<const char*>& names) : folder_(std::move(folder)) {
+        for (const char* name : names) files_.push_back(path(name));
+    }
+    [[nodiscard]] std::string path(const std::string& name) const { return (fs::path(folder_) / name).string(); }
+    [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
+    [[nodiscard]] const std::vector<std::string>& files() const noexcept { return files_; }
+    void list() const { list_own(folder_, files_); }
+
+  private:
+    std::string folder_;
+    std::vector<std::string> files_;
+};
+
+// Made before anything is computed, so that a bad folder costs nothing.
+std::optional<Output> output_of(const boost::program_options::variables_map& values,
+                                const std::vector<const char*>& names) {
     const auto folder = text_option(values, "out");
     if (!folder) return {};
+    Output output(*folder, names);
+    Problems problems;
+    check_own(*folder, output.files(), "--out", problems);
+    problems.throw_if_any();
     std::error_code failure;
     fs::create_directories(*folder, failure);
     if (failure) {
         throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), "--out", *folder,
                                                     "", "Choose another folder"});
     }
-    return fs::path(*folder);
+    return output;
 }
 
 // The sample's DTM beside the share folder's sources; none where only the program is installed.
@@ -68,7 +91,7 @@ std::optional<Raster> sample_terrain() {
 }
 
 int bench_accuracy(const boost::program_options::variables_map& values) {
-    const auto folder = output_folder(values);
+    const auto out = output_of(values, {"accuracy.csv", "accuracy.png"});
     bench::AccuracyOptions options;
     options.quick = values.count("quick") > 0;
     options.only = text_options(values, "case");
@@ -81,29 +104,36 @@ int bench_accuracy(const boost::program_options::variables_map& values) {
     const auto rows = bench::run_accuracy(options);
     std::cout << bench::accuracy_table(rows) << bench::accuracy_verdict(rows)
               << bench::time_to_error_table(rows);
-    if (folder) {
-        write_text_file((*folder / "accuracy.csv").string(), bench::accuracy_csv(rows));
-        render::write_png((*folder / "accuracy.png").string(), accuracy_chart(rows));
+    if (out) {
+        keep_changed_files(out->files());
+        write_text_file(out->path("accuracy.csv"), bench::accuracy_csv(rows));
+        render::write_png(out->path("accuracy.png"), accuracy_chart(rows));
+        out->list();
     }
     return static_cast<int>(ExitCode::done);
 }
 
 int bench_stability(const boost::program_options::variables_map& values) {
-    const auto folder = output_folder(values);
+    const auto out = output_of(values, {"stability.csv"});
     bench::StabilityOptions options;
     options.only = text_options(values, "case");
     options.threads = thread_count(values);
     options.report = report_line;
     const auto rows = bench::run_stability(options);
     std::cout << bench::stability_table(rows);
-    if (folder) write_text_file((*folder / "stability.csv").string(), bench::stability_csv(rows));
+    if (out) {
+        keep_changed_files(out->files());
+        write_text_file(out->path("stability.csv"), bench::stability_csv(rows));
+        out->list();
+    }
     const bool passed =
         std::all_of(rows.begin(), rows.end(), [](const bench::StabilityRow& row) { return row.passed; });
     return static_cast<int>(passed ? ExitCode::done : ExitCode::numerical);
 }
 
 int bench_speed(const boost::program_options::variables_map& values) {
-    const auto folder = output_folder(values);
+    const auto out = output_of(
+        values, {"speed.csv", "speed_stages.csv", "speed_terms.csv", "law_costs.csv", "speed.png"});
     bench::SpeedOptions options;
     options.quick = values.count("quick") > 0;
     options.threads = thread_count(values);
@@ -112,12 +142,14 @@ int bench_speed(const boost::program_options::variables_map& values) {
     report_line("cost of each law ...");
     const auto costs = bench::run_law_costs(options.quick ? 2e4 : 1e5, options.quick ? 20 : 50);
     std::cout << bench::speed_table(result) << bench::law_costs_table(costs);
-    if (folder) {
-        write_text_file((*folder / "speed.csv").string(), bench::speed_csv(result));
-        write_text_file((*folder / "speed_stages.csv").string(), bench::speed_stages_csv(result));
-        write_text_file((*folder / "speed_terms.csv").string(), bench::speed_terms_csv(result));
-        write_text_file((*folder / "law_costs.csv").string(), bench::law_costs_csv(costs));
-        render::write_png((*folder / "speed.png").string(), speed_chart(result));
+    if (out) {
+        keep_changed_files(out->files());
+        write_text_file(out->path("speed.csv"), bench::speed_csv(result));
+        write_text_file(out->path("speed_stages.csv"), bench::speed_stages_csv(result));
+        write_text_file(out->path("speed_terms.csv"), bench::speed_terms_csv(result));
+        write_text_file(out->path("law_costs.csv"), bench::law_costs_csv(costs));
+        render::write_png(out->path("speed.png"), speed_chart(result));
+        out->list();
     }
     return static_cast<int>(result.right() ? ExitCode::done : ExitCode::numerical);
 }

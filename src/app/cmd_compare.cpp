@@ -8,7 +8,7 @@
 #include "app/commands.h"
 #include "app/comparison.h"
 #include "app/kept_files.h"
-#include "app/manifest.h"
+#include "app/own_files.h"
 #include "app/ranking.h"
 #include "app/replace_result.h"
 #include "app/result_reader.h"
@@ -136,6 +136,12 @@ std::vector<Pair> pairs_of(const std::vector<std::string>& operands, const std::
     return pairs;
 }
 
+std::vector<std::string> files_of(const Pair& pair, const MapStyle& style) {
+    std::vector<std::string> files = comparison_files(pair.folder);
+    for (const std::string& picture : comparison_pictures(style, pair.folder)) files.push_back(picture);
+    return files;
+}
+
 /// Before anything is computed: nothing that is read or that a result is made of is written over.
 void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::string>& deposit,
                    const std::string& ranking_file) {
@@ -155,10 +161,15 @@ void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::stri
     kept.add(deposit.value_or(""));
     Problems problems;
     for (const Pair& pair : pairs) {
-        kept.check(comparison_files(pair.folder), "--out", problems);
-        kept.check(comparison_pictures(any, pair.folder), "--out", problems);
+        const std::vector<std::string> files = files_of(pair, any);
+        kept.check(files, "--out", problems);
+        problems.throw_if_any();  // one reason for each file
+        check_own(pair.folder, files, "--out", problems);
     }
-    if (pairs.size() > 1) kept.check({ranking_file}, "--out", problems);
+    if (pairs.size() > 1) {
+        kept.check({ranking_file}, "--out", problems);
+        check_own(fs::path(ranking_file).parent_path().string(), {ranking_file}, "--out", problems);
+    }
     problems.throw_if_any();
 }
 
@@ -184,10 +195,6 @@ Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog&
         simulated.source.scar = simulated.input.survey.scar;
         LayerDrawer drawer(simulated.source);
         draw_comparison(comparison, drawer, folder);
-        record_files(comparison_files(folder));
-        record_files(comparison_pictures(drawer.style(), folder));
-    } else {
-        record_files({comparison_files(folder).front()});
     }
     return comparison;
 }
@@ -219,14 +226,16 @@ int cmd_compare(const Arguments& arguments) {
         if (size) simulated.source.style.size = *size;
         simulated.input.survey = read_survey(pair.scar, deposit, simulated.input.depth.grid, log);
         const Comparison comparison = compare_into(simulated, pair.folder, log);
+        list_own(pair.folder, files_of(pair, simulated.source.style));
         if (pair.name.empty()) {
             std::cout << comparison_json(comparison, simulated.input);
             return static_cast<int>(ExitCode::done);
         }
         ranking.add(pair.name, pair.operand, pair.scar.value_or(deposit.value_or("")), comparison);
     }
+    keep_changed_files({ranking_file});
     write_text_file(ranking_file, ranking.csv());
-    record_files({ranking_file});
+    list_own(fs::path(ranking_file).parent_path().string(), {ranking_file});
     std::cout << ranking.csv();
     return static_cast<int>(ExitCode::done);
 }

@@ -12,9 +12,11 @@
 #include "app/commands.h"
 #include "app/error_estimate.h"
 #include "app/kept_files.h"
+#include "app/own_files.h"
 #include "app/number_text.h"
 #include "app/prepare.h"
 #include "app/progress.h"
+#include "app/replace_result.h"
 #include "app/share_directory.h"
 #include "app/signals.h"
 #include "app/text_file.h"
@@ -199,18 +201,26 @@ int level_count(const boost::program_options::variables_map& values) {
 constexpr const char *k_uncertainty = "uncertainty.tif", *k_chart = "convergence.png", *k_table = "convergence.csv",
                      *k_study = "convergence.json";
 
+std::vector<std::string> files_of(const fs::path& folder) {
+    std::vector<std::string> files;
+    for (const char* file : {k_uncertainty, k_chart, k_table, k_study, k_error_estimate_file})
+        files.push_back((folder / file).string());
+    return files;
+}
+
 fs::path make_folder(const std::string& name, bool overwrite, const SceneSpec& spec) {
     fs::path folder = fs::absolute(name);
     KeptFiles kept;
     for (const std::string& file : input_files(spec)) kept.add(file);
     Problems problems;
-    for (const char* file : {k_uncertainty, k_chart, k_table, k_study, k_error_estimate_file})
-        kept.check({(folder / file).string()}, "--out", problems);
+    kept.check(files_of(folder), "--out", problems);
     problems.throw_if_any();
     if (fs::exists(folder / k_study) && !overwrite) {
         throw Error(ErrorKind::input, Problem{"holds a convergence study already", "--out", folder.string(),
                                               "", "Choose another folder, or add --overwrite"});
     }
+    check_own(folder.string(), files_of(folder), "--out", problems);
+    problems.throw_if_any();
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) {
@@ -257,6 +267,7 @@ int cmd_converge(const Arguments& arguments) {
         if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
     }
 
+    keep_changed_files(files_of(folder));
     std::vector<Raster> depths;
     for (Level& level : levels) depths.push_back(std::move(level.depth));
     const std::string told = sentences(levels);
@@ -269,6 +280,7 @@ int cmd_converge(const Arguments& arguments) {
     write_text_file((folder / k_table).string(), csv_text(levels));
     write_error_estimate(folder.string(), spec, told);
     write_text_file((folder / k_study).string(), json_text(levels, spec));
+    list_own(folder.string(), files_of(folder));
     std::cout << table_text(levels) << '\n' << told;
     if (!quiet) std::cerr << "frana: convergence study in " << folder.string() << '\n';
     return static_cast<int>(ExitCode::done);

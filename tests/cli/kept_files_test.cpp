@@ -119,5 +119,64 @@ TEST_F(KeptFilesOf, WhatAConvergenceStudyReads) {
                    "would be written over");
 }
 
+class OwnFiles : public KeptFilesOf {};
+
+const std::string k_foreign = "is there already, and frana did not write it";
+
+TEST_F(OwnFiles, OfAComparisonAreReplacedAndNoOthers) {
+    write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
+    const std::vector<std::string> compare{"compare", "result/max_depth.tif", "--scar",  "scar.geojson",
+                                           "--out",   "compared",             "--size", "640x480"};
+    fs::create_directory(path("compared"));
+    write("compared/comparison.png", "the user's");
+    expect_refusal(compare, k_foreign);
+    fs::remove(path("compared/comparison.png"));
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(compare).exit_code, 0);
+    write("compared/comparison.json", "edited");
+    EXPECT_EQ(frana(compare).exit_code, 0);
+    EXPECT_EQ(read_text(path("compared/comparison.kept-1.json")), "edited");
+    fs::remove_all(path("compared"));
+    fs::create_directory(path("compared"));
+    write("compared/manifest.json", "{\"name\": \"of a web page\"}");
+    expect_refusal(compare, "is not frana's list of files");
+    // In a result they belong to it.
+    for (int i = 0; i < 2; ++i)
+        EXPECT_EQ(frana({"compare", "result", "--scar", "scar.geojson", "--size", "640x480"}).exit_code, 0);
+    EXPECT_NE(read_text(path("result/manifest.json")).find("comparison.png"), std::string::npos);
+}
+
+TEST_F(OwnFiles, OfAStudyAreReplacedAndNoOthers) {
+    fs::create_directory(path("study"));
+    write("study/uncertainty.tif", "the user's");
+    const std::vector<std::string> study{"converge", "scene.ini", "--out", "study", "--quiet", "--set", "time.end=1"};
+    expect_refusal(study, k_foreign);
+    fs::remove(path("study/uncertainty.tif"));
+    EXPECT_EQ(frana(study).exit_code, 0);
+    expect_refusal(study, "holds a convergence study already");
+    std::vector<std::string> again = study;
+    again.emplace_back("--overwrite");
+    EXPECT_EQ(frana(again).exit_code, 0);
+    write("study/convergence.csv", "edited");
+    EXPECT_EQ(frana(again).exit_code, 0);
+    EXPECT_EQ(read_text(path("study/convergence.kept-1.csv")), "edited");
+}
+
+TEST_F(OwnFiles, OfABenchAreReplacedAndNoOthers) {
+    const std::vector<std::string> bench{"bench", "accuracy", "--quick", "--case", "lake-z1", "--out", "bench"};
+    fs::create_directory(path("bench"));
+    write("bench/accuracy.csv", "the user's");
+    expect_refusal(bench, k_foreign);
+    fs::remove(path("bench/accuracy.csv"));
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(bench).exit_code, 0);
+}
+
+// What is drawn anew belongs to the result: a run that replaces it takes it along.
+TEST_F(OwnFiles, OfAResultThatIsDrawnAnewGoWithIt) {
+    ASSERT_EQ(frana({"render", "result", "--map", "max_depth", "--map", "release", "--size", "640x480"}).exit_code, 0);
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=1"}).exit_code,
+              0);
+    EXPECT_FALSE(fs::exists(path("result/maps/release.png")));
+}
+
 }  // namespace
 }  // namespace frana::test

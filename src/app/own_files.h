@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+
+namespace frana::app {
+
+/// For commands that write into a folder which need not be a result: they replace what frana wrote there, and nothing
+/// else. What it wrote stands in the manifest of the result that the folder is or lies in, or in one of its own.
+
+/// Adds a problem for every file to be written that is there already where nothing lists frana's files: it is somebody
+/// else's. Where they are listed, keep_changed_files() keeps what is not as it was written. `where` names the option
+/// that says the place.
+void check_own(const std::string& folder, const std::vector<std::string>& files, const std::string& where,
+               Problems& problems);
+
+/// Lists files that were just written; those that are not there are left out. Throws Error(environment).
+void list_own(const std::string& folder, const std::vector<std::string>& files);
+
+}  // namespace frana::app
