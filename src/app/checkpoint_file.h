@@ -14,10 +14,9 @@
 
 namespace frana::app {
 
-/// Format of checkpoint files: counts up with every change of what any serialise writes. Those from the oldest format
-/// on are read. 2: places count from the grid's corner; 3: from where place_origin says; 4: the origin is told; 5: the
-/// frames' files are.
-inline constexpr std::uint32_t k_checkpoint_format = 5, k_oldest_checkpoint_format = 2;
+/// Format of checkpoint files: counts up with every change of what any serialise writes or of what a step does with it.
+/// No other is read: what an older frana began, this one would not end with the same bits.
+inline constexpr std::uint32_t k_checkpoint_format = 6;
 
 /// What a checkpoint tells of the run that it belongs to.
 struct CheckpointHead {
@@ -30,7 +29,7 @@ struct CheckpointHead {
     std::vector<Frame> waiting;       ///< frames after those, which the disk would not take; without their grid
     std::vector<std::string> log;     ///< lines so far
     std::optional<OriginCell> origin;  ///< that its places count from; none: where place_origin puts it
-    std::vector<FrameRecord> frame_records;  ///< of the files of frame_times; none before format 5
+    std::vector<FrameRecord> frame_records;  ///< of the files of frame_times
 };
 
 /// This program, as CheckpointHead::build tells it.

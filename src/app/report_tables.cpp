@@ -143,7 +143,6 @@ std::string numerics_table(const ReportInput& input) {
                .number("Time steps", grouped(r.steps), "")
                .number("Non-finite particles", grouped(e.non_finite), "0 in a good run")
                .number("Depths clamped", grouped(e.depth_clamped), "0 in a good run")
-               .number("Speeds clamped", grouped(e.speed_clamped), "0 in a good run")
                .number("Particles over ground without elevation", grouped(e.entered_no_data),
                        "0 in a good run")
                .number("Speeds above what the fall allows", grouped(e.impossible_speed), "0 in a good run")

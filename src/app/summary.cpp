@@ -85,7 +85,7 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
     }
     const HardEvents& events = result.hard_events;
     json.begin_object("hard_events").integer("non_finite", events.non_finite);
-    json.integer("depth_clamped", events.depth_clamped).integer("speed_clamped", events.speed_clamped);
+    json.integer("depth_clamped", events.depth_clamped);
     json.integer("entered_no_data", events.entered_no_data);
     json.integer("impossible_speed", events.impossible_speed);
     json.integer("volume_drift", events.volume_drift).end_object();

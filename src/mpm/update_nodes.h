@@ -35,12 +35,13 @@ struct NodeReport {
     std::int64_t covered = 0;      ///< nodes deeper than the minimum
     std::int64_t unsupported = 0;  ///< of those, nodes whose motion over a convex bed lifts them off it
     bool moves = false;            ///< whether any node moves on
-    double moving = 0;             ///< volume that is faster than NodeUpdate::moving_speed [m3]
+    double moving = 0;             ///< volume that is faster than NodeUpdate::moving_speed, however thin [m3]
+    double thin = 0;               ///< volume on nodes that are not as deep as the minimum [m3]
 
     template <class Archive>
     void serialise(Archive& archive) {
-        auto& [depth, speed, cells, lifted, any_moves, fast] = *this;
-        archive(depth, speed, cells, lifted, any_moves, fast);
+        auto& [depth, speed, cells, lifted, any_moves, fast, shallow] = *this;
+        archive(depth, speed, cells, lifted, any_moves, fast, shallow);
     }
 
     void merge(const NodeReport& r) noexcept {
@@ -50,6 +51,7 @@ struct NodeReport {
         covered += r.covered;
         unsupported += r.unsupported;
         moving += r.moving;
+        thin += r.thin;
     }
 };
 
@@ -220,14 +222,15 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         }
         const double support = levels ? levels[i].support : 0;
         const double cell_depth = shown_depth(node.mass, node.area, support, inverse_area);
-        if (cell_depth >= k.minimum_depth) {
+        // The particles' own mean velocity: the new nodal one overshoots where a node holds next to nothing.
+        const double seen = along_bed(old_u, old_v);
+        if (seen > k.moving_speed) report.moving += node.mass;
+        if (cell_depth < k.minimum_depth) {
+            report.thin += node.mass;
+        } else {
             ++report.covered;
             report.max_depth = std::max(report.max_depth, cell_depth);
-            // The particles' own mean velocity: the new nodal one overshoots where a node holds next to
-            // nothing.
-            const double seen = along_bed(old_u, old_v);
             report.max_speed = std::max(report.max_speed, seen);
-            if (seen > k.moving_speed) report.moving += node.mass;
             if constexpr (Slope::curved) report.unsupported += drive.load <= -k.gravity;
             observe(i, cell_depth, seen);
         }

@@ -26,6 +26,7 @@ StepFigures figures_of(const voellmy_bingham::StepReport& report) {
     f.front_distance = std::sqrt(report.particles.front_squared);
     f.kinetic = report.particles.kinetic;
     f.moving = report.nodes.moving;
+    f.thin = report.nodes.thin;
     f.covered = report.nodes.covered;
     f.unsupported = report.nodes.unsupported;
     f.non_finite = report.particles.non_finite;
@@ -38,15 +39,32 @@ StepFigures figures_of(const StepFigures& figures) {
     return figures;
 }
 
+// What came from the bed and went back to it so far [m3].
+struct BedBudget {
+    double eroded = 0, deposited = 0;
+};
+
+BedBudget bed_budget(const Flow& flow) {
+    return {flow.exchanged().eroded, flow.exchanged().deposited};
+}
+
+BedBudget bed_budget(const StructuredFlow&) {
+    return {};  // its bed stays as it is
+}
+
 template <class AnyFlow>
-SeriesRow series_row(const AnyFlow& flow, const StepFigures& figures, double density, double entered) {
+SeriesRow series_row(const AnyFlow& flow, const StepFigures& figures, double density, const RunResult& so_far) {
     SeriesRow row;
     row.time = flow.time();
     row.step = flow.steps();
     row.dt = figures.dt;
     row.volume = figures.volume;
     row.volume_left = flow.volume_left();
-    row.volume_entered = entered;
+    row.volume_entered = so_far.volume_entered;
+    row.volume_inflow = so_far.volume_inflow;
+    const BedBudget bed = bed_budget(flow);
+    row.volume_eroded = bed.eroded;
+    row.volume_deposited = bed.deposited;
     row.max_depth = figures.max_depth;
     row.max_speed = figures.max_speed;
     row.front_distance = figures.front_distance;
@@ -125,15 +143,6 @@ void give_exchanges(const Scene& scene, const Flow& flow, RunResult& result) {
 }
 
 void give_exchanges(const Scene&, const StructuredFlow&, RunResult&) {}  // its bed stays as it is
-
-// What came from the bed less what went back [m3].
-double taken_from_bed(const Flow& flow) {
-    return flow.exchanged().eroded - flow.exchanged().deposited;
-}
-
-double taken_from_bed(const StructuredFlow&) {
-    return 0;
-}
 
 double pressure_factor(const Flow& flow) {
     return flow.laws().stress.wave_factor;
@@ -241,11 +250,16 @@ void FlowRun<AnyFlow>::arrive(double target) {
 
 template <class AnyFlow>
 void FlowRun<AnyFlow>::count(const StepFigures& figures) {
-    result_.series.push_back(series_row(flow_, figures, density_of(scene_, flow_), result_.volume_entered));
+    result_.series.push_back(series_row(flow_, figures, density_of(scene_, flow_), result_));
+    if (figures.volume > 0) {
+        result_.thin_share = std::max(result_.thin_share, figures.thin / figures.volume);
+        result_.moving_share = figures.moving / figures.volume;
+    }
     result_.particles_peak = std::max(result_.particles_peak, flow_.particle_count());
     result_.hard_events.depth_clamped += figures.clamped;
     result_.unsupported += figures.unsupported;
-    result_.troubles = watch_.look(flow_, figures, result_.volume_entered + taken_from_bed(flow_));
+    const BedBudget bed = bed_budget(flow_);
+    result_.troubles = watch_.look(flow_, figures, result_.volume_entered + bed.eroded - bed.deposited);
     for (const Trouble& trouble : result_.troubles) {
         add(trouble, result_.hard_events);
         if (options_.on_trouble) options_.on_trouble(trouble);
@@ -257,7 +271,7 @@ std::optional<StopReason> FlowRun<AnyFlow>::reason_to_stop(const StepFigures& fi
     if (!result_.troubles.empty()) return reason_of(result_.troubles.front());
     if (arrivals_.done()) {
         if (flow_.empty()) return StopReason::all_left;
-        if (scene_.time.stop_when_still && still_.still(figures.max_speed, figures.dt)) return StopReason::still;
+        if (scene_.time.stop_when_still && still_.still(figures)) return StopReason::still;
         if (fade_.energy(figures.kinetic)) return StopReason::energy;
         if (fade_.moving(figures.moving)) return StopReason::moving_volume;
     }

@@ -61,7 +61,7 @@ class FlowRun {
         engine.stop();
         archive(engine, arrivals, flow, frames, next_frame, still, fade, recorder);
         archive(result.series, result.particles_peak, result.hard_events, result.unsupported,
-                result.volume_inflow, result.volume_entered);
+                result.volume_inflow, result.volume_entered, result.thin_share, result.moving_share);
         for (ReleasedArea& area : result.released) archive(area.failed);
         // A run that was stopped goes on; one that came to rest does not.
         bool ended = stopped && ends_for_good(result.stop_reason);

@@ -80,6 +80,23 @@ void refuse_walls(const Scene& scene, const ParticleSet& particles) {
     }
 }
 
+// Nothing of it would be on any map, nor count as reached.
+void refuse_thin(const Scene& scene, const Raster& depth) {
+    double greatest = 0;
+    for (const double d : depth.values)
+        if (d > greatest) greatest = d;
+    const double minimum = scene.numerics.minimum_depth;
+    if (!(greatest > 0) || greatest >= minimum || !scene.inflows.empty()) return;
+    char value[96], limit[96], remedy[192];
+    std::snprintf(value, sizeof value, "%.3g m at most, as a mean over cells of %.4g m", greatest, scene.grid.cell_size);
+    std::snprintf(limit, sizeof limit, "at least numerics.minimum-depth = %.4g m", minimum);
+    std::snprintf(remedy, sizeof remedy,
+                  "Set numerics.minimum-depth = %.1g or less%s", greatest / 10,
+                  ", choose smaller cells (terrain.cell-size) where the release is smaller than one, or check the unit");
+    throw Error(ErrorKind::input, Problem{"the release is thinner than what maps and figures count as reached",
+                                          "release.thickness", value, limit, remedy});
+}
+
 // A number per particle, weighted by volume.
 template <class Value>
 Point mean_of(const ParticleSet& particles, const Value& value) {
@@ -212,6 +229,7 @@ Release make_release(const Scene& scene) {
     refuse_walls(scene, all);
     release.centroid = mean_of(all, [](Point local) { return local; });
     release.depth = cell_depth(all, scene.grid);
+    refuse_thin(scene, release.depth);
     for (auto& [time, entry] : later) {
         if (time > 0) {
             release.later.push_back(std::move(entry));

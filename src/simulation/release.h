@@ -31,7 +31,7 @@ struct Release {
 
 /// Fills the release areas of a scene with particles. A scene that has an inflow may release nothing.
 /// Throws Error(input) when nothing would be released, or where the terrain under the release has no data
-/// (the cells are counted and the first named).
+/// (the cells are counted and the first named), or where it is everywhere thinner than the minimum depth.
 Release make_release(const Scene& scene);
 
 /// Distance between particles at the start [m].

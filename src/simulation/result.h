@@ -22,6 +22,9 @@ struct SeriesRow {
     double volume = 0;          ///< inside the domain [m3]
     double volume_left = 0;     ///< that has left through open boundaries [m3]
     double volume_entered = 0;  ///< released and flowed in so far [m3]
+    double volume_inflow = 0;     ///< of which flowed in through lines [m3]
+    double volume_eroded = 0;     ///< taken from the bed so far [m3]
+    double volume_deposited = 0;  ///< given back to it so far [m3]
     double max_depth = 0;       ///< [m]
     double max_speed = 0;       ///< along the bed [m/s]
     double front_distance = 0;  ///< farthest particle from the release's centroid, in map view [m]
@@ -31,8 +34,8 @@ struct SeriesRow {
 
 template <class Archive>
 void serialise(Archive& archive, SeriesRow& row) {
-    auto& [time, step, dt, volume, left, entered, depth, speed, front, energy, area] = row;
-    archive(time, step, dt, volume, left, entered, depth, speed, front, energy, area);
+    auto& [time, step, dt, volume, left, entered, inflow, eroded, deposited, depth, speed, front, energy, area] = row;
+    archive(time, step, dt, volume, left, entered, inflow, eroded, deposited, depth, speed, front, energy, area);
 }
 
 /// A raster that only some models give, by the name of its file.
@@ -89,22 +92,21 @@ struct RunOptions {
 struct HardEvents {
     std::int64_t non_finite = 0;        ///< particles with a non-finite state
     std::int64_t depth_clamped = 0;     ///< particles whose area had to be bounded
-    std::int64_t speed_clamped = 0;     ///< nodes whose speed had to be bounded
     std::int64_t entered_no_data = 0;   ///< particles found over a cell without terrain
     std::int64_t impossible_speed = 0;  ///< steps with a speed above what the fall allows
     std::int64_t volume_drift = 0;      ///< steps after which the volume did not add up
 
     [[nodiscard]] bool none() const noexcept {
-        return non_finite == 0 && depth_clamped == 0 && speed_clamped == 0 && entered_no_data == 0 &&
+        return non_finite == 0 && depth_clamped == 0 && entered_no_data == 0 &&
                impossible_speed == 0 && volume_drift == 0;
     }
 };
 
 template <class Archive>
 void serialise(Archive& archive, HardEvents& events) {
-    auto& [non_finite, depth_clamped, speed_clamped, entered_no_data, impossible_speed, volume_drift] =
+    auto& [non_finite, depth_clamped, entered_no_data, impossible_speed, volume_drift] =
         events;
-    archive(non_finite, depth_clamped, speed_clamped, entered_no_data, impossible_speed, volume_drift);
+    archive(non_finite, depth_clamped, entered_no_data, impossible_speed, volume_drift);
 }
 
 enum class StopReason {
@@ -197,6 +199,8 @@ struct RunResult {
     Raster eroded_depth, deposited_depth;            ///< vertical [m], NaN where none
     double volume_eroded = 0, volume_deposited = 0;  ///< [m3]
     double momentum_deposited = 0;  ///< that deposits took with them, size of the sum [kg m/s]
+    double thin_share = 0;  ///< greatest share of the volume that was at one time thinner than the minimum depth
+    double moving_share = 0;  ///< of the volume, faster than the scene's moving speed after the last step
     std::int64_t unsupported = 0;   ///< nodes times steps at which the motion over a convex bed lifted off
     HardEvents hard_events;
     std::vector<Trouble> troubles;   ///< of the run's last step

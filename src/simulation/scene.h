@@ -181,7 +181,7 @@ struct Numerics {
 };
 
 struct TimeControl {
-    double end = 60;               ///< [s]
+    double end = 0;                ///< [s]; what a scene file leaves out, src/params says
     bool stop_when_still = true;   ///< end early once nothing moves
     double stop_energy_share = 0;  ///< end once kinetic energy is under this share of its peak; 0: never
     double stop_moving_share = 0;  ///< end once the moving volume is under this share of its peak; 0: never

@@ -14,7 +14,8 @@ struct StepFigures {
     double fastest = 0;            ///< particle in map view, however thin [m/s]
     double front_distance = 0;     ///< from the run's origin, in map view [m]
     double kinetic = 0;            ///< energy over density [m5/s2]
-    double moving = 0;             ///< volume faster than the run's moving speed [m3]
+    double moving = 0;             ///< volume faster than the run's moving speed, however thin [m3]
+    double thin = 0;               ///< volume that is nowhere as deep as the minimum depth [m3]
     std::int64_t covered = 0;      ///< cells deeper than the minimum depth
     std::int64_t unsupported = 0;  ///< see RunResult::unsupported
     std::int64_t non_finite = 0;   ///< particles or cells with a non-finite state

@@ -3,19 +3,23 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "simulation/scene.h"
+#include "simulation/step_figures.h"
 
 namespace frana {
 
-// Decides when a flow has come to rest: at once when nothing at all moves, otherwise when nothing has moved
-// faster than a crawl for a while (a mass that barely overcomes friction is faster than that within the same
-// while).
+// Decides when a flow has come to rest: at once when nothing at all moves, otherwise when it has not moved faster than a
+// crawl for a while (a mass that barely overcomes friction is faster than that within the same while): neither any cell
+// that is deep enough to be shown, nor all that flows, however thin, by the root of its mean squared speed.
 class StillWatch {
   public:
-    bool still(double speed, double dt) {
+    bool still(const StepFigures& now) {
+        const double mean = now.volume > 0 ? std::sqrt(2 * now.kinetic / now.volume) : 0;
+        const double speed = std::max(now.max_speed, mean);
         frozen_ = speed > 0 ? 0 : frozen_ + 1;
-        crawling_ = speed > k_crawl ? 0 : crawling_ + dt;
+        crawling_ = speed > k_crawl ? 0 : crawling_ + now.dt;
         return frozen_ >= k_frozen_steps || crawling_ >= k_while;
     }
     template <class Archive>

@@ -196,6 +196,7 @@ StepFigures StructuredFlow::observe() {
         NodeRange(tiles[t], tiles_, state_.grid)
             .for_each(state_.grid.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
                 const double depth = inside(i, j) ? column(cell).depth : 0;
+                if (depth < numerics_.minimum_depth) f.thin += depth * area;
                 if (!(depth >= laws_.fluid.dry)) return;
                 const double fast = speed(cell), fluid_fast = fluid_speed(cell);
                 f.kinetic += 0.5 * fluid_share * fluid_depth(cell) * area * fluid_fast * fluid_fast;
@@ -214,6 +215,7 @@ StepFigures StructuredFlow::observe() {
     for (const StepFigures& f : figures) {
         sum.kinetic += f.kinetic;
         sum.moving += f.moving;
+        sum.thin += f.thin;
         sum.covered += f.covered;
         sum.max_depth = std::max(sum.max_depth, f.max_depth);
         sum.max_speed = std::max(sum.max_speed, f.max_speed);

@@ -149,5 +149,34 @@ TEST(Run, ErosionIsInTheBudgetAndInTheRasters) {
     EXPECT_FALSE(run(scene, {}).exchanges);
 }
 
+// Every row of the series says where all the volume is, with erosion, deposition, late areas, inflow and outflow.
+TEST(Run, EveryRowOfTheSeriesClosesItsBalance) {
+    Scene scene = slide();
+    for (std::int64_t r = 0; r < 60; ++r)  // down to the eastern edge
+        for (std::int64_t c = 0; c < 120; ++c) scene.terrain.at(r, c) = 0.5 * (240 - 2.0 * static_cast<double>(c));
+    scene.release.push_back(scene.release[0]);
+    scene.release[1].start = 5;
+    scene.inflows = {{{{600100, 5000030}, {600100, 5000090}}, {{0, 20, 4}, {12, 20, 4}}, std::nullopt}};
+    scene.entrainment.erosion = ErosionLaw::growth;
+    scene.entrainment.growth_rate = 5e-3;
+    scene.entrainment.erodible_depth = 0.5;
+    scene.entrainment.deposition = true;
+    scene.entrainment.deposition_rate = 0.1;
+    scene.entrainment.deposition_shear = 15000;
+    scene.time.end = 30;
+    const RunResult result = run(scene, {});
+    const SeriesRow& last = result.series.back();
+    EXPECT_EQ(last.volume_eroded, result.volume_eroded);
+    EXPECT_EQ(last.volume_deposited, result.volume_deposited);
+    for (const double part : {last.volume_inflow, last.volume_eroded, last.volume_deposited, last.volume_left})
+        EXPECT_GT(part, 10);
+    double worst = 0;
+    for (const SeriesRow& row : result.series) {
+        const double came = row.volume_entered + row.volume_eroded, is = row.volume + row.volume_left + row.volume_deposited;
+        worst = std::max(worst, std::abs(came - is) / came);
+    }
+    EXPECT_LT(worst, 1e-13);
+}
+
 }  // namespace
 }  // namespace frana
