@@ -13,6 +13,7 @@
 #include "app/memory_limit.h"
 #include "app/number_text.h"
 #include "app/prepare.h"
+#include "app/publish.h"
 #include "app/result_place.h"
 #include "app/share_directory.h"
 #include "app/thickness_volume.h"
@@ -135,6 +136,10 @@ int cmd_check(const Arguments& arguments) {
     print_run(prepared, expected, trial, threads);
     std::fflush(stdout);
     compare_volumes(prepared.release.file_volume_m3, expected.volume, log);
+    if (expected.thin_share > k_thin_share)
+        log.warn(figure(100 * expected.thin_share, 2) + " % of the release is thinner than numerics.minimum-depth = " +
+                 shortest_text(prepared.scene.numerics.minimum_depth) +
+                 " m: maps and figures do not show it; set the key to about a hundredth of the flow's usual depth");
     return static_cast<int>(ExitCode::done);
 }
 

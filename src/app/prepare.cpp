@@ -159,6 +159,10 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.time.stop_energy_share = reading.scene.time.stop_energy_share;
     prepared.scene.time.stop_moving_share = reading.scene.time.stop_moving_share;
     prepared.scene.time.moving_speed = reading.scene.time.moving_speed;
+    prepared.scene.time.stop_change = reading.scene.time.stop_change;
+    prepared.scene.time.stop_window = reading.scene.time.stop_window;
+    prepared.scene.time.trace_threshold =
+        std::max(reading.scene.output.trace_threshold, reading.scene.numerics.minimum_depth);
     prepared.scene.time.frame_interval = frame_interval(reading.scene);
     place_origin(prepared.scene);
     refuse_too_much(reading, prepared.scene, release.area_m2);

@@ -28,6 +28,7 @@
 namespace frana::app {
 namespace {
 
+constexpr double k_moving_volume = 0.01;  // that may move when the time is over, however thin, without a word
 constexpr double k_shown_share = 0.05;  // by which a raster's volume may miss the flow's without a word
 
 ComparisonInput comparison_input(const Finished& run) {
@@ -61,6 +62,41 @@ void note_volumes(const RunResult& result, RunLog& log) {
     if (result.volume_inflow > 0) log.note("flowed in through lines: " + grouped(result.volume_inflow) + " m3");
 }
 
+std::string percent(double share) {
+    return figure(100 * share, 2) + " %";
+}
+
+/// Time ran out: what moves, and how fast the figures that people use still grow.
+void warn_of_motion(const Finished& run, RunLog& log) {
+    const RunResult& result = run.result;
+    if (result.stop_reason != StopReason::end_time || result.series.size() < 2) return;
+    const bool moves = result.series.back().max_speed > k_moving_speed || result.moving_share > k_moving_volume;
+    if (!moves) return;
+    std::string text = "the flow still moves when time.end is reached: " + percent(result.moving_share) +
+                       " of its volume faster than " + figure(run.prepared.scene.time.moving_speed) + " m/s, the fastest at " +
+                       figure(result.series.back().max_speed, 3) + " m/s";
+    if (result.settling) {
+        const Settling& s = *result.settling;
+        text += "; in its last " + figure(s.window, 2) + " s it came " + figure(s.runout, 3) + " m farther, the area grew by " +
+                percent(s.area) + " and " + percent(s.deposit) + " of the volume changed place";
+    }
+    log.warn(text + ". Final depth and run-out are not those of the deposit: raise time.end");
+}
+
+/// What maps do not show.
+void warn_of_thin_flow(const Finished& run, RunLog& log) {
+    const RunResult& result = run.result;
+    if (result.thin_share < k_thin_share) return;
+    const double minimum = run.prepared.scene.numerics.minimum_depth;
+    const bool seen = std::any_of(result.max_depth.values.begin(), result.max_depth.values.end(),
+                                  [](double depth) { return depth > 0; });
+    log.warn((seen ? "at one time " + percent(result.thin_share) + " of the flow was thinner than"
+                   : std::string("the maps are empty: the flow was nowhere as deep as")) +
+             " numerics.minimum-depth = " + shortest_text(minimum) +
+             " m, and is not on the maps there nor in areas, speeds and run-out: set numerics.minimum-depth to about a "
+             "hundredth of the flow's usual depth");
+}
+
 void warn_of_trouble(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
     compare_volumes(run.prepared.release.file_volume_m3, released_volume(result), log);
@@ -74,11 +110,8 @@ void warn_of_trouble(const Finished& run, RunLog& log) {
     }
     if (!result.hard_events.none())
         log.warn("the computation met events that a good run does not have; see hard_events in summary.json");
-    if (result.stop_reason == StopReason::end_time && result.series.size() > 1 &&
-        result.series.back().max_speed > k_moving_speed) {
-        log.warn("the flow still moves at " + figure(result.series.back().max_speed, 3) +
-                 " m/s when time.end is reached: final depth and run-out are not those of the deposit");
-    }
+    warn_of_motion(run, log);
+    warn_of_thin_flow(run, log);
     const double shown = shown_volume(result);
     if (std::abs(shown - result.volume_final) > k_shown_share * result.volume_final) {
         log.warn("the depths of final_depth.tif add up to " + grouped(shown) + " m3, the flow holds " +

@@ -52,7 +52,8 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
         .number("entered_m3", result.volume_entered)
         .number("inflow_m3", result.volume_inflow)
         .number("final_m3", result.volume_final)
-        .number("final_depth_raster_m3", shown_volume(result));
+        .number("final_depth_raster_m3", shown_volume(result))
+        .number("greatest_thin_fraction", result.thin_share);
     json.number("left_domain_m3", result.volume_left);
     if (result.exchanges)
         json.number("eroded_m3", result.volume_eroded).number("deposited_m3", result.volume_deposited);
@@ -110,6 +111,8 @@ std::string stop_word(StopReason reason) {
     switch (reason) {
         case StopReason::still:
             return "still";
+        case StopReason::settled:
+            return "settled";
         case StopReason::energy:
             return "energy";
         case StopReason::moving_volume:
@@ -149,6 +152,14 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
     json.number("simulated_seconds", result.simulated_seconds);
     json.text("stop_reason", stop_word(result.stop_reason));
     json.text("stop_reason_text", describe(result.stop_reason));
+    json.number("moving_fraction", result.moving_share);
+    if (result.settling) {
+        const Settling& s = *result.settling;
+        json.begin_object("settling").number("window_s", s.window).number("runout_growth_m", s.runout);
+        json.number("area_growth", s.area).number("deposit_change", s.deposit);
+        json.number("stop_change", facts.spec.time.stop_change).number("stop_window", facts.spec.time.stop_window);
+        json.end_object();
+    }
     write_grid_and_particles(json, result);
     json.begin_array("terms");
     for (const std::string& term : result.terms) json.text("", term);

@@ -83,6 +83,13 @@ void add_rest(std::vector<Parameter>& list) {
                "End once the moving volume is under this share of its peak; 0: never for this reason."));
     list.push_back(number("time.moving-speed", FRANA_MEMBER(time.moving_speed), "m/s", Range{0, 10, true},
                           "Speed from which volume counts as moving."));
+    list.push_back(number("time.stop-change", FRANA_MEMBER(time.stop_change), "", Range{0, 0.5},
+                          "End once run-out (or by a cell) and area over output.trace-threshold have changed by no more "
+                          "than this share over time.stop-window, and no more than four times this share of the volume "
+                          "lies in other cells; 0: never for this reason."));
+    list.push_back(number("time.stop-window", FRANA_MEMBER(time.stop_window), "", Range{0.05, 1},
+                          "Window of time.stop-change: share of the time since the last release or inflow, at least "
+                          "10 s."));
     list.push_back(number("time.frame-interval", FRANA_MEMBER(time.frame_interval), "s", Range{0, 1e6, true},
                           "Simulated time between frames; each is the first state at or after its time.", "a round number, at most sixty-one frames"));
 

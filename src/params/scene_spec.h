@@ -141,6 +141,8 @@ struct TimeSpec {
     double stop_energy_share = 0;
     double stop_moving_share = 0;
     double moving_speed = 0.1;
+    double stop_change = 0.005;
+    double stop_window = 0.25;
     std::optional<double> frame_interval;
 };
 

@@ -189,6 +189,7 @@ FlowRun<AnyFlow>::FlowRun(const Scene& scene, const RunOptions& options, Release
       next_frame_(scene.time.frame_interval > 0 ? scene.time.frame_interval
                                                 : std::numeric_limits<double>::infinity()),
       fade_(scene.time),
+      settling_(scene.time, scene.grid, origin_of(release, arrivals)),
       recorder_(scene.recording, scene.grid, scene.numerics),
       watch_(scene, release, arrivals, pressure_factor(flow)) {
     flow_.set_origin(origin_of(release, arrivals));
@@ -239,6 +240,7 @@ void FlowRun<AnyFlow>::receive() {
         result_.released[i].failed = true;
         result_.volume_entered += result_.released[i].volume;
     }
+    settling_.restart(flow_.time());
 }
 
 // What is to happen when the flow has come to a time that it was sent to.
@@ -272,6 +274,8 @@ std::optional<StopReason> FlowRun<AnyFlow>::reason_to_stop(const StepFigures& fi
     if (arrivals_.done()) {
         if (flow_.empty()) return StopReason::all_left;
         if (scene_.time.stop_when_still && still_.still(figures)) return StopReason::still;
+        if (settling_.settled(flow_, figures.kinetic, result_.volume_entered + bed_budget(flow_).eroded))
+            return StopReason::settled;
         if (fade_.energy(figures.kinetic)) return StopReason::energy;
         if (fade_.moving(figures.moving)) return StopReason::moving_volume;
     }
@@ -342,6 +346,7 @@ RunResult FlowRun<AnyFlow>::finish() {
     result.max_pressure = pressure_kpa(result.max_velocity, density_of(scene_, flow_));
     result.bed = std::move(release_.bed);
     result.release = std::move(release_.depth);
+    result.settling = settling_.last();
     result.steps = flow_.steps();
     result.simulated_seconds = flow_.time();
     result.particles_final = flow_.particle_count();

@@ -8,6 +8,7 @@
 #include "simulation/release.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
+#include "simulation/settling.h"
 #include "simulation/stopping.h"
 #include "simulation/trouble_watch.h"
 
@@ -57,9 +58,9 @@ class FlowRun {
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [scene, options, release, arrivals, flow, engine, result, stopped, frames,
-                                next_frame, last_frame, still, fade, recorder, watch] = *this;
+                                next_frame, last_frame, still, fade, settling, recorder, watch] = *this;
         engine.stop();
-        archive(engine, arrivals, flow, frames, next_frame, still, fade, recorder);
+        archive(engine, arrivals, flow, frames, next_frame, still, fade, settling, recorder);
         archive(result.series, result.particles_peak, result.hard_events, result.unsupported,
                 result.volume_inflow, result.volume_entered, result.thin_share, result.moving_share);
         for (ReleasedArea& area : result.released) archive(area.failed);
@@ -100,6 +101,7 @@ class FlowRun {
     double last_frame_ = -1;  ///< when this process gave one [s]
     StillWatch still_;
     FadeWatch fade_;
+    SettlingWatch settling_;
     Recorder recorder_;
     TroubleWatch watch_;
 };

@@ -109,9 +109,18 @@ void serialise(Archive& archive, HardEvents& events) {
     archive(non_finite, depth_clamped, entered_no_data, impossible_speed, volume_drift);
 }
 
+/// How much the figures that people use changed over a last window of time.
+struct Settling {
+    double window = 0;   ///< [s]
+    double runout = 0;   ///< how much farther the farthest cell of the trace lies [m]
+    double area = 0;     ///< growth of the trace, as a share of it
+    double deposit = 0;  ///< share of all volume that lies in other cells
+};
+
 enum class StopReason {
     end_time,
     still,
+    settled,
     energy,
     moving_volume,
     all_left,
@@ -124,7 +133,7 @@ enum class StopReason {
 
 /// Whether a run that stopped for this before its end time has nothing more to compute.
 [[nodiscard]] constexpr bool ends_for_good(StopReason reason) noexcept {
-    return reason == StopReason::still || reason == StopReason::energy || reason == StopReason::moving_volume ||
+    return reason == StopReason::still || reason == StopReason::settled || reason == StopReason::energy || reason == StopReason::moving_volume ||
            reason == StopReason::all_left;
 }
 
@@ -187,6 +196,7 @@ struct RunResult {
     std::int64_t steps = 0;
     double simulated_seconds = 0;
     StopReason stop_reason = StopReason::end_time;
+    std::optional<Settling> settling;  ///< over the last window that was looked at
     std::int64_t particles_initial = 0, particles_final = 0, particles_peak = 0;
     std::int64_t particle_steps = 0;
     std::int64_t bytes_per_particle = 0, bytes_per_node = 0;  ///< of the engine's fields
@@ -213,6 +223,7 @@ struct RunEstimate {
     std::int64_t particles = 0;
     double volume = 0;              ///< released [m3]
     double inflow = 0;              ///< through lines until the end [m3]
+    double thin_share = 0;          ///< of what is released, in cells thinner than the minimum depth
     std::int64_t memory_bytes = 0;  ///< engine and rasters, with the particles of the start
     std::int64_t bytes_per_particle = 0, bytes_per_node = 0;
     /// Their fields, and those few of which there is a second while they are put into order.

@@ -186,6 +186,11 @@ struct TimeControl {
     double stop_energy_share = 0;  ///< end once kinetic energy is under this share of its peak; 0: never
     double stop_moving_share = 0;  ///< end once the moving volume is under this share of its peak; 0: never
     double moving_speed = 0.1;     ///< what counts as moving [m/s]
+    /// End once run-out and area over the threshold have changed by no more than this share over the window, and four
+    /// times this share of the volume has changed place; 0: never.
+    double stop_change = 0;
+    double stop_window = 0.25;     ///< share of the time since something came in last
+    double trace_threshold = 0.1;  ///< depth from which a cell belongs to that area [m]
     double frame_interval = 0;     ///< [s]; 0: no frames
 };
 

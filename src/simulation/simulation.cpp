@@ -90,6 +90,8 @@ const char* describe(StopReason reason) {
             return "end time reached";
         case StopReason::still:
             return "everything at rest";
+        case StopReason::settled:
+            return "run-out, area and deposit have stopped changing";
         case StopReason::energy:
             return "kinetic energy under the given share of its peak";
         case StopReason::moving_volume:
@@ -132,6 +134,10 @@ RunEstimate estimate(const Scene& scene, int threads) {
     Arrivals arrivals(scene, std::exchange(release.later, {}));
     RunEstimate e;
     e.volume = release.volume;
+    double thin = 0;
+    for (const double depth : release.depth.values)
+        if (depth < scene.numerics.minimum_depth) thin += depth * scene.grid.cell_area();
+    if (release.volume > 0) e.thin_share = thin / release.volume;
     e.terms = list_terms(scene);
     const std::size_t arriving = arrivals.particles_left();
     const Arrivals::Taken rest = arrivals.take(scene.time.end);

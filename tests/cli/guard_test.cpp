@@ -75,7 +75,7 @@ TEST_F(Guard, TwoRunsDoNotWriteOneResult) {
 }
 
 TEST_F(Guard, ARunHoldsItsLockWhileItComputes) {
-    write_scene("stop-when-still = off\n[numerics]\nparticles-per-cell = 16\n" + k_numbers_only);
+    write_scene("stop-when-still = off\nstop-change = 0\n[numerics]\nparticles-per-cell = 16\n" + k_numbers_only);
     Outcome outcome{};
     std::atomic<bool> ended = false;
     std::thread running([&] {

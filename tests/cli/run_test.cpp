@@ -139,7 +139,7 @@ TEST_F(RunCommand, RastersCarryPlaceNodataAndTexts) {
 }
 
 TEST_F(RunCommand, TheResolvedSceneReproducesTheRunWhateverTheThreads) {
-    write_scene("stop-when-still = off\n[numerics]\nparticles-per-cell = 9\n" + k_numbers_only);
+    write_scene("stop-when-still = off\nstop-change = 0\n[numerics]\nparticles-per-cell = 9\n" + k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "a", "--quiet", "--threads", "1", "--set", "time.end=3"})
                   .exit_code,
               0);
@@ -189,7 +189,7 @@ TEST_F(RunCommand, AnExistingResultIsKeptUnlessToldOtherwise) {
 }
 
 TEST_F(RunCommand, ASignalWritesWhatThereIs) {
-    write_scene("stop-when-still = off\n[numerics]\nparticles-per-cell = 16\n" + k_numbers_only);
+    write_scene("stop-when-still = off\nstop-change = 0\n[numerics]\nparticles-per-cell = 16\n" + k_numbers_only);
     const Outcome outcome = frana(
         {"run", "scene.ini", "--out", "result", "--set", "time.end=100000", "--set", "terrain.cell-size=1"},
         2000);

@@ -17,7 +17,7 @@ class UnderWay : public TinyScene {
   protected:
     UnderWay() {
         write_scene(
-            "stop-when-still = off\nframe-interval = 0.05\n[numerics]\nparticles-per-cell = 16\n[output]\n"
+            "stop-when-still = off\nstop-change = 0\nframe-interval = 0.05\n[numerics]\nparticles-per-cell = 16\n[output]\n"
             "maps = off\nanimation = off\n[terrain]\ncell-size = 1\n");
         run_ = std::make_unique<StartedProgram>(
             folder_.string(), std::vector<std::string>{"run", "scene.ini", "--out", "result", "--set", "time.end=400"});

@@ -83,7 +83,7 @@ TEST_P(Observed, GaugesAndIntensitiesChangeNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Observed,
-                         testing::Values(Case{"hillside", hillside}, Case{"eventful", eventful}, Case{"resting", resting},
+                         testing::Values(Case{"hillside", hillside}, Case{"eventful", eventful}, Case{"resting", resting}, Case{"settling", settling},
                                          Case{"paper", paper}, Case{"earth_pressure", earth_pressure},
                                          Case{"fluid", fluid}, Case{"breaking", breaking},
                                          Case{"breaking_later", breaking_later}, Case{"loose_and_dry", loose_and_dry}),

@@ -76,6 +76,16 @@ inline Scene resting() {
     return scene;
 }
 
+// Ends when its figures have stopped changing.
+inline Scene settling() {
+    Scene scene = hillside();
+    scene.time.end = 300;
+    scene.time.frame_interval = 15;
+    scene.time.stop_when_still = false;
+    scene.time.stop_change = 0.01;
+    return scene;
+}
+
 inline Scene paper() {
     Scene scene = hillside();
     scene.numerics.scheme = Scheme::paper;
@@ -217,9 +227,14 @@ inline void expect_same(const RunResult& a, const RunResult& b) {
     for (double RunResult::*number : {&RunResult::simulated_seconds, &RunResult::volume_initial,
                                       &RunResult::volume_final, &RunResult::volume_left, &RunResult::volume_entered,
                                       &RunResult::volume_inflow, &RunResult::volume_eroded,
-                                      &RunResult::volume_deposited, &RunResult::momentum_deposited})
+                                      &RunResult::volume_deposited, &RunResult::momentum_deposited,
+                                      &RunResult::thin_share, &RunResult::moving_share})
         EXPECT_EQ(std::bit_cast<std::uint64_t>(a.*number), std::bit_cast<std::uint64_t>(b.*number));
     EXPECT_EQ(a.stop_reason, b.stop_reason);
+    ASSERT_EQ(a.settling.has_value(), b.settling.has_value());
+    if (a.settling) {
+        EXPECT_EQ(std::memcmp(&*a.settling, &*b.settling, sizeof *a.settling), 0);
+    }
     EXPECT_EQ(a.hard_events.non_finite, b.hard_events.non_finite);
     EXPECT_EQ(a.hard_events.depth_clamped, b.hard_events.depth_clamped);
     EXPECT_EQ(a.hard_events.entered_no_data, b.hard_events.entered_no_data);

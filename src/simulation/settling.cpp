@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/settling.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/flow.h"
+#include "simulation/structured_flow.h"
+
+namespace frana {
+namespace {
+
+constexpr double k_least_window = 10;  // [s]
+constexpr double k_samples = 5;        // in a window
+constexpr double k_of_deposit = 4;     // what of the volume may change place, in shares that the area may change by
+constexpr double k_calm = 0.1;         // share of the kinetic energy's peak under which figures may settle
+
+double depth_on(const Flow& flow, std::size_t node) {
+    const double area = flow.grid().cell_area();
+    return flow.nodes().sums[node].mass / area;
+}
+
+double depth_on(const StructuredFlow& flow, std::size_t cell) {
+    return flow.column(cell).depth;
+}
+
+}  // namespace
+
+SettlingWatch::SettlingWatch(const TimeControl& time, const GridSpec& grid, Point origin)
+    : time_(time), grid_(grid), origin_(origin) {}
+
+void SettlingWatch::restart(double time) {
+    since_ = next_ = time;
+    peak_ = 0;
+    samples_.clear();
+}
+
+double SettlingWatch::window(double now) const noexcept {
+    return std::max(k_least_window, time_.stop_window * (now - since_));
+}
+
+template <class AnyFlow>
+SettlingWatch::Sample SettlingWatch::look(const AnyFlow& flow) {
+    Sample sample;
+    sample.time = flow.time();
+    double farthest2 = 0;
+    std::int64_t cells = 0;
+    const ZeroArray<double>& depth = flow.maxima().depth;
+    for (std::int64_t j = 0; j < grid_.rows; ++j) {
+        for (std::int64_t i = 0; i < grid_.columns; ++i) {
+            if (!(depth[flow.nodes().index(i, j)] >= time_.trace_threshold)) continue;
+            ++cells;
+            const Point at = flow.nodes().middle(i + k_ghost, j + k_ghost);
+            const double x = at.x - origin_.x, y = at.y - origin_.y;
+            farthest2 = std::max(farthest2, x * x + y * y);
+        }
+    }
+    sample.area = static_cast<double>(cells) * grid_.cell_area();
+    sample.runout = std::sqrt(farthest2);
+
+    std::vector<Lying> now;
+    flow.for_each_active_node([&](std::size_t node) {
+        const double here = depth_on(flow, node);
+        if (here > 0) now.push_back({node, here});
+    });
+    std::sort(now.begin(), now.end(), [](const Lying& a, const Lying& b) { return a.node < b.node; });
+    // What came to one cell has left another: half the sum of changes; what left the map counts half as well.
+    double changed = 0;
+    auto a = lying_.begin(), b = now.begin();
+    while (a != lying_.end() || b != now.end()) {
+        if (b == now.end() || (a != lying_.end() && a->node < b->node)) {
+            changed += a++->depth;
+        } else if (a == lying_.end() || b->node < a->node) {
+            changed += b++->depth;
+        } else {
+            changed += std::abs(a++->depth - b++->depth);
+        }
+    }
+    sample.moved = 0.5 * changed * grid_.cell_area();
+    lying_ = std::move(now);
+    return sample;
+}
+
+template <class AnyFlow>
+bool SettlingWatch::settled(const AnyFlow& flow, double kinetic, double all) {
+    peak_ = std::max(peak_, kinetic);
+    if (!(time_.stop_change > 0) || flow.time() < next_) return false;
+    const double length = window(flow.time());
+    next_ = flow.time() + length / k_samples;
+    samples_.push_back(look(flow));
+    const Sample& now = samples_.back();
+    // The window's first sample is the last of those that are old enough.
+    std::size_t first = 0;
+    while (first + 1 < samples_.size() && samples_[first + 1].time <= now.time - length) ++first;
+    samples_.erase(samples_.begin(), samples_.begin() + static_cast<std::ptrdiff_t>(first));
+    if (samples_.front().time > now.time - length) return false;
+    Settling change{now.time - samples_.front().time, now.runout - samples_.front().runout,
+                    now.area > 0 ? (now.area - samples_.front().area) / now.area : 0, 0};
+    for (std::size_t i = 1; i < samples_.size(); ++i) change.deposit += samples_[i].moved;
+    if (all > 0) change.deposit /= all;
+    last_ = change;
+    const double most = time_.stop_change;
+    return now.area > 0 && kinetic < k_calm * peak_ && change.runout <= std::max(grid_.cell_size, most * now.runout) &&
+           change.area <= most && change.deposit <= k_of_deposit * most;
+}
+
+template bool SettlingWatch::settled(const Flow&, double, double);
+template bool SettlingWatch::settled(const StructuredFlow&, double, double);
+
+}  // namespace frana

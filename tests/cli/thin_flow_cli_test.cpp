@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flow that maps do not show is refused at the start or told of at the end.
+#include <filesystem>
+
+#include "tiny_scene.h"
+
+namespace frana::test {
+namespace {
+
+using ThinFlow = TinyScene;
+
+TEST_F(ThinFlow, ReleasedEverywhereIsRefused) {
+    write_scene(k_numbers_only);
+    for (const std::string command : {"run", "check"}) {
+        const Outcome outcome = frana({command, "scene.ini", "--set", "release.thickness=0.005"});
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_NE(outcome.err.find("release.thickness"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("Set numerics.minimum-depth = 0.0005 or less"), std::string::npos) << outcome.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(path("results")));
+    EXPECT_EQ(frana({"run", "scene.ini", "--set", "release.thickness=0.005", "--set", "numerics.minimum-depth=0.0005"})
+                  .exit_code,
+              0);
+}
+
+TEST_F(ThinFlow, OnTheWayIsAWarning) {
+    write_scene(k_numbers_only);
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--set", "release.thickness=0.03", "--set",
+                                   "time.end=30"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("of the flow was thinner than numerics.minimum-depth = 0.01 m"), std::string::npos)
+        << outcome.err;
+    EXPECT_GT(json_number(read_text(path("result/summary.json")), "greatest_thin_fraction"), 0.1);
+    const Outcome usual = frana({"run", "scene.ini", "--out", "usual"});
+    EXPECT_EQ(usual.err.find("thinner than"), std::string::npos) << usual.err;
+}
+
+}  // namespace
+}  // namespace frana::test

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// A run ends when run-out, area and deposit have stopped changing, and not before.
+#include "played_runs.h"
+
+namespace frana {
+namespace {
+
+double area_over(const Scene& scene, const RunResult& result) {
+    double cells = 0;
+    for (const double depth : result.max_depth.values) cells += depth >= scene.time.trace_threshold;
+    return cells * scene.grid.cell_area();
+}
+
+double apart(const Raster& a, const Raster& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.values.size(); ++i)
+        sum += std::abs((std::isnan(a.values[i]) ? 0 : a.values[i]) - (std::isnan(b.values[i]) ? 0 : b.values[i]));
+    return 0.5 * sum * a.grid.cell_area();
+}
+
+class Settles : public testing::TestWithParam<bool> {};
+
+// What is shown then is what a run ten times as long shows.
+TEST_P(Settles, WithTheFiguresOfAMuchLongerRun) {
+    Scene scene = GetParam() ? fluid() : hillside();
+    scene.inflows.clear();
+    scene.time.end = 1000;
+    scene.time.stop_when_still = false;
+    scene.time.stop_change = 0.001;
+    if (GetParam()) scene.structured->manning = 0.1;
+    scene.material.bed_friction = {BedTerm::coulomb, BedTerm::turbulence};
+    const RunResult settled = run(scene, {});
+    ASSERT_EQ(settled.stop_reason, StopReason::settled) << settled.simulated_seconds;
+    ASSERT_TRUE(settled.settling);
+    EXPECT_LE(settled.settling->area, 0.001);
+    EXPECT_LE(settled.settling->deposit, 0.004);
+    EXPECT_LE(settled.settling->runout, scene.grid.cell_size);
+    EXPECT_GE(settled.settling->window, 10);
+    scene.time.end = 3 * settled.simulated_seconds;
+    scene.time.stop_change = 0;
+    const RunResult longer = run(scene, {});
+    EXPECT_GT(longer.steps, 2 * settled.steps);
+    EXPECT_NEAR(area_over(scene, longer), area_over(scene, settled), 0.01 * area_over(scene, longer));
+    EXPECT_LT(apart(longer.final_depth, settled.final_depth), 0.02 * longer.volume_entered);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Settles, testing::Values(false), [](const auto&) { return "Mass"; });
+
+// Down a plane without end it never does, however slowly it goes.
+TEST(Settling, NeverWhileItRunsOn) {
+    Scene scene;
+    scene.grid = {0, 100, 5, 400, 20, ""};
+    scene.terrain = Raster(scene.grid);
+    for (std::int64_t r = 0; r < scene.grid.rows; ++r)
+        for (std::int64_t c = 0; c < scene.grid.columns; ++c) scene.terrain.at(r, c) = 0.5 * 5 * static_cast<double>(400 - c);
+    scene.release = {{{box(100, 30, 160, 70)}, 2}};
+    scene.material.friction_coefficient = 0.4;
+    scene.material.turbulence = 2;  // about half a metre a second
+    scene.time.end = 200;
+    scene.time.stop_change = 0.001;
+    EXPECT_EQ(run(scene, {}).stop_reason, StopReason::end_time);
+}
+
+// What begins to move slowly changes nothing for a while: its kinetic energy is then at its peak.
+TEST(Settling, NeverBeforeItHasBegun) {
+    Scene scene = hillside();
+    scene.release[0].outline = {box(10, 40, 40, 80)};
+    for (double& z : scene.terrain.values) z *= 0.01;
+    scene.material.friction_coefficient = 0.0045;  // the ground falls by 0.006
+    scene.time.end = 60;
+    scene.time.stop_change = 0.001;
+    const RunResult result = run(scene, {});
+    EXPECT_EQ(result.stop_reason, StopReason::end_time) << result.simulated_seconds;
+}
+
+// Later areas and inflows are waited for, and the window begins with them.
+TEST(Settling, WaitsForWhatComesLater) {
+    Scene scene = hillside();
+    scene.release.push_back({{box(60, 50, 80, 70)}, 2});
+    scene.release[1].start = 80;
+    scene.time.end = 300;
+    scene.time.stop_when_still = false;
+    scene.time.stop_change = 0.001;
+    const RunResult result = run(scene, {});
+    EXPECT_EQ(result.stop_reason, StopReason::settled);
+    EXPECT_GE(result.simulated_seconds, 90);
+    EXPECT_TRUE(result.released[1].failed);
+}
+
+}  // namespace
+}  // namespace frana
