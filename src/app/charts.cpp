@@ -126,7 +126,8 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const st
                      {"at the end", k_vermilion, on_line(column("final_depth")), 2}};
     render::CurvePanel speeds{"Greatest speed, along the bed", metres, "speed [m/s]", {}, true};
     speeds.curves = {{"maximum", k_blue, on_line(column("max_velocity")), 2}};
-    render::CurveChart chart = page(source, "profile along " + elided(text_of_cell(line), k_longest_name), "profiles.csv");
+    const std::string name = elided(text_of_cell(line), k_longest_name);
+    render::CurveChart chart = page(source, "profile along " + name, "profiles.csv");
     chart.panels = {relief, depths, speeds};
     return {"profile_" + stem, chart};
 }
@@ -207,7 +208,8 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
         const std::vector<double> values = table.numbers(column);
         render::CurvePanel panel{name, "time [s]", label, {}, true};
         for (const std::string& kind : kinds) {
-            render::Curve curve{elided(text_of_cell(kind), k_longest_name), k_colours[panel.curves.size() % std::size(k_colours)], {}};
+            const Rgb colour = k_colours[panel.curves.size() % std::size(k_colours)];
+            render::Curve curve{elided(text_of_cell(kind), k_longest_name), colour, {}};
             curve.stroke = k_strokes[panel.curves.size() % std::size(k_strokes)];
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (table.text(i, place) == kind) curve.points.push_back({time[i], values[i]});

@@ -136,7 +136,8 @@ TEST(OnSmallPages, EverythingFits) {
         expect_tidy(layout.texts, layout.page, map);
         EXPECT_NO_THROW(MapAnimator(spec).frame(layer, "t = 1234.5 s"));
         for (int i = 1; i <= 4; ++i) {
-            spec.categories.push_back({static_cast<double>(i), "Class " + std::to_string(i) + ": strong, over 2 m", {9, 9, 9}});
+            const std::string label = "Class " + std::to_string(i) + ": strong, over 2 m";
+            spec.categories.push_back({static_cast<double>(i), label, {9, 9, 9}});
         }
         EXPECT_NO_THROW(draw_map(spec));
         ViewSpec view;
