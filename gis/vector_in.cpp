@@ -221,7 +221,8 @@ bool holds_layer(const std::string& file, const std::string& layer, const std::s
     const GDALDatasetUniquePtr dataset = open_vector(source);
     OGRLayer* const found = dataset->GetLayerByName(layer.c_str());
     const bool holds = found != nullptr && found->GetFeatureCount() > 0;
-    if (session.failed())
+    // OGR is silent where it cannot read the list of layers.
+    if (session.failed() || dataset->GetLayerCount() == 0)
         throw vector_fault(source, "cannot be read whole: " + session.last_message(), "", "The file is damaged");
     return holds;
 }

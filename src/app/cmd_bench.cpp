@@ -7,6 +7,7 @@
 #include "app/bench_chart.h"
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/manifest.h"
 #include "app/own_files.h"
 #include "app/replace_result.h"
 #include "app/share_directory.h"
@@ -57,7 +58,8 @@ class Output {
     [[nodiscard]] std::string path(const std::string& name) const { return (fs::path(folder_) / name).string(); }
     [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
     [[nodiscard]] const std::vector<std::string>& files() const noexcept { return files_; }
-    void list() const { list_own(folder_, files_); }
+    void begin() const { begin_own(folder_, files_); }
+    void list() const { record_files(files_); }
 
   private:
     std::string folder_;
@@ -105,7 +107,7 @@ int bench_accuracy(const boost::program_options::variables_map& values) {
     std::cout << bench::accuracy_table(rows) << bench::accuracy_verdict(rows)
               << bench::time_to_error_table(rows);
     if (out) {
-        keep_changed_files(out->files());
+        out->begin();
         write_text_file(out->path("accuracy.csv"), bench::accuracy_csv(rows));
         render::write_png(out->path("accuracy.png"), accuracy_chart(rows));
         out->list();
@@ -122,7 +124,7 @@ int bench_stability(const boost::program_options::variables_map& values) {
     const auto rows = bench::run_stability(options);
     std::cout << bench::stability_table(rows);
     if (out) {
-        keep_changed_files(out->files());
+        out->begin();
         write_text_file(out->path("stability.csv"), bench::stability_csv(rows));
         out->list();
     }
@@ -143,7 +145,7 @@ int bench_speed(const boost::program_options::variables_map& values) {
     const auto costs = bench::run_law_costs(options.quick ? 2e4 : 1e5, options.quick ? 20 : 50);
     std::cout << bench::speed_table(result) << bench::law_costs_table(costs);
     if (out) {
-        keep_changed_files(out->files());
+        out->begin();
         write_text_file(out->path("speed.csv"), bench::speed_csv(result));
         write_text_file(out->path("speed_stages.csv"), bench::speed_stages_csv(result));
         write_text_file(out->path("speed_terms.csv"), bench::speed_terms_csv(result));

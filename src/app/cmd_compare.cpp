@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/comparison.h"
 #include "app/kept_files.h"
+#include "app/manifest.h"
 #include "app/own_files.h"
 #include "app/ranking.h"
 #include "app/replace_result.h"
@@ -187,9 +188,9 @@ std::string make_folder(const std::string& folder) {
 Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog& log) {
     Comparison comparison = compare_with_survey(simulated.input, log);
     make_folder(folder);
-    keep_changed_files(comparison.figures ? comparison_files(folder)
-                                          : std::vector<std::string>{comparison_files(folder).front()});
-    if (comparison.figures) keep_changed_files(comparison_pictures(simulated.source.style, folder));
+    begin_own(folder, comparison.figures ? comparison_files(folder)
+                                         : std::vector<std::string>{comparison_files(folder).front()});
+    if (comparison.figures) begin_own(folder, comparison_pictures(simulated.source.style, folder));
     write_comparison(comparison, simulated.input, folder);
     if (comparison.figures) {
         simulated.source.scar = simulated.input.survey.scar;
@@ -226,16 +227,16 @@ int cmd_compare(const Arguments& arguments) {
         if (size) simulated.source.style.size = *size;
         simulated.input.survey = read_survey(pair.scar, deposit, simulated.input.depth.grid, log);
         const Comparison comparison = compare_into(simulated, pair.folder, log);
-        list_own(pair.folder, files_of(pair, simulated.source.style));
+        record_files(files_of(pair, simulated.source.style));
         if (pair.name.empty()) {
             std::cout << comparison_json(comparison, simulated.input);
             return static_cast<int>(ExitCode::done);
         }
         ranking.add(pair.name, pair.operand, pair.scar.value_or(deposit.value_or("")), comparison);
     }
-    keep_changed_files({ranking_file});
+    begin_own(fs::path(ranking_file).parent_path().string(), {ranking_file});
     write_text_file(ranking_file, ranking.csv());
-    list_own(fs::path(ranking_file).parent_path().string(), {ranking_file});
+    record_files({ranking_file});
     std::cout << ranking.csv();
     return static_cast<int>(ExitCode::done);
 }

@@ -12,6 +12,7 @@
 #include "app/commands.h"
 #include "app/error_estimate.h"
 #include "app/kept_files.h"
+#include "app/manifest.h"
 #include "app/own_files.h"
 #include "app/number_text.h"
 #include "app/prepare.h"
@@ -267,7 +268,7 @@ int cmd_converge(const Arguments& arguments) {
         if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
     }
 
-    keep_changed_files(files_of(folder));
+    begin_own(folder.string(), files_of(folder));
     std::vector<Raster> depths;
     for (Level& level : levels) depths.push_back(std::move(level.depth));
     const std::string told = sentences(levels);
@@ -280,7 +281,7 @@ int cmd_converge(const Arguments& arguments) {
     write_text_file((folder / k_table).string(), csv_text(levels));
     write_error_estimate(folder.string(), spec, told);
     write_text_file((folder / k_study).string(), json_text(levels, spec));
-    list_own(folder.string(), files_of(folder));
+    record_files(files_of(folder));
     std::cout << table_text(levels) << '\n' << told;
     if (!quiet) std::cerr << "frana: convergence study in " << folder.string() << '\n';
     return static_cast<int>(ExitCode::done);

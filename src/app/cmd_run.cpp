@@ -187,10 +187,11 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     const bool stopped = result.stop_reason == StopReason::requested || !pictures.left_out.empty();
     const int code = stopped ? static_cast<int>(ExitCode::signal) + stop_signal()
                              : static_cast<int>(exit_code(result, pictures));
-    if (code == static_cast<int>(ExitCode::done)) directory.forget_the_way(!prepared.spec.output.frames);
+    if (code == static_cast<int>(ExitCode::done)) forget_the_way(directory.target(), !prepared.spec.output.frames);
     if (const auto estimate = read_error_estimate(directory.target(), prepared.spec))
         log.tell("error estimate of `frana converge`:\n" + *estimate);
     log.tell("result in " + directory.target());
+    if (code != static_cast<int>(ExitCode::done) && !stopped) log.say_why();
     if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
     return code;
 }
@@ -226,6 +227,7 @@ int cmd_run(const Arguments& arguments) {
         catch_stop_signals();
         const bool all_there = complete_result(prepared, target, log);
         if (!all_there && stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
+        if (!all_there) log.say_why();
         return static_cast<int>(all_there ? ExitCode::done : ExitCode::environment);
     }
     refuse_run_beyond_memory(reading, prepared, resident_memory(), threads);

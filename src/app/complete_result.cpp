@@ -7,6 +7,7 @@
 #include "app/comparison_input.h"
 #include "app/manifest.h"
 #include "app/publish_pictures.h"
+#include "app/result_directory.h"
 #include "app/result_reader.h"
 #include "app/scene_identity.h"
 #include "core/error.h"
@@ -53,6 +54,7 @@ bool complete_result(const Prepared& prepared, const std::string& directory, Run
     const auto comparison = comparison_of(prepared, directory, log);
     const PictureOutcome pictures = draw_pictures({prepared.spec, directory, comparison, true}, log);
     record_files(pictures.files);
+    if (pictures.complete()) forget_the_way(directory, !prepared.spec.output.frames);  // a run was killed while it did
     if (pictures.complete() && pictures.drawn.empty()) {
         log.tell("the result is complete: " + directory);
     } else if (!pictures.drawn.empty()) {

@@ -139,7 +139,8 @@ int main(int count, char** words) {
         return frana::app::report({word ? frana::ErrorKind::input : frana::ErrorKind::environment,
                                    frana::Problem{error.code().message(), error.path1().string(), "", "", ""}});
     } catch (const std::exception& error) {
-        std::cerr << "frana: " << error.what() << '\n';
+        std::cerr << "frana: " << error.what()
+                  << ". Where memory, threads or open files run out, allow more (ulimit -a) or take fewer --threads\n";
     }
     return static_cast<int>(frana::app::ExitCode::environment);
 }

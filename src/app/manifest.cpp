@@ -226,12 +226,12 @@ void forget_files(const std::string& folder, const std::vector<std::string>& nam
     const ManifestLock lock(folder);
     std::optional<Manifest> manifest = read_manifest(folder);
     if (!manifest) return;
-    std::erase_if(manifest->files, [&](const auto& file) {
+    const std::size_t forgotten = std::erase_if(manifest->files, [&](const auto& file) {
         return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
             return file.first == name || file.first.starts_with(name + "/");
         });
     });
-    write_manifest(folder, *manifest);
+    if (forgotten > 0) write_manifest(folder, *manifest);
 }
 
 }  // namespace frana::app

@@ -20,7 +20,7 @@ constexpr std::int64_t k_result_cell_bytes = 120;
 constexpr std::int64_t k_picture_bytes = 85'000'000, k_map_pixel_bytes = 52, k_view_pixel_bytes = 34,
                        k_drawn_cell_bytes = 28;
 // The pictures that an encoder looks back and ahead to; a view's film has two pictures under way.
-constexpr std::int64_t k_film_bytes = 30'000'000, k_film_pixel_bytes = 25;
+constexpr std::int64_t k_film_bytes = 10'000'000, k_film_pixel_bytes = 15;
 // A step's row in memory, while it becomes text, and while charts are drawn of the file's words.
 constexpr std::int64_t k_step_bytes = 180, k_step_text_bytes = 450, k_step_chart_bytes = 1500;
 // Code and tables of what computes and writes.

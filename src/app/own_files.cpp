@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/manifest.h"
+#include "app/replace_result.h"
 #include "app/result_files.h"
 
 namespace frana::app {
@@ -40,9 +41,9 @@ void check_own(const std::string& folder, const std::vector<std::string>& files,
     }
 }
 
-void list_own(const std::string& folder, const std::vector<std::string>& files) {
+void begin_own(const std::string& folder, const std::vector<std::string>& files) {
     if (!is_listed(folder) && !is_unlisted_result(folder)) write_manifest(folder, {});
-    record_files(files);
+    keep_changed_files(files);
 }
 
 }  // namespace frana::app

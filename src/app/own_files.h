@@ -17,7 +17,8 @@ namespace frana::app {
 void check_own(const std::string& folder, const std::vector<std::string>& files, const std::string& where,
                Problems& problems);
 
-/// Lists files that were just written; those that are not there are left out. Throws Error(environment).
-void list_own(const std::string& folder, const std::vector<std::string>& files);
+/// Before the first of the files is written: a folder that nothing lists gets a list, by which what is there after a kill is
+/// known again, and what was changed since is kept; record_files() lists them in the end. Throws Error(environment).
+void begin_own(const std::string& folder, const std::vector<std::string>& files);
 
 }  // namespace frana::app

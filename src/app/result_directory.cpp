@@ -184,18 +184,18 @@ std::string ResultDirectory::final_path(const std::string& name) const {
     return (fs::path(directory_) / name).string();
 }
 
-void ResultDirectory::forget_the_way(bool frames) const {
+void forget_the_way(const std::string& result, bool frames) {
     std::vector<std::string> folders{k_checkpoint_folder};
     if (frames) folders.emplace_back("frames");
-    const std::optional<Manifest> manifest = read_manifest(directory_);
+    const std::optional<Manifest> manifest = read_manifest(result);
     if (!manifest) return;
     std::error_code ignored;
     for (const std::string& folder : folders) {
         for (const auto& [name, mark] : manifest->files)
-            if (name.starts_with(folder + "/")) fs::remove(final_path(name), ignored);
-        fs::remove(final_path(folder), ignored);  // unless the user has files there
+            if (name.starts_with(folder + "/")) fs::remove(fs::path(result) / name, ignored);
+        fs::remove(fs::path(result) / folder, ignored);  // unless the user has files there
     }
-    forget_files(directory_, folders);
+    forget_files(result, folders);
 }
 
 }  // namespace frana::app

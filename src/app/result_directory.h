@@ -41,10 +41,6 @@ class ResultDirectory {
     /// it is kept beside it.
     [[nodiscard]] std::vector<Problem> publish(const ResultFacts& facts, RunLog& log);
 
-    /// Removes from the published result what only a run on its way needs: checkpoints, and frames from which
-    /// a film was made, if so wished.
-    void forget_the_way(bool frames) const;
-
   private:
     void make_sibling();
     [[noreturn]] void refuse();
@@ -60,5 +56,9 @@ class ResultDirectory {
     bool made_;      ///< the sibling, by this run
     int lock_ = -1;  ///< descriptor of the locked sibling
 };
+
+/// Removes from a finished result what only a run on its way needs: checkpoints, and frames from which a film was made, if
+/// so wished.
+void forget_the_way(const std::string& result, bool frames);
 
 }  // namespace frana::app

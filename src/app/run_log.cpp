@@ -25,6 +25,11 @@ void RunLog::tell(const std::string& text) {
     if (!quiet_) std::cerr << "frana: " << text << '\n';
 }
 
+void RunLog::say_why() const {
+    if (!quiet_) return;
+    for (const std::string& text : warnings_) std::cerr << "frana: warning: " << text << '\n';
+}
+
 void RunLog::continue_from(const std::vector<std::string>& earlier) {
     lines_.insert(lines_.begin(), earlier.begin(), earlier.end());
 }

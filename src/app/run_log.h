@@ -19,6 +19,9 @@ class RunLog {
     /// A line for the terminal as well as the log.
     void tell(const std::string& text);
 
+    /// The warnings that were held back to be quiet: an exit code other than 0 has its reason on the terminal.
+    void say_why() const;
+
     /// Lines of the session that this one continues, to stand before its own.
     void continue_from(const std::vector<std::string>& earlier);
 

@@ -28,6 +28,19 @@ TEST_F(TroubledRun, NamesPlaceStepAndTimeEverywhere) {
     EXPECT_FALSE(fs::is_empty(path("result/checkpoint"))) << "the state at that step";
 }
 
+// What ends with another code than 0 says why, however quiet it was to be.
+TEST_F(TroubledRun, IsNotSilentWhereItIsToBeQuiet) {
+    write_dtm([](int, int column) { return column == 16 ? -9999.0 : 300 - 2.5 * column; });
+    write_scene(k_numbers_only);
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_NE(outcome.err.find("the flow came upon ground without elevation"), std::string::npos) << outcome.err;
+    write_dtm();
+    const Outcome good = frana({"run", "scene.ini", "--out", "good", "--quiet"});
+    EXPECT_EQ(good.exit_code, 0);
+    EXPECT_EQ(good.err, "");
+}
+
 TEST_F(TroubledRun, AGoodRunHasNone) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);

@@ -69,7 +69,11 @@ TEST(StructuredRun, FluidGivesMaximaArrivalSeriesAndBudget) {
     budget_closes(result);
     EXPECT_EQ(result.particles_peak, 0);
     ASSERT_EQ(times.size(), 21u);
-    for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], static_cast<double>(i), 1e-9);
+    // Each is the first state at or after its time; no step of this scene is as long as 0.2 s, a cell over the speed of a film.
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        EXPECT_GE(times[i], static_cast<double>(i) - 1e-9);
+        EXPECT_LT(times[i], static_cast<double>(i) + 0.2);
+    }
     ASSERT_NE(named(result.more, "fluid_velocity"), nullptr);
     // Water falls 30 m: less than 2 sqrt(g H), more than a slow creep.
     double fastest = 0;
@@ -152,6 +156,7 @@ TEST(StructuredRun, FluidFailsLaterAndFlowsIn) {
 // A gauge and a section across the run-out: what passed is what lies beyond and what left.
 TEST(StructuredRun, SectionCountsWhatPasses) {
     Scene scene = slope(false);
+    scene.numerics.cfl = 0.25;  // rows at every step, for the trapezium
     scene.recording.gauges = {{"foot", {600150, 5000060}}};
     scene.recording.sections = {{"foot", {{600150, 5000120}, {600150, 5000000}}}};  // eastwards is to its left
     const RunResult result = run(scene, {});

@@ -51,13 +51,13 @@ std::string levels_of(const std::string& table) {
     return kept;
 }
 
-// Without the time of day and what tells one log, summary or report from another.
+// Without the time of day and what tells one log, summary, report or study from another.
 std::string list_of(const std::string& manifest) {
     std::istringstream lines(manifest);
     std::string kept;
     int left_out = 0;
     for (std::string line; std::getline(lines, line); --left_out) {
-        for (const char* name : {"\"log.txt\"", "\"summary.json\"", "\"report.html\""})
+        for (const char* name : {"\"log.txt\"", "\"summary.json\"", "\"report.html\"", "\"convergence.csv\""})
             if (line.find("\"name\": " + std::string(name)) != std::string::npos) left_out = 3;
         if (left_out <= 0 && line.find("\"written\"") == std::string::npos) kept += line + "\n";
     }

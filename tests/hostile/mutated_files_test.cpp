@@ -161,7 +161,9 @@ TEST_F(Damaged, ResultsAndCheckpointsAreRefusedOrDrawnAndChangeNoResult) {
         EXPECT_EQ(in_lines(differences(part_of(command.before, is_users), part_of(now, is_users))), "");
         // What was damaged is replaced as a whole, or is not used.
         if (ended.exit_code == 0 && command.whole) {
-            EXPECT_EQ(in_lines(differences(command.after, now)), "");
+            std::vector<std::string> wrong = differences(command.after, now);
+            std::erase_if(wrong, is_kept_copy);
+            EXPECT_EQ(in_lines(wrong), "");
         }
     }
 }

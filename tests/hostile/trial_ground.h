@@ -67,6 +67,9 @@ class TrialGround : public TinyScene {
 /// One of them, all files and kinds of calls being alike: a GeoPackage alone is written to hundreds of times.
 SystemCall random_call(const std::vector<SystemCall>& calls, RandomNumbers& random);
 
+/// Whether a difference (see differences()) is a copy that was kept because it may be the user's.
+bool is_kept_copy(const std::string& difference);
+
 /// Exit code, end in time, message: what holds for every call of the program.
 void expect_decent_end(const Ending& ending, Disturbance by = Disturbance::error);
 

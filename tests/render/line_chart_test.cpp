@@ -98,10 +98,10 @@ TEST(Plate, GrowsWherePartsWouldBeTooSmallToDraw) {
         });
     }
     const Image page = draw_plate(plate, 640, 480);
-    EXPECT_EQ(least_width, 320);
-    EXPECT_EQ(least_height, 240);
-    EXPECT_EQ(page.width, 640);
-    EXPECT_GT(page.height, 480);
+    EXPECT_EQ(least_width, 480);
+    EXPECT_EQ(least_height, 360);
+    EXPECT_EQ(page.width, 960);
+    EXPECT_GT(page.height, 720);
 }
 
 }  // namespace
