@@ -67,11 +67,11 @@ void serialise_records(Archive& archive, std::vector<FrameRecord>& records) {
 }
 
 template <class Archive>
-void serialise(Archive& archive, CheckpointHead& head, std::uint32_t format) {
+void serialise(Archive& archive, CheckpointHead& head) {
     auto& [build, scene, step, time, end, wall_seconds, frame_times, waiting, log, origin, frame_records] = head;
-    if (format != 3 && !origin) origin.emplace();  // in format 2 the grid's corner
-    if (format >= 4) archive(origin->column, origin->row);
-    if (format >= 5) serialise_records(archive, frame_records);
+    if (!origin) origin.emplace();
+    archive(origin->column, origin->row);
+    serialise_records(archive, frame_records);
     archive(build, scene, step, time, end, wall_seconds, frame_times);
     waiting.resize(transfer_count(archive, waiting.size(), sizeof(std::uint64_t)));
     for (Frame& frame : waiting) serialise_frame(archive, frame);
@@ -192,7 +192,7 @@ std::uint64_t write_checkpoint(const std::string& path, CheckpointHead head, con
     SummedOutput file(aside.partial_path(), space.become(aside.partial_path()));
     file.start(0);
     StateWriter writer([&](const void* data, std::size_t count) { file.write(data, count); });
-    serialise(writer, head, k_checkpoint_format);
+    serialise(writer, head);
     state(writer);
     const std::uint64_t size = file.finish();
     aside.rename_into_place();
@@ -203,7 +203,7 @@ std::uint64_t write_checkpoint(const std::string& path, CheckpointHead head, con
 std::uint64_t checkpoint_bytes(CheckpointHead head, const SaveState& state) {
     std::uint64_t count = k_start_bytes + k_sum_bytes;
     StateWriter writer([&](const void*, std::size_t more) { count += more; });
-    serialise(writer, head, k_checkpoint_format);
+    serialise(writer, head);
     state(writer);
     return count;
 }
@@ -223,7 +223,7 @@ CheckpointFile::CheckpointFile(const std::string& path)
     if (std::fseek(file, static_cast<long>(k_start_bytes), SEEK_SET) != 0) refuse(path, "cannot be read");
     open_->reader.emplace([file, path](void* to, std::size_t count) { read_exactly(file, to, count, path); },
                           start.size);
-    serialise(*open_->reader, open_->head, start.format);
+    serialise(*open_->reader, open_->head);
 }
 
 CheckpointFile::~CheckpointFile() = default;

@@ -16,8 +16,9 @@ namespace frana::app {
 
 /// Format of checkpoint files: counts up with every change of what any serialise writes. Those from the oldest format
 /// on are read. 2: places count from the grid's corner; 3: from where place_origin says; 4: the origin is told; 5: the
-/// frames' files are.
-inline constexpr std::uint32_t k_checkpoint_format = 5, k_oldest_checkpoint_format = 2;
+/// frames' files are; 6: velocities along the bed, energy, another order of the nodes' sums (the numerics differ, so that
+/// a run of an older frana cannot be finished as it began).
+inline constexpr std::uint32_t k_checkpoint_format = 6, k_oldest_checkpoint_format = 6;
 
 /// What a checkpoint tells of the run that it belongs to.
 struct CheckpointHead {

@@ -59,7 +59,7 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
     json.number("relative_error", relative_volume_error(result));
     json.end_object();
     if (result.exchanges) json.number("deposited_momentum_kg_m_s", result.momentum_deposited);
-    if (facts.spec.numerics.curvature) json.integer("unsupported_node_steps", result.unsupported);
+    if (curvature(facts.spec.numerics)) json.integer("unsupported_node_steps", result.unsupported);
     json.begin_array("release_areas");
     for (const ReleasedArea& area : result.released) {
         json.begin_object().number("start_s", area.start).number("area_m2", area.area);
@@ -67,6 +67,7 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
         json.boolean("failed", area.failed).end_object();
     }
     json.end_array();
+    if (result.energy_error) json.number("energy_error", *result.energy_error);
     json.number("max_depth_m", maximum_or_zero(result.max_depth));
     json.number("max_velocity_ms", maximum_or_zero(result.max_velocity));
     json.number("max_pressure_kpa", maximum_or_zero(result.max_pressure));

@@ -198,6 +198,8 @@ struct RunResult {
     double volume_eroded = 0, volume_deposited = 0;  ///< [m3]
     double momentum_deposited = 0;  ///< that deposits took with them, size of the sum [kg m/s]
     std::int64_t unsupported = 0;   ///< nodes times steps at which the motion over a convex bed lifted off
+    /// Greatest rise that neither gravity nor what friction took explains (EnergyWatch); none where it is not known.
+    std::optional<double> energy_error;
     HardEvents hard_events;
     std::vector<Trouble> troubles;   ///< of the run's last step
     std::vector<std::string> terms;  ///< physics and numerics really computed
