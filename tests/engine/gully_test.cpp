@@ -10,7 +10,7 @@ namespace {
 
 constexpr double k_degree = M_PI / 180;
 
-/// Walls of `wall_deg` that meet along y = 50 m, 1.85 m north of a node row; falls eastwards by `fall_deg`.
+/// Walls of `wall_deg` that meet along y = 51.85 m, on no row of nodes; falls eastwards by `fall_deg`.
 Raster gully(double dx, double wall_deg, double fall_deg) {
     const double length = 200, wall = std::tan(wall_deg * k_degree), fall = std::tan(fall_deg * k_degree);
     return bench::sample_raster(
