@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "analysis/convergence.h"
+#include "analysis/high_values.h"
 #include "analysis/runout.h"
 #include "analysis/trace.h"
 #include "app/command_line.h"
@@ -56,7 +57,7 @@ struct Level {
     double cell_size = 0;
     std::int64_t particles = 0, steps = 0;
     double wall_seconds = 0;
-    double max_depth = 0, max_velocity = 0, covered_area = 0, run_out = 0;
+    double max_depth = 0, depth_p999 = 0, max_velocity = 0, velocity_p999 = 0, covered_area = 0, run_out = 0;
     Raster depth;
 };
 
@@ -80,8 +81,11 @@ Level run_level(const Prepared& prepared, int threads, bool quiet) {
     level.particles = result.particles_peak;
     level.steps = result.steps;
     level.wall_seconds = result.engine_seconds;
-    level.max_depth = maximum(result.max_depth);
-    level.max_velocity = maximum(result.max_velocity);
+    const HighValues depth = high_values(result.max_depth, trace), speed = high_values(result.max_velocity, trace);
+    level.max_depth = depth.greatest;
+    level.depth_p999 = depth.p999;
+    level.max_velocity = speed.greatest;
+    level.velocity_p999 = speed.p999;
     level.covered_area = masked_area(trace);
     level.run_out = runout(result.bed, result.release, trace).horizontal_m;
     level.depth = std::move(result.max_depth);
@@ -92,10 +96,13 @@ struct FigureName {
     const char *key, *title, *unit;
     double Level::*value;
 };
-constexpr FigureName k_figures[] = {{"max_depth_m", "maximum depth", "m", &Level::max_depth},
-                                    {"max_velocity_ms", "maximum velocity", "m/s", &Level::max_velocity},
-                                    {"covered_area_m2", "covered area", "m2", &Level::covered_area},
-                                    {"runout_m", "run-out", "m", &Level::run_out}};
+constexpr FigureName k_figures[] = {
+    {"max_depth_m", "maximum depth", "m", &Level::max_depth},
+    {"max_depth_p999_m", "99.9 % depth", "m", &Level::depth_p999},
+    {"max_velocity_ms", "maximum velocity", "m/s", &Level::max_velocity},
+    {"max_velocity_p999_ms", "99.9 % velocity", "m/s", &Level::velocity_p999},
+    {"covered_area_m2", "covered area", "m2", &Level::covered_area},
+    {"runout_m", "run-out", "m", &Level::run_out}};
 
 GridConvergence convergence_of(const std::vector<Level>& levels, double Level::*value) {
     std::vector<Refinement> refinements;
@@ -104,13 +111,14 @@ GridConvergence convergence_of(const std::vector<Level>& levels, double Level::*
 }
 
 std::string csv_text(const std::vector<Level>& levels) {
-    std::string text =
-        "cell_size_m,particles,steps,wall_seconds,max_depth_m,max_velocity_ms,covered_area_m2,runout_m\n";
+    std::string text = "cell_size_m,particles,steps,wall_seconds";
+    for (const FigureName& name : k_figures) text += std::string(",") + name.key;
+    text += '\n';
     for (const Level& l : levels) {
-        text += shortest_text(l.cell_size) + ',' + std::to_string(l.particles) + ',' +
-                std::to_string(l.steps) + ',' + shortest_text(l.wall_seconds) + ',' +
-                shortest_text(l.max_depth) + ',' + shortest_text(l.max_velocity) + ',' +
-                shortest_text(l.covered_area) + ',' + shortest_text(l.run_out) + '\n';
+        text += shortest_text(l.cell_size) + ',' + std::to_string(l.particles) + ',' + std::to_string(l.steps) + ',' +
+                shortest_text(l.wall_seconds);
+        for (const FigureName& name : k_figures) text += ',' + shortest_text(l.*name.value);
+        text += '\n';
     }
     return text;
 }
@@ -139,12 +147,15 @@ std::string json_text(const std::vector<Level>& levels, const SceneSpec& spec) {
 /// The table a person reads, and the sentences kept for later runs.
 std::string table_text(const std::vector<Level>& levels) {
     char line[160];
-    std::string text = "    cell   particles   steps   engine    depth   velocity        area   run-out\n";
+    std::string text =
+        "    cell   particles   steps   engine    depth   99.9 %    velocity     99.9 %        area   run-out\n";
     for (const Level& l : levels) {
         std::snprintf(line, sizeof line,
-                      "%6.2f m  %10lld  %6lld  %6.1f s  %5.2f m  %5.2f m/s  %7.0f m2  %6.1f m\n", l.cell_size,
+                      "%6.2f m  %10lld  %6lld  %6.1f s  %5.2f m  %5.2f m  %6.2f m/s %6.2f m/s  %7.0f m2  "
+                      "%6.1f m\n",
+                      l.cell_size,
                       static_cast<long long>(l.particles), static_cast<long long>(l.steps), l.wall_seconds,
-                      l.max_depth, l.max_velocity, l.covered_area, l.run_out);
+                      l.max_depth, l.depth_p999, l.max_velocity, l.velocity_p999, l.covered_area, l.run_out);
         text += line;
     }
     return text;
@@ -174,7 +185,7 @@ render::Image chart_of(const std::vector<Level>& levels) {
         "distance from the extrapolated value, where a figure converges; from the finest otherwise",
         "cell size [m]",
         "relative distance [-]",
-        4,
+        3,
         {}};
     for (const FigureName& name : k_figures) {
         const double limit = convergence_of(levels, name.value).extrapolated;
@@ -185,7 +196,7 @@ render::Image chart_of(const std::vector<Level>& levels) {
         }
         content.panels.push_back({name.title, {series}, "no difference between the levels"});
     }
-    return render::draw_chart(content, 1600, 700);
+    return render::draw_chart(content, 1600, 1100);
 }
 
 int level_count(const boost::program_options::variables_map& values) {

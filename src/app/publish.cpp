@@ -161,6 +161,7 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     facts.threads = run.threads;
     facts.run_out = runout(result.bed, result.release, trace);
     facts.covered_area_m2 = masked_area(trace);
+    facts.high = high_figures(result, trace);
 
     publish_rasters(prepared, result, directory);
     publish_outlines(prepared, result, facts.run_out, directory);

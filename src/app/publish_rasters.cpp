@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/publish_rasters.h"
 
+#include "analysis/high_values.h"
 #include "analysis/trace.h"
 #include "app/layers.h"
 #include "app/provenance.h"
@@ -39,7 +40,9 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
     for (std::size_t i = 0; i < mask.values.size(); ++i)
         if (mask.values[i] != 0) volume += depth.values[i] * result.bed.grid.cell_area();
     area.numbers["volume_m3"] = volume;
-    area.numbers["max_depth_m"] = maximum(depth);
+    const HighValues high = high_values(depth, mask);
+    area.numbers["max_depth_m"] = high.greatest;
+    area.numbers["max_depth_p999_m"] = high.p999;
     area.numbers["runout_m"] = run_out.horizontal_m;
     area.numbers["drop_m"] = run_out.drop_m;
     area.numbers["reach_angle_deg"] = run_out.reach_angle_deg;
@@ -97,7 +100,9 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const R
     for (PolygonFeature& trace : layers[1].features) {
         // What passed over the trace is what was released; depths of different moments do not add up.
         trace.numbers["volume_m3"] = result.volume_initial;
-        trace.numbers["max_velocity_ms"] = maximum(result.max_velocity);
+        const HighValues speed = high_values(result.max_velocity, trace_mask(result.max_depth, threshold));
+        trace.numbers["max_velocity_ms"] = speed.greatest;
+        trace.numbers["max_velocity_p999_ms"] = speed.p999;
     }
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
     gis::write_outlines(directory.path("extent.gpkg"), prepared.scene.grid.crs_wkt, layers);

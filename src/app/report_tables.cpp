@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "analysis/trace.h"
 #include "app/number_text.h"
 #include "app/svg_chart.h"
 #include "app/transform_report.h"
@@ -47,8 +46,17 @@ class Table {
     std::string rows_;
 };
 
-double or_zero(double value) {
-    return std::isnan(value) ? 0 : value;
+/// Three rows for each raster of maxima. Where nothing is deeper than the threshold there is no area to speak of.
+void add_high_figures(Table& table, const HighFigures& high) {
+    for (std::size_t i = 0; i < high.size(); ++i) {
+        const HighFigure& what = k_high_figures[i];
+        const auto row = [&](const std::string& name, double value) {
+            table.number(name + what.title, std::isnan(value) ? "–" : figure(value, 4), what.unit);
+        };
+        row("Greatest ", std::isnan(high[i].greatest) ? 0 : high[i].greatest);
+        row("99.9 % of the area stay under: ", high[i].p999);
+        row("99 % of the area stay under: ", high[i].p99);
+    }
 }
 
 std::string signed_figure(double value) {
@@ -100,18 +108,20 @@ std::string operation(const gis::TransformInfo& transform) {
 std::string results_table(const ReportInput& input) {
     const RunResult& r = input.result;
     const SummaryFacts& f = input.facts;
-    return Table()
-        .number("Greatest depth, vertical", figure(or_zero(maximum(r.max_depth)), 4), "m")
-        .number("Greatest speed, along the ground", figure(or_zero(maximum(r.max_velocity)), 4), "m/s")
-        .number("Greatest dynamic pressure", figure(or_zero(maximum(r.max_pressure)), 4), "kPa")
-        .number("Area deeper than " + figure(input.prepared.spec.output.trace_threshold) + " m at any time",
+    Table table;
+    add_high_figures(table, f.high);
+    table.number("Area deeper than " + figure(input.prepared.spec.output.trace_threshold) + " m at any time",
                 grouped(f.covered_area_m2), "m²")
         .number("Run-out, straight in map view", grouped(f.run_out.horizontal_m), "m")
         .number("Drop", grouped(f.run_out.drop_m), "m")
         .number("Angle of reach", figure(f.run_out.reach_angle_deg, 3), "°")
         .number("Simulated time (" + std::string(describe(r.stop_reason)) + ")",
-                figure(r.simulated_seconds, 4), "s")
-        .html();
+                figure(r.simulated_seconds, 4), "s");
+    return table.html() +
+           "<p class=\"small\">The greatest value is that of a single cell; those of 99.9 % and 99 % are over the area "
+           "deeper than " +
+           html_escaped(figure(input.prepared.spec.output.trace_threshold)) +
+           " m, at the greatest of all times in each cell.</p>\n";
 }
 
 std::string budget_table(const RunResult& r) {

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "analysis/trace.h"
 #include "app/scene_identity.h"
 #include "app/version.h"
 #include "core/json.h"
@@ -15,10 +14,13 @@
 namespace frana::app {
 namespace {
 
-/// NaN (nothing ever flowed) is no maximum; then it is zero.
-double maximum_or_zero(const Raster& raster) {
-    const double largest = maximum(raster);
-    return std::isnan(largest) ? 0 : largest;
+/// Where nothing ever flowed the greatest value is 0; where nothing is deeper than the threshold the others are null.
+void write_high_figures(JsonWriter& json, const HighFigures& high) {
+    for (std::size_t i = 0; i < high.size(); ++i) {
+        const std::string name = k_high_figures[i].name, unit = std::string("_") + k_high_figures[i].key_unit;
+        json.number(name + unit, std::isnan(high[i].greatest) ? 0 : high[i].greatest);
+        json.number(name + "_p999" + unit, high[i].p999).number(name + "_p99" + unit, high[i].p99);
+    }
 }
 
 void write_grid_and_particles(JsonWriter& json, const RunResult& result) {
@@ -68,9 +70,7 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
         json.boolean("failed", area.failed).end_object();
     }
     json.end_array();
-    json.number("max_depth_m", maximum_or_zero(result.max_depth));
-    json.number("max_velocity_ms", maximum_or_zero(result.max_velocity));
-    json.number("max_pressure_kpa", maximum_or_zero(result.max_pressure));
+    write_high_figures(json, facts.high);
     json.number("covered_area_m2", facts.covered_area_m2);
     json.number("trace_threshold_m", facts.spec.output.trace_threshold);
     json.begin_object("runout").number("horizontal_m", facts.run_out.horizontal_m);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/runout.h"
+#include "app/high_figures.h"
 #include "app/publish_hazard.h"
 #include "params/scene_spec.h"
 #include "simulation/result.h"
@@ -25,6 +26,7 @@ struct SummaryFacts {
     std::int64_t peak_memory_bytes = 0;
     Runout run_out;
     double covered_area_m2 = 0;      ///< of the trace: greatest depth over output.trace-threshold
+    HighFigures high;                ///< over that trace
     std::vector<HazardArea> hazard;  ///< empty: no scheme
     std::vector<std::string> warnings;
     std::vector<std::string> data_identity;  ///< what --resume knows the scene's data by

@@ -3,12 +3,15 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <regex>
 #include <stdexcept>
 
 #include "../gis/cog_check.h"
+#include "app/number_text.h"
 #include "app/provenance.h"
 #include "gis/gdal_session.h"
 #include "gis/raster_in.h"
@@ -161,8 +164,47 @@ TEST_F(Output, OutlinesCarryTheirFigures) {
         EXPECT_NEAR(value("volume_m3"), 4000, 1e-6);
         EXPECT_EQ(value("max_depth_m"), json_number(summary, "max_depth_m"));
         EXPECT_EQ(value("max_velocity_ms"), json_number(summary, "max_velocity_ms"));
+        EXPECT_EQ(value("max_depth_p999_m"), json_number(summary, "max_depth_p999_m"));
+        EXPECT_EQ(value("max_velocity_p999_ms"), json_number(summary, "max_velocity_p999_ms"));
         EXPECT_EQ(value("runout_m"), json_number(summary, "horizontal_m"));
     }
+}
+
+TEST_F(Output, HighValuesAreThoseOfTheRasters) {
+    run(k_quiet + "trace-threshold = 0.3\n");
+    const std::string summary = text("summary.json"), report = text("report.html");
+    const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
+    const std::array<std::array<std::string, 2>, 3> figures{
+        {{"max_depth", "m"}, {"max_velocity", "ms"}, {"max_pressure", "kpa"}}};
+    for (const auto& [name, unit] : figures) {
+        const Raster raster = gis::read_result_raster(path("result/" + name + ".tif"));
+        std::vector<double> inside;
+        for (std::size_t i = 0; i < raster.values.size(); ++i)
+            if (depth.values[i] > 0.3) inside.push_back(raster.values[i]);
+        std::sort(inside.begin(), inside.end());
+        ASSERT_GT(inside.size(), 100U);
+        for (const int thousandths : {999, 990}) {
+            // As numpy.percentile(inside, 99.9) and 99; files hold 4 bytes a value, 6e-8 of it.
+            const std::size_t last = inside.size() - 1, place = last * thousandths / 1000;
+            const double beyond = static_cast<double>(last * thousandths % 1000) / 1000;
+            const double expected = inside[place] + beyond * (inside[place + 1] - inside[place]);
+            const std::string key = name + (thousandths == 999 ? "_p999_" : "_p99_") + unit;
+            EXPECT_NEAR(json_number(summary, key), expected, 1e-6 * expected) << key;
+            EXPECT_NE(report.find(">" + app::figure(json_number(summary, key), 4) + "<"), std::string::npos) << key;
+        }
+        EXPECT_NEAR(json_number(summary, name + "_" + unit), inside.back(), 1e-6 * inside.back()) << name;
+        EXPECT_LE(json_number(summary, name + "_p99_" + unit), json_number(summary, name + "_p999_" + unit));
+        EXPECT_LE(json_number(summary, name + "_p999_" + unit), json_number(summary, name + "_" + unit));
+    }
+    EXPECT_NE(report.find("99.9 % of the area stay under: depth, vertical"), std::string::npos);
+}
+
+TEST_F(Output, HighValuesOfNoAreaAreNone) {
+    run(k_quiet + "trace-threshold = 50\n");
+    const std::string summary = text("summary.json");
+    EXPECT_EQ(json_number(summary, "covered_area_m2"), 0);
+    EXPECT_GT(json_number(summary, "max_depth_m"), 1);
+    EXPECT_NE(summary.find("\"max_depth_p999_m\": null"), std::string::npos);
 }
 
 TEST_F(Output, ProfilesAlongTheFlowPathAndTheUsersLine) {
