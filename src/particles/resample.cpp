@@ -88,7 +88,10 @@ class TileResampler {
           grid_(grid),
           particles_(particles),
           begin_(tile.begin),
-          size_(tile.end - tile.begin) {}
+          size_(tile.end - tile.begin) {
+        const double *x = particles_[Field::x] + begin_, *y = particles_[Field::y] + begin_;
+        for (std::size_t p = 0; p < size_; ++p) ++counts_[cell_of(x[p], y[p])];
+    }
 
     TileChange operator()() {
         split();
@@ -105,7 +108,7 @@ class TileResampler {
   private:
     static constexpr std::size_t k_cells = k_tile * k_tile;
 
-    // Cell within the tile; halves that fall just outside count for the nearest cell of the tile.
+    // Cell within the tile, for particles of the tile.
     [[nodiscard]] std::size_t cell_of(double x, double y) const {
         const auto i = static_cast<std::uint64_t>(grid_.node_x(x));
         const auto j = static_cast<std::uint64_t>(grid_.node_y(y));
@@ -127,13 +130,10 @@ class TileResampler {
         const double *q_yy = particles_[Field::q_yy] + begin_;
         const double *volume = particles_[Field::volume] + begin_, *area = particles_[Field::area] + begin_;
         const double limit = limits_.split_extent * limits_.cell_size;
-        for (std::size_t p = 0; p < size_; ++p) ++counts_[cell_of(x[p], y[p])];
-        // Counted before any of this pass's splits, so that the outcome does not depend on the particles' order.
-        const std::array<int, k_cells> before = counts_;
         for (std::size_t p = 0; p < size_; ++p) {
             if (!(Symmetric{q_xx[p], q_xy[p], q_yy[p]}.largest() > limit * limit)) continue;
             if (volume[p] <= limits_.minimum_depth * area[p]) continue;
-            if (before[cell_of(x[p], y[p])] < limits_.split_below) split_one(p);
+            if (counts_[cell_of(x[p], y[p])] < limits_.split_below) split_one(p);
         }
     }
 
@@ -154,11 +154,7 @@ class TileResampler {
             return x > edges.west && x < edges.east && y > edges.south && y < edges.north && !in_wall(x, y);
         };
         if (!std::all_of(parts.begin(), parts.end(), fits)) return;
-        --counts_[cell_of(get(r, Field::x), get(r, Field::y))];
-        for (const ParticleRow& part : parts) {
-            ++counts_[cell_of(get(part, Field::x), get(part, Field::y))];
-            change_.come.push_back(part);
-        }
+        change_.come.insert(change_.come.end(), parts.begin(), parts.end());
         change_.gone.push_back(p);
         ++change_.counts.split;
     }
@@ -190,22 +186,12 @@ class TileResampler {
     }
 
     void merge() {
-        // Members of the cells that hold too many, in their order.
+        // Members of the cells that hold too many, in their order; none of them splits (ResampleLimits).
         std::array<std::vector<std::size_t>, k_cells> cells;
-        const auto sort_in = [&](std::size_t i, double x, double y) {
-            const std::size_t cell = cell_of(x, y);
-            if (counts_[cell] > limits_.max_per_cell) cells[cell].push_back(i);
-        };
-        std::size_t next_gone = 0;
         for (std::size_t p = 0; p < size_; ++p) {
-            if (next_gone < change_.gone.size() && change_.gone[next_gone] == p) {
-                ++next_gone;
-            } else {
-                sort_in(p, particles_[Field::x][begin_ + p], particles_[Field::y][begin_ + p]);
-            }
+            const std::size_t cell = cell_of(particles_[Field::x][begin_ + p], particles_[Field::y][begin_ + p]);
+            if (counts_[cell] > limits_.max_per_cell) cells[cell].push_back(p);
         }
-        for (std::size_t i = 0; i < change_.come.size(); ++i)
-            sort_in(size_ + i, get(change_.come[i], Field::x), get(change_.come[i], Field::y));
 
         std::vector<std::uint8_t> unwanted(change_.come.size(), 0);
         const auto drop = [&](std::size_t i) {
@@ -260,7 +246,9 @@ class TileResampler {
     const TileGrid& grid_;
     const ParticleSet& particles_;
     const std::size_t begin_, size_;
-    std::array<int, k_cells> counts_{};  // particles in each cell as they would be after the change so far
+    // Particles in each cell before anything changes: halves may fall into a neighbour's tile, and where tiles lie must not
+    // decide. What falls into a cell counts in the next pass.
+    std::array<int, k_cells> counts_{};
     TileChange change_;
 };
 

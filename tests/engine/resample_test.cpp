@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "particles/resample.h"
 
@@ -100,6 +103,48 @@ TEST(Resample, MergesCrowdedCellsAndKeepsTheBudgets) {
     EXPECT_NEAR(after.mx, before.mx, 1e-13);
     EXPECT_NEAR(after.my, before.my, 1e-13);
     EXPECT_NEAR(after.moment_x, before.moment_x, 1e-12);
+}
+
+// Positions, volumes and shapes of what is left of a crowd of particles that lies so many cells to the east and north,
+// as if it lay at 0; by place.
+std::vector<std::array<double, 5>> left_of_crowd(int east, int north) {
+    ParticleSet particles(k_mask);
+    std::uint64_t random = 1;
+    const auto next = [&](int below) {
+        random = random * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<int>((random >> 33) % static_cast<std::uint64_t>(below));
+    };
+    for (int cell = 0; cell < 18 * 18; ++cell) {  // a chessboard of crowded cells and of cells with long particles
+        const int i = cell % 18, j = cell / 18;
+        const bool crowded = (i + j) % 2 == 0;
+        for (int k = 0; k < (crowded ? 12 : 2); ++k) {
+            // on 1024ths of a cell, so that moving them rounds nothing
+            const double x = 4 + i + next(1024) / 1024.0, y = 4 + j + next(1024) / 1024.0;
+            ParticleRow r = crowded ? particle(x, y, 0.25, 0.25, 0) : particle(x, y, 1.5, 0.25, 0.5);
+            get(r, Field::x) += east;
+            get(r, Field::y) += north;
+            particles.push_back(r);
+        }
+    }
+    const ResampleCounts counts = resample_once(particles, 10);
+    EXPECT_GT(counts.split, 10);
+    EXPECT_GT(counts.merged, 100);
+    std::vector<std::array<double, 5>> left;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        left.push_back({particles[Field::x][p] - east, particles[Field::y][p] - north, particles[Field::volume][p],
+                        particles[Field::q_xx][p], particles[Field::q_yy][p]});
+    std::sort(left.begin(), left.end());
+    return left;
+}
+
+TEST(Resample, DoesNotDependOnWhereTheTilesLie) {
+    const auto here = left_of_crowd(0, 0);
+    for (const auto& [east, north] : {std::array{1, 0}, std::array{0, 5}, std::array{7, 11}}) {
+        const auto there = left_of_crowd(east, north);
+        ASSERT_EQ(here.size(), there.size()) << east << " cells to the east, " << north << " to the north";
+        for (std::size_t i = 0; i < here.size(); ++i)
+            for (std::size_t k = 0; k < 5; ++k) ASSERT_NEAR(here[i][k], there[i][k], 1e-12) << i;
+    }
 }
 
 }  // namespace
