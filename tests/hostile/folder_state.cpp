@@ -5,74 +5,13 @@
 #include <gdal.h>
 
 #include <filesystem>
-#include <sstream>
 
-#include "../cli/program.h"
+#include "../cli/lasting_bytes.h"
 
 namespace frana::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Without the lines that tell how long it took, on how many threads, what memory held, and what was warned
-// of.
-std::string figures_of(const std::string& summary) {
-    std::istringstream lines(summary);
-    std::string kept;
-    for (std::string line; std::getline(lines, line);) {
-        if (line.find("\"warnings\": [") != std::string::npos) {
-            while (line.find(']') == std::string::npos && std::getline(lines, line)) {
-            }
-            continue;
-        }
-        bool wanted = true;
-        for (const char* name : {"\"threads\"", "\"total\"", "\"input\"", "\"engine\"", "\"output\"",
-                                 "\"render\"", "particle_steps_per_second", "peak_memory_bytes"})
-            wanted = wanted && line.find(name) == std::string::npos;
-        if (wanted) kept += line + "\n";
-    }
-    return kept;
-}
-
-// Without the column of seconds.
-std::string levels_of(const std::string& table) {
-    std::istringstream lines(table);
-    std::string kept;
-    std::vector<std::string> names;
-    for (std::string line; std::getline(lines, line);) {
-        std::istringstream words(line);
-        std::size_t column = 0;
-        for (std::string word; std::getline(words, word, ','); ++column) {
-            if (names.size() <= column) names.push_back(word);
-            if (names[column] != "wall_seconds") kept += word + ",";
-        }
-        kept += "\n";
-    }
-    return kept;
-}
-
-// Without the time of day and what tells one log, summary, report or study from another.
-std::string list_of(const std::string& manifest) {
-    std::istringstream lines(manifest);
-    std::string kept;
-    int left_out = 0;
-    for (std::string line; std::getline(lines, line); --left_out) {
-        for (const char* name : {"\"log.txt\"", "\"summary.json\"", "\"report.html\"", "\"convergence.csv\""})
-            if (line.find("\"name\": " + std::string(name)) != std::string::npos) left_out = 3;
-        if (left_out <= 0 && line.find("\"written\"") == std::string::npos) kept += line + "\n";
-    }
-    return kept;
-}
-
-std::string comparable(const fs::path& file) {
-    const std::string name = file.filename().string();
-    const std::string text = read_text(file.string());
-    if (name == "summary.json") return figures_of(text);
-    if (name == "manifest.json") return list_of(text);
-    if (name == "convergence.csv") return levels_of(text);
-    if (name == "log.txt" || name == "report.html") return text.empty() ? "" : "some text";
-    return text;
-}
 
 bool can_be_read(const std::string& path) {
     CPLErrorReset();
@@ -102,7 +41,7 @@ FolderState state_of(const std::string& folder) {
         } else if (entry.is_directory()) {
             state[name + "/"] = "";
         } else if (entry.is_regular_file()) {
-            state[name] = comparable(entry.path());
+            state[name] = lasting_bytes_but_warnings(entry.path().string());
         } else {
             state[name] = "no regular file";
         }

@@ -7,9 +7,8 @@
 
 namespace frana::test {
 
-/// Every file below a folder by its path, with what it holds; folders have "/" after their names and hold
-/// nothing. Of log.txt, summary.json and report.html only what does not tell how long it took, on how many
-/// threads or what went wrong on the way.
+/// Every file below a folder by its path, with its lasting bytes but for warnings; folders have "/" after
+/// their names and hold nothing.
 using FolderState = std::map<std::string, std::string>;
 FolderState state_of(const std::string& folder);
 
