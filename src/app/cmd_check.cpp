@@ -13,10 +13,10 @@
 #include "app/memory_limit.h"
 #include "app/number_text.h"
 #include "app/prepare.h"
-#include "app/publish.h"
 #include "app/result_place.h"
 #include "app/share_directory.h"
 #include "app/thickness_volume.h"
+#include "app/thin_release.h"
 #include "app/time_estimate.h"
 #include "core/json.h"
 #include "simulation/simulation.h"
@@ -117,8 +117,8 @@ int cmd_check(const Arguments& arguments) {
     const auto values = parse_arguments(check_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
     const int threads = thread_count(*values);
-    take_memory_limit(*values);
     RunLog log(false);
+    take_memory_limit(*values, log);
     SceneReading reading = read_scene((*values)["operand"].as<std::string>(),
                                       text_options(*values, "set"), materials_directory());
     // Whether a result that is there already may be replaced is asked of whoever runs the scene.
@@ -136,10 +136,7 @@ int cmd_check(const Arguments& arguments) {
     print_run(prepared, expected, trial, threads);
     std::fflush(stdout);
     compare_volumes(prepared.release.file_volume_m3, expected.volume, log);
-    if (expected.thin_share > k_thin_share)
-        log.warn(figure(100 * expected.thin_share, 2) + " % of the release is thinner than numerics.minimum-depth = " +
-                 shortest_text(prepared.scene.numerics.minimum_depth) +
-                 " m: maps and figures do not show it; set the key to about a hundredth of the flow's usual depth");
+    warn_of_thin_release(expected, prepared.scene, log);
     return static_cast<int>(ExitCode::done);
 }
 

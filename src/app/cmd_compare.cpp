@@ -9,6 +9,8 @@
 #include "app/comparison.h"
 #include "app/kept_files.h"
 #include "app/manifest.h"
+#include "app/memory_forecast.h"
+#include "app/memory_limit.h"
 #include "app/own_files.h"
 #include "app/ranking.h"
 #include "app/replace_result.h"
@@ -174,6 +176,14 @@ void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::stri
     problems.throw_if_any();
 }
 
+void refuse_too_large(const Simulated& simulated, const std::string& where) {
+    Drawing drawing;
+    drawing.page = simulated.source.style.size;
+    drawing.cells = simulated.input.depth.grid.cell_count();
+    refuse_pictures_of(memory_of_drawing(drawing), where,
+                       std::to_string(drawing.page.width) + "x" + std::to_string(drawing.page.height));
+}
+
 std::string make_folder(const std::string& folder) {
     std::error_code failure;
     fs::create_directories(folder, failure);
@@ -225,6 +235,7 @@ int cmd_compare(const Arguments& arguments) {
     for (const Pair& pair : pairs) {
         if (std::exchange(operand, pair.operand) != pair.operand) simulated = read_simulated(operand, threshold);
         if (size) simulated.source.style.size = *size;
+        refuse_too_large(simulated, size ? "--size" : "output.map-size");
         simulated.input.survey = read_survey(pair.scar, deposit, simulated.input.depth.grid, log);
         const Comparison comparison = compare_into(simulated, pair.folder, log);
         record_files(files_of(pair, simulated.source.style));

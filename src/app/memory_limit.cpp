@@ -58,7 +58,7 @@ std::string bound_text(const MemoryBound& bound) {
 
 }  // namespace
 
-void take_memory_limit(const boost::program_options::variables_map& values) {
+void take_memory_limit(const boost::program_options::variables_map& values, RunLog& log) {
     const auto text = text_option(values, "memory-limit");
     if (!text) return;
     const auto bytes = bytes_from_text(*text);
@@ -66,11 +66,13 @@ void take_memory_limit(const boost::program_options::variables_map& values) {
         throw Error(ErrorKind::input, Problem{"is not an amount of memory", "--memory-limit", *text, "",
                                               "Write for example 4GB, 500MB or 2GiB"});
     limit = *bytes;
+    if (const MemoryBound there = machine_memory(); limit > there.bytes)
+        log.tell("--memory-limit " + *text + " is more than " + bound_text(there) + ": that is what counts");
 }
 
 MemoryBound usable_memory() {
-    if (limit > 0) return {limit, "--memory-limit allows"};
-    return machine_memory();
+    const MemoryBound there = machine_memory();
+    return limit > 0 && limit <= there.bytes ? MemoryBound{limit, "--memory-limit allows"} : there;
 }
 
 void refuse_too_much(const SceneReading& reading, const Scene& scene, double released_area) {
@@ -107,12 +109,11 @@ void refuse_run_of(std::int64_t needed, const SceneReading& reading, const Prepa
                 reading.where("terrain.cell-size"), shortest_text(prepared.scene.grid.cell_size) + " m",
                 bound_text(bound),
                 "Choose a larger terrain.cell-size, a part of the DTM with terrain.bounds, a smaller "
-                "output.map-size or no pictures; --memory-limit says that another amount may be taken"});
+                "output.map-size or no pictures, or give the run more memory"});
 }
 
 void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepared, std::int64_t held,
-                              int threads) {
-    const RunEstimate expected = estimate(prepared.scene, threads);
+                              const RunEstimate& expected, int threads) {
     if (static_cast<double>(most_memory_of_run(prepared, held, expected)) <= usable_memory().bytes) return;
     refuse_run_of(
         memory_of_run(prepared, held, expected, estimate_time(reading, prepared, expected, threads)), reading,

@@ -19,6 +19,7 @@
 #include "app/scene_identity.h"
 #include "app/text_file.h"
 #include "app/thickness_volume.h"
+#include "app/thin_release.h"
 #include "app/timeseries.h"
 #include "app/version.h"
 #include "core/json.h"

@@ -10,8 +10,6 @@
 
 namespace frana::app {
 
-inline constexpr double k_thin_share = 0.1;  ///< of the volume that may be thinner than maps show without a word
-
 /// Everything a finished run leaves behind.
 struct Finished {
     const Prepared& prepared;

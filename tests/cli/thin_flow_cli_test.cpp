@@ -23,6 +23,32 @@ TEST_F(ThinFlow, ReleasedEverywhereIsRefused) {
               0);
 }
 
+TEST_F(ThinFlow, ReleasedInPartIsAWarningOfCheckAndRun) {
+    write_scene(k_numbers_only);
+    write("two.geojson",
+          R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name":)"
+          R"( "urn:ogc:def:crs:EPSG::32632"}}, "features": [)"
+          R"({"type": "Feature", "properties": {"depth": 0.02}, "geometry": {"type": "Polygon",)"
+          R"( "coordinates": [[[527020, 5094055], [527045, 5094055], [527045, 5094095], [527020, 5094095],)"
+          R"( [527020, 5094055]]]}},)"
+          R"({"type": "Feature", "properties": {"depth": 0.008}, "geometry": {"type": "Polygon",)"
+          R"( "coordinates": [[[527045, 5094055], [527070, 5094055], [527070, 5094095], [527045, 5094095],)"
+          R"( [527045, 5094055]]]}}]})");
+    const std::vector<std::string> more{"--set", "release.perimeter=two.geojson", "--set",
+                                        "release.thickness=attribute:depth"};
+    std::vector<std::string> check{"check", "scene.ini"}, run{"run", "scene.ini", "--out", "result"};
+    for (auto* words : {&check, &run}) words->insert(words->end(), more.begin(), more.end());
+    const std::string told =
+        "% of the release is thinner than numerics.minimum-depth = 0.01 m: maps and figures do not show it";
+    for (const auto& words : {check, run}) {
+        const Outcome outcome = frana(words);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_NE(outcome.err.find(told), std::string::npos) << words.front() << ": " << outcome.err;
+    }
+    const std::string summary = read_text(path("result/summary.json"));
+    EXPECT_NE(summary.find(told, summary.find("\"warnings\"")), std::string::npos) << summary;
+}
+
 TEST_F(ThinFlow, OnTheWayIsAWarning) {
     write_scene(k_numbers_only);
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--set", "release.thickness=0.02", "--set",
