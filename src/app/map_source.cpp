@@ -2,6 +2,7 @@
 #include "app/map_source.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "app/number_text.h"
@@ -210,9 +211,22 @@ std::vector<std::string> LayerDrawer::draw_map(const MapLayer& layer, const std:
 
 std::vector<std::string> LayerDrawer::draw(const MapLayer& layer, bool view_3d, const std::string& stem,
                                            const std::string& tif_stem) {
-    if (!view_3d) return draw_map(layer, picture_files(source_.style, stem, true, tif_stem));
+    const std::string for_page = page_picture(stem);
+    if (!view_3d) {
+        std::vector<std::string> files = picture_files(source_.style, stem, true, tif_stem);
+        if (!for_page.empty()) files.push_back(for_page);
+        return draw_map(layer, files);
+    }
     const render::ViewSpec spec = view_spec(source_, layer);
-    return write_plain_picture(views_.draw(spec), source_.style, spec.title, stem);
+    const render::Image view = views_.draw(spec);
+    if (!for_page.empty()) render::write_png(for_page, view, source_.style.size.dots_per_inch);
+    return write_plain_picture(view, source_.style, spec.title, stem);
+}
+
+std::string LayerDrawer::page_picture(const std::string& stem) const {
+    const std::vector<std::string>& formats = source_.style.formats;
+    if (page_folder_.empty() || std::find(formats.begin(), formats.end(), "png") != formats.end()) return {};
+    return page_folder_ + "/" + std::filesystem::path(stem).filename().string() + ".png";
 }
 
 }  // namespace frana::app

@@ -91,6 +91,10 @@ class LayerDrawer {
 
     [[nodiscard]] const MapStyle& style() const noexcept { return source_.style; }
 
+    /// From now on each picture also as PNG in this folder, where the style asks for other formats only: a
+    /// page for a browser takes no others.
+    void draw_for_page_too(const std::string& folder) { page_folder_ = folder; }
+
     /// Draws the map STEM.png (or .pdf, .tif, as the style asks) or a view, and returns the names of the files. A view
     /// is no GeoTIFF; `tif_stem` as in picture_files. Throws Error.
     std::vector<std::string> draw(const MapLayer& layer, bool view_3d, const std::string& stem,
@@ -98,8 +102,10 @@ class LayerDrawer {
 
   private:
     std::vector<std::string> draw_map(const MapLayer& layer, const std::vector<std::string>& files);
+    [[nodiscard]] std::string page_picture(const std::string& stem) const;
 
     const MapSource& source_;
+    std::string page_folder_;
     render::MapSeries maps_;
     render::ViewSeries views_;
 };

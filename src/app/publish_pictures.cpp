@@ -8,6 +8,7 @@
 #include "app/charts.h"
 #include "app/layers.h"
 #include "app/provenance.h"
+#include "app/result_files.h"
 #include "app/result_reader.h"
 #include "app/signals.h"
 #include "core/error.h"
@@ -141,6 +142,11 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
     const ResultReader written(request.folder);
     const MapSource source = map_source(written, request.spec);
     LayerDrawer drawer(source);
+    if (output.report && !request.only_missing) {
+        const std::string folder = written.path(k_page_folder);
+        make_folder(folder);
+        drawer.draw_for_page_too(folder);
+    }
     draw_maps(output.maps, written, drawer, drawings);
     if (request.comparison && request.comparison->figures) {
         drawings.attempt("comparison", comparison_pictures(source.style, written.directory()), [&] {

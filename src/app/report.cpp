@@ -12,6 +12,7 @@
 #include "app/number_text.h"
 #include "app/provenance.h"
 #include "app/report_tables.h"
+#include "app/result_files.h"
 #include "app/svg_chart.h"
 #include "app/version.h"
 #include "core/file_aside.h"
@@ -86,16 +87,27 @@ void add_warnings(Page& page, const std::vector<std::string>& warnings) {
         page.add("<p class=\"warning\">" + html_escaped(warning) + "</p>\n");
 }
 
+/// A picture in its place, or where it was drawn for the page alone.
+std::optional<std::string> drawn(const ResultDirectory& directory, const std::string& folder,
+                                 const std::string& name) {
+    for (const std::string& place : {folder, std::string(k_page_folder) + "/"})
+        if (std::string file = directory.path(place + name + ".png"); fs::exists(file)) return file;
+    return std::nullopt;
+}
+
 void add_maps(Page& page, const SceneSpec& spec, const ResultDirectory& directory) {
     page.add("<h2 id=\"maps\">Maps</h2>\n");
     bool any = false;
     std::vector<std::string> names = map_names();
     for (const Layer& layer : all_layers())
         if (std::find(names.begin(), names.end(), layer.name) == names.end()) names.push_back(layer.name);
+    for (const std::string& name : spec.output.maps)  // views, maps of one time
+        if (name != "on" && name != "off" && std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(name);
     for (const std::string& name : names) {
-        const std::string file = directory.path("maps/" + name + ".png");
-        if (!fs::exists(file)) continue;
-        page.add_picture(file, name);
+        const auto file = drawn(directory, "maps/", name);
+        if (!file) continue;
+        page.add_picture(*file, name);
         any = true;
     }
     if (!any)
@@ -139,8 +151,7 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     if (input.comparison) {
         page.add("<h2 id=\"comparison\">Comparison with the survey</h2>\n" +
                  comparison_tables(*input.comparison));
-        if (fs::exists(directory.path("comparison.png")))
-            page.add_picture(directory.path("comparison.png"), "comparison");
+        if (const auto file = drawn(directory, "", "comparison")) page.add_picture(*file, "comparison");
     }
     page.add("<h2 id=\"inputs\">Inputs</h2>\n" + inputs_table(input.prepared));
     page.add(
@@ -149,6 +160,8 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
         parameters_table(input.prepared));
     page.add("</body>\n</html>\n");
     page.finish();
+    std::error_code ignored;
+    fs::remove_all(directory.path(k_page_folder), ignored);  // in a folder in the making: frana's own
 }
 
 }  // namespace frana::app

@@ -12,6 +12,7 @@
 #include "app/number_text.h"
 #include "app/particle_dots.h"
 #include "app/require_cells.h"
+#include "app/result_files.h"
 #include "app/series_ends.h"
 #include "app/unfinished_results.h"
 #include "app/version.h"
@@ -244,7 +245,10 @@ std::vector<std::string> ResultReader::drawable() const {
     for (const auto& entry : fs::directory_iterator(directory_)) {
         const std::string name = entry.path().stem().string();
         const bool listed = std::find(names.begin(), names.end(), name) != names.end();
-        if (entry.path().extension() == ".tif" && name != "dtm" && name != "bed" && !listed)
+        const ResultFile* const known = known_file(entry.path().filename().string());
+        const bool is_ours =
+            known != nullptr && known->kind == FileKind::raster;  // a user's, or one kept, is not
+        if (is_ours && entry.path().extension() == ".tif" && name != "dtm" && name != "bed" && !listed)
             others.push_back(name);
     }
     std::sort(others.begin(), others.end());

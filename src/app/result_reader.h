@@ -38,7 +38,8 @@ class ResultReader {
     [[nodiscard]] MapLayer map_layer(const std::string& name) const;
     /// The particles of a frame as a map shows them. Throws Error(input) where they were not written.
     [[nodiscard]] MapLayer particle_layer(const StoredFrame& frame) const;
-    /// The rasters that can be drawn, by name; terrain and bed are under all maps and not among them.
+    /// The rasters of the run that can be drawn, by name; terrain and bed are under all maps and not among
+    /// them.
     [[nodiscard]] std::vector<std::string> drawable() const;
     /// As listed when first asked for, at least one: of a run under way none that come later. Throws Error(input).
     [[nodiscard]] const std::vector<StoredFrame>& frames() const;

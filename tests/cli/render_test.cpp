@@ -60,6 +60,20 @@ TEST_F(Render, AnyRasterOfTheResultAndAnyTime) {
     EXPECT_FALSE(fs::exists(path("all/dtm.png")));
 }
 
+TEST_F(Render, WithoutAMapDrawsTheRunsRastersAndNoUsersOnes) {
+    for (const char* name : {"mine.tif", "max_depth.kept-1.tif"})
+        fs::copy_file(path("result/max_depth.tif"), path(std::string("result/") + name));
+    write("result/photo.tif", "no raster at all");
+    const Outcome all = frana({"render", "result", "--size", "640x480", "--out", "all"});
+    ASSERT_EQ(all.exit_code, 0) << all.err;
+    EXPECT_TRUE(fs::exists(path("all/max_depth.png")));
+    for (const char* name : {"mine.png", "max_depth.kept-1.png", "photo.png"})
+        EXPECT_FALSE(fs::exists(path(std::string("all/") + name))) << name;
+    // By its name it is drawn.
+    EXPECT_EQ(frana({"render", "result", "--map", "mine", "--size", "640x480", "--out", "all"}).exit_code, 0);
+    EXPECT_TRUE(fs::exists(path("all/mine.png")));
+}
+
 TEST_F(Render, PagesAndFormats) {
     const Outcome outcome = frana({"render", "result", "--map", "max_depth", "--size", "A4", "--format", "png",
                                    "--format", "pdf", "--format", "tif", "--legend", "continuous", "--attribution",

@@ -66,6 +66,26 @@ TEST_F(Report, TellsEverythingInOneFile) {
             << tag;
 }
 
+// A browser shows PNG: pictures in other formats are drawn for the page as well.
+TEST_F(Report, ShowsPicturesThatTheSceneAsksForInOtherFormats) {
+    write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
+    write_scene(
+        "[output]\nanimation = off\ncharts = off\nmap-size = 640x480\nmaps = max_depth, "
+        "max_depth_3d\nmap-formats = pdf\n"
+        "[scar]\nperimeter = scar.geojson\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string page = read_text(path("result/report.html"));
+    for (const std::string name : {"max_depth", "max_depth_3d", "comparison"})
+        EXPECT_EQ(count(page, "<img alt=\"" + name + "\" src=\"data:image/png;base64,iVBORw0KGgo"), 1U)
+            << name;
+    EXPECT_EQ(page.find("No map could be drawn"), std::string::npos);
+    for (const std::string& name : files()) {
+        EXPECT_FALSE(name.ends_with(".png")) << name;
+        EXPECT_EQ(name.find("report_pictures"), std::string::npos) << name;
+    }
+}
+
 TEST_F(Report, IsOnlyThereWhereItIsWanted) {
     write_scene(k_numbers_only + "report = off\n");
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
