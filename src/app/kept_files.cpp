@@ -22,7 +22,16 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> place_of(const std::strin
     return std::pair{static_cast<std::uint64_t>(found.st_dev), static_cast<std::uint64_t>(found.st_ino)};
 }
 
-// Paths that may be meant by what a key names.
+bool is_drawn(const fs::path& file, const fs::path& folder) {
+    const fs::path inside = file.lexically_relative(folder);
+    for (const char* name : {"maps", "charts", "plates"})
+        if (*inside.begin() == name) return true;
+    const std::array<std::string, 4> pictures{".png", ".pdf", ".mp4", ".gif"};
+    return std::find(pictures.begin(), pictures.end(), file.extension().string()) != pictures.end();
+}
+
+}  // namespace
+
 std::vector<std::string> spellings(const std::string& source) {
     std::vector<std::string> all{source, source.substr(0, source.find('|'))};
     for (std::size_t from = 0; from < source.size();) {
@@ -41,16 +50,6 @@ std::vector<std::string> spellings(const std::string& source) {
     }
     return all;
 }
-
-bool is_drawn(const fs::path& file, const fs::path& folder) {
-    const fs::path inside = file.lexically_relative(folder);
-    for (const char* name : {"maps", "charts", "plates"})
-        if (*inside.begin() == name) return true;
-    const std::array<std::string, 4> pictures{".png", ".pdf", ".mp4", ".gif"};
-    return std::find(pictures.begin(), pictures.end(), file.extension().string()) != pictures.end();
-}
-
-}  // namespace
 
 void KeptFiles::add(const std::string& source) {
     for (const std::string& path : spellings(source))

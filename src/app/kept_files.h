@@ -11,6 +11,10 @@
 
 namespace frana::app {
 
+/// Paths that may be meant by what a key names: a file, or one that GDAL's spellings lead to ("file|layer=a",
+/// "DRIVER:file:part", "/vsizip/file/part").
+std::vector<std::string> spellings(const std::string& source);
+
 /// The files that a command must leave as they are: its inputs and the data of results. A file is known by where it
 /// lies on the disk, whatever path, symbolic link or second name leads there.
 class KeptFiles {

@@ -29,7 +29,10 @@ void check_own(const std::string& folder, const std::vector<std::string>& files,
     if (is_listed(folder)) return;  // what was changed since is kept when it is written anew: keep_changed_files()
     std::error_code failure;
     const std::string list = (fs::path(folder) / k_manifest_file).string();
-    const std::string remedy = "Choose another folder with --out, or move it away";
+    const std::string remedy =
+        "Choose another folder with --out, or move the file away; a study of an older frana, which kept no "
+        "list of its "
+        "files, has to go as a whole";
     if (fs::exists(list, failure))
         problems.add({"is there already and is not frana's list of files", where, list, "", remedy});
     // Results of a frana that did not list files have only its names to go by.

@@ -5,12 +5,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <optional>
 
 #include "app/checkpoints.h"
+#include "app/kept_files.h"
 #include "app/manifest.h"
 #include "app/result_files.h"
 
@@ -111,15 +113,19 @@ void check_older(const fs::path& path, bool overwrite, const std::vector<std::st
         problems.add({"is a folder with other files in it, not a result; it is never overwritten", where,
                       path.string(), "", "Choose an empty or new folder with --out"});
     } else if (!overwrite) {
-        problems.add({"holds a result already", where, path.string(), "",
-                      checkpoints_in(path.string()).empty()
-                          ? "Choose another folder with --out, or add --overwrite"
-                          : "It was stopped before its end: --resume goes on, --overwrite starts anew"});
+        problems.add(
+            {"holds a result already", where, path.string(), "",
+             (manifest && manifest->finished.value_or(false)) || checkpoints_in(path.string()).empty()
+                 ? "Choose another folder with --out, or add --overwrite"
+                 : "It was stopped before its end: --resume goes on, --overwrite starts anew"});
     }
     for (const std::string& input : inputs) {
-        std::error_code failure;
-        const fs::path real = fs::weakly_canonical(input, failure);
-        if (!failure && would_be_replaced(real, path, manifest))
+        const std::vector<std::string> places = spellings(input);
+        if (std::any_of(places.begin(), places.end(), [&](const std::string& place) {
+                std::error_code failure;
+                const fs::path real = fs::weakly_canonical(place, failure);
+                return !failure && fs::exists(real, failure) && would_be_replaced(real, path, manifest);
+            }))
             problems.add({"would be replaced by the result while it is read", where, input, "", k_choose});
     }
 }

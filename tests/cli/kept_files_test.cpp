@@ -150,6 +150,7 @@ TEST_F(OwnFiles, OfAStudyAreReplacedAndNoOthers) {
     write("study/uncertainty.tif", "the user's");
     const std::vector<std::string> study{"converge", "scene.ini", "--out", "study", "--quiet", "--set", "time.end=1"};
     expect_refusal(study, k_foreign);
+    expect_refusal(study, "a study of an older frana, which kept no list of its files, has to go as a whole");
     fs::remove(path("study/uncertainty.tif"));
     EXPECT_EQ(frana(study).exit_code, 0);
     expect_refusal(study, "holds a convergence study already");

@@ -156,6 +156,39 @@ TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
     EXPECT_EQ(refusal("sticky/another"), "");
 }
 
+// Whatever a file of the result that is replaced is called: by a link, by a layer in it, by GDAL's spellings.
+TEST_F(Place, InputsThatTheResultWouldReplaceAreRefusedUnderAnyName) {
+    ASSERT_EQ(run("result").exit_code, 0);
+    fs::create_symlink(path("result/dtm.tif"), path("linked.tif"));
+    fs::create_directory_symlink(path("result"), path("alias"));
+    const std::vector<std::string> before = files();
+    for (const std::string input :
+         {"terrain.dtm=linked.tif", "terrain.dtm=alias/dtm.tif",
+          "release.perimeter=result/extent.gpkg|layer=release",
+          "release.perimeter=alias/extent.gpkg|layer=release", "release.thickness=raster:linked.tif",
+          "terrain.dtm=GTIFF_RAW:result/dtm.tif"}) {
+        const Outcome outcome = run("result", {"--overwrite", "--set", input});
+        EXPECT_EQ(outcome.exit_code, 2) << input << ": " << outcome.err;
+        EXPECT_NE(outcome.err.find("would be replaced by the result while it is read"), std::string::npos)
+            << input << ": " << outcome.err;
+    }
+    EXPECT_EQ(files(), before);
+}
+
+// A second name of a result's file, and a user's own file in its folder, are read and are still there.
+TEST_F(Place, InputsThatTheResultDoesNotReplaceAreReadAndKept) {
+    ASSERT_EQ(run("result").exit_code, 0);
+    const std::string ground = read_text(path("result/dtm.tif"));
+    fs::create_hard_link(path("result/dtm.tif"), path("second.tif"));
+    fs::copy_file(path("second.tif"), path("result/mine.tif"));
+    for (const std::string dtm : {"second.tif", "result/mine.tif"}) {
+        const Outcome outcome = run("result", {"--overwrite", "--set", "terrain.dtm=" + dtm});
+        EXPECT_EQ(outcome.exit_code, 0) << dtm << ": " << outcome.err;
+        for (const char* name : {"second.tif", "result/mine.tif"})
+            EXPECT_TRUE(read_text(path(name)) == ground) << dtm << ": " << name;
+    }
+}
+
 // What could not be seen, moved or removed is told, and is still there.
 TEST_F(Place, AnOlderResultThatCannotBeTakenApartIsToldOf) {
     for (const char* name : {"older", "older/frames", "older/private", "other", "other/frames", "result"}) {
