@@ -218,7 +218,7 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
 bool holds_layer(const std::string& file, const std::string& layer, const std::string& where) {
     const GdalSession session;
     const VectorSource source = vector_source(file, where);
-    const GDALDatasetUniquePtr dataset = open_vector(source);
+    const GDALDatasetUniquePtr dataset = open_vector(source, true);
     OGRLayer* const found = dataset->GetLayerByName(layer.c_str());
     const bool holds = found != nullptr && found->GetFeatureCount() > 0;
     // OGR is silent where it cannot read the list of layers.

@@ -36,8 +36,8 @@ struct LayerChoice {
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt,
                            const std::string& where, const LayerChoice& choice = {});
 
-/// Whether a vector file has a layer of this name with something in it. Throws Error(input) where the file cannot be
-/// read.
+/// Whether a vector file of a result has a layer of this name with something in it. Throws Error(input) where
+/// the file cannot be read whole.
 bool holds_layer(const std::string& file, const std::string& layer, const std::string& where);
 
 }  // namespace frana::gis

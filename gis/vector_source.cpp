@@ -81,13 +81,15 @@ Error vector_fault(const VectorSource& source, const std::string& what, const st
     return {ErrorKind::input, Problem{what, source.where, value, "", remedy}};
 }
 
-GDALDatasetUniquePtr open_vector(const VectorSource& source) {
+GDALDatasetUniquePtr open_vector(const VectorSource& source, bool is_ours) {
     const GdalSession session;
     (void)take_refusal();
     if (const auto remedy = network_remedy(source.file))
         throw vector_fault(source, "the file is read over the network", "", *remedy);
     GDALDatasetUniquePtr dataset(
         GDALDataset::Open(source.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+    if (dataset && is_ours && session.failed())
+        throw vector_fault(source, "the file is damaged: " + session.last_message(), "", "");
     if (dataset) return dataset;
     VSIStatBufL status;
     if (VSIStatL(source.file.c_str(), &status) != 0) {

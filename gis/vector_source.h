@@ -25,8 +25,9 @@ VectorSource vector_source(const std::string& path, const std::string& where);
 Error vector_fault(const VectorSource& source, const std::string& what, const std::string& value,
                    const std::string& remedy);
 
-/// Throws Error(input): missing, or nothing that OGR reads.
-GDALDatasetUniquePtr open_vector(const VectorSource& source);
+/// Throws Error(input): missing, or nothing that OGR reads; of a file that frana wrote also what OGR opens in
+/// part.
+GDALDatasetUniquePtr open_vector(const VectorSource& source, bool is_ours = false);
 
 /// Throws Error(input) where reading its features met a fault or a refusal.
 void require_sound(const GdalSession& session, const VectorSource& source,
