@@ -11,6 +11,7 @@
 #include "app/number_text.h"
 #include "app/scene_identity.h"
 #include "core/error.h"
+#include "core/folder_entries.h"
 
 namespace frana::app {
 namespace {
@@ -38,9 +39,7 @@ void make_folder(const std::string& folder) {
 
 std::vector<std::string> checkpoints_in(const std::string& directory) {
     std::vector<std::string> files;
-    std::error_code failure;
-    for (const fs::directory_entry& entry :
-         fs::directory_iterator(fs::path(directory) / k_checkpoint_folder, failure)) {
+    for (const fs::directory_entry& entry : folder_entries(fs::path(directory) / k_checkpoint_folder)) {
         const std::string name = entry.path().filename().string();
         if (name.size() == file_name(0).size() && name.starts_with(k_beginning) && name.ends_with(k_ending))
             files.push_back(entry.path().string());

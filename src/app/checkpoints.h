@@ -17,7 +17,8 @@ namespace frana::app {
 /// Folder of checkpoints in a result directory.
 inline constexpr const char* k_checkpoint_folder = "checkpoint";
 
-/// The checkpoints in a result directory, the furthest first.
+/// The checkpoints in a result directory, the furthest first. Throws Error(environment) where they cannot be
+/// looked for.
 std::vector<std::string> checkpoints_in(const std::string& directory);
 
 /// Takes the checkpoints of a run: step_NNN.frana, the last two kept. The disk's room for the next one is set aside

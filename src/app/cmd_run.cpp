@@ -19,6 +19,7 @@
 #include "app/scene_identity.h"
 #include "app/share_directory.h"
 #include "app/signals.h"
+#include "app/thin_release.h"
 #include "app/version.h"
 #include "simulation/scene_origin.h"
 #include "simulation/simulation.h"
@@ -179,15 +180,16 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     tell_of_run(result, prepared.scene.time.end, log);
 
     const PictureOutcome pictures = publish({prepared, result, session.threads, session.input_seconds,
-                                    session.earlier_seconds, session.since_start},
-                                   directory, frames, log);
-    const std::vector<Problem> of_the_older =
-        directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds}, log);
+                                             session.earlier_seconds, session.since_start},
+                                            directory, frames, log);
     // Whatever ends with another code than 0 leaves what --resume needs to complete it.
     const bool stopped = result.stop_reason == StopReason::requested || !pictures.left_out.empty();
     const int code = stopped ? static_cast<int>(ExitCode::signal) + stop_signal()
                              : static_cast<int>(exit_code(result, pictures));
-    if (code == static_cast<int>(ExitCode::done)) forget_the_way(directory.target(), !prepared.spec.output.frames);
+    const bool finished = code == static_cast<int>(ExitCode::done);
+    const std::vector<Problem> of_the_older =
+        directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
+    if (finished) forget_the_way(directory.target(), !prepared.spec.output.frames, log);
     if (const auto estimate = read_error_estimate(directory.target(), prepared.spec))
         log.tell("error estimate of `frana converge`:\n" + *estimate);
     log.tell("result in " + directory.target());
@@ -203,10 +205,10 @@ int cmd_run(const Arguments& arguments) {
     const auto values = parse_arguments(run_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
     const int threads = thread_count(*values);
-    take_memory_limit(*values);
     const bool quiet = values->count("quiet") > 0;
     const bool overwrite = values->count("overwrite") > 0;
     RunLog log(quiet);
+    take_memory_limit(*values, log);
 
     SceneReading reading = read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"),
                                       materials_directory());
@@ -230,7 +232,10 @@ int cmd_run(const Arguments& arguments) {
         if (!all_there) log.say_why();
         return static_cast<int>(all_there ? ExitCode::done : ExitCode::environment);
     }
-    refuse_run_beyond_memory(reading, prepared, resident_memory(), threads);
+    const std::int64_t held = resident_memory();
+    const RunEstimate expected = estimate(prepared.scene, threads);
+    refuse_run_beyond_memory(reading, prepared, held, expected, threads);
+    warn_of_thin_release(expected, prepared.scene, log);
     const double input_seconds = since_start.seconds();
     const std::unique_ptr<CheckpointFile> from =
         resume && interrupted.any() ? interrupted.choose(scene_identity(prepared), log) : nullptr;

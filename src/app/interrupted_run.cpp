@@ -7,6 +7,7 @@
 
 #include "app/checkpoints.h"
 #include "app/frame_files.h"
+#include "app/manifest.h"
 #include "app/result_files.h"
 #include "app/scene_identity.h"
 #include "app/unfinished_results.h"
@@ -73,7 +74,8 @@ void remove_unwanted(const fs::path& root, const std::string& folder,
 
 InterruptedRun::InterruptedRun(const std::string& directory) {
     std::vector<std::string> folders = left_results(directory);
-    folders.push_back(directory);
+    const std::optional<Manifest> manifest = read_manifest(directory);
+    if (!manifest || !manifest->finished.value_or(false)) folders.push_back(directory);
     for (const std::string& folder : folders) {
         const std::vector<std::string> found = checkpoints_in(folder);
         if (found.empty()) continue;

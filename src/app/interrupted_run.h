@@ -15,6 +15,7 @@ namespace frana::app {
 /// (stopped by a signal) and in folders beside it in which it was being built (killed).
 class InterruptedRun {
   public:
+    /// Throws Error(environment) where the place cannot be read.
     explicit InterruptedRun(const std::string& directory);
 
     [[nodiscard]] bool any() const noexcept { return !checkpoints_.empty(); }

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/commands.h"
@@ -14,6 +15,7 @@
 #include "app/signals.h"
 #include "app/version.h"
 #include "core/error.h"
+#include "core/system_remedy.h"
 #include "gis/network.h"
 #include "params/nearest_name.h"
 
@@ -137,7 +139,12 @@ int main(int count, char** words) {
         // What no path can be is a word of the user's, whatever was done with it.
         const bool word = error.code() == std::errc::filename_too_long || error.code() == std::errc::invalid_argument;
         return frana::app::report({word ? frana::ErrorKind::input : frana::ErrorKind::environment,
-                                   frana::Problem{error.code().message(), error.path1().string(), "", "", ""}});
+                                   frana::Problem{error.code().message(), error.path1().string(), "", "",
+                                                  word ? "" : frana::system_remedy(error.code().value())}});
+    } catch (const std::system_error& error) {  // a thread that was not given
+        return frana::app::report(
+            {frana::ErrorKind::environment, frana::Problem{error.code().message(), "the system", "", "",
+                                                           frana::system_remedy(error.code().value())}});
     } catch (const std::exception& error) {
         std::cerr << "frana: " << error.what()
                   << ". Where memory, threads or open files run out, allow more (ulimit -a) or take fewer --threads\n";

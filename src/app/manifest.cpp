@@ -13,14 +13,18 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <memory>
+#include <set>
+#include <sstream>
 
 #include "app/result_files.h"
-#include "app/text_file.h"
 #include "app/version.h"
 #include "core/error.h"
+#include "core/file_aside.h"
 #include "core/json.h"
+#include "core/read_blocks.h"
+#include "core/sync_path.h"
+#include "core/system_remedy.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -34,8 +38,8 @@ using Tree = boost::property_tree::ptree;
 constexpr const char* k_checksum = "xxh128";
 
 [[noreturn]] void fail(const std::string& what, const std::string& path, int reason) {
-    throw Error(ErrorKind::environment, Problem{what + ": " + std::strerror(reason), path, "", "",
-                                                "Check the place's rights and free space"});
+    throw Error(ErrorKind::environment,
+                Problem{what + ": " + std::strerror(reason), path, "", "", system_remedy(reason)});
 }
 
 std::string now_utc() {
@@ -47,12 +51,21 @@ std::string now_utc() {
     return text;
 }
 
+// What is not there for this program is none; what the disk does not give is a fault.
+bool is_not_there(int reason) {
+    return reason == ENOENT || reason == ENOTDIR || reason == EISDIR || reason == EACCES || reason == EPERM ||
+           reason == ELOOP || reason == ENAMETOOLONG;
+}
+
 std::optional<Tree> read_tree(const fs::path& path) {
-    std::ifstream file(path);
-    if (!file) return std::nullopt;
+    std::string text;
+    const int reason = read_blocks(path.string(), [&](std::string_view bytes) { text += bytes; });
+    if (is_not_there(reason)) return std::nullopt;
+    if (reason != 0) fail("cannot be read", path.string(), reason);
     Tree tree;
     try {
-        boost::property_tree::read_json(file, tree);
+        std::istringstream stream(text);
+        boost::property_tree::read_json(stream, tree);
     } catch (const boost::property_tree::json_parser_error&) {
         return std::nullopt;
     }
@@ -130,24 +143,26 @@ std::string unescaped_name(const std::string& text) {
 }
 
 FileMark mark_of(const std::string& path) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), &std::fclose);
-    if (!file) fail("cannot be read", path, errno);
     const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(),
                                                                                 &XXH3_freeState);
     XXH3_128bits_reset(state.get());
-    std::vector<char> block(1U << 20U);
     FileMark mark;
-    while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
-        XXH3_128bits_update(state.get(), block.data(), count);
-        mark.bytes += count;
-    }
-    if (std::ferror(file.get()) != 0) fail("cannot be read", path, errno);
+    const int reason = read_blocks(path, [&](std::string_view bytes) {
+        XXH3_128bits_update(state.get(), bytes.data(), bytes.size());
+        mark.bytes += bytes.size();
+    });
+    if (reason != 0) fail("cannot be read", path, reason);
     const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
     char text[33];
     std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
                   static_cast<unsigned long long>(hash.low64));
     mark.checksum = text;
     return mark;
+}
+
+FileMark mark_on_disk(const std::string& path) {
+    if (const int reason = sync_path(path); reason != 0) fail("cannot be brought to the disk", path, reason);
+    return mark_of(path);
 }
 
 std::optional<Manifest> read_manifest(const std::string& folder) {
@@ -158,6 +173,7 @@ std::optional<Manifest> read_manifest(const std::string& folder) {
     Manifest manifest;
     manifest.scene_hash = tree->get<std::string>("scene_hash", "");
     manifest.simulated_seconds = tree->get<double>("simulated_seconds", 0);
+    if (const auto finished = tree->get_optional<bool>("finished")) manifest.finished = *finished;
     const auto files = tree->get_child_optional("files");
     if (!files) return std::nullopt;
     try {
@@ -175,6 +191,7 @@ void write_manifest(const std::string& folder, const Manifest& manifest) {
     json.begin_object().text("program", k_program).text("version", k_version);
     json.integer("format", k_manifest_format).text("written", now_utc());
     json.text("scene_hash", manifest.scene_hash).number("simulated_seconds", manifest.simulated_seconds);
+    if (manifest.finished) json.boolean("finished", *manifest.finished);
     json.begin_array("files");
     for (const auto& [name, mark] : manifest.files) {
         json.begin_object()
@@ -183,7 +200,9 @@ void write_manifest(const std::string& folder, const Manifest& manifest) {
         json.text(k_checksum, mark.checksum).end_object();
     }
     json.end_array().end_object();
-    write_text_file((fs::path(folder) / k_manifest_file).string(), json.str());
+    write_file((fs::path(folder) / k_manifest_file).string(), json.str(), Sync::yes);
+    if (const int reason = sync_path(folder); reason != 0)
+        fail("cannot be brought to the disk", folder, reason);
 }
 
 bool is_listed_result(const std::string& folder) {
@@ -203,7 +222,10 @@ void record_files(const std::vector<std::string>& paths) {
         std::optional<Manifest> manifest = read_manifest(result.string());
         if (!manifest) continue;
         for (const fs::path& file : files)
-            manifest->files[file.lexically_relative(result).generic_string()] = mark_of(file.string());
+            manifest->files[file.lexically_relative(result).generic_string()] = mark_on_disk(file.string());
+        std::set<fs::path> folders;
+        for (const fs::path& file : files) folders.insert(file.parent_path());
+        for (const fs::path& folder : folders) sync_path(folder.string());
         write_manifest(result.string(), *manifest);
     }
 }
@@ -226,12 +248,17 @@ void forget_files(const std::string& folder, const std::vector<std::string>& nam
     const ManifestLock lock(folder);
     std::optional<Manifest> manifest = read_manifest(folder);
     if (!manifest) return;
-    const std::size_t forgotten = std::erase_if(manifest->files, [&](const auto& file) {
-        return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-            return file.first == name || file.first.starts_with(name + "/");
-        });
-    });
+    std::size_t forgotten = 0;
+    for (const std::string& name : names) forgotten += manifest->files.erase(name);
     if (forgotten > 0) write_manifest(folder, *manifest);
+}
+
+void record_finished(const std::string& folder) {
+    const ManifestLock lock(folder);
+    std::optional<Manifest> manifest = read_manifest(folder);
+    if (!manifest || manifest->finished.value_or(false)) return;
+    manifest->finished = true;
+    write_manifest(folder, *manifest);
 }
 
 }  // namespace frana::app

@@ -23,6 +23,9 @@ struct FileMark {
 struct Manifest {
     std::string scene_hash;  ///< as in the rasters' metadata
     double simulated_seconds = 0;
+    /// All is there, and checkpoints that still are have only to be removed; none: an older frana's, which
+    /// did not say.
+    std::optional<bool> finished;
     std::map<std::string, FileMark> files;  ///< by path inside the result, with '/' between folders
 };
 
@@ -34,11 +37,14 @@ std::string unescaped_name(const std::string& text);
 /// The mark of a file's content. Throws Error(environment) where it cannot be read.
 FileMark mark_of(const std::string& path);
 
-/// A folder's manifest; none where there is none, or not frana's, or of a format that this frana does not
-/// know.
+/// The same, after the file's bytes are on the disk: what is listed outlasts a power cut.
+FileMark mark_on_disk(const std::string& path);
+
+/// A folder's manifest; none where there is none that this program may read, or not frana's, or of a format
+/// that this frana does not know. Throws Error(environment) where there is one and the disk does not give it.
 std::optional<Manifest> read_manifest(const std::string& folder);
 
-/// Writes it in one go. Throws Error(environment).
+/// Writes it in one go, to the disk. Throws Error(environment).
 void write_manifest(const std::string& folder, const Manifest& manifest);
 
 /// Whether a folder is a finished result that tells its files.
@@ -54,8 +60,10 @@ void record_files(const std::vector<std::string>& paths);
 /// Of these files those that lie in a result with a manifest, are there, and are not as it says.
 std::vector<std::string> changed_files(const std::vector<std::string>& paths);
 
-/// Takes files, or all below folders, out of a result's manifest: they are no more. Throws
-/// Error(environment).
+/// Takes files out of a result's manifest: they are no more. Throws Error(environment).
 void forget_files(const std::string& folder, const std::vector<std::string>& names);
+
+/// Says in a result's manifest that all is there. Throws Error(environment).
+void record_finished(const std::string& folder);
 
 }  // namespace frana::app

@@ -12,6 +12,8 @@
 
 #include "app/manifest.h"
 #include "app/result_files.h"
+#include "app/unfinished_results.h"
+#include "core/folder_entries.h"
 
 namespace frana::app {
 namespace {
@@ -79,18 +81,16 @@ class Replacement {
   private:
     void walk(const std::string& folder) {
         std::vector<fs::directory_entry> entries;
-        std::error_code failure;
-        for (fs::directory_iterator entry(older_ / folder, failure), end; !failure && entry != end;
-             entry.increment(failure))
-            entries.push_back(*entry);
-        if (failure) {
-            problem("a folder of the older result cannot be read", folder, failure);
+        try {
+            entries = folder_entries(older_ / folder);
+        } catch (const Error& error) {
+            problem("a folder of the older result " + error.problems().front().what, folder);
             return;
         }
-        std::sort(entries.begin(), entries.end());
         for (const fs::directory_entry& entry : entries) {
+            std::error_code ignored;
             const std::string name = entry.path().lexically_relative(older_).generic_string();
-            const fs::file_status status = entry.symlink_status(failure);
+            const fs::file_status status = entry.symlink_status(ignored);
             if (fs::is_directory(status) && (holds_listed(name) || is_folder(result_ / name))) {
                 walk(name);
                 folders_.push_back(name);
@@ -115,7 +115,7 @@ class Replacement {
     [[nodiscard]] bool is_as_listed(const std::string& name) const {
         if (name == k_manifest_file || name == k_replaced_file || name == k_building_file) return true;
         const auto listed = manifest_.files.find(name);
-        if (listed == manifest_.files.end()) return false;
+        if (listed == manifest_.files.end()) return is_leftover(name);
         std::error_code failure;
         if (fs::file_size(older_ / name, failure) != listed->second.bytes || failure) return false;
         try {
@@ -140,7 +140,8 @@ class Replacement {
                 kept_.push_back(name + (is_changed ? ", which was changed since frana wrote it, " : " ") +
                                 "is kept as " + to.lexically_relative(result_).string());
         }
-        if (failure) problem("a file of yours could not be moved into the new result", name, failure);
+        if (failure)
+            problem("a file of yours could not be moved into the new result: " + failure.message(), name);
     }
 
     void remove_listed() {
@@ -156,15 +157,19 @@ class Replacement {
                 if (failure) break;
                 fs::remove(older_ / name, failure);
             }
-        if (failure)
-            log_.warn("the older result could not be removed: " + failure.message() +
-                      "; what is left of it is in " + older_.string());
+        if (!failure) return;
+        log_.warn("the older result could not be removed: " + failure.message() +
+                  "; what is left of it is in " + older_.string() + " until the next run");
+        try {
+            if (fs::is_empty(older_)) note_replaced(older_.string(), older_.filename().string());
+        } catch (const std::exception&) {  // then it stays as an empty folder
+        }
     }
 
-    void problem(const std::string& what, const std::string& name, const std::error_code& failure) {
+    void problem(const std::string& what, const std::string& name) {
         constexpr std::size_t k_most = 10;
         if (problems_.size() < k_most)
-            problems_.push_back({what + ": " + failure.message(), (older_ / name).string(), "", "",
+            problems_.push_back({what, (older_ / name).string(), "", "",
                                  "It is still there; the new result is complete in " + result_.string()});
     }
 
@@ -187,8 +192,12 @@ class Replacement {
 }  // namespace
 
 std::vector<Problem> replace_result(const std::string& older, const std::string& result, RunLog& log) {
-    if (const std::optional<Manifest> manifest = read_manifest(older))
-        return Replacement(older, result, *manifest, log).run();
+    try {
+        if (const std::optional<Manifest> manifest = read_manifest(older))
+            return Replacement(older, result, *manifest, log).run();
+    } catch (const Error& error) {  // the next run tries again
+        return error.problems();
+    }
     std::error_code ignored;
     fs::remove(fs::path(older) / k_replaced_file, ignored);
     if (fs::remove(older, ignored)) return {};  // it was empty: a run was killed while it ended this

@@ -24,6 +24,8 @@
 #include "app/result_place.h"
 #include "app/text_file.h"
 #include "app/unfinished_results.h"
+#include "core/folder_entries.h"
+#include "core/sync_path.h"
 
 namespace frana::app {
 namespace {
@@ -35,18 +37,22 @@ namespace fs = std::filesystem;
                 Problem{what + ": " + reason, path, "", "", "Check the place's rights and free space"});
 }
 
-/// Every file in a folder in which a result was built that is frana's.
-Manifest manifest_of(const fs::path& folder, const ResultFacts& facts) {
-    Manifest manifest{facts.scene_hash, facts.simulated_seconds, {}};
-    std::error_code failure;
-    for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
-         entry.increment(failure)) {
-        const std::string name = entry->path().lexically_relative(folder).generic_string();
-        const bool is_a_note = name == k_manifest_file || name == k_building_file;
-        if (!is_a_note && fs::is_regular_file(entry->symlink_status()) && known_file(name) != nullptr)
-            manifest.files[name] = mark_of(entry->path().string());
+/// Lists every file below a folder in which a result was built that is frana's, and brings each to the disk.
+void list_files(const fs::path& result, const fs::path& folder, Manifest& manifest) {
+    for (const fs::directory_entry& entry : folder_entries(folder)) {
+        const fs::file_status status = entry.symlink_status();
+        if (fs::is_directory(status)) list_files(result, entry.path(), manifest);
+        if (!fs::is_regular_file(status)) continue;
+        const std::string name = entry.path().lexically_relative(result).generic_string();
+        if (name != k_manifest_file && name != k_building_file && known_file(name) != nullptr)
+            manifest.files[name] = mark_on_disk(entry.path().string());
     }
-    if (failure) fail("cannot be read", folder.string(), failure.message());
+    sync_path(folder.string());
+}
+
+Manifest manifest_of(const fs::path& folder, const ResultFacts& facts) {
+    Manifest manifest{facts.scene_hash, facts.simulated_seconds, facts.finished, {}};
+    list_files(folder, folder, manifest);
     return manifest;
 }
 
@@ -82,7 +88,13 @@ void ResultDirectory::make_sibling() {
     const bool is_there = ::stat(directory_.c_str(), &older) == 0;
     fs::permissions(aside_, static_cast<fs::perms>(is_there ? older.st_mode & 07777 : 0777 & ~mask), failure);
     lock_ = lock_folder(aside_, true);  // another run's look at it takes a moment
-    note_building(aside_, directory_);
+    try {
+        note_building(aside_, directory_);
+    } catch (const Error&) {
+        ::rmdir(aside_.c_str());
+        if (lock_ >= 0) ::close(lock_);
+        throw;
+    }
 }
 
 // From the constructor: the destructor does not come.
@@ -94,7 +106,11 @@ void ResultDirectory::refuse() {
 }
 
 ResultDirectory::~ResultDirectory() {
-    if (!published_ && checkpoints_in(aside_).empty()) remove_unfinished(aside_);
+    try {
+        if (!published_ && checkpoints_in(aside_).empty()) remove_unfinished(aside_);
+    } catch (const Error&) {
+        published_ = true;  // what cannot be looked at stays for the next run
+    }
     if (lock_ >= 0) ::close(lock_);
 }
 
@@ -126,6 +142,7 @@ std::vector<Problem> ResultDirectory::publish(const ResultFacts& facts, RunLog& 
     published_ = true;
     std::error_code ignored;
     fs::remove(fs::path(directory_) / k_building_file, ignored);
+    sync_path(fs::path(directory_).parent_path().string());
     ::close(std::exchange(lock_, -1));  // who writes to the manifest from now on takes it
     return tidy_up(replaces, log);
 }
@@ -158,21 +175,7 @@ void ResultDirectory::keep_beside(const std::string& what, const std::string& re
 
 std::vector<Problem> ResultDirectory::tidy_up(bool replaces, RunLog& log) {
     const std::size_t lines = log.lines().size();
-    std::vector<Problem> problems;
-    std::vector<std::string> older = replaced_results(directory_);
-    if (replaces && std::find(older.begin(), older.end(), aside_) == older.end()) older.push_back(aside_);
-    for (const std::string& folder : older) {
-        const int mine = lock_folder(folder, false);
-        if (mine < 0 && errno == EWOULDBLOCK) continue;  // another run is at it
-        const std::vector<Problem> more = replace_result(folder, directory_, log);
-        problems.insert(problems.end(), more.begin(), more.end());
-        if (mine >= 0) ::close(mine);
-    }
-    for (const std::string& folder : left_results(directory_)) {
-        if (!remove_unfinished(folder))
-            log.tell("a run that was killed has left " + folder +
-                     "; it holds more than frana wrote there, and stays");
-    }
+    const std::vector<Problem> problems = clear_place_of(directory_, replaces ? aside_ : "", log);
     if (log.lines().size() > lines) {
         write_text_file(final_path("log.txt"), log.text());
         record_files({final_path("log.txt")});
@@ -184,18 +187,64 @@ std::string ResultDirectory::final_path(const std::string& name) const {
     return (fs::path(directory_) / name).string();
 }
 
-void forget_the_way(const std::string& result, bool frames) {
-    std::vector<std::string> folders{k_checkpoint_folder};
-    if (frames) folders.emplace_back("frames");
+namespace {
+
+// What killed programs had in the making in a finished result.
+void remove_leftovers(const fs::path& result, const fs::path& folder) {
+    for (const fs::directory_entry& entry : folder_entries(folder)) {
+        std::error_code ignored;
+        const fs::file_status status = entry.symlink_status(ignored);
+        if (fs::is_directory(status)) remove_leftovers(result, entry.path());
+        if (fs::is_regular_file(status) &&
+            is_leftover(entry.path().lexically_relative(result).generic_string()))
+            fs::remove(entry.path(), ignored);
+    }
+}
+
+}  // namespace
+
+std::vector<Problem> clear_place_of(const std::string& result, const std::string& replaced, RunLog& log) {
+    std::vector<Problem> problems;
+    std::vector<std::string> older = replaced_results(result);
+    if (!replaced.empty() && std::find(older.begin(), older.end(), replaced) == older.end())
+        older.push_back(replaced);
+    for (const std::string& folder : older) {
+        const int mine = lock_folder(folder, false);
+        if (mine < 0 && errno == EWOULDBLOCK) continue;  // another run is at it
+        const std::vector<Problem> more = replace_result(folder, result, log);
+        problems.insert(problems.end(), more.begin(), more.end());
+        if (mine >= 0) ::close(mine);
+    }
+    for (const std::string& folder : left_results(result)) {
+        if (!remove_unfinished(folder))
+            log.tell("a run that was killed has left " + folder +
+                     "; it holds more than frana wrote there, and stays");
+    }
+    remove_empty_siblings(result);
+    return problems;
+}
+
+void forget_the_way(const std::string& result, bool frames, RunLog& log) {
     const std::optional<Manifest> manifest = read_manifest(result);
     if (!manifest) return;
-    std::error_code ignored;
+    std::vector<std::string> folders{k_checkpoint_folder}, gone;
+    if (frames) folders.emplace_back("frames");
+    std::error_code failure, ignored;
     for (const std::string& folder : folders) {
-        for (const auto& [name, mark] : manifest->files)
-            if (name.starts_with(folder + "/")) fs::remove(fs::path(result) / name, ignored);
+        for (const auto& [name, mark] : manifest->files) {
+            if (!name.starts_with(folder + "/")) continue;
+            fs::remove(fs::path(result) / name, failure);
+            if (failure) {
+                log.warn((fs::path(result) / name).string() + " is no longer needed and cannot be removed: " +
+                         failure.message() + "; --resume tries again");
+            } else {
+                gone.push_back(name);
+            }
+        }
         fs::remove(fs::path(result) / folder, ignored);  // unless the user has files there
     }
-    forget_files(result, folders);
+    forget_files(result, gone);
+    remove_leftovers(result, result);
 }
 
 }  // namespace frana::app

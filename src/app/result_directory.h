@@ -13,6 +13,7 @@ namespace frana::app {
 struct ResultFacts {
     std::string scene_hash;
     double simulated_seconds = 0;
+    bool finished = false;  ///< nothing is left to be computed or drawn
 };
 
 /// A result is built in a sibling folder and takes its name when it is whole: a run that fails leaves an
@@ -57,8 +58,14 @@ class ResultDirectory {
     int lock_ = -1;  ///< descriptor of the locked sibling
 };
 
-/// Removes from a finished result what only a run on its way needs: checkpoints, and frames from which a film was made, if
-/// so wished.
-void forget_the_way(const std::string& result, bool frames);
+/// Beside a result that is in its place: takes apart the older result in `replaced` (empty: none) and those
+/// that killed runs did not come to, and removes what killed runs have left of their own. Returns what could
+/// not be moved. Throws Error(environment) where the place cannot be read.
+std::vector<Problem> clear_place_of(const std::string& result, const std::string& replaced, RunLog& log);
+
+/// Removes from a finished result what only a run on its way needs: checkpoints, frames from which a
+/// film was made if so wished, and files that killed programs had in the making. What cannot be removed stays
+/// listed, with a warning. Throws Error(environment) where the list cannot be read or written.
+void forget_the_way(const std::string& result, bool frames, RunLog& log);
 
 }  // namespace frana::app

@@ -3,9 +3,8 @@
 
 #include <fnmatch.h>
 
-#include <regex>
-
 #include "app/layers.h"
+#include "core/file_aside.h"
 
 namespace frana::app {
 namespace {
@@ -41,8 +40,8 @@ std::vector<ResultFile> make_table() {
     Table table;
     table.by("run");
     table.add(FileKind::text, {"scene.ini", "summary.json", "log.txt", k_manifest_file});
-    table.add(FileKind::working,
-              {k_building_file, k_replaced_file, "checkpoint/step_*.frana", "checkpoint/reserve"});
+    table.add(FileKind::working, {k_building_file, k_replaced_file, "checkpoint/step_*.frana",
+                                  "checkpoint/reserve", std::string(k_page_folder) + "/*.png"});
     for (const Layer& layer : all_layers()) table.add_raster(layer.name);
     table.add_raster("release").add_raster("hazard");
     for (const char* plain : {"dtm", "bed", "max_flux", "max_head"}) table.add_raster(plain, false);
@@ -90,10 +89,13 @@ const std::vector<ResultFile>& result_files() {
 
 const ResultFile* known_file(const std::string& path) {
     if (const ResultFile* row = row_of(path)) return row;
-    // FileAside's name, and what libraries add to it while they write.
-    static const std::regex k_aside(R"((.*)\.partial[0-9]+(\.[A-Za-z0-9]+).*)");
-    std::smatch parts;
-    return std::regex_match(path, parts, k_aside) ? row_of(parts[1].str() + parts[2].str()) : nullptr;
+    const auto made = file_in_making(path);
+    return made ? row_of(made->name) : nullptr;
+}
+
+bool is_leftover(const std::string& path) {
+    const auto made = file_in_making(path);
+    return made && made->abandoned && row_of(made->name) != nullptr;
 }
 
 }  // namespace frana::app

@@ -25,9 +25,14 @@ const std::vector<ResultFile>& result_files();
 /// null for what frana does not write.
 const ResultFile* known_file(const std::string& path);
 
+/// Whether a path inside a result is that of such a file in the making by a process that was killed.
+bool is_leftover(const std::string& path);
+
 inline constexpr const char* k_manifest_file = "manifest.json";
 /// In the folder in which a result is being built, from its first moment.
 inline constexpr const char* k_building_file = "being_built.json";
+/// In the folder in which a result is being built: pictures of report.html alone.
+inline constexpr const char* k_page_folder = "report_pictures";
 /// In an older result that is being replaced, until its user's files are in the new one.
 inline constexpr const char* k_replaced_file = "being_replaced.json";
 

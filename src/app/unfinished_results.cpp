@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
+#include <cctype>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +19,7 @@
 #include "app/result_place.h"
 #include "app/text_file.h"
 #include "app/version.h"
+#include "core/folder_entries.h"
 #include "core/json.h"
 
 namespace frana::app {
@@ -59,7 +61,7 @@ std::vector<std::string> siblings(const std::string& directory, const Is& is_wan
     const std::string beginning = result.filename().string() + k_building;
     std::vector<std::pair<fs::file_time_type, std::string>> found;
     std::error_code failure;
-    for (const fs::directory_entry& entry : fs::directory_iterator(result.parent_path(), failure)) {
+    for (const fs::directory_entry& entry : folder_entries(result.parent_path())) {
         if (own_name(entry.path()).starts_with(beginning) && is_wanted(entry.path().string()))
             found.emplace_back(entry.last_write_time(failure), entry.path().string());
     }
@@ -67,6 +69,14 @@ std::vector<std::string> siblings(const std::string& directory, const Is& is_wan
     std::vector<std::string> folders;
     for (const auto& [time, folder] : found) folders.push_back(folder);
     return folders;
+}
+
+// As mkdtemp draws it: RESULT.partial-Ab12Cd.
+bool has_drawn_name(const std::string& folder) {
+    constexpr std::size_t k_drawn = 6;
+    const std::string name = own_name(folder), letters = name.substr(name.rfind('-') + 1);
+    return letters.size() == k_drawn &&
+           std::all_of(letters.begin(), letters.end(), [](unsigned char c) { return std::isalnum(c) != 0; });
 }
 
 bool is_free(const std::string& folder) {
@@ -139,20 +149,24 @@ bool remove_unfinished(const std::string& folder) {
     std::error_code failure;
     // The note goes last: a folder that is removed in part can still be.
     const fs::path note = fs::path(folder) / k_building_file;
-    for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
-         entry.increment(failure)) {
-        const fs::file_status status = entry->symlink_status(failure);
-        if (failure) return false;
-        if (fs::is_directory(status)) {
-            folders.push_back(entry->path());
-        } else if (fs::is_regular_file(status) &&
-                   known_file(entry->path().lexically_relative(folder).generic_string()) != nullptr) {
-            if (entry->path() != note) files.push_back(entry->path());
-        } else {
-            return false;
+    try {
+        for (std::size_t next = 0; next < folders.size(); ++next) {
+            for (const fs::directory_entry& entry : folder_entries(fs::path(folders[next]))) {
+                const fs::file_status status = entry.symlink_status(failure);
+                if (failure) return false;
+                if (fs::is_directory(status)) {
+                    folders.push_back(entry.path());
+                } else if (fs::is_regular_file(status) &&
+                           known_file(entry.path().lexically_relative(folder).generic_string()) != nullptr) {
+                    if (entry.path() != note) files.push_back(entry.path());
+                } else {
+                    return false;
+                }
+            }
         }
+    } catch (const Error&) {
+        return false;
     }
-    if (failure) return false;
     std::reverse(folders.begin(), folders.end());  // those inside come first
     for (const fs::path& file : files)
         if (!fs::remove(file, failure) || failure) return false;
@@ -161,6 +175,15 @@ bool remove_unfinished(const std::string& folder) {
         if (!fs::remove(one, failure) || failure) return false;
     }
     return true;
+}
+
+void remove_empty_siblings(const std::string& directory) {
+    for (const std::string& folder : siblings(directory, has_drawn_name)) {
+        const int mine = lock_folder(folder, false);
+        if (mine < 0) continue;  // a run has just made it
+        ::rmdir(folder.c_str());
+        ::close(mine);
+    }
 }
 
 }  // namespace frana::app

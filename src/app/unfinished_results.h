@@ -26,7 +26,8 @@ bool is_being_replaced(const std::string& folder);
 int lock_folder(const std::string& folder, bool wait);
 
 /// Folders beside a result in which one is or was being built, the latest first: they say so, or they hold
-/// checkpoints (an older frana's).
+/// checkpoints (an older frana's). This and what follows throws Error(environment) where the place cannot be
+/// read.
 std::vector<std::string> unfinished_results(const std::string& directory);
 /// Those of runs that are no more.
 std::vector<std::string> left_results(const std::string& directory);
@@ -39,5 +40,9 @@ std::vector<std::string> replaced_results(const std::string& directory);
 /// Removes a folder in which a result was being built, if it says so and every file in it is one that frana
 /// writes; false where it is left as it is.
 bool remove_unfinished(const std::string& folder);
+
+/// Removes empty folders beside a result under a name that is drawn for building it: a kill, or a disk that
+/// was full, just after the first moment.
+void remove_empty_siblings(const std::string& directory);
 
 }  // namespace frana::app

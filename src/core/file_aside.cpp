@@ -11,10 +11,13 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <regex>
 #include <system_error>
 #include <utility>
 
 #include "core/error.h"
+#include "core/sync_path.h"
+#include "core/system_remedy.h"
 
 namespace frana {
 namespace {
@@ -34,22 +37,11 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-bool runs(const std::string& process) {
-    return ::kill(static_cast<pid_t>(std::stol(process)), 0) == 0 || errno != ESRCH;
-}
-
-// The file that another process was writing aside when it was killed; empty: a name is none of that kind.
-std::string abandoned_name(const fs::path& file) {
+// Whether a file of this name is in the making by a process that runs: more digits are no process's number.
+bool is_being_made_by(const std::string& process) {
     constexpr std::size_t k_most_digits = 9;
-    const std::string stem = file.stem().string();
-    const auto mark = stem.rfind(k_mark);
-    if (mark == std::string::npos) return {};
-    const std::string process = stem.substr(mark + std::string(k_mark).size());
-    if (process.empty() || process.size() > k_most_digits ||
-        process.find_first_not_of("0123456789") != std::string::npos || runs(process)) {
-        return {};
-    }
-    return stem.substr(0, mark) + file.extension().string();
+    return process.size() > k_most_digits || ::kill(static_cast<pid_t>(std::stol(process)), 0) == 0 ||
+           errno != ESRCH;
 }
 
 // What killed processes left in the folders that this process writes to. Each folder is looked through once:
@@ -73,19 +65,14 @@ class AbandonedFiles {
         std::error_code ignored;
         for (auto entry = fs::directory_iterator(folder.empty() ? "." : folder, ignored);
              entry != fs::end(entry); entry.increment(ignored)) {
-            if (std::string name = abandoned_name(entry->path().filename()); !name.empty())
-                left.emplace(std::move(name), entry->path());
+            const auto made = file_in_making(entry->path().filename().string());
+            if (made && made->abandoned && !made->is_beside) left.emplace(made->name, entry->path());
         }
     }
 
     std::mutex mutex_;
     std::map<fs::path, Left> folders_;
 };
-
-// Of a descriptor that is only looked at, or of a file system that knows no such thing, nothing is wanted.
-bool is_disk_trouble(int reason) {
-    return reason == EIO || reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
-}
 
 class Descriptor {
   public:
@@ -113,6 +100,13 @@ int write_all(int descriptor, std::string_view bytes) {
 
 }  // namespace
 
+std::optional<FileInMaking> file_in_making(const std::string& name) {
+    static const std::regex k_form(R"((.*)\.partial([0-9]+)(\.[A-Za-z0-9]+)(.*))");
+    std::smatch parts;
+    if (!std::regex_match(name, parts, k_form)) return std::nullopt;
+    return FileInMaking{parts[1].str() + parts[3].str(), parts[4].length() > 0, !is_being_made_by(parts[2])};
+}
+
 FileAside::FileAside(std::string path, Kind kind) : path_(std::move(path)), named_(beside(path_)), partial_(named_) {
     if (kind == Kind::unnamed) open_without_name();
     static AbandonedFiles abandoned;
@@ -137,13 +131,14 @@ FileAside::~FileAside() {
 
 void FileAside::fail(const std::string& what, int reason) const {
     throw Error(ErrorKind::environment,
-                Problem{what + ": " + std::strerror(reason), path_, "", "", "Check the disk's space and the rights"});
+                Problem{what + ": " + std::strerror(reason), path_, "", "", system_remedy(reason)});
 }
 
 void FileAside::bring_to_disk() const {
     const Descriptor named(descriptor_ < 0 ? partial_ : "", O_RDONLY);
     const int descriptor = descriptor_ >= 0 ? descriptor_ : named.number();
-    if (::fsync(descriptor) != 0 && is_disk_trouble(errno)) fail("cannot be brought to the disk", errno);
+    if (const int reason = sync_descriptor(descriptor); reason != 0)
+        fail("cannot be brought to the disk", reason);
 }
 
 void FileAside::rename_into_place() {

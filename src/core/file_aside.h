@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -37,6 +38,15 @@ class FileAside {
     int descriptor_ = -1;  ///< of the file without a name
     bool done_ = false;
 };
+
+/// What a name of the form NAME.partialPID.EXTENSION says.
+struct FileInMaking {
+    std::string name;  ///< that the file was to get
+    bool is_beside;    ///< a library's own file beside it: NAME.partialPID.gpkg-journal
+    bool abandoned;    ///< its process runs no more
+};
+/// None where a name is not of that form.
+std::optional<FileInMaking> file_in_making(const std::string& name);
 
 enum class Sync { no, yes };
 

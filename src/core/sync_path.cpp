@@ -4,13 +4,31 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace frana {
+#include <cerrno>
 
-void sync_path(const std::string& path) {
+namespace frana {
+namespace {
+
+// Of a descriptor that is only looked at, or of a file system that knows no such thing, nothing is wanted.
+bool is_disk_trouble(int reason) {
+    return reason == EIO || reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
+}
+
+}  // namespace
+
+int sync_descriptor(int descriptor) {
+    int reason = 0;
+    do reason = ::fsync(descriptor) == 0 ? 0 : errno;
+    while (reason == EINTR);
+    return is_disk_trouble(reason) ? reason : 0;
+}
+
+int sync_path(const std::string& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) return;
-    ::fsync(descriptor);
+    if (descriptor < 0) return 0;
+    const int reason = sync_descriptor(descriptor);
     ::close(descriptor);
+    return reason;
 }
 
 }  // namespace frana

@@ -127,5 +127,23 @@ TEST_F(Late, ResumingAFinishedResultDrawsWhatIsMissing) {
     EXPECT_NE(data.err.find("of another scene: the terrain differs"), std::string::npos) << data.err;
 }
 
+// Only a run can write them: a result that lacks one is not called complete.
+TEST_F(Late, ResumingAResultWithFilesMissingSaysWhich) {
+    ASSERT_EQ(frana(command("result", {"--quiet"})).exit_code, 0);
+    for (const std::string name : {"report.html", "max_pressure.tif", "timeseries.csv"}) {
+        fs::rename(path("result/" + name), path("away"));
+        fs::remove(path("result/maps/max_velocity.png"));
+        const Outcome outcome = frana(command("result", {"--resume"}));
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find("files of the result are missing, which only a run can write: " + name),
+                  std::string::npos)
+            << outcome.err;
+        EXPECT_EQ(fs::exists(path("result/maps/max_velocity.png")),
+                  name == "report.html");  // what can be drawn is
+        fs::rename(path("away"), path("result/" + name));
+    }
+    EXPECT_EQ(frana(command("result", {"--resume"})).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace frana::test

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/folder_entries.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/system_remedy.h"
+
+namespace frana {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::directory_entry> folder_entries(const fs::path& folder) {
+    constexpr int k_most_tries = 20;  // signals do not come for ever
+    std::vector<fs::directory_entry> entries;
+    std::error_code failure;
+    for (int tries = 0; tries < k_most_tries; ++tries) {
+        entries.clear();
+        fs::directory_iterator entry(folder, failure);
+        for (; !failure && entry != fs::end(entry); entry.increment(failure)) entries.push_back(*entry);
+        if (failure != std::errc::interrupted) break;
+    }
+    const bool nowhere =
+        failure == std::errc::no_such_file_or_directory || failure == std::errc::not_a_directory ||
+        failure == std::errc::too_many_symbolic_link_levels || failure == std::errc::filename_too_long;
+    if (nowhere) return {};
+    if (failure)
+        throw Error(ErrorKind::environment, Problem{"cannot be read: " + failure.message(), folder.string(),
+                                                    "", "", system_remedy(failure.value())});
+    std::sort(entries.begin(), entries.end());
+    return entries;
+}
+
+}  // namespace frana

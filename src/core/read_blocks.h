@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace frana {
+
+/// Hands a file's bytes over, block by block from its beginning; a read that a signal interrupts is repeated.
+/// Returns 0, or why not all could be read (errno).
+int read_blocks(const std::string& path, const std::function<void(std::string_view)>& take);
+
+}  // namespace frana

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// What frana could not remove, or had in the making when it was killed, goes with the next command; files of
+// a user's with names like those stay.
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+
+#include "trial_ground.h"
+
+namespace frana::test {
+namespace {
+
+class Leftovers : public TrialGround {
+  protected:
+    void SetUp() override {
+        if (!can_watch_calls())
+            GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
+        tried_ = commands();
+    }
+    TriedCommand& measured(const std::string& name) {
+        for (TriedCommand& command : tried_) {
+            if (command.name != name) continue;
+            measure(command, k_all);
+            return command;
+        }
+        throw std::logic_error(name);
+    }
+    /// The command, where each of certain calls gets an answer; `again`: only one of them, counted from 0.
+    [[nodiscard]] Ending disturb(const TriedCommand& command, const Answer& answer,
+                                 const std::function<bool(const SystemCall&)>& meets, int only = -1) {
+        restore(command.begins_in);
+        met_ = 0;
+        return run({command.arguments}, k_all, [&](const SystemCall& call) {
+            return meets(call) && (only < 0 || met_++ == only) ? answer : Answer{};
+        });
+    }
+    /// The same command again ends in what it ends in undisturbed.
+    void expect_mended(const TriedCommand& command, const std::vector<std::string>& again) const {
+        const Ending ending = run(again);
+        EXPECT_EQ(ending.exit_code, 0) << ending.err;
+        const std::vector<std::string> wrong = differences(command.after, state());
+        EXPECT_TRUE(wrong.empty()) << in_lines(wrong) << ending.err;
+    }
+    static bool is_of(const SystemCall& call, const std::string& name, const std::string& path) {
+        return call.name.rfind(name, 0) == 0 && call.path.rfind(path, 0) == 0;
+    }
+
+    static constexpr Watch k_all{true, true, false};
+    std::vector<TriedCommand> tried_;
+    int met_ = 0;
+};
+
+TEST_F(Leftovers, ACheckpointThatCannotBeRemovedGoesWithTheNextRun) {
+    for (const char* name : {"run", "run --overwrite"}) {
+        SCOPED_TRACE(name);
+        const TriedCommand& command = measured(name);
+        const Ending ending = disturb(command, {Answer::Kind::fail, EACCES}, [](const SystemCall& call) {
+            return is_of(call, "unlink", "out/r/checkpoint/");
+        });
+        EXPECT_EQ(ending.exit_code, 0) << ending.err;
+        EXPECT_FALSE(differences(command.after, state()).empty());
+        expect_mended(command, command.again);
+    }
+    // What --resume finds is a finished result: nothing is computed once more.
+    const TriedCommand& command = measured("run");
+    const auto stuck = [](const SystemCall& call) { return is_of(call, "unlink", "out/r/checkpoint/"); };
+    ASSERT_EQ(disturb(command, {Answer::Kind::fail, EACCES}, stuck).exit_code, 0);
+    const Ending told = run({"run", "in/scene.ini", "--out", "out/r", "--resume"});
+    EXPECT_NE(told.err.find("the result is complete"), std::string::npos) << told.err;
+    // And --overwrite does not take it for a user's.
+    ASSERT_EQ(disturb(command, {Answer::Kind::fail, EACCES}, stuck).exit_code, 0);
+    expect_mended(command, {"run", "in/scene.ini", "--out", "out/r", "--quiet", "--overwrite"});
+}
+
+TEST_F(Leftovers, AListThatWasBeingWrittenGoesWithTheNextRun) {
+    const TriedCommand& command = measured("run");
+    const auto renamed = [](const SystemCall& call) { return is_of(call, "rename", "out/r/manifest.json"); };
+    int times = 0;
+    for (const SystemCall& call : command.calls) times += renamed(call) ? 1 : 0;
+    ASSERT_GT(times, 0);
+    for (int k = 0; k < times; ++k) {
+        SCOPED_TRACE(k);
+        EXPECT_EQ(disturb(command, {Answer::Kind::signal, SIGKILL}, renamed, k).exit_code, -SIGKILL);
+        expect_mended(command, command.again);
+        EXPECT_EQ(disturb(command, {Answer::Kind::signal, SIGKILL}, renamed, k).exit_code, -SIGKILL);
+        expect_mended(command, {"run", "in/scene.ini", "--out", "out/r", "--quiet", "--overwrite"});
+    }
+}
+
+TEST_F(Leftovers, AListThatCannotBeReadIsSaidAndTheNextRunTidiesUp) {
+    const TriedCommand& command = measured("run --overwrite");
+    const auto read = [](const SystemCall& call) { return is_of(call, "read", "out/r/manifest.json"); };
+    int times = 0;
+    for (const SystemCall& call : command.calls) times += read(call) ? 1 : 0;
+    ASSERT_GT(times, 0);
+    for (int k = 0; k < times; ++k) {
+        SCOPED_TRACE(k);
+        const Ending ending = disturb(command, {Answer::Kind::fail, EIO}, read, k);
+        EXPECT_EQ(ending.exit_code, 4) << ending.err;
+        EXPECT_NE(ending.err.find("manifest.json: cannot be read"), std::string::npos) << ending.err;
+        expect_mended(command, command.again);
+        // Interrupted is no fault.
+        EXPECT_EQ(disturb(command, {Answer::Kind::fail, EINTR}, read, k).exit_code, 0);
+        EXPECT_EQ(in_lines(differences(command.after, state())), "");
+    }
+}
+
+TEST_F(Leftovers, AnEmptiedFolderGoesWithTheNextRun) {
+    const TriedCommand& over = measured("run --overwrite");
+    const Ending emptied = disturb(over, {Answer::Kind::fail, EACCES}, [](const SystemCall& call) {
+        return is_of(call, "rmdir", "out/r.partial-*") &&
+               call.path.size() <= std::string("out/r.partial-*/").size();
+    });
+    EXPECT_EQ(emptied.exit_code, 0) << emptied.err;
+    EXPECT_FALSE(differences(over.after, state()).empty());
+    expect_mended(over, over.again);
+    // And one that got no note.
+    const TriedCommand& anew = measured("run");
+    const Ending refused = disturb(anew, {Answer::Kind::fail, EMLINK}, [](const SystemCall& call) {
+        return is_of(call, "link", "out/r.partial-*/being_built.json");
+    });
+    EXPECT_EQ(refused.exit_code, 4) << refused.err;
+    EXPECT_EQ(in_lines(differences(anew.before, state())), "");
+    EXPECT_EQ(
+        disturb(anew, {Answer::Kind::signal, SIGKILL},
+                [](const SystemCall& call) { return is_of(call, "link", "out/r.partial-*/being_built"); })
+            .exit_code,
+        -SIGKILL);
+    expect_mended(anew, anew.again);
+}
+
+TEST_F(Leftovers, OfNamesLikeThoseAUsersFilesStay) {
+    TriedCommand& command = measured("run");
+    restore(command.begins_in);
+    ASSERT_EQ(run(command.arguments).exit_code, 0);
+    const std::vector<std::string> names{"out/r/notes.partial999999.txt", "out/r/manifest.partial.json",
+                                         "out/r/manifest.partialcopy.json", "out/r/scene.ini.partial1"};
+    for (const std::string& name : names) std::ofstream(at(name)) << "the user's\n";
+    ASSERT_EQ(run({"run", "in/scene.ini", "--out", "out/r", "--quiet", "--resume"}).exit_code, 0);
+    for (const std::string& name : names) EXPECT_EQ(read_text(at(name)), "the user's\n") << name;
+    ASSERT_EQ(run({"run", "in/scene.ini", "--out", "out/r", "--quiet", "--overwrite"}).exit_code, 0);
+    for (const std::string& name : names) EXPECT_EQ(read_text(at(name)), "the user's\n") << name;
+}
+
+}  // namespace
+}  // namespace frana::test
