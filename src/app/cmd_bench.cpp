@@ -5,11 +5,10 @@
 #include <iostream>
 
 #include "app/bench_chart.h"
+#include "app/bench_output.h"
+#include "app/bench_robustness.h"
 #include "app/command_line.h"
 #include "app/commands.h"
-#include "app/manifest.h"
-#include "app/own_files.h"
-#include "app/replace_result.h"
 #include "app/share_directory.h"
 #include "app/text_file.h"
 #include "bench/accuracy_report.h"
@@ -28,60 +27,34 @@ namespace fs = std::filesystem;
 
 CommandForm bench_form() {
     namespace options = boost::program_options;
-    CommandForm form{"frana bench accuracy|stability|speed [options]",
+    CommandForm form{"frana bench accuracy|stability|speed [options]\n"
+                     "       frana bench robustness SCENE.ini [options]",
                      "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
                      "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
                      "with --out also writes\naccuracy.csv and accuracy.png, stability.csv or "
                      "speed.csv,\nspeed_stages.csv, speed_terms.csv, law_costs.csv and speed.png.\n"
-                     "accuracy takes some ten minutes, with --quick under a minute.",
-                     "accuracy|stability|speed",
+                     "accuracy takes some ten minutes, with --quick under a minute.\n"
+                     "robustness: a scene as it is, with its grid shifted and turned, with rough ground, with other "
+                     "numbers of\nparticles and Courant numbers: how much do its figures change? robustness.csv, "
+                     "robustness.json. It takes as\nlong as some twenty runs without pictures.",
+                     "accuracy|stability|speed|robustness SCENE.ini",
                      {}};
+    form.repeats = true;
     form.options.add_options()("out", options::value<std::string>(), "folder for the files")(
         "quick", "accuracy: two resolutions; speed: no more than a million particles")(
         "case", options::value<std::vector<std::string>>(),
-        "accuracy, stability: only this case (may be repeated)")(
+        "accuracy, stability, robustness: only this case (may be repeated)")(
+        "set", options::value<std::vector<std::string>>(),
+        "robustness: section.key=value, overrides the scene; repeatable")(
+        "seed", options::value<std::string>(), "robustness: of the noise on the ground (default 1)")(
+        "quiet,q", "robustness: no progress on the terminal")(
         "threads", options::value<std::string>(),
-        "stability: threads of a run; speed: the most threads (default: all; accuracy always takes one)");
+        "stability, robustness: threads of a run; speed: the most threads (default: all; accuracy always takes one)");
     return form;
 }
 
 void report_line(const std::string& line) {
     std::cerr << line << '\n';
-}
-
-// The files of a bench, and where they go.
-class Output {
-  public:
-    explicit Output(std::string folder, const std::vector<const char*>& names) : folder_(std::move(folder)) {
-        for (const char* name : names) files_.push_back(path(name));
-    }
-    [[nodiscard]] std::string path(const std::string& name) const { return (fs::path(folder_) / name).string(); }
-    [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
-    [[nodiscard]] const std::vector<std::string>& files() const noexcept { return files_; }
-    void begin() const { begin_own(folder_, files_); }
-    void list() const { record_files(files_); }
-
-  private:
-    std::string folder_;
-    std::vector<std::string> files_;
-};
-
-// Made before anything is computed, so that a bad folder costs nothing.
-std::optional<Output> output_of(const boost::program_options::variables_map& values,
-                                const std::vector<const char*>& names) {
-    const auto folder = text_option(values, "out");
-    if (!folder) return {};
-    Output output(*folder, names);
-    Problems problems;
-    check_own(*folder, output.files(), "--out", problems);
-    problems.throw_if_any();
-    std::error_code failure;
-    fs::create_directories(*folder, failure);
-    if (failure) {
-        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), "--out", *folder,
-                                                    "", "Choose another folder"});
-    }
-    return output;
 }
 
 // The sample's DTM beside the share folder's sources; none where only the program is installed.
@@ -93,7 +66,7 @@ std::optional<Raster> sample_terrain() {
 }
 
 int bench_accuracy(const boost::program_options::variables_map& values) {
-    const auto out = output_of(values, {"accuracy.csv", "accuracy.png"});
+    const auto out = bench_output(values, {"accuracy.csv", "accuracy.png"});
     bench::AccuracyOptions options;
     options.quick = values.count("quick") > 0;
     options.only = text_options(values, "case");
@@ -116,7 +89,7 @@ int bench_accuracy(const boost::program_options::variables_map& values) {
 }
 
 int bench_stability(const boost::program_options::variables_map& values) {
-    const auto out = output_of(values, {"stability.csv"});
+    const auto out = bench_output(values, {"stability.csv"});
     bench::StabilityOptions options;
     options.only = text_options(values, "case");
     options.threads = thread_count(values);
@@ -134,7 +107,7 @@ int bench_stability(const boost::program_options::variables_map& values) {
 }
 
 int bench_speed(const boost::program_options::variables_map& values) {
-    const auto out = output_of(
+    const auto out = bench_output(
         values, {"speed.csv", "speed_stages.csv", "speed_terms.csv", "law_costs.csv", "speed.png"});
     bench::SpeedOptions options;
     options.quick = values.count("quick") > 0;
@@ -161,12 +134,25 @@ int bench_speed(const boost::program_options::variables_map& values) {
 int cmd_bench(const Arguments& arguments) {
     const auto values = parse_arguments(bench_form(), arguments);
     if (!values) return static_cast<int>(ExitCode::done);
-    const std::string which = (*values)["operand"].as<std::string>();
+    const auto operands = text_options(*values, "operand");
+    const std::string& which = operands.front();
+    const bool takes_scene = which == "robustness";
+    if (operands.size() > (takes_scene ? 2U : 1U)) {
+        throw Error(ErrorKind::input, Problem{"is one word too many", "command line", operands.back(), "",
+                                              "Usage: " + bench_form().usage});
+    }
     if (which == "accuracy") return bench_accuracy(*values);
     if (which == "stability") return bench_stability(*values);
     if (which == "speed") return bench_speed(*values);
-    throw Error(ErrorKind::input, Problem{"no such bench", "command line", which,
-                                          "accuracy, stability, speed", "Give one of these"});
+    if (!takes_scene) {
+        throw Error(ErrorKind::input, Problem{"no such bench", "command line", which,
+                                              "accuracy, stability, speed, robustness", "Give one of these"});
+    }
+    if (operands.size() < 2) {
+        throw Error(ErrorKind::input,
+                    Problem{"SCENE.ini is missing", "command line", "", "", "Usage: " + bench_form().usage});
+    }
+    return bench_robustness(operands.back(), *values);
 }
 
 }  // namespace frana::app

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <boost/program_options/value_semantic.hpp>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
+#include <string_view>
 
 #include "analysis/convergence.h"
-#include "analysis/high_values.h"
-#include "analysis/runout.h"
-#include "analysis/trace.h"
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/error_estimate.h"
@@ -16,16 +16,15 @@
 #include "app/manifest.h"
 #include "app/own_files.h"
 #include "app/number_text.h"
-#include "app/prepare.h"
-#include "app/progress.h"
 #include "app/replace_result.h"
-#include "app/share_directory.h"
+#include "app/scene_variants.h"
 #include "app/signals.h"
 #include "app/text_file.h"
 #include "app/version.h"
 #include "core/json.h"
 #include "gis/raster_out.h"
 #include "render/chart.h"
+#include "simulation/run_figures.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -57,67 +56,54 @@ struct Level {
     double cell_size = 0;
     std::int64_t particles = 0, steps = 0;
     double wall_seconds = 0;
-    double max_depth = 0, depth_p999 = 0, max_velocity = 0, velocity_p999 = 0, covered_area = 0, run_out = 0;
+    RunFigures figures;
     Raster depth;
 };
 
-Level run_level(const Prepared& prepared, int threads, bool quiet) {
-    RunOptions options;
-    ProgressReporter progress(quiet);
-    options.threads = threads;
-    options.on_progress = [&progress](const Progress& now) { progress.show(now); };
-    options.stop_requested = [] { return stop_signal() != 0; };
-    RunResult result = run(prepared.scene, options);
-    progress.finish();
+Level run_level(const Prepared& prepared, const SceneVariants& variants) {
+    RunResult result = variants.run(prepared.scene);
     if (!result.troubles.empty()) {
         throw Error(ErrorKind::numerical,
                     Problem{std::string("the run at ") + figure(prepared.scene.grid.cell_size) +
                                 " m ended early: " + describe(result.stop_reason),
                             "convergence", "", "", "Mend the scene until `frana run` completes it"});
     }
-    const Raster trace = trace_mask(result.max_depth, prepared.spec.output.trace_threshold);
     Level level;
     level.cell_size = prepared.scene.grid.cell_size;
     level.particles = result.particles_peak;
     level.steps = result.steps;
     level.wall_seconds = result.engine_seconds;
-    const HighValues depth = high_values(result.max_depth, trace), speed = high_values(result.max_velocity, trace);
-    level.max_depth = depth.greatest;
-    level.depth_p999 = depth.p999;
-    level.max_velocity = speed.greatest;
-    level.velocity_p999 = speed.p999;
-    level.covered_area = masked_area(trace);
-    level.run_out = runout(result.bed, result.release, trace).horizontal_m;
+    level.figures = run_figures(result, prepared.spec.output.trace_threshold);
     level.depth = std::move(result.max_depth);
     return level;
 }
 
-struct FigureName {
-    const char *key, *title, *unit;
-    double Level::*value;
-};
-constexpr FigureName k_figures[] = {
-    {"max_depth_m", "maximum depth", "m", &Level::max_depth},
-    {"max_depth_p999_m", "99.9 % depth", "m", &Level::depth_p999},
-    {"max_velocity_ms", "maximum velocity", "m/s", &Level::max_velocity},
-    {"max_velocity_p999_ms", "99.9 % velocity", "m/s", &Level::velocity_p999},
-    {"covered_area_m2", "covered area", "m2", &Level::covered_area},
-    {"runout_m", "run-out", "m", &Level::run_out}};
+/// Of all figures those whose error is told: the 99 % figures add nothing.
+bool is_told(const RunFigure& figure) {
+    const std::string_view key = figure.key;
+    return key.find("_p99_") == key.npos && key != "final_depth_fraction";
+}
 
-GridConvergence convergence_of(const std::vector<Level>& levels, double Level::*value) {
+std::vector<RunFigure> told_figures() {
+    std::vector<RunFigure> told;
+    std::copy_if(std::begin(k_run_figures), std::end(k_run_figures), std::back_inserter(told), is_told);
+    return told;
+}
+
+GridConvergence convergence_of(const std::vector<Level>& levels, const RunFigure& figure) {
     std::vector<Refinement> refinements;
-    for (const Level& level : levels) refinements.push_back({level.cell_size, level.*value});
+    for (const Level& level : levels) refinements.push_back({level.cell_size, figure.of(level.figures)});
     return grid_convergence(refinements);
 }
 
 std::string csv_text(const std::vector<Level>& levels) {
     std::string text = "cell_size_m,particles,steps,wall_seconds";
-    for (const FigureName& name : k_figures) text += std::string(",") + name.key;
+    for (const RunFigure& name : told_figures()) text += std::string(",") + name.key;
     text += '\n';
     for (const Level& l : levels) {
         text += shortest_text(l.cell_size) + ',' + std::to_string(l.particles) + ',' + std::to_string(l.steps) + ',' +
                 shortest_text(l.wall_seconds);
-        for (const FigureName& name : k_figures) text += ',' + shortest_text(l.*name.value);
+        for (const RunFigure& name : told_figures()) text += ',' + shortest_text(name.of(l.figures));
         text += '\n';
     }
     return text;
@@ -128,10 +114,10 @@ std::string json_text(const std::vector<Level>& levels, const SceneSpec& spec) {
     json.begin_object().text("program", k_program).text("version", k_version).text("scene", spec.file);
     json.number("finest_cell_size_m", levels.back().cell_size);
     json.begin_object("figures");
-    for (const FigureName& name : k_figures) {
-        const GridConvergence c = convergence_of(levels, name.value);
+    for (const RunFigure& name : told_figures()) {
+        const GridConvergence c = convergence_of(levels, name);
         json.begin_object(name.key)
-            .number("finest", levels.back().*name.value)
+            .number("finest", name.of(levels.back().figures))
             .text("trend", describe(c.trend));
         if (std::isnan(c.observed_order)) {
             json.null("observed_order");
@@ -155,7 +141,8 @@ std::string table_text(const std::vector<Level>& levels) {
                       "%6.1f m\n",
                       l.cell_size,
                       static_cast<long long>(l.particles), static_cast<long long>(l.steps), l.wall_seconds,
-                      l.max_depth, l.depth_p999, l.max_velocity, l.velocity_p999, l.covered_area, l.run_out);
+                      l.figures.depth.greatest, l.figures.depth.p999, l.figures.speed.greatest, l.figures.speed.p999,
+                      l.figures.covered_area, l.figures.run_out);
         text += line;
     }
     return text;
@@ -163,9 +150,9 @@ std::string table_text(const std::vector<Level>& levels) {
 
 std::string sentences(const std::vector<Level>& levels) {
     std::string text;
-    for (const FigureName& name : k_figures) {
-        const GridConvergence c = convergence_of(levels, name.value);
-        text += std::string(name.title) + ' ' + figure(levels.back().*name.value) + ' ' + name.unit +
+    for (const RunFigure& name : told_figures()) {
+        const GridConvergence c = convergence_of(levels, name);
+        text += std::string(name.title) + ' ' + figure(name.of(levels.back().figures)) + ' ' + name.unit +
                 ", estimated error " + figure(c.error, 2) + ' ' + name.unit + " (" +
                 figure(c.index_percent, 2) + " %; " + describe(c.trend);
         if (c.trend == Trend::converging) text += ", order " + figure(c.observed_order, 2);
@@ -187,11 +174,11 @@ render::Image chart_of(const std::vector<Level>& levels) {
         "relative distance [-]",
         3,
         {}};
-    for (const FigureName& name : k_figures) {
-        const double limit = convergence_of(levels, name.value).extrapolated;
+    for (const RunFigure& name : told_figures()) {
+        const double limit = convergence_of(levels, name).extrapolated;
         render::ChartSeries series{"this scene", {0, 90, 181}, render::Marker::circle, render::Stroke::solid, {}};
         for (const Level& level : levels) {
-            const double distance = std::abs(level.*name.value - limit) / std::abs(limit);
+            const double distance = std::abs(name.of(level.figures) - limit) / std::abs(limit);
             if (distance > 0) series.points.push_back({level.cell_size, distance});
         }
         content.panels.push_back({name.title, {series}, "no difference between the levels"});
@@ -250,32 +237,24 @@ int cmd_converge(const Arguments& arguments) {
     const int count = level_count(*values), threads = thread_count(*values);
     const bool quiet = values->count("quiet") > 0;
     const std::string file = (*values)["operand"].as<std::string>();
-    const std::vector<std::string> overrides = text_options(*values, "set");
 
     // Every level is read before any is computed: all faults at once, nothing half done.
-    RunLog log(quiet);
-    const auto read_level = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> all = overrides;
-        all.insert(all.end(), more.begin(), more.end());
-        SceneReading reading = read_scene(file, all, materials_directory());
-        return prepare(reading, log);
-    };
+    SceneVariants variants(file, text_options(*values, "set"), threads, quiet);
     std::vector<Prepared> scenes;
-    scenes.push_back(read_level({}));
+    scenes.push_back(variants.read({}));
     const SceneSpec spec = scenes.front().spec;
     const fs::path folder =
         make_folder(text_option(*values, "out").value_or(convergence_directory(output_directory(spec))),
                     values->count("overwrite") > 0, spec);
     const double finest = scenes.front().scene.grid.cell_size;
     for (int k = 1; k < count; ++k) {
-        scenes.push_back(read_level({"terrain.cell-size=" + shortest_text(finest * std::pow(2.0, k))}));
+        scenes.push_back(variants.read({"terrain.cell-size=" + shortest_text(finest * std::pow(2.0, k))}));
     }
 
     catch_stop_signals();
     std::vector<Level> levels;
     for (; !scenes.empty(); scenes.pop_back()) {  // the coarsest is the last
-        scenes.back().scene.time.frame_interval = 0;
-        levels.push_back(run_level(scenes.back(), threads, quiet));
+        levels.push_back(run_level(scenes.back(), variants));
         if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
     }
 

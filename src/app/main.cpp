@@ -37,6 +37,8 @@ constexpr const char* k_help =
     "  converge SCENE.ini       the scene at several resolutions: how wrong is the finest?\n"
     "  bench accuracy|stability|speed\n"
     "                           frana measured: errors against exact solutions, hard cases, throughput\n"
+    "  bench robustness SCENE.ini\n"
+    "                           the scene with its grid shifted and turned, noise, other particles and time steps\n"
     "\n"
     "  frana COMMAND --help     more about a command\n"
     "  frana --version          its version and its libraries'\n"

@@ -24,6 +24,7 @@
 #include "app/version.h"
 #include "core/json.h"
 #include "params/scene_parameters.h"
+#include "simulation/run_figures.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {

@@ -8,6 +8,7 @@
 #include "app/scene_identity.h"
 #include "app/version.h"
 #include "core/json.h"
+#include "simulation/run_figures.h"
 #include "simulation/simulation.h"
 #include "simulation/trouble_watch.h"
 
@@ -100,12 +101,6 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
 }
 
 }  // namespace
-
-double shown_volume(const RunResult& result) {
-    double sum = 0;
-    for (const double depth : result.final_depth.values) sum += std::isnan(depth) ? 0 : depth;
-    return sum * result.final_depth.grid.cell_area();
-}
 
 std::string stop_word(StopReason reason) {
     switch (reason) {

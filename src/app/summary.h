@@ -35,9 +35,6 @@ struct SummaryFacts {
 /// summary.json.
 std::string summary_json(const RunResult& result, const SummaryFacts& facts);
 
-/// Volume that the raster of final depth holds [m3]: less than the flow's where particles crowd.
-double shown_volume(const RunResult& result);
-
 /// One word for scripts: "end-time", "still", "all-left", "requested", "reached-no-data", "non-finite".
 std::string stop_word(StopReason reason);
 

@@ -246,8 +246,8 @@ class TileResampler {
     const TileGrid& grid_;
     const ParticleSet& particles_;
     const std::size_t begin_, size_;
-    // Particles in each cell before anything changes: halves may fall into a neighbour's tile, and where tiles lie must not
-    // decide. What falls into a cell counts in the next pass.
+    // Particles in each cell before anything changes: halves may fall into a neighbour's tile, and where tiles
+    // lie must not decide. What falls into a cell counts in the next pass.
     std::array<int, k_cells> counts_{};
     TileChange change_;
 };

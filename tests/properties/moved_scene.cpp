@@ -40,27 +40,6 @@ Scene mirrored(const Scene& scene) {
     return other;
 }
 
-Raster turned(const Raster& raster) {
-    GridSpec grid = raster.grid;
-    std::swap(grid.columns, grid.rows);
-    grid.north = raster.grid.south() + grid.cell_size * static_cast<double>(grid.rows);
-    Raster other(grid);
-    for (std::int64_t row = 0; row < grid.rows; ++row)
-        for (std::int64_t column = 0; column < grid.columns; ++column)
-            other.at(row, column) = raster.at(column, raster.grid.columns - 1 - row);
-    return other;
-}
-
-Scene turned(const Scene& scene) {
-    const GridSpec& grid = scene.grid;
-    Scene other = with_points(
-        scene, [&](Point p) { return Point{grid.west + (grid.north - p.y), grid.south() + (p.x - grid.west)}; });
-    other.terrain = turned(scene.terrain);
-    other.grid = other.terrain.grid;
-    place_origin(other);
-    return other;
-}
-
 Scene moved(const Scene& scene, std::int64_t east, std::int64_t north) {
     const double dx = scene.grid.cell_size * static_cast<double>(east);
     const double dy = scene.grid.cell_size * static_cast<double>(north);

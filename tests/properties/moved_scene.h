@@ -9,10 +9,6 @@ namespace frana::test {
 Scene mirrored(const Scene& scene);
 Raster mirrored(const Raster& raster);
 
-/// The scene turned by 90 degrees, counter-clockwise.
-Scene turned(const Scene& scene);
-Raster turned(const Raster& raster);
-
 /// The scene elsewhere: so many cells to the east and to the north.
 Scene moved(const Scene& scene, std::int64_t east, std::int64_t north);
 

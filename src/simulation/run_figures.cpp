@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/run_figures.h"
+
+#include <cmath>
+
+#include "analysis/runout.h"
+#include "analysis/trace.h"
+
+namespace frana {
+namespace {
+
+Raster part_inside(Raster raster, const Raster& inside) {
+    for (std::size_t i = 0; i < inside.values.size(); ++i)
+        if (inside.values[i] == 0) raster.values[i] = k_no_data;
+    return raster;
+}
+
+}  // namespace
+
+RunFigures run_figures(const RunResult& result, double threshold, const Raster& inside) {
+    const Raster depth = part_inside(result.max_depth, inside);
+    const Raster trace = trace_mask(depth, threshold);
+    return {high_values(depth, trace), high_values(part_inside(result.max_velocity, inside), trace),
+            masked_area(trace), runout(result.bed, result.release, trace).horizontal_m,
+            result.volume_final > 0 ? shown_volume(result) / result.volume_final : k_no_data};
+}
+
+double shown_volume(const RunResult& result) {
+    double sum = 0;
+    for (const double depth : result.final_depth.values) sum += std::isnan(depth) ? 0 : depth;
+    return sum * result.final_depth.grid.cell_area();
+}
+
+}  // namespace frana

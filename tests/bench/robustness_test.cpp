@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/robustness.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/error.h"
+#include "simulation/scene_origin.h"
+
+namespace frana::bench {
+namespace {
+
+Scene slope() {
+    Scene scene;
+    scene.grid.cell_size = 5;
+    scene.grid.columns = 24;
+    scene.grid.rows = 16;
+    scene.grid.north = 80;
+    scene.terrain = Raster(scene.grid);
+    for (std::int64_t row = 0; row < 16; ++row)
+        for (std::int64_t column = 0; column < 24; ++column)
+            scene.terrain.at(row, column) = 200 - 2.5 * static_cast<double>(column);
+    ReleaseArea area;
+    area.thickness = 2;
+    area.outline = {{{{20, 30}, {50, 30}, {50, 55}, {20, 55}}, {}}};
+    scene.release = {area};
+    place_origin(scene);
+    return scene;
+}
+
+// What a run would give back, all cells alike but for one that is deeper.
+RunResult result_of(const Scene& scene, double depth, double speed) {
+    RunResult result;
+    result.bed = scene.terrain;
+    result.release = Raster(scene.grid, k_no_data);
+    result.release.at(8, 5) = 2;
+    result.max_depth = result.final_depth = Raster(scene.grid, depth);
+    result.max_velocity = Raster(scene.grid, speed);
+    result.max_depth.at(3, 3) = 2 * depth;
+    result.volume_final = 1.25 * depth * static_cast<double>(scene.grid.cell_count()) * 25;
+    result.steps = 7;
+    return result;
+}
+
+RobustnessOptions options_of(std::vector<Scene>& seen) {
+    RobustnessOptions options;
+    options.threshold = 0.1;
+    options.scene = [](const std::vector<std::string>& overrides) {
+        Scene scene = slope();
+        for (const std::string& one : overrides) {
+            if (one == "numerics.particles-per-cell=1")
+                throw Error(ErrorKind::input,
+                            Problem{"is too few", "numerics.particles-per-cell", "1", "", ""});
+            if (one.starts_with("numerics.cfl=")) scene.numerics.cfl = std::stod(one.substr(13));
+            if (one == "numerics.particles-per-cell=16") scene.numerics.particles_per_cell = 16;
+        }
+        return scene;
+    };
+    options.run = [&seen](const Scene& scene) {
+        seen.push_back(scene);
+        return result_of(scene, seen.size() == 2 ? 1.04 : 1, seen.size() == 2 ? 9 : 10);
+    };
+    return options;
+}
+
+TEST(Robustness, DisturbancesHaveNamesOfTheirOwn) {
+    std::set<std::string> names{"base"};
+    for (const Disturbance& one : disturbances()) EXPECT_TRUE(names.insert(one.name).second) << one.name;
+    for (const char* name :
+         {"shifted", "turned-30", "turned-45", "turned-90", "rough", "particles-16", "cfl-0.9"})
+        EXPECT_EQ(names.count(name), 1U) << name;
+}
+
+TEST(Robustness, TellsChangesAndMarksThoseBeyondFivePercent) {
+    std::vector<Scene> seen;
+    RobustnessOptions options = options_of(seen);
+    options.only = {"cfl-0.9", "cfl-0.5", "particles-1", "turned-90"};
+    const auto rows = run_robustness(options);
+    ASSERT_EQ(rows.size(), 4U) << "cfl-0.5 is the scene's own";
+    EXPECT_EQ(seen.size(), 3U) << "particles-1 is refused";
+    EXPECT_EQ(seen[1].numerics.cfl, 0.9);
+    EXPECT_EQ(rows[0].figures.depth.greatest, 2);
+    EXPECT_EQ(rows[0].figures.covered_area, 24 * 16 * 25);
+    EXPECT_NEAR(rows[0].figures.final_depth_fraction, 0.8, 1e-12);
+    const auto change = [&](std::size_t row, const char* key) -> double {
+        for (const RunFigure& figure : k_run_figures)
+            if (std::string(figure.key) == key) return relative_change(rows, row, figure).value_or(99);
+        return 100;
+    };
+    EXPECT_NEAR(change(1, "max_depth_m"), 0.04, 1e-12);
+    EXPECT_NEAR(change(1, "max_velocity_p99_ms"), -0.1, 1e-12);
+    EXPECT_EQ(change(2, "max_depth_m"), 99) << "refused";
+    EXPECT_EQ(change(3, "covered_area_m2"), 0);
+    const std::string table = robustness_table(rows);
+    EXPECT_NE(table.find("-10.0 %*"), std::string::npos) << table;
+    EXPECT_NE(table.find("+4.0 %  "), std::string::npos) << table;
+    EXPECT_NE(
+        table.find("maximum velocity       changes by -10 % at most (cfl-0.9); more than 5 % in 1 of 3"),
+        std::string::npos)
+        << table;
+    EXPECT_NE(table.find("particles-1  not run: "), std::string::npos) << table;
+    const std::string csv = robustness_csv(rows);
+    EXPECT_EQ(
+        csv.substr(0, csv.find('\n')),
+        "disturbance,max_depth_m,max_depth_m_change,max_depth_p999_m,max_depth_p999_m_change,max_depth_p99_m,"
+        "max_depth_p99_m_change,max_velocity_ms,max_velocity_ms_change,max_velocity_p999_ms,"
+        "max_velocity_p999_ms_change,max_velocity_p99_ms,max_velocity_p99_ms_change,covered_area_m2,"
+        "covered_area_m2_change,runout_m,runout_m_change,final_depth_fraction,final_depth_fraction_change,"
+        "simulated_seconds,steps,particles,wall_seconds,state");
+    std::set<std::ptrdiff_t> commas;
+    std::size_t begin = 0;
+    for (std::size_t end = csv.find('\n'); end != csv.npos; begin = end + 1, end = csv.find('\n', begin))
+        commas.insert(std::count(csv.begin() + static_cast<std::ptrdiff_t>(begin),
+                                 csv.begin() + static_cast<std::ptrdiff_t>(end), ','));
+    EXPECT_EQ(commas.size(), 1U) << csv;
+    EXPECT_NE(robustness_json(rows, options, "a.ini").find("\"marked\": true"), std::string::npos);
+}
+
+TEST(Robustness, DisturbsTheGroundAsItSays) {
+    std::vector<Scene> seen;
+    RobustnessOptions options = options_of(seen);
+    options.only = {"shifted", "turned-45", "rough"};
+    run_robustness(options);
+    ASSERT_EQ(seen.size(), 4U);
+    EXPECT_EQ(seen[1].grid.columns, 23);
+    EXPECT_GT(seen[2].grid.columns, 24);
+    double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < seen[3].terrain.values.size(); ++i) {
+        const double noise = seen[3].terrain.values[i] - seen[0].terrain.values[i];
+        sum += noise;
+        squares += noise * noise;
+    }
+    const auto count = static_cast<double>(seen[3].terrain.values.size());
+    EXPECT_NEAR(sum / count, 0, 0.02);  // four standard errors of 384 cells
+    EXPECT_NEAR(std::sqrt(squares / count), 0.1, 0.015);
+    std::vector<Scene> again;
+    RobustnessOptions same = options_of(again);
+    same.only = {"rough"};
+    run_robustness(same);
+    EXPECT_EQ(again[1].terrain.values, seen[3].terrain.values);
+    same.seed = 2;
+    run_robustness(same);
+    EXPECT_NE(again[3].terrain.values, seen[3].terrain.values);
+}
+
+TEST(Robustness, AStoppedRunGivesNoRow) {
+    std::vector<Scene> seen;
+    RobustnessOptions options = options_of(seen);
+    const auto run = options.run;
+    options.run = [&](const Scene& scene) {
+        RunResult result = run(scene);
+        if (seen.size() == 3) result.stop_reason = StopReason::requested;
+        return result;
+    };
+    EXPECT_EQ(run_robustness(options).size(), 2U);
+}
+
+}  // namespace
+}  // namespace frana::bench
