@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/animation.h"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -193,6 +195,10 @@ std::vector<std::string> film_files(const std::string& path, std::size_t frames)
     std::vector<std::string> files;
     for (std::size_t i = 0; i < frames; ++i) files.push_back(path + picture_name(i));
     return files;
+}
+
+bool is_film_picture(const std::string& name) {
+    return ::fnmatch("frame_*.png", name.c_str(), 0) == 0;
 }
 
 FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {

@@ -41,6 +41,8 @@ struct FilmRequest {
 
 /// The files that a film of so many frames becomes.
 std::vector<std::string> film_files(const std::string& path, std::size_t frames);
+/// Whether a file of this name is one of those in a folder of pictures.
+bool is_film_picture(const std::string& name);
 
 /// Writes the frames of a result as a film: .mp4 at 25 frames a second (a frame of the result is shown longer where
 /// there are few), .gif, or, where `path` ends in '/', PNG files frame_0000.png ... in that folder, which must exist.

@@ -19,7 +19,7 @@ std::optional<BenchOutput> bench_output(const boost::program_options::variables_
     KeptFiles kept;
     for (const std::string& file : inputs) kept.add(file);
     kept.check(output.files(), "--out", problems);
-    check_own(*folder, output.files(), "--out", problems);
+    check_own(*folder, output.files(), "--out", {}, problems);
     problems.throw_if_any();
     std::error_code failure;
     fs::create_directories(*folder, failure);

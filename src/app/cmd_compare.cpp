@@ -167,11 +167,13 @@ void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::stri
         const std::vector<std::string> files = files_of(pair, any);
         kept.check(files, "--out", problems);
         problems.throw_if_any();  // one reason for each file
-        check_own(pair.folder, files, "--out", problems);
+        check_own(pair.folder, files, "--out", {pair.operand}, problems);
     }
     if (pairs.size() > 1) {
         kept.check({ranking_file}, "--out", problems);
-        check_own(fs::path(ranking_file).parent_path().string(), {ranking_file}, "--out", problems);
+        std::vector<std::string> reads;
+        for (const Pair& pair : pairs) reads.push_back(pair.operand);
+        check_own(fs::path(ranking_file).parent_path().string(), {ranking_file}, "--out", reads, problems);
     }
     problems.throw_if_any();
 }

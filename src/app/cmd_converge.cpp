@@ -218,7 +218,7 @@ fs::path make_folder(const std::string& name, bool overwrite, const SceneSpec& s
         throw Error(ErrorKind::input, Problem{"holds a convergence study already", "--out", folder.string(),
                                               "", "Choose another folder, or add --overwrite"});
     }
-    check_own(folder.string(), files_of(folder), "--out", problems);
+    check_own(folder.string(), files_of(folder), "--out", {}, problems);
     problems.throw_if_any();
     std::error_code failure;
     fs::create_directories(folder, failure);

@@ -13,8 +13,8 @@
 #include "app/manifest.h"
 #include "app/memory_forecast.h"
 #include "app/memory_limit.h"
+#include "app/own_files.h"
 #include "app/plates.h"
-#include "app/replace_result.h"
 #include "app/result_reader.h"
 #include "core/error.h"
 #include "gis/picture_in.h"
@@ -180,6 +180,30 @@ void tell_written(const std::vector<std::string>& files) {
     for (const std::string& file : files) std::cout << file << '\n';
 }
 
+/// Where pictures or a film go, and what may not go there.
+struct Place {
+    std::string folder;
+    std::string option;              ///< that says it
+    std::vector<std::string> reads;  ///< results that they may go into
+};
+
+/// Makes a place ready for files, before the first is written. Throws Error, with nothing made, where one of
+/// them would take the place of what is not frana's or belongs to another result.
+void prepare_place(const Place& place, const std::vector<std::string>& files, const KeptFiles& kept,
+                   Problems& problems) {
+    kept.check_pictures(files, place.option, problems);
+    problems.throw_if_any();  // one reason for each file
+    check_own(place.folder, files, place.option, place.reads, problems);
+    problems.throw_if_any();
+    make_folder(place.folder);
+    begin_own(place.folder, files);
+}
+
+/// Its folder is the run's own as long as that is under way.
+std::vector<std::string> own_result(const ResultReader& result) {
+    return result.under_way() ? std::vector<std::string>{} : std::vector<std::string>{result.directory()};
+}
+
 void render_film(const ResultReader& result, const MapSource& source, const Request& request, Size size,
                  KeptFiles& kept) {
     FilmRequest film{film_source(result, source, request.film_of), {}, request.view_3d, request.fly, size};
@@ -198,28 +222,25 @@ void render_film(const ResultReader& result, const MapSource& source, const Requ
     }
     Problems problems;
     const std::vector<std::string> files = film_files(*request.film, film.first.frames.size());
-    kept.check(files, "--animation", problems);
-    problems.throw_if_any();
-    keep_changed_files(files);
-    if (request.film->ends_with('/')) make_folder(*request.film);
+    const fs::path parent = fs::path(*request.film).parent_path();
+    const std::string folder = parent.empty() ? "." : parent.string();
+    prepare_place({folder, "--animation", own_result(result)}, files, kept, problems);
+    if (request.film->ends_with('/')) clear_own(folder, files, is_film_picture);
     write_animation(film, *request.film);
     record_files(files);
     std::cout << *request.film << '\n';
 }
 
-void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d,
-          const std::string& folder, const KeptFiles& kept) {
+void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d, const Place& place,
+          const KeptFiles& kept) {
     const auto stem = [&](const MapLayer& layer) {
-        return (fs::path(folder) / (layer.name + (view_3d ? "_3d" : ""))).string();
+        return (fs::path(place.folder) / (layer.name + (view_3d ? "_3d" : ""))).string();
     };
     Problems problems;
     std::vector<std::string> files;
     for (const MapLayer& layer : layers)
         for (const std::string& file : picture_files(source.style, stem(layer), !view_3d)) files.push_back(file);
-    kept.check_pictures(files, "--out", problems);
-    problems.throw_if_any();
-    keep_changed_files(files);
-    make_folder(folder);
+    prepare_place(place, files, kept, problems);
     LayerDrawer drawer(source);
     for (const MapLayer& layer : layers)
         tell_written(drawer.draw(layer, view_3d, stem(layer)));
@@ -294,15 +315,13 @@ void render_result(const Values& values, const Request& request, Problems& probl
         const std::string folder = request.out.value_or(result.path(request.charts ? "charts" : "plates"));
         const std::vector<std::string> files =
             request.charts ? chart_files(result, source, folder) : plate_files(source, folder);
-        kept.check(files, "--out", problems);
-        problems.throw_if_any();
-        keep_changed_files(files);
-        make_folder(folder);
+        prepare_place({folder, "--out", own_result(result)}, files, kept, problems);
         tell_written(request.charts ? draw_charts(result, source, folder, problems)
                                     : draw_plates(result, source, folder));
         problems.throw_if_any();
     } else {
-        draw(source, layers, request.view_3d, request.out.value_or(result.path("maps")), kept);
+        draw(source, layers, request.view_3d,
+             {request.out.value_or(result.path("maps")), "--out", own_result(result)}, kept);
     }
 }
 
@@ -330,7 +349,8 @@ void render_raster(const Values& values, const Request& request, Problems& probl
     kept.add(file);
     kept.add(text_option(values, "dtm").value_or(""));
     kept.add(style.background);
-    draw(map.source, {std::move(map.layer)}, request.view_3d, request.out.value_or("."), kept);
+    draw(map.source, {std::move(map.layer)}, request.view_3d, {request.out.value_or("."), "--out", {file}},
+         kept);
 }
 
 }  // namespace

@@ -179,5 +179,119 @@ TEST_F(OwnFiles, OfAResultThatIsDrawnAnewGoWithIt) {
     EXPECT_FALSE(fs::exists(path("result/maps/release.png")));
 }
 
+// Of two runs each has its own files, whatever command writes, and however the place is spelt.
+class AnotherResult : public KeptFilesOf {
+  protected:
+    void SetUp() override {
+        KeptFilesOf::SetUp();
+        fs::copy(path("result"), path("other"), fs::copy_options::recursive);
+        write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
+    }
+    void expect_both_named(const std::vector<std::string>& arguments, const std::string& reads) const {
+        expect_refusal(arguments, "lies in another result, " + fs::canonical(path("other")).string());
+        if (reads.empty()) return;
+        const Outcome outcome = frana(arguments);
+        EXPECT_NE(outcome.err.find("what is read is " + reads), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("Choose a place outside of it"), std::string::npos) << outcome.err;
+    }
+};
+
+TEST_F(AnotherResult, IsNotComparedInto) {
+    expect_both_named({"compare", "result", "--scar", "scar.geojson", "--out", "other"}, "result");
+    expect_both_named({"compare", "result", "--scar", "scar.geojson", "--out", "other/new/folder"}, "result");
+    expect_both_named({"compare", "result/max_depth.tif", "--scar", "scar.geojson", "--out", "other"},
+                      "result/max_depth.tif");
+    expect_both_named({"compare", "result", "dtm.asc", "--scar", "scar.geojson", "--out", "other"}, "result");
+    // What says which files are its own may have gone.
+    fs::remove(path("other/manifest.json"));
+    expect_both_named({"compare", "result", "--scar", "scar.geojson", "--out", "other"}, "result");
+    for (const std::string own : {"result", "result/more"})
+        EXPECT_EQ(frana({"compare", "result", "--scar", "scar.geojson", "--out", own, "--size", "640x480"})
+                      .exit_code,
+                  0);
+}
+
+TEST_F(AnotherResult, IsNotDrawnInto) {
+    fs::create_directory_symlink(path("other"), path("alias"));
+    expect_both_named({"render", "result", "--map", "max_depth", "--out", "other/maps"}, "result");
+    expect_both_named({"render", "result", "--map", "max_depth", "--out", "alias/maps"}, "result");
+    expect_both_named({"render", "result", "--animation", "other/animation.mp4"}, "result");
+    expect_both_named({"render", "result", "--animation", "other/film/"}, "result");
+    expect_both_named({"render", "result", "--animation", "other/film.mp4", "--beside", "other"}, "result");
+    expect_both_named({"render", "result", "--charts", "--out", "other/charts"}, "result");
+    expect_both_named({"render", "dtm.asc", "--out", "other/maps"}, "dtm.asc");
+    for (const std::string own : {"result/maps", "result/more"})
+        EXPECT_EQ(
+            frana({"render", "result", "--map", "max_depth", "--out", own, "--size", "640x480"}).exit_code,
+            0);
+}
+
+TEST_F(AnotherResult, TakesNoStudy) {
+    expect_both_named({"bench", "accuracy", "--quick", "--case", "lake-z1", "--out", "other"}, "");
+    expect_both_named({"converge", "scene.ini", "--quiet", "--set", "time.end=1", "--out", "other/study"},
+                      "");
+}
+
+class OwnPictures : public KeptFilesOf {
+  protected:
+    static std::vector<std::string> film(const std::string& name) {
+        return {"render", "result", "--animation", name, "--size", "640x480"};
+    }
+};
+
+TEST_F(OwnPictures, AreReplacedAndNoOthers) {
+    const std::vector<std::string> draw{"render", "result",   "--map",  "max_depth",
+                                        "--out",  "pictures", "--size", "640x480"};
+    fs::create_directory(path("pictures"));
+    write("pictures/max_depth.png", "the user's");
+    expect_refusal(draw, k_foreign);
+    fs::remove(path("pictures/max_depth.png"));
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(draw).exit_code, 0);
+    EXPECT_FALSE(fs::exists(path("pictures/max_depth.kept-1.png")));
+    write("pictures/max_depth.png", "edited");
+    EXPECT_EQ(frana(draw).exit_code, 0);
+    EXPECT_EQ(read_text(path("pictures/max_depth.kept-1.png")), "edited");
+    fs::create_directory(path("charts"));
+    write("charts/timeseries.png", "the user's");
+    expect_refusal({"render", "result", "--charts", "--out", "charts"}, k_foreign);
+    write("max_depth.png", "the user's");
+    expect_refusal({"render", "result/max_depth.tif", "--size", "640x480"}, k_foreign);
+}
+
+TEST_F(OwnPictures, OfFilmsAreReplacedAndNoOthers) {
+    fs::create_directory(path("film"));
+    write("film/frame_0000.png", "the user's");
+    expect_refusal(film("film/"), k_foreign);
+    write("film.gif", "the user's");
+    expect_refusal(film("film.gif"), k_foreign);
+    fs::remove(path("film.gif"));
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(film("film.gif")).exit_code, 0);
+}
+
+// A shorter film: no frame of the longer one may stay behind it.
+TEST_F(OwnPictures, OfALongerFilmGo) {
+    ASSERT_EQ(frana(film("film/")).exit_code, 0);
+    const auto frames = [&](const std::string& more) {
+        std::vector<std::string> names;
+        for (const std::string& name : files())
+            if (name.starts_with("film/frame_") && name.find(more) != std::string::npos)
+                names.push_back(name);
+        return names;
+    };
+    const std::size_t longer = frames(".png").size();
+    ASSERT_GE(longer, 3U);
+    write("film/frame_0009.png", "the user's");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=1"})
+                  .exit_code,
+              0);
+    ASSERT_EQ(frana(film("film/")).exit_code, 0);
+    const std::vector<std::string> left = frames(".png");
+    EXPECT_LT(left.size(), longer + 1);
+    EXPECT_FALSE(fs::exists(path("film/frame_000" + std::to_string(longer - 1) + ".png")));
+    EXPECT_EQ(read_text(path("film/frame_0009.png")), "the user's");
+    EXPECT_EQ(read_text(path("film/manifest.json")).find("frame_000" + std::to_string(longer - 1)),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace frana::test
