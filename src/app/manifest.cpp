@@ -54,7 +54,7 @@ std::string now_utc() {
 // What is not there for this program is none; what the disk does not give is a fault.
 bool is_not_there(int reason) {
     return reason == ENOENT || reason == ENOTDIR || reason == EISDIR || reason == EACCES || reason == EPERM ||
-           reason == ELOOP || reason == ENAMETOOLONG;
+           reason == ELOOP || reason == ENAMETOOLONG || reason == EINVAL;
 }
 
 std::optional<Tree> read_tree(const fs::path& path) {

@@ -221,6 +221,7 @@ std::vector<Problem> clear_place_of(const std::string& result, const std::string
                      "; it holds more than frana wrote there, and stays");
     }
     remove_empty_siblings(result);
+    remove_note_of_building(result);
     return problems;
 }
 

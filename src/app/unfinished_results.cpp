@@ -11,7 +11,7 @@
 #include <cctype>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 
 #include "app/checkpoints.h"
 #include "app/manifest.h"
@@ -21,6 +21,7 @@
 #include "app/version.h"
 #include "core/folder_entries.h"
 #include "core/json.h"
+#include "core/read_blocks.h"
 
 namespace frana::app {
 namespace {
@@ -43,9 +44,10 @@ void write_note(const fs::path& path, const std::string& folder_name, const std:
 
 /// The folder's name that a note gives; empty where there is no note of frana's.
 std::string noted_name(const fs::path& path) {
-    std::ifstream file(path);
-    if (!file) return {};
+    std::string text;
+    if (read_blocks(path.string(), [&](std::string_view bytes) { text += bytes; }) != 0) return {};
     try {
+        std::istringstream file(text);
         boost::property_tree::ptree tree;
         boost::property_tree::read_json(file, tree);
         if (tree.get<std::string>("program") != k_program) return {};
@@ -175,6 +177,12 @@ bool remove_unfinished(const std::string& folder) {
         if (!fs::remove(one, failure) || failure) return false;
     }
     return true;
+}
+
+void remove_note_of_building(const std::string& result) {
+    const fs::path note = fs::path(result) / k_building_file;
+    std::error_code ignored;
+    if (!noted_name(note).empty()) fs::remove(note, ignored);
 }
 
 void remove_empty_siblings(const std::string& directory) {

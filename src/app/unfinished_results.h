@@ -41,6 +41,10 @@ std::vector<std::string> replaced_results(const std::string& directory);
 /// writes; false where it is left as it is.
 bool remove_unfinished(const std::string& folder);
 
+/// Removes the note from a result that has its name: a run was killed in the moment before it would have done
+/// so.
+void remove_note_of_building(const std::string& result);
+
 /// Removes empty folders beside a result under a name that is drawn for building it: a kill, or a disk that
 /// was full, just after the first moment.
 void remove_empty_siblings(const std::string& directory);

@@ -2,6 +2,7 @@
 #include "core/read_blocks.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,9 +12,16 @@ namespace frana {
 
 int read_blocks(const std::string& path, const std::function<void(std::string_view)>& take) {
     int descriptor = -1;
-    do descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    do
+        descriptor =
+            ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a FIFO would wait for a writer
     while (descriptor < 0 && errno == EINTR);
     if (descriptor < 0) return errno;
+    struct stat found {};
+    if (::fstat(descriptor, &found) != 0 || !S_ISREG(found.st_mode)) {
+        ::close(descriptor);
+        return EINVAL;
+    }
     std::vector<char> block(1U << 20U);
     int reason = 0;
     for (;;) {

@@ -55,6 +55,24 @@ TEST_F(SpecialFile, IsNoHydrograph) {
                        "is no file to read");
 }
 
+// What stands under the names of frana's own lists is looked at before it is read.
+TEST_F(SpecialFile, IsNoListOfFiles) {
+    for (const char* name : {"manifest.json", "summary.json", "being_built.json", "being_replaced.json"}) {
+        fs::create_directories(path("other"));
+        write("other/scene.ini", "");
+        ASSERT_EQ(::mkfifo(path(std::string("other/") + name).c_str(), 0600), 0);
+        expect_refused({"scene.ini", "--set", "output.directory=other"},
+                       "is a folder with other files in it");
+        fs::create_directories(path("free.partial-copied"));
+        ASSERT_EQ(::mkfifo(path(std::string("free.partial-copied/") + name).c_str(), 0600), 0);
+        EXPECT_EQ(frana({"run", "scene.ini", "--out", "free", "--quiet", "--set", "output.maps=off", "--set",
+                         "output.animation=off"})
+                      .exit_code,
+                  0);
+        for (const char* folder : {"other", "free", "free.partial-copied"}) fs::remove_all(path(folder));
+    }
+}
+
 TEST_F(SpecialFile, InputsKeepTheirFolderAsItIs) {
     const std::vector<std::string> square{
         "POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"};

@@ -87,6 +87,19 @@ TEST_F(Leftovers, AListThatWasBeingWrittenGoesWithTheNextRun) {
     }
 }
 
+TEST_F(Leftovers, TheNoteOfAResultThatHasJustTakenItsNameGoesWithTheNextRun) {
+    for (const char* name : {"run", "run --overwrite"}) {
+        SCOPED_TRACE(name);
+        const TriedCommand& command = measured(name);
+        EXPECT_EQ(
+            disturb(command, {Answer::Kind::signal, SIGKILL},
+                    [](const SystemCall& call) { return is_of(call, "unlink", "out/r/being_built.json"); })
+                .exit_code,
+            -SIGKILL);
+        expect_mended(command, command.again);
+    }
+}
+
 TEST_F(Leftovers, AListThatCannotBeReadIsSaidAndTheNextRunTidiesUp) {
     const TriedCommand& command = measured("run --overwrite");
     const auto read = [](const SystemCall& call) { return is_of(call, "read", "out/r/manifest.json"); };
