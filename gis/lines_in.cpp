@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "gis/crs.h"
+#include "gis/declared_crs.h"
 #include "gis/gdal_session.h"
 #include "gis/time_limit.h"
 #include "gis/vector_source.h"
@@ -42,10 +43,10 @@ LineInputLayer read_lines(const std::string& path, const std::string& target_crs
     const GDALDatasetUniquePtr dataset = open_vector(source);
     OGRLayer& layer = choose_layer(
         *dataset, source, [](OGRLayer&) { return true; }, "lines");
-    const std::string crs = layer_crs(layer.GetSpatialRef());
+    const std::string crs = declared_crs(*dataset, layer, source);
     if (crs.empty() && !target_crs_wkt.empty())
         throw vector_fault(source, "the file names no coordinate reference system", "",
-                           "Assign one (ogr2ogr -a_srs EPSG:...), or use terrain.crs = local throughout");
+                           crs_remedy(source) + ", or use terrain.crs = local throughout");
     LineInputLayer read;
     read.crs_wkt = crs;
     read.crs_label = crs.empty() ? "none" : crs_name(crs);

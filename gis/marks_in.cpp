@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gis/crs.h"
+#include "gis/declared_crs.h"
 #include "gis/gdal_session.h"
 #include "gis/time_limit.h"
 #include "gis/vector_source.h"
@@ -91,7 +92,7 @@ Marks read_marks(const std::string& path, const std::string& target_crs_wkt, con
     for (OGRLayer* layer : dataset->GetLayers()) {
         if (!source.layer.empty() && source.layer != layer->GetName()) continue;
         found = true;
-        if (crs.empty()) crs = layer_crs(layer->GetSpatialRef());
+        if (crs.empty()) crs = declared_crs(*dataset, *layer, source);
         for (const auto& feature : *layer) {
             const OGRGeometry* geometry = feature->GetGeometryRef();
             limit.again();
@@ -109,8 +110,7 @@ Marks read_marks(const std::string& path, const std::string& target_crs_wkt, con
     marks.crs_label = crs.empty() ? "none" : crs_name(crs);
     if (crs.empty() && !target_crs_wkt.empty()) {
         throw fault("the file names no coordinate reference system", "",
-                    "Add a .prj file (or assign one: ogr2ogr -a_srs EPSG:...), or use terrain.crs = local "
-                    "throughout");
+                    crs_remedy(source) + ", or use terrain.crs = local throughout");
     }
     try {
         transform_places(marks, target_crs_wkt.empty() ? "" : crs, target_crs_wkt);

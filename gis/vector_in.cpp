@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/json.h"
 #include "gis/crs.h"
+#include "gis/declared_crs.h"
 #include "gis/gdal_session.h"
 #include "gis/outline_check.h"
 #include "gis/polygon_geometry.h"
@@ -22,6 +23,8 @@ namespace {
 
 constexpr double k_bend_tolerance = 1e-3;          // 1 mm where the target is in metres
 constexpr double k_bend_tolerance_degrees = 1e-8;  // the same on the ground
+
+constexpr const char* k_crs_key = "perimeter-crs";
 
 constexpr double k_overlap_share = 1e-3;  // less comes from digitising neighbours apart
 
@@ -242,12 +245,11 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     OGRLayer& layer = choose_layer(*dataset, source, may_hold_areas, "areas");
     check_attribute_table(*dataset, layer, source);
     if (!choice.filter.empty()) filter_features(layer, source, choice.filter);
-    const std::string crs = choice.crs.empty() ? layer_crs(layer.GetSpatialRef()) : choice.crs;
+    const std::string crs =
+        choice.crs.empty() ? declared_crs(*dataset, layer, source, k_crs_key) : choice.crs;
     if (crs.empty() && !target_crs_wkt.empty()) {
-        throw vector_fault(
-            source, "the file names no coordinate reference system", "",
-            "Say which one it is in (perimeter-crs = EPSG:...), add a .prj file, or use terrain.crs = local "
-            "throughout");
+        throw vector_fault(source, "the file names no coordinate reference system", "",
+                           crs_remedy(source, k_crs_key) + ", or use terrain.crs = local throughout");
     }
     PolygonLayer read;
     read.layer_name = layer.GetName();
@@ -259,7 +261,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     if (!target_crs_wkt.empty() && !plausible(crs, own)) {
         throw vector_fault(source, "the coordinates are no degrees though the file's CRS is in degrees",
                            shortest_text(own.west) + ", " + shortest_text(own.south),
-                           "Correct the .prj: " + read.crs_label);
+                           "It says " + read.crs_label + ". " + crs_remedy(source, k_crs_key));
     }
     if (const auto place = long_way_round(read.features, target_crs_wkt.empty() ? 0 : longitude_turn(crs))) {
         throw vector_fault(source, "an edge goes round the Earth the long way", *place,

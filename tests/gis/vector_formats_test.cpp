@@ -126,6 +126,68 @@ TEST(VectorFiles, ACrsGivenStandsBeforeAWrongOne) {
     EXPECT_TRUE(layer.transform.operation == "none");
 }
 
+std::string geojson(const std::string& top, const std::string& within) {
+    return "{\"type\": \"FeatureCollection\"" + top + ", \"features\": [{\"type\": \"Feature\"" + within +
+           ", \"geometry\": {\"type\": \"Polygon\", \"coordinates\": [[[9.38, 46], [9.38, 46.001], [9.381, "
+           "46.001], "
+           "[9.381, 46], [9.38, 46]]]}}]}";
+}
+
+std::string named(const std::string& name) {
+    return R"(, "crs": {"type": "name", "properties": {"name": ")" + name + "\"}}";
+}
+
+// GDAL takes each of these for degrees of WGS 84; a datum is up to hundreds of metres.
+TEST(VectorFiles, ACrsThatIsNotUnderstoodIsRefused) {
+    const Folder folder;
+    const auto read = [&](const std::string& top, const std::string& within = R"(, "properties": {"a": 1})") {
+        test::write_text(folder.file("a.geojson"), geojson(top, within));
+        return read_polygons(folder.file("a.geojson"), utm(), k_where);
+    };
+    const auto refused = [&](const std::string& name, const std::string& top,
+                             const std::string& within = {}) {
+        const Problem problem = error_of([&] { (void)read(top, within); }).problems().front();
+        EXPECT_NE(problem.where.find("a.geojson"), std::string::npos) << problem.where;
+        EXPECT_NE(problem.value.find(name), std::string::npos) << problem.what << problem.value;
+        EXPECT_NE(problem.remedy.find("perimeter-crs = EPSG:"), std::string::npos) << problem.remedy;
+        EXPECT_EQ(problem.remedy.find(".prj"), std::string::npos) << problem.remedy;
+    };
+    refused("urn:ogc:def:crs:EPSG::999999", named("urn:ogc:def:crs:EPSG::999999"));
+    refused("NAD27 / nonsense", named("NAD27 / nonsense"));
+    refused("EPSG:999999", R"(, "crs": {"type": "EPSG", "properties": {"code": 999999}})");
+    refused("EPSG:32632", R"(, "crs": "EPSG:32632")");
+    refused("swisstopo", R"(, "crs": {"type": "swisstopo", "properties": {"name": "EPSG:4326"}})");
+    refused("EPSG:4267", "", named("EPSG:4267"));  // of the feature alone
+    refused("", R"(, "crs": null)");
+    for (const std::string& top :
+         {std::string(), named("urn:ogc:def:crs:OGC:1.3:CRS84"), named("EPSG:4326")}) {
+        EXPECT_EQ(read(top).crs_label.substr(0, 9), "EPSG:4326");
+        EXPECT_EQ(read(top, R"(, "properties": {"crs": "of an attribute", "b": {"crs": 3}})")
+                      .crs_label.substr(0, 9),
+                  "EPSG:4326");
+    }
+    EXPECT_EQ(read(named("EPSG:4267")).crs_label.substr(0, 9), "EPSG:4267");
+    // Who knows better says so.
+    test::write_text(folder.file("a.geojson"), geojson(named("NAD27 / nonsense"), ""));
+    EXPECT_EQ(
+        read_polygons(folder.file("a.geojson"), utm(), k_where, {"", "", crs_from_user("EPSG:4267", "")})
+            .crs_label.substr(0, 9),
+        "EPSG:4267");
+    // A line for each feature: OGR's driver for these reads no crs at all.
+    test::write_text(
+        folder.file("a.geojsonl"),
+        R"({"type": "Feature")" + named("EPSG:4267") +
+            R"(, "properties": {}, "geometry": {"type": "Polygon", "coordinates": [[[9.38, 46], [9.38, 46.001],)"
+            R"( [9.381, 46.001], [9.38, 46]]]}})"
+            "\n"
+            R"({"type": "Feature", "properties": {}, "geometry": null})"
+            "\n");
+    EXPECT_NE(
+        std::string(error_of([&] { (void)read_polygons(folder.file("a.geojsonl"), utm(), k_where); }).what())
+            .find("EPSG:4267"),
+        std::string::npos);
+}
+
 TEST(VectorFiles, ALayerAndAFilterChoose) {
     const Folder folder;
     const std::string path = folder.file("two.gpkg");

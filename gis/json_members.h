@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace frana::gis {
+
+/// A member of an object in a JSON text.
+struct JsonMember {
+    std::string text;     ///< its value as it stands there
+    bool at_top = false;  ///< of the outermost object, or of each one where several follow each other
+};
+
+/// Finds the members of one name in JSON that comes in pieces and may be larger than the memory; those in
+/// objects under the member `besides` are left out.
+class JsonMembers {
+  public:
+    JsonMembers(std::string name, std::string besides)
+        : name_(std::move(name)), besides_(std::move(besides)) {}
+
+    void read(const char* bytes, std::size_t count);
+    /// Without repetitions, in their order.
+    [[nodiscard]] const std::vector<JsonMember>& found() const noexcept { return found_; }
+
+  private:
+    void step(char c);
+    void open(char c);
+    void close();
+    void end_value();
+
+    struct Level {
+        bool is_object = false, expects_key = false;
+        bool left_out = false;
+        std::string key = {};
+    };
+
+    std::string name_, besides_;
+    std::vector<Level> levels_;
+    std::string string_;  ///< the latest
+    bool in_string_ = false, escaped_ = false;
+    bool taking_ = false;  ///< a value
+    std::size_t taken_at_ = 0;
+    std::string taken_;
+    std::vector<JsonMember> found_;
+};
+
+}  // namespace frana::gis
