@@ -139,7 +139,7 @@ std::string robustness_json(const std::vector<RobustnessRow>& rows, const Robust
             json.end_object();
         }
         json.number("simulated_seconds", one.simulated_seconds).integer("steps", one.steps);
-        json.integer("particles", one.particles).number("wall_seconds", one.wall_seconds);
+        json.integer("particles", one.particles);
         if (!one.trouble.empty()) json.text("ended_early", one.trouble);
         json.end_object();
     }

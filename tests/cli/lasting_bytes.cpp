@@ -52,7 +52,7 @@ std::string without_times(const std::string& manifest) {
         if (line.find("\"written\"") != std::string::npos) return false;
         const bool is_name = line.find("\"name\": ") != std::string::npos;
         if (is_name && has_any(line, {".gpkg\"", "\"log.txt\"", "\"summary.json\"", "\"report.html\"",
-                                      "\"convergence.csv\""})) {
+                                      "\"convergence.csv\"", "\"robustness.csv\""})) {
             left_out = 2;  // bytes and checksum
             return true;
         }
@@ -100,7 +100,7 @@ std::string lasting_bytes(const std::string& file) {
     const std::string name = std::filesystem::path(file).filename().string(), bytes = read_text(file);
     if (name == "summary.json") return without_cost(bytes);
     if (name == "manifest.json") return without_times(bytes);
-    if (name == "convergence.csv") return without_seconds(bytes);
+    if (name == "convergence.csv" || name == "robustness.csv") return without_seconds(bytes);
     if (name == "log.txt" || name == "report.html") return bytes.empty() ? "" : "some text";
     return name.ends_with(".gpkg") ? without_dates(bytes) : bytes;
 }

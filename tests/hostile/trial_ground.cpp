@@ -153,6 +153,9 @@ std::vector<TriedCommand> TrialGround::commands() const {
                                             "--quiet",  "--set",        "time.end=1"};
     std::vector<std::string> converge_again = converge;
     converge_again.emplace_back("--overwrite");
+    const std::vector<std::string> robustness{"bench",     "robustness", "in/scene.ini", "--out",
+                                              "out/tried", "--quiet",    "--set",        "time.end=1",
+                                              "--case",    "turned-90"};
     return {
         {"run", "inputs", run_it, with({"--resume"})},
         {"run --overwrite", "older", with({"--overwrite"}), with({"--overwrite", "--resume"})},
@@ -160,6 +163,7 @@ std::vector<TriedCommand> TrialGround::commands() const {
         {"render", "older", render, render, false},
         {"compare", "older", compare, compare, false},
         {"converge", "inputs", converge, converge_again, false},
+        {"bench robustness", "inputs", robustness, robustness, false},
         {"check", "older", {"check", "in/scene.ini"}, {"check", "in/scene.ini"}},
     };
 }
