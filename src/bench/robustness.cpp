@@ -64,6 +64,21 @@ std::vector<Planned> plan(const RobustnessOptions& options, const Scene& scene) 
     return runs;
 }
 
+// Whether it was run to its end.
+bool run_row(const RobustnessOptions& options, const Scene& scene, const Numerics& numerics,
+             RobustnessRow& row) {
+    const PlacedScene placed = disturbed(scene, row.disturbance, numerics, options.seed);
+    const RunResult result = options.run(placed.scene);
+    if (result.stop_reason == StopReason::requested) return false;
+    if (!result.troubles.empty()) row.trouble = describe(result.stop_reason);
+    row.figures = run_figures(result, options.threshold, placed.inside);
+    row.simulated_seconds = result.simulated_seconds;
+    row.steps = result.steps;
+    row.particles = result.particles_peak;
+    row.wall_seconds = result.engine_seconds;
+    return true;
+}
+
 }  // namespace
 
 std::vector<Disturbance> disturbances() {
@@ -93,16 +108,13 @@ std::vector<RobustnessRow> run_robustness(const RobustnessOptions& options) {
         RobustnessRow row;
         row.disturbance = std::move(planned.disturbance);
         row.refusal = std::move(planned.refusal);
-        if (row.refusal.empty()) {
-            const PlacedScene placed = disturbed(scene, row.disturbance, planned.numerics, options.seed);
-            const RunResult result = options.run(placed.scene);
-            if (result.stop_reason == StopReason::requested) return rows;
-            if (!result.troubles.empty()) row.trouble = describe(result.stop_reason);
-            row.figures = run_figures(result, options.threshold, placed.inside);
-            row.simulated_seconds = result.simulated_seconds;
-            row.steps = result.steps;
-            row.particles = result.particles_peak;
-            row.wall_seconds = result.engine_seconds;
+        try {
+            if (row.refusal.empty() && !run_row(options, scene, planned.numerics, row)) return rows;
+        } catch (const Error& error) {
+            // A turned release can come to lie over ground without elevation: the other runs are worth no
+            // less.
+            if (rows.empty() || error.kind() != ErrorKind::input) throw;
+            row.refusal = error.what();
         }
         rows.push_back(std::move(row));
         if (options.report) options.report(robustness_line(rows, rows.size() - 1));

@@ -146,6 +146,27 @@ TEST(Robustness, DisturbsTheGroundAsItSays) {
     EXPECT_NE(again[3].terrain.values, seen[3].terrain.values);
 }
 
+TEST(Robustness, ARunThatCannotStartCostsNoOther) {
+    std::vector<Scene> seen;
+    RobustnessOptions options = options_of(seen);
+    options.only = {"shifted", "turned-30"};
+    const auto run = options.run;
+    std::size_t refused = 2;
+    options.run = [&](const Scene& scene) {
+        RunResult result = run(scene);
+        if (seen.size() == refused)
+            throw Error(ErrorKind::input, Problem{"has no data", "terrain.dtm", "", "", ""});
+        return result;
+    };
+    const auto rows = run_robustness(options);
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_NE(rows[1].refusal.find("has no data"), std::string::npos);
+    EXPECT_TRUE(rows[2].refusal.empty());
+    seen.clear();
+    refused = 1;
+    EXPECT_THROW(run_robustness(options), Error) << "the scene as it is";
+}
+
 TEST(Robustness, AStoppedRunGivesNoRow) {
     std::vector<Scene> seen;
     RobustnessOptions options = options_of(seen);
