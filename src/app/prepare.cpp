@@ -36,7 +36,7 @@ Numerics numerics_of(const SceneSpec& spec) {
     numerics.slope_correction = correction == "none"      ? SlopeCorrection::none
                                 : correction == "surface" ? SlopeCorrection::surface
                                                           : SlopeCorrection::normal;
-    numerics.curvature = words.curvature;
+    numerics.curvature = curvature(words);
     numerics.boundary = words.boundary == "wall" ? Boundary::wall : Boundary::open;
     const std::string& policy = spec.terrain.nodata_policy;
     numerics.nodata = policy == "wall"   ? NodataPolicy::wall
@@ -88,6 +88,7 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
         chosen["material.friction-coefficient"] = shortest_text(friction_coefficient(spec.material));
     chosen["material.in-plane-stress"] = in_plane_stress(spec.material);
     chosen["numerics.slope-correction"] = slope_correction(spec.numerics);
+    chosen["numerics.curvature"] = curvature(spec.numerics) ? "on" : "off";
     chosen["numerics.well-balanced"] = well_balanced(spec.numerics) ? "on" : "off";
     chosen["time.frame-interval"] = shortest_text(frame_interval(spec));
     chosen["scar.threshold"] = shortest_text(scar_threshold(spec));

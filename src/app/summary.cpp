@@ -63,7 +63,7 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
     json.number("relative_error", relative_volume_error(result));
     json.end_object();
     if (result.exchanges) json.number("deposited_momentum_kg_m_s", result.momentum_deposited);
-    if (facts.spec.numerics.curvature) json.integer("unsupported_node_steps", result.unsupported);
+    if (curvature(facts.spec.numerics)) json.integer("unsupported_node_steps", result.unsupported);
     json.begin_array("release_areas");
     for (const ReleasedArea& area : result.released) {
         json.begin_object().number("start_s", area.start).number("area_m2", area.area);
@@ -71,6 +71,7 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
         json.boolean("failed", area.failed).end_object();
     }
     json.end_array();
+    if (result.energy_error) json.number("energy_error", *result.energy_error);
     write_high_figures(json, facts.high);
     json.number("covered_area_m2", facts.covered_area_m2);
     json.number("trace_threshold_m", facts.spec.output.trace_threshold);

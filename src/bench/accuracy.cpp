@@ -17,6 +17,7 @@
 #include "bench/similarity.h"
 #include "bench/sliding_block.h"
 #include "bench/solid_cases.h"
+#include "bench/steep_ground.h"
 #include "bench/thacker.h"
 #include "bench/voellmy_plane.h"
 
@@ -48,6 +49,7 @@ std::vector<AccuracyCase> accuracy_cases(const std::optional<Raster>& sample_ter
     cases.push_back(voellmy_plane());
     cases.push_back(bingham_slump());
     cases.push_back(sliding_block());
+    append(cases, steep_ground());
     cases.push_back(conservation());
     append(cases, fluid_cases());
     append(cases, solid_cases());

@@ -29,7 +29,7 @@ double block_speed(const Flow& flow, double scale) {
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double x = particles[Field::x][p] / scale + k_upper_end;
         if (x < -200 || x > -50) continue;
-        sum += particles[Field::u][p] / scale;
+        sum += flow.map_velocity(p).x / scale;
         ++n;
     }
     return sum / n;

@@ -60,7 +60,7 @@ HardFigure slab_speed(const Setup&, Flow& flow) {
     const ParticleSet& particles = flow.particles();
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (std::abs(particles[Field::x][p] - 60) > 10) continue;
-        sum += particles[Field::u][p];
+        sum += flow.map_velocity(p).x;
         ++n;
     }
     const double cosine = std::cos(k_slab_slope * k_degree);

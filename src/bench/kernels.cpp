@@ -86,6 +86,10 @@ std::vector<KernelCase> kernel_cases() {
                          nodes_to_particles<Shape, ApicTransfer, BinghamStress, true>(t->run, t->update, t->stress,
                                                                                       t->moved, t->particles);
                      }});
+    cases.push_back({"nodes to particles along the bed, plain", [t] {
+                         nodes_to_particles<Shape, ApicTransfer, NoStress, true, true>(t->run, t->update, {}, t->moved,
+                                                                                       t->particles);
+                     }});
     const VectorKernels* fast = vector_kernels();
     if (!fast) return cases;
     cases.push_back({"particles to nodes, fast",
@@ -98,6 +102,8 @@ std::vector<KernelCase> kernel_cases() {
     cases.push_back({"nodes to particles, fast", [=] {
                          fast->nodes_to_particles(t->run, t->update, t->stress, t->moved, t->particles);
                      }});
+    cases.push_back({"nodes to particles along the bed, fast",
+                     [=] { fast->along_bed(t->run, t->update, t->stress, t->moved, t->particles); }});
     cases.push_back({"nodes to particles with stress, fast", [=] {
                          fast->nodes_to_particles_with_stress(t->run, t->update, t->stress, t->moved, t->particles);
                      }});

@@ -48,7 +48,7 @@ std::vector<Variant> variants(const GridSpec& grid) {
              [grid](Scenery& s) {
                  s.zones.friction_coefficient = Raster(grid, s.material.friction_coefficient);
              }},
-            {"curvature", [](Scenery& s) { s.numerics.curvature = true; }},
+            {"without curvature", [](Scenery& s) { s.numerics.curvature = false; }},
             {"in-plane Bingham", [](Scenery& s) { s.material.plane_stress = PlaneStressLaw::bingham; }},
             {"earth pressure", [](Scenery& s) { s.material.plane_stress = PlaneStressLaw::earth_pressure; }},
             {"erosion and deposition", [](Scenery& s) {

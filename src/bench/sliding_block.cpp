@@ -9,11 +9,12 @@ namespace {
 constexpr double k_middle = 120, k_window = 20;
 constexpr std::int64_t k_rows = 8;
 
-double middle_speed(const ParticleSet& particles, double middle) {
+double middle_speed(const Flow& flow, double middle) {
+    const ParticleSet& particles = flow.particles();
     double sum = 0, n = 0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (std::abs(particles[Field::x][p] - middle) > k_window) continue;
-        sum += particles[Field::u][p];
+        sum += flow.map_velocity(p).x;
         ++n;
     }
     return sum / n;
@@ -79,10 +80,10 @@ SlabOutcome run_slab(double cell_size, Scheme scheme, const Slab& slab,
     SlabOutcome outcome;
     run.advance_to(slab.time, [&](const voellmy_bingham::StepReport& report) {
         // The velocity after a step is the one that has moved the particles through it.
-        outcome.distance += middle_speed(run.flow().particles(), k_middle + travel(run.flow().time())) * report.dt;
+        outcome.distance += middle_speed(run.flow(), k_middle + travel(run.flow().time())) * report.dt;
     });
     const double middle = k_middle + slab.travel;
-    outcome.mean_speed = middle_speed(run.flow().particles(), middle);
+    outcome.mean_speed = middle_speed(run.flow(), middle);
     outcome.figures = compare_with_exact(
         run,
         [&](Point) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry.h"
 #include "physics/friction_sum.h"
 #include "physics/friction_voellmy.h"
 
@@ -17,6 +18,9 @@ struct NodeUpdate {
     double minimum_depth = 0;             ///< depth from which a node counts in the maxima [m]
     double effective_share = 1;           ///< 1 - r_u: what pore pressure leaves of the normal stress [-]
     double moving_speed = 0;              ///< speed from which a node's volume counts as moving [m/s]
+    bool change_only = false;  ///< particles take the change of the velocity (FLIP), not the velocity
+    bool wall = false;         ///< ghost nodes mirror those inside
+    Point* brought = nullptr;  ///< padded, for those who look: velocity that the particles brought, in map view [m/s]
 };
 
 /// How the nodes' stages meet friction: Voellmy with the same parameters everywhere, nothing stored.
@@ -30,16 +34,17 @@ struct UniformFriction {
     [[nodiscard]] double stopped_in_step(std::size_t, const NodeUpdate& k) const noexcept {
         return k.dt * law.friction_coefficient * k.gravity;
     }
-    /// A node's share in the bound that holds it: in map view the bound g tan(phi) / sqrt(n) acts over
+    /// A node's share in the bound that holds it: in map view the bound (g + load) tan(phi) / sqrt(n) acts over
     /// sqrt(n).
-    [[nodiscard]] double held(double mass, std::size_t, double n) const noexcept { return mass / n; }
-    /// What turns the sum of shares into a momentum.
-    [[nodiscard]] double held_in_step(const NodeUpdate& k) const noexcept {
-        return k.dt * law.friction_coefficient * k.gravity;
+    [[nodiscard]] double held(double mass, std::size_t, double n, double supported) const noexcept {
+        return mass * supported / n;
     }
-    [[nodiscard]] double speed_after(std::size_t, double speed, const NodeUpdate& k, double root,
+    /// What turns the sum of shares into a momentum.
+    [[nodiscard]] double held_in_step(const NodeUpdate& k) const noexcept { return k.dt * law.friction_coefficient; }
+    /// @param supported what the bed supports along the vertical, g + load [m/s2]
+    [[nodiscard]] double speed_after(std::size_t, double speed, const NodeUpdate& k, double root, double supported,
                                      double depth) const noexcept {
-        return law.speed_after(speed, k.dt, k.gravity / root, k.gravity, depth / root);
+        return law.speed_after(speed, k.dt, supported / root, k.gravity, depth / root);
     }
 };
 
@@ -57,11 +62,11 @@ struct SummedFriction {
     [[nodiscard]] double stopped_in_step(std::size_t node, const NodeUpdate& k) const noexcept {
         return k.dt * states[node].yield;
     }
-    [[nodiscard]] double held(double mass, std::size_t node, double n) const noexcept {
+    [[nodiscard]] double held(double mass, std::size_t node, double n, double) const noexcept {
         return mass * states[node].yield / std::sqrt(n);
     }
     [[nodiscard]] double held_in_step(const NodeUpdate& k) const noexcept { return k.dt; }
-    [[nodiscard]] double speed_after(std::size_t node, double speed, const NodeUpdate& k, double,
+    [[nodiscard]] double speed_after(std::size_t node, double speed, const NodeUpdate& k, double, double,
                                      double) const noexcept {
         const double after = std::min(speed, speed_after_friction(states[node], node, excess, speed, k.dt));
         states[node].resistance = (speed - after) / k.dt;

@@ -13,14 +13,17 @@ namespace frana {
 /// Nodes outside the terrain on every side: a particle in the outermost half cell reaches one of them.
 inline constexpr std::int64_t k_ghost = 2;
 
-/// What one node gathers in a step; one cache line. After update_nodes the same places hold velocities.
+/// What one node gathers in a step; one cache line. After update_nodes the same places hold velocities. Each half is
+/// what a fast sweep loads at once.
 struct alignas(64) NodeSums {
+    double px, py;    ///< momentum [m4/s]; after the update: velocity in map view [m/s]
+    double fx, fy;    ///< force over density [m4/s2]; after the update: what the particles take back [m/s], the
+                      ///< velocity (along the bed where it is carried so) or, with FLIP, its change; at first: sums
+                      ///< of area times squared bed (fx) and surface (fy) over the node's own bed [m4]
     double mass;      ///< volume: density is constant and divided out [m3]
-    double px, py;    ///< momentum [m4/s]; after the update: velocity [m/s]
     double area;      ///< area the particles claim [m2]; after the update: share of the cell, phi [-]
-    double area_bed;  ///< sum of area times bed elevation over the node's own bed [m3]; later: held or not
-    double fx, fy;    ///< force over density [m4/s2]; after the update: velocity before it [m/s]; at first:
-                      ///< sums of area times squared bed (fx) and surface (fy) over the node's own bed [m4]
+    double area_bed;  ///< sum of area times bed elevation over the node's own bed [m3]; later: held or not; after the
+                      ///< update: rate of climb, v . grad Z [m/s] (Curved only)
     double support;   ///< after the update: NodeLevel::support
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/curvature.h"
 #include "mpm/node_grid.h"
 #include "mpm/shape.h"
 #include "particles/particle_set.h"
@@ -47,11 +48,12 @@ struct ApicTransfer {
 };
 
 struct ParticleUpdate {
-    double dt = 0;
+    double dt = 0;    ///< for which the positions move [s]
     double gravity = 0;
     double film = 0;            ///< depth under which a particle is not split [m]
     bool wall = false;  ///< particles are kept inside; otherwise they may leave
     Point origin;       ///< release centroid, for the front distance, local metres
+    double pull = 0;    ///< gravity times the time for which forces acted [m/s]; for what follows the bed
 };
 
 /// What a tile's particles showed in a step; combined tile by tile in their order.
@@ -120,13 +122,27 @@ double shock_compression(const Stencil<Shape>& s, const NodeSums* sums, std::int
     }
 }
 
+/// Greatest share by which the speed of a particle is set right in a step (work_left_over).
+inline constexpr double k_work_limit = 0.5;
+
 /// New velocity, position, depth and stress of a tile's particles (paper, equations 33-38).
 /// Reads NodeSums after update_nodes; reads and writes x, y, u, v, area; writes c_* (affine), compression
 /// (Relaxed), s_* (Stress). Relaxed adds the area relaxation, which ties h_p to the mass on the grid: A grows
 /// or shrinks with what the particles claim of each cell, and only shrinks at a free front. Relaxed and
 /// affine together also carry the particle's shape q_*, which decides about splitting. A particle that leaves
 /// through an open boundary stays in the arrays until the next sort and is counted `outside`.
-template <class Shape, class Transfer, class Stress, bool Relaxed>
+///
+/// FollowsBed: u, v are the velocity along the bed (BedFrame), which the nodes give back in fx, fy; positions move with the
+/// nodes' velocity in map view. Gravity's work at the nodes, whose slopes are differences over two cells, is not what the
+/// particle's way up or down the bed takes: the speed is set right by
+///
+///     work = pull support (sum N_i v_i . grad Z_i - m . grad Z),   m = v - dt/2 ((grad v) v - M^-1 (grad w) v)
+///
+/// with grad Z of the splines' bed where the particle was when gravity acted, and m the mean of the map velocities with which
+/// it came there and went on, but for what forces changed of them: on a plane m = v, and nothing is set right. M^-1 w is
+/// BedFrame::in_map. What moves slower than sqrt(g h) is driven by pressure as much as by gravity, which this
+/// does not balance: there the correction fades with w^2 / (w^2 + g h), so that what is still stays so.
+template <class Shape, class Transfer, class Stress, bool Relaxed, bool FollowsBed = false>
 ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate& k, const Stress& stress,
                                   const NodeGrid& nodes, ParticleSet& particles) {
     double* const x = particles[Field::x];
@@ -157,7 +173,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
 
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
         const Stencil<Shape> s(x[p], y[p], grid);
-        double un = 0, vn = 0, du = 0, dv = 0, share = 0, support = 0, cell_depth = 0;
+        double un = 0, vn = 0, wu = 0, wv = 0, share = 0, support = 0, cell_depth = 0, climb = 0;
         double u_x = 0, u_y = 0, v_x = 0, v_y = 0;      // gradient of the nodal velocity
         double m_xx = 0, m_xy = 0, m_yx = 0, m_yy = 0;  // first moments, for the affine part
         for (int b = 0; b < Shape::width; ++b) {
@@ -168,21 +184,20 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
                 const double nu = row[a].px, nv = row[a].py;
                 un += w * nu;
                 vn += w * nv;
+                wu += w * row[a].fx;
+                wv += w * row[a].fy;
                 u_x += gx * nu;
                 u_y += gy * nu;
                 v_x += gx * nv;
                 v_y += gy * nv;
-                if constexpr (Transfer::increment) {
-                    du += w * (nu - row[a].fx);
-                    dv += w * (nv - row[a].fy);
-                }
-                if constexpr (Transfer::affine && Shape::width == 3) {
+                if constexpr ((Transfer::affine || FollowsBed) && Shape::width == 3) {
                     const double to_x = s.to_first_x + a * dx;
-                    m_xx += w * nu * to_x;
-                    m_xy += w * nu * to_y;
-                    m_yx += w * nv * to_x;
-                    m_yy += w * nv * to_y;
+                    m_xx += w * row[a].fx * to_x;
+                    m_xy += w * row[a].fx * to_y;
+                    m_yx += w * row[a].fy * to_x;
+                    m_yy += w * row[a].fy * to_y;
                 }
+                if constexpr (FollowsBed) climb += w * row[a].area_bed;
                 if constexpr (Relaxed) {
                     share += w * row[a].area;
                     cell_depth += w * row[a].mass;
@@ -191,9 +206,9 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             }
         }
         const double celerity = std::sqrt(k.gravity * volume[p] / area[p]);
+        [[maybe_unused]] const double d = 4 * inverse_dx * inverse_dx;  // inverse of the spline's second moment
         if constexpr (Transfer::affine) {
             if constexpr (Shape::width == 3) {
-                const double d = 4 * inverse_dx * inverse_dx;  // inverse of the spline's second moment
                 c_xx[p] = d * m_xx;
                 c_xy[p] = d * m_xy;
                 c_yx[p] = d * m_yx;
@@ -201,7 +216,11 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
                 if constexpr (Relaxed) {
                     const double across = dx * std::sqrt(c_xx[p] * c_xx[p] + c_xy[p] * c_xy[p] +
                                                          c_yx[p] * c_yx[p] + c_yy[p] * c_yy[p]);
-                    const double bound = k_front_shear * celerity;
+                    double bound = k_front_shear * celerity;  // of velocities in map view
+                    if constexpr (FollowsBed) {
+                        const double in_map = un * un + vn * vn;
+                        if (in_map > 0) bound *= std::sqrt((wu * wu + wv * wv) / in_map);
+                    }
                     if ((1 - support) * across > bound) {
                         const double fit = bound / ((1 - support) * across);
                         c_xx[p] *= fit;
@@ -217,12 +236,19 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
                 c_yy[p] = v_y;
             }
         }
-        if constexpr (Transfer::increment) {
-            u[p] += du;
-            v[p] += dv;
-        } else {
-            u[p] = un;
-            v[p] = vn;
+        u[p] = Transfer::increment ? u[p] + wu : wu;
+        v[p] = Transfer::increment ? v[p] + wv : wv;
+        if constexpr (FollowsBed && Relaxed) {
+            const Interpolated z = interpolate(s, nodes.bed.data(), stride);
+            const double half = 0.5 * k.dt;
+            const Point driven = BedFrame::of({z.dx, z.dy}).in_map(d * (m_xx * un + m_xy * vn), d * (m_yx * un + m_yy * vn));
+            const double mean_u = un - half * (u_x * un + u_y * vn - driven.x);
+            const double mean_v = vn - half * (v_x * un + v_y * vn - driven.y);
+            const double work = k.pull * support * (climb - (mean_u * z.dx + mean_v * z.dy));
+            const double most = u[p] * u[p] + v[p] * v[p] + celerity * celerity;
+            const double change = std::clamp(most > 0 ? work / most : 0, -k_work_limit, k_work_limit);
+            u[p] += change * u[p];
+            v[p] += change * v[p];
         }
         // Equation (38) in two dimensions: the area follows the map x -> x + dt v(x), whose determinant this
         // is.
@@ -290,7 +316,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         report.speed = std::max(report.speed, speed);
         const double ox = px - k.origin.x, oy = py - k.origin.y;
         report.front_squared = std::max(report.front_squared, ox * ox + oy * oy);
-        report.kinetic += 0.5 * volume[p] * speed2;
+        report.kinetic += 0.5 * volume[p] * (u[p] * u[p] + v[p] * v[p]);
         report.volume += volume[p];
     }
     return report;

@@ -22,7 +22,9 @@ struct SurfaceSlope {
 struct NormalSlope {
     static constexpr bool metric = true, thin_layer = true, curved = false;
 };
-/// With the load that the motion over a curved bed adds (mpm/curvature.h).
+/// With the load that the motion over a curved bed adds (mpm/curvature.h). Particles and nodes then exchange the velocity
+/// along the bed (BedFrame). What is carried from one slope to another then keeps its energy; velocities in map view,
+/// taken from a gentle slope to a steep one, become faster.
 template <class Slope>
 struct Curved : Slope {
     static constexpr bool curved = true;  // cppcheck-suppress duplInheritedMember; hides it on purpose
@@ -37,11 +39,15 @@ struct NodeReport {
     bool moves = false;            ///< whether any node moves on
     double moving = 0;             ///< volume that is faster than NodeUpdate::moving_speed, however thin [m3]
     double thin = 0;               ///< volume on nodes that are not as deep as the minimum [m3]
+    double volume = 0;             ///< of all nodes [m3]
+    double energy = 0;             ///< kinetic and potential, over density, when the positions were as now [m5/s2]
+    double kinetic = 0;            ///< of which kinetic
+    double taken = 0;              ///< energy over density that friction and walls took [m5/s2]
 
     template <class Archive>
     void serialise(Archive& archive) {
-        auto& [depth, speed, cells, lifted, any_moves, fast, shallow] = *this;
-        archive(depth, speed, cells, lifted, any_moves, fast, shallow);
+        auto& [depth, speed, cells, lifted, any_moves, fast, shallow, all, energies, motion, lost] = *this;
+        archive(depth, speed, cells, lifted, any_moves, fast, shallow, all, energies, motion, lost);
     }
 
     void merge(const NodeReport& r) noexcept {
@@ -52,6 +58,10 @@ struct NodeReport {
         unsupported += r.unsupported;
         moving += r.moving;
         thin += r.thin;
+        volume += r.volume;
+        energy += r.energy;
+        kinetic += r.kinetic;
+        taken += r.taken;
     }
 };
 
@@ -64,18 +74,33 @@ struct NodeDrive {
     BedCurvature curvature;   ///< zero unless the slope is Curved
 };
 
+/// The bed's slope at a node, from the nodes beside it; 0 across the outermost rings.
+inline Point node_slope(const NodeGrid& nodes, std::size_t i, std::int64_t column, std::int64_t row) noexcept {
+    const double half_inverse_dx = 0.5 / nodes.cell_size();
+    const double* bed = nodes.bed.data();
+    Point slope{0, 0};
+    if (column > 0 && column < nodes.stride() - 1) slope.x = (bed[i + 1] - bed[i - 1]) * half_inverse_dx;
+    if (row > 0 && row < nodes.padded_rows() - 1) {
+        const auto step = static_cast<std::size_t>(nodes.stride());
+        slope.y = (bed[i + step] - bed[i - step]) * half_inverse_dx;
+    }
+    return slope;
+}
+
+/// In which a node's velocity along the bed is counted: of its slope where material follows the bed, level where it
+/// ponds, since still water's waves move it level however steep the ground is.
+inline BedFrame node_frame(const NodeGrid& nodes, std::size_t i, std::int64_t column, std::int64_t row) noexcept {
+    const Point slope = node_slope(nodes, i, column, row);
+    const double follows = nodes.levels.size() != 0 ? 1 - nodes.levels[i].ponding : 1;
+    return BedFrame::of({follows * slope.x, follows * slope.y});
+}
+
 /// The ground under a node and what its curvature adds to gravity; no acceleration yet.
 template <class Slope>
 NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column,
                     std::int64_t row) {
-    const double half_inverse_dx = 0.5 / nodes.cell_size();
-    const double* bed = nodes.bed.data();
-    NodeDrive d{0, 0, 0, 0, 1, 0, {}};
-    if (column > 0 && column < nodes.stride() - 1) d.slope_x = (bed[i + 1] - bed[i - 1]) * half_inverse_dx;
-    if (row > 0 && row < nodes.padded_rows() - 1) {
-        const auto step = static_cast<std::size_t>(nodes.stride());
-        d.slope_y = (bed[i + step] - bed[i - step]) * half_inverse_dx;
-    }
+    const Point slope = node_slope(nodes, i, column, row);
+    NodeDrive d{0, 0, slope.x, slope.y, 1, 0, {}};
     if constexpr (Slope::metric) d.n += d.slope_x * d.slope_x + d.slope_y * d.slope_y;
     if constexpr (Slope::curved) {
         const NodeSums& node = nodes.sums[i];
@@ -83,6 +108,18 @@ NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, s
         d.load = std::max(-k.gravity, d.curvature.load(node.px / node.mass, node.py / node.mass));
     }
     return d;
+}
+
+/// Turns the momenta along the bed that the particles brought into momenta in map view. After all are gathered; before
+/// anything else reads them.
+inline void momenta_to_map(const NodeRange& range, NodeGrid& nodes) {
+    range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
+        NodeSums& node = nodes.sums[i];
+        if (!(node.mass > 0)) return;
+        const Point momentum = node_frame(nodes, i, column, row).in_map(node.px, node.py);
+        node.px = momentum.x;
+        node.py = momentum.y;
+    });
 }
 
 /// Least share of g that vertical acceleration may leave as divisor: a layer that its bed throws upwards
@@ -98,7 +135,7 @@ inline constexpr double k_least_bearing = 0.5;
 /// walls. Where the surface is steeper than the bed (fronts) the linear terms in grad h are kept alone, as in
 /// Savage and Hutter (1989):
 ///     a = -(g/n) [ grad Z + G^-1 grad h ],  G^-1 = I - grad Z grad Z^T / n
-/// The load of the motion over the bed's curvature is not in it: see follow_bed.
+/// The load of the motion over the bed's curvature is not in it: see turn_by_bed.
 /// Reads NodeSums mass, fx, fy; NodeLevel (if allocated); bed.
 template <class Slope>
 NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column,
@@ -152,7 +189,7 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& fri
             const NodeSums& node = nodes.sums[n];
             const NodeDrive d = drive_of<Slope>(nodes, k, n, column, row);
             pulls[place] = {node.px + k.dt * node.mass * d.ax, node.py + k.dt * node.mass * d.ay,
-                            friction.held(node.mass, n, d.n)};
+                            friction.held(node.mass, n, d.n, k.gravity + d.load)};
             known[place] = true;
         }
         return pulls[place];
@@ -198,49 +235,69 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         if (!(node.mass > 0)) return;
         const NodeDrive drive = drive_of<Slope>(nodes, k, i, column, row);
         const double old_u = node.px / node.mass, old_v = node.py / node.mass;
+        BedFrame frame;
+        if constexpr (Slope::curved) frame = node_frame(nodes, i, column, row);
         double u = old_u, v = old_v;
         if constexpr (Slope::curved)
-            follow_bed(nodes, i, column, row, drive.curvature, drive.slope_x, drive.slope_y, drive.n, k.dt, u,
-                       v);
+            turn_by_bed(drive.curvature, frame, levels ? (1 - levels[i].ponding) * k.dt : k.dt, u, v);
         u += k.dt * drive.ax;
         v += k.dt * drive.ay;
         const auto along_bed = [&](double a, double b) {
             const double climb = Slope::metric ? a * drive.slope_x + b * drive.slope_y : 0;
             return std::sqrt(a * a + b * b + climb * climb);
         };
+        const double driven = along_bed(u, v);
         if ((solid && solid[i]) || (holds && node.area_bed != 0)) {
-            if constexpr (Friction::remembers) friction.remember(i, along_bed(u, v), k);
+            if constexpr (Friction::remembers) friction.remember(i, driven, k);
             u = v = 0;
         }
-        const double speed = along_bed(u, v);
+        const double speed = u != 0 || v != 0 ? driven : 0;
         if (speed > 0 && friction.active()) {
             const double root = Slope::metric ? std::sqrt(drive.n) : 1;
-            const double after = friction.speed_after(i, speed, k, root, node.mass / node.area);
+            const double after =
+                friction.speed_after(i, speed, k, root, k.gravity + drive.load, node.mass / node.area);
             const double left = after / speed;
             u *= left;
             v *= left;
         }
+        const double brought = along_bed(old_u, old_v);
+        if (!k.wall || (column >= k_ghost && row >= k_ghost && column < nodes.stride() - k_ghost &&
+                        row < nodes.padded_rows() - k_ghost)) {
+            const double after = along_bed(u, v), layer = levels ? levels[i].ponding : 1;
+            const double kinetic = 0.25 * node.mass * (brought * brought + after * after);
+            report.volume += node.mass;
+            report.kinetic += kinetic;
+            report.energy += kinetic + k.gravity * node.mass *
+                                           (nodes.bed[i] + 0.5 * node.mass * inverse_area * (layer + (1 - layer) / drive.n));
+            report.taken += 0.5 * node.mass * (driven * driven - after * after);
+        }
         const double support = levels ? levels[i].support : 0;
         const double cell_depth = shown_depth(node.mass, node.area, support, inverse_area);
         // The particles' own mean velocity: the new nodal one overshoots where a node holds next to nothing.
-        const double seen = along_bed(old_u, old_v);
-        if (seen > k.moving_speed) report.moving += node.mass;
+        if (brought > k.moving_speed) report.moving += node.mass;
         if (cell_depth < k.minimum_depth) {
             report.thin += node.mass;
         } else {
             ++report.covered;
             report.max_depth = std::max(report.max_depth, cell_depth);
-            report.max_speed = std::max(report.max_speed, seen);
+            report.max_speed = std::max(report.max_speed, brought);
             if constexpr (Slope::curved) report.unsupported += drive.load <= -k.gravity;
-            observe(i, cell_depth, seen);
+            observe(i, cell_depth, brought);
         }
         report.moves = report.moves || u != 0 || v != 0;
         node.px = u;
         node.py = v;
         node.area *= inverse_area;
-        node.fx = old_u;
-        node.fy = old_v;
+        if (k.brought != nullptr) k.brought[i] = {old_u, old_v};
+        Point back = Slope::curved ? frame.along_bed(u, v) : Point{u, v};
+        if (k.change_only) {
+            const Point before = Slope::curved ? frame.along_bed(old_u, old_v) : Point{old_u, old_v};
+            back = {back.x - before.x, back.y - before.y};
+        }
+        node.fx = back.x;
+        node.fy = back.y;
         node.support = support;
+        if constexpr (Slope::curved) node.area_bed = u * drive.slope_x + v * drive.slope_y;
     });
     return report;
 }

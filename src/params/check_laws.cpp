@@ -139,7 +139,7 @@ void check_rest(const SceneSpec& scene, const std::set<std::string>& given, cons
                       shortest_text(*scene.material.pore_dissipation_time) + " s", "",
                       "Remove it (the pore pressure then stays), or compute each failure in a run of its own"});
     }
-    if (scene.numerics.curvature && slope_correction(scene.numerics) == "none") {
+    if (curvature(scene.numerics) && slope_correction(scene.numerics) == "none") {
         problems.add({"needs a slope correction", file + ": numerics.curvature", "on", "off",
                       "Set numerics.slope-correction = normal or surface, or remove the key"});
     }

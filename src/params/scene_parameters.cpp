@@ -57,8 +57,9 @@ void add_numerics(std::vector<Parameter>& list) {
                "Form of the equations on steep ground; auto: normal for scheme default, none for paper."));
     list.push_back(
         on_off("numerics.curvature", FRANA_MEMBER(numerics.curvature),
-               "Load of the motion over the bed's curvature: more friction in hollows, less over edges, speed along "
-               "the bed kept. For steep, fast flow; rough terrain brakes more. Needs a slope correction."));
+               "Motion along a curved bed: speed along the bed kept where its slope changes, more friction in hollows, "
+               "less over edges; off: speed in map view kept. Needs a slope correction.",
+               "on where there is a slope correction"));
     list.push_back(choice("numerics.boundary", FRANA_MEMBER(numerics.boundary), {"open", "wall"},
                           "Edge of the working grid: material leaves and is counted, or is held."));
     list.push_back(number("numerics.gravity", FRANA_MEMBER(numerics.gravity), "m/s2", Range{0.1, 100},

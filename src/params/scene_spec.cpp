@@ -30,6 +30,10 @@ std::string slope_correction(const NumericsSpec& numerics) {
     return numerics.scheme == "paper" ? "none" : "normal";
 }
 
+bool curvature(const NumericsSpec& numerics) {
+    return numerics.curvature.value_or(slope_correction(numerics) != "none");
+}
+
 bool well_balanced(const NumericsSpec& numerics) {
     return numerics.well_balanced.value_or(numerics.scheme != "paper");
 }

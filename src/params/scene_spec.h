@@ -127,7 +127,7 @@ struct NumericsSpec {
     double cfl = 0.5;
     std::optional<bool> well_balanced;
     std::string slope_correction = "auto";
-    bool curvature = false;
+    std::optional<bool> curvature;
     std::string boundary = "open";
     double gravity = 9.81;
     double minimum_depth = 0.01;
@@ -221,6 +221,8 @@ struct SceneSpec {
 double friction_coefficient(const MaterialSpec& material);
 /// `auto` resolved: `normal` for the default scheme, `none` for the paper's.
 std::string slope_correction(const NumericsSpec& numerics);
+/// Resolved: on where there is a slope correction.
+bool curvature(const NumericsSpec& numerics);
 /// Resolved: on for the default scheme, off for the paper's.
 bool well_balanced(const NumericsSpec& numerics);
 /// The interval of frames [s]: as given, else a round number near a sixtieth of the end time; 0 where nothing

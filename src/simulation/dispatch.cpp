@@ -24,15 +24,16 @@ const Stress& stress_of(const StressLaws& laws) {
     }
 }
 
-template <class Shape, class Transfer, class Stress, bool Relaxed>
+template <class Shape, class Transfer, class Stress, bool Relaxed, bool FollowsBed>
 ParticleReport nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
                                         const StressLaws& stress, const NodeGrid& nodes,
                                         ParticleSet& particles) {
     if constexpr (Stress::active) {
-        return nodes_to_particles<Shape, Transfer, Stress, Relaxed>(tile, update, stress_of<Stress>(stress),
-                                                                    nodes, particles);
+        return nodes_to_particles<Shape, Transfer, Stress, Relaxed, FollowsBed>(
+            tile, update, stress_of<Stress>(stress), nodes, particles);
     } else {
-        return nodes_to_particles<Shape, Transfer, Stress, Relaxed>(tile, update, Stress{}, nodes, particles);
+        return nodes_to_particles<Shape, Transfer, Stress, Relaxed, FollowsBed>(tile, update, Stress{}, nodes,
+                                                                                particles);
     }
 }
 
@@ -43,23 +44,30 @@ PlaneStressLaw stress_law(const Material& material) {
     return material.plane_stress;
 }
 
-// 2 schemes x 3 transfers x 3 stresses = 18 of nodes_to_particles, 4 of each of the other particle stages.
+template <class Shape, class Transfer, class Stress, bool Relaxed>
+void choose_update(Stages& stages) {
+    stages.nodes_to_particles = stages.follows_bed
+                                    ? nodes_to_particles_stage<Shape, Transfer, Stress, Relaxed, true>
+                                    : nodes_to_particles_stage<Shape, Transfer, Stress, Relaxed, false>;
+}
+
+// 2 schemes x 3 transfers x 3 stresses x 2 = 36 of nodes_to_particles, 4 of each of the other particle stages.
 template <class Shape, bool Relaxed, class Transfer>
 void choose_transfer(PlaneStressLaw stress, Stages& stages) {
     stages.particles_to_nodes = stages.references ? particles_to_nodes<Shape, Transfer::affine, true>
                                                   : particles_to_nodes<Shape, Transfer::affine, false>;
     switch (stress) {
         case PlaneStressLaw::bingham:
-            stages.nodes_to_particles = nodes_to_particles_stage<Shape, Transfer, BinghamStress, Relaxed>;
+            choose_update<Shape, Transfer, BinghamStress, Relaxed>(stages);
             break;
         case PlaneStressLaw::earth_pressure:
-            stages.nodes_to_particles =
-                nodes_to_particles_stage<Shape, Transfer, EarthPressureStress, Relaxed>;
+            choose_update<Shape, Transfer, EarthPressureStress, Relaxed>(stages);
             break;
         case PlaneStressLaw::none:
-            stages.nodes_to_particles = nodes_to_particles_stage<Shape, Transfer, NoStress, Relaxed>;
+            choose_update<Shape, Transfer, NoStress, Relaxed>(stages);
             break;
     }
+    stages.change_only = Transfer::increment;
     if (Transfer::affine) stages.fields = stages.fields | k_affine_fields;
 }
 
@@ -82,13 +90,11 @@ void choose_scheme(Transfer transfer, PlaneStressLaw law, Stages& stages) {
 }
 
 // The fast ones know no stress but Bingham's.
-template <bool Stress>
+template <VectorKernels::NodesToParticles VectorKernels::*Kernel>
 ParticleReport fast_nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
                                              const StressLaws& stress, const NodeGrid& nodes,
                                              ParticleSet& particles) {
-    const VectorKernels& kernels = *vector_kernels();
-    const auto kernel = Stress ? kernels.nodes_to_particles_with_stress : kernels.nodes_to_particles;
-    return kernel(tile, update, stress.bingham, nodes, particles);
+    return (vector_kernels()->*Kernel)(tile, update, stress.bingham, nodes, particles);
 }
 
 // The default scheme's sweeps over particles, for what this processor can do.
@@ -97,11 +103,21 @@ void use_vector_kernels(const VectorKernels& kernels, PlaneStressLaw law, Stages
     stages.particles_to_nodes =
         stages.references ? kernels.particles_and_levels_to_nodes : kernels.particles_to_nodes;
     stages.pressure_to_nodes = stress ? kernels.pressure_and_stress_to_nodes : kernels.pressure_to_nodes;
-    if (law == PlaneStressLaw::none) stages.nodes_to_particles = fast_nodes_to_particles_stage<false>;
-    if (law == PlaneStressLaw::bingham) stages.nodes_to_particles = fast_nodes_to_particles_stage<true>;
+    using V = VectorKernels;
+    if (law == PlaneStressLaw::none)
+        stages.nodes_to_particles = stages.follows_bed ? fast_nodes_to_particles_stage<&V::along_bed>
+                                                       : fast_nodes_to_particles_stage<&V::nodes_to_particles>;
+    if (law == PlaneStressLaw::bingham)
+        stages.nodes_to_particles = stages.follows_bed
+                                        ? fast_nodes_to_particles_stage<&V::along_bed_with_stress>
+                                        : fast_nodes_to_particles_stage<&V::nodes_to_particles_with_stress>;
 }
 
 }  // namespace
+
+bool follows_bed(const Numerics& numerics) {
+    return numerics.curvature && numerics.slope_correction != SlopeCorrection::none;
+}
 
 Transfer transfer_of(const Numerics& numerics) {
     return numerics.transfer.value_or(numerics.scheme == Scheme::paper ? Transfer::pic : Transfer::apic);
@@ -111,6 +127,7 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
                      const Numerics& numerics, Kernels kernels) {
     Stages stages;
     stages.fields = k_basic_fields;
+    stages.follows_bed = follows_bed(numerics);
     const Transfer transfer = transfer_of(numerics);
     if (numerics.scheme == Scheme::paper) {
         choose_scheme<HatShape, false>(transfer, stress_law(material), stages);
@@ -121,7 +138,7 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
     }
-    choose_node_stages(material, numerics, sums_friction(material, zones, entrainment, numerics), stages);
+    choose_node_stages(material, numerics, sums_friction(material, zones, entrainment), stages);
     choose_exchange(entrainment, numerics, stages);
     const VectorKernels* fast = kernels == Kernels::fastest ? vector_kernels() : nullptr;
     if (fast && numerics.scheme == Scheme::standard && transfer == Transfer::apic)
@@ -136,7 +153,7 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
     laws.cfl = numerics.cfl;
     laws.minimum_depth = numerics.minimum_depth;
     laws.wall = numerics.boundary == Boundary::wall;
-    laws.friction = make_friction(material, zones, entrainment, numerics, nodes, gravity);
+    laws.friction = make_friction(material, zones, entrainment, nodes, gravity);
     laws.exchange = make_exchange(entrainment, material.density);
     laws.stress.bingham.viscosity_over_density = material.viscosity / material.density;
     laws.stress.bingham.yield_over_density = material.yield_stress / material.density;

@@ -22,6 +22,9 @@ voellmy_bingham::Laws make_laws(const Material& material, const MaterialZones& z
                                 const Entrainment& entrainment, const Numerics& numerics,
                                 const NodeGrid& nodes, double gravity);
 
+/// Whether particles and nodes exchange velocities along the bed rather than in map view.
+bool follows_bed(const Numerics& numerics);
+
 /// The transfer that is really used.
 Transfer transfer_of(const Numerics& numerics);
 

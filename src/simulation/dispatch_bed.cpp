@@ -57,7 +57,7 @@ NodeReport update_summed(const NodeRange& range, const NodeUpdate& update, const
         [&](std::size_t node, double depth, double speed) { maxima.see(node, depth, speed, time); });
 }
 
-// 3 slopes uniform; 5 slopes x 4 excess laws = 20 summed.
+// 5 slopes uniform; 5 slopes x 4 excess laws = 20 summed.
 template <class Slope>
 void choose_summed(const Material& material, Stages& stages) {
     stages.fill_bed_states = fill_bed_states<Slope>;
@@ -76,8 +76,8 @@ void choose_summed(const Material& material, Stages& stages) {
 
 template <class Slope>
 void choose_slope(const Material& material, bool summed, bool curved, Stages& stages) {
-    if constexpr (Slope::metric) {
-        if (curved) return choose_summed<Curved<Slope>>(material, stages);
+    if constexpr (Slope::metric && !Slope::curved) {
+        if (curved) return choose_slope<Curved<Slope>>(material, summed, curved, stages);
     }
     if (summed) return choose_summed<Slope>(material, stages);
     stages.hold_nodes = hold_uniform<Slope>;
@@ -208,14 +208,12 @@ void FrictionBuilder::add(BedTerm term) {
 
 }  // namespace
 
-bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
-                   const Numerics& numerics) {
+bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment) {
     const bool only_voellmy =
         std::all_of(material.bed_friction.begin(), material.bed_friction.end(),
                     [](BedTerm term) { return term == BedTerm::coulomb || term == BedTerm::turbulence; });
     return !only_voellmy || zones.friction_coefficient || zones.turbulence || zones.cohesion ||
-           material.pore_pressure_ratio > 0 || material.surface_pressure > 0 || numerics.curvature ||
-           entrainment.active();
+           material.pore_pressure_ratio > 0 || material.surface_pressure > 0 || entrainment.active();
 }
 
 void choose_node_stages(const Material& material, const Numerics& numerics, bool summed, Stages& stages) {
@@ -239,10 +237,9 @@ void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, S
 }
 
 BedFriction make_friction(const Material& material, const MaterialZones& zones,
-                          const Entrainment& entrainment, const Numerics& numerics, const NodeGrid& nodes,
-                          double gravity) {
+                          const Entrainment& entrainment, const NodeGrid& nodes, double gravity) {
     BedFriction friction;
-    if (sums_friction(material, zones, entrainment, numerics))
+    if (sums_friction(material, zones, entrainment))
         friction = FrictionBuilder(material, zones, nodes, gravity).build();
     if (material.has(BedTerm::coulomb)) friction.voellmy.friction_coefficient = material.friction_coefficient;
     if (material.has(BedTerm::turbulence) && std::isfinite(material.turbulence))

@@ -7,9 +7,8 @@
 namespace frana {
 
 /// Whether a scene needs more at the bed than uniform Voellmy friction: other laws, parameters that vary,
-/// pore pressure, surface pressure, curvature, or the stress at the bed for erosion.
-bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
-                   const Numerics& numerics);
+/// pore pressure, surface pressure, or the stress at the bed for erosion.
+bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment);
 
 /// The nodes' stages for the slope's form, the curvature and the friction that a scene needs.
 void choose_node_stages(const Material& material, const Numerics& numerics, bool summed,
@@ -19,8 +18,8 @@ void choose_exchange(const Entrainment& entrainment, const Numerics& numerics,
                      voellmy_bingham::Stages& stages);
 
 voellmy_bingham::BedFriction make_friction(const Material& material, const MaterialZones& zones,
-                                           const Entrainment& entrainment, const Numerics& numerics,
-                                           const NodeGrid& nodes, double gravity);
+                                           const Entrainment& entrainment, const NodeGrid& nodes,
+                                           double gravity);
 voellmy_bingham::BedExchange make_exchange(const Entrainment& entrainment, double density);
 
 /// A raster as a padded node array; NaN becomes `uniform`, ghosts take the value of the nearest cell.

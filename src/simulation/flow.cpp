@@ -8,6 +8,7 @@
 
 #include "mpm/shape.h"
 #include "mpm/stable_step.h"
+#include "mpm/update_nodes.h"
 #include "simulation/dispatch.h"
 #include "simulation/dispatch_bed.h"
 
@@ -23,6 +24,26 @@ void append(const ParticleSet& seeds, ParticleSet& particles) {
         if (!seeds.mask().has(Field::q_xx))
             get(row, Field::q_xx) = get(row, Field::q_yy) = get(row, Field::area);
         particles.set_row(before + p, row);
+    }
+}
+
+// At a place inside, as node_frame.
+BedFrame frame_at(const NodeGrid& nodes, double x, double y) {
+    const Stencil<QuadraticSplineShape> stencil(x, y, nodes.scale());
+    const Interpolated bed = interpolate(stencil, nodes.bed.data(), nodes.stride());
+    const double follows = nodes.levels.size() != 0 ? 1 - nodes.levels[nodes.scale().node_of(x, y)].ponding : 1;
+    return BedFrame::of({follows * bed.dx, follows * bed.dy});
+}
+
+// Particles from `first` on get their velocities along the bed for those in map view.
+void velocities_along_bed(const NodeGrid& nodes, std::size_t first, ParticleSet& particles) {
+    const double *x = particles[Field::x], *y = particles[Field::y];
+    double *u = particles[Field::u], *v = particles[Field::v];
+    for (std::size_t p = first; p < particles.size(); ++p) {
+        if (!nodes.bounds().holds(x[p], y[p])) continue;
+        const Point w = frame_at(nodes, x[p], y[p]).along_bed(u[p], v[p]);
+        u[p] = w.x;
+        v[p] = w.y;
     }
 }
 
@@ -111,6 +132,7 @@ Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& m
     }
     laws_.origin = centroid();
     voellmy_bingham::prepare(state_, laws_, pool_);
+    if (stages_.follows_bed) velocities_along_bed(state_.nodes, 0, state_.particles);
 }
 
 void Flow::add_walls(const Raster& walls) {
@@ -121,7 +143,9 @@ void Flow::add_walls(const Raster& walls) {
 
 void Flow::add_particles(const ParticleSet& particles) {
     if (particles.size() == 0) return;
+    const std::size_t before = state_.particles.size();
     append(particles, state_.particles);
+    if (stages_.follows_bed) velocities_along_bed(state_.nodes, before, state_.particles);
     voellmy_bingham::prepare(state_, laws_, pool_);
     gather();
     make_room(particles, state_.nodes, state_.particles);
@@ -132,6 +156,18 @@ voellmy_bingham::StepReport Flow::advance(double dt_limit) {
     particle_steps_ += static_cast<std::int64_t>(state_.particles.size());
     ++steps_;
     return voellmy_bingham::step(state_, laws_, stages_, dt_limit, maxima_, pool_);
+}
+
+Point Flow::map_velocity(std::size_t p) const {
+    const ParticleSet& particles = state_.particles;
+    const double x = particles[Field::x][p], y = particles[Field::y][p];
+    const double u = particles[Field::u][p], v = particles[Field::v][p];
+    if (!stages_.follows_bed || !state_.nodes.bounds().holds(x, y)) return {u, v};
+    return frame_at(state_.nodes, x, y).in_map(u, v);
+}
+
+void Flow::keep_brought_velocities() {
+    if (state_.brought.size() == 0) state_.brought = ZeroArray<Point>(state_.nodes.sums.size());
 }
 
 void Flow::synchronise() {
@@ -207,9 +243,16 @@ Flow::NodalFields Flow::nodal_fields() {
         if (!(s.mass > 0)) return;
         const double support = stages_.references ? state_.nodes.levels[node].support : 0;
         const double depth = shown_depth(s.mass, s.area, support, inverse_area);
+        double u = s.px / s.mass, v = s.py / s.mass;
+        if (stages_.follows_bed) {
+            const auto n = static_cast<std::int64_t>(node), stride = state_.nodes.stride();
+            const Point in_map = node_frame(state_.nodes, node, n % stride, n / stride).in_map(u, v);
+            u = in_map.x;
+            v = in_map.y;
+        }
         fields.depth.at(row, column) = depth;
-        fields.momentum_x.at(row, column) = depth * s.px / s.mass;
-        fields.momentum_y.at(row, column) = depth * s.py / s.mass;
+        fields.momentum_x.at(row, column) = depth * u;
+        fields.momentum_y.at(row, column) = depth * v;
     });
     return fields;
 }

@@ -28,7 +28,8 @@ class Flow {
 
     /// @param ground elevation [m], NaN where there is none; its grid gives cell size and extent
     /// @param kernels plain: without the processor's vector instructions, for comparison
-    /// @param particles in local metres; fields the scheme needs are added with their initial values
+    /// @param particles in local metres, velocities in map view; fields the scheme needs are added with their initial
+    ///                  values
     /// @param zones rasters on the ground's grid
     Flow(const Ground& ground, const ParticleSet& particles, const Material& material,
          const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt = std::nullopt,
@@ -58,6 +59,8 @@ class Flow {
     [[nodiscard]] std::int64_t particle_count() const noexcept {
         return static_cast<std::int64_t>(state_.particles.size());
     }
+    /// Velocity of a particle in map view [m/s]. Particles that follow a curved bed carry theirs along the bed (BedFrame).
+    [[nodiscard]] Point map_velocity(std::size_t p) const;
     [[nodiscard]] bool empty() const noexcept { return state_.particles.size() == 0; }
     [[nodiscard]] std::size_t bytes_per_particle() const noexcept {
         return state_.particles.bytes_per_particle();
@@ -116,6 +119,10 @@ class Flow {
         Raster depth, momentum_x, momentum_y;
     };
     NodalFields nodal_fields();
+    /// From now on keeps the velocities in map view that the particles bring to the nodes, for brought_velocity.
+    void keep_brought_velocities();
+    /// The one that a node's particles had when the last step began [m/s].
+    [[nodiscard]] Point brought_velocity(std::size_t node) const { return state_.brought[node]; }
     /// Folds the present depth into the maxima (they are otherwise taken at the start of each step).
     void see_present();
     [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }

@@ -25,6 +25,10 @@ StepFigures figures_of(const voellmy_bingham::StepReport& report) {
     f.fastest = report.particles.speed;
     f.front_distance = std::sqrt(report.particles.front_squared);
     f.kinetic = report.particles.kinetic;
+    f.energy = report.nodes.energy;
+    f.energy_moving = report.nodes.kinetic;
+    f.energy_volume = report.nodes.volume;
+    f.energy_taken = report.nodes.taken;
     f.moving = report.nodes.moving;
     f.thin = report.nodes.thin;
     f.covered = report.nodes.covered;
@@ -152,6 +156,12 @@ double pressure_factor(const StructuredFlow&) {
     return 1;
 }
 
+void prepare_to_record(Flow& flow) {
+    flow.keep_brought_velocities();
+}
+
+void prepare_to_record(const StructuredFlow&) {}
+
 // After a run that ended in numbers that are none, its maps show only those that are.
 void hide_non_finite(Raster& raster) {
     for (double& value : raster.values) {
@@ -194,6 +204,7 @@ FlowRun<AnyFlow>::FlowRun(const Scene& scene, const RunOptions& options, Release
       watch_(scene, release, arrivals, pressure_factor(flow)) {
     flow_.set_origin(origin_of(release, arrivals));
     flow_.set_moving_speed(scene.time.moving_speed);
+    if (!recorder_.idle()) prepare_to_record(flow_);
     result_.terms = list_terms(scene);
     result_.particles_initial = result_.particles_peak = flow_.particle_count();
     result_.volume_initial = result_.volume_entered = flow_.volume();
@@ -262,6 +273,7 @@ void FlowRun<AnyFlow>::count(const StepFigures& figures) {
     result_.unsupported += figures.unsupported;
     const BedBudget bed = bed_budget(flow_);
     result_.troubles = watch_.look(flow_, figures, result_.volume_entered + bed.eroded - bed.deposited);
+    energy_.see(figures);
     for (const Trouble& trouble : result_.troubles) {
         add(trouble, result_.hard_events);
         if (options_.on_trouble) options_.on_trouble(trouble);
@@ -349,6 +361,7 @@ RunResult FlowRun<AnyFlow>::finish() {
     result.settling = settling_.last();
     result.steps = flow_.steps();
     result.simulated_seconds = flow_.time();
+    result.energy_error = energy_.error();
     result.particles_final = flow_.particle_count();
     result.particle_steps = flow_.particle_steps();
     result.bytes_per_particle = static_cast<std::int64_t>(flow_.bytes_per_particle());

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "simulation/arrivals.h"
+#include "simulation/energy_watch.h"
 #include "simulation/recorder.h"
 #include "simulation/release.h"
 #include "simulation/result.h"
@@ -58,9 +59,9 @@ class FlowRun {
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [scene, options, release, arrivals, flow, engine, result, stopped, frames,
-                                next_frame, last_frame, still, fade, settling, recorder, watch] = *this;
+                                next_frame, last_frame, still, fade, settling, recorder, watch, energy] = *this;
         engine.stop();
-        archive(engine, arrivals, flow, frames, next_frame, still, fade, settling, recorder);
+        archive(engine, arrivals, flow, frames, next_frame, still, fade, settling, recorder, energy);
         archive(result.series, result.particles_peak, result.hard_events, result.unsupported,
                 result.volume_inflow, result.volume_entered, result.thin_share, result.moving_share);
         for (ReleasedArea& area : result.released) archive(area.failed);
@@ -104,6 +105,7 @@ class FlowRun {
     SettlingWatch settling_;
     Recorder recorder_;
     TroubleWatch watch_;
+    EnergyWatch energy_;
 };
 
 /// What comes later: whole columns that fail, and what flows in, which in the structured model is fluid.

@@ -37,7 +37,10 @@ Ground ground_under(const NodeGrid& nodes, double x, double y) {
 }
 
 // What particles of either model have.
-PointTable common_table(const ParticleSet& particles, const GridSpec& grid, const NodeGrid& nodes, bool metric) {
+// @param velocity of a particle in map view
+template <class Velocity>
+PointTable common_table(const ParticleSet& particles, const GridSpec& grid, const NodeGrid& nodes, bool metric,
+                        const Velocity& velocity) {
     PointTable table;
     const std::size_t count = particles.size();
     table.places.reserve(count);
@@ -49,7 +52,7 @@ PointTable common_table(const ParticleSet& particles, const GridSpec& grid, cons
     const double* const confined = particles[Field::confined];
     for (std::size_t p = 0; p < count; ++p) {
         const Ground ground = ground_under(nodes, x[p], y[p]);
-        const double u = particles[Field::u][p], v = particles[Field::v][p];
+        const auto [u, v] = velocity(p);
         const double climb = metric ? u * ground.slope.x + v * ground.slope.y : 0;
         const double volume = particles[Field::volume][p] + (confined != nullptr ? confined[p] : 0);
         const double values[] = {volume / particles[Field::area][p], ground.height, std::hypot(u, v, climb), u, v,
@@ -68,13 +71,16 @@ double greatest_strain(const ParticleSet& particles, std::size_t p) {
 }
 
 PointTable particle_table(const Flow& flow) {
-    return common_table(flow.particles(), flow.grid(), flow.nodes(), flow.metric());
+    return common_table(flow.particles(), flow.grid(), flow.nodes(), flow.metric(),
+                        [&](std::size_t p) { return flow.map_velocity(p); });
 }
 
 PointTable particle_table(const StructuredFlow& flow) {
     if (!flow.state().solid) return {};
     const ParticleSet& particles = flow.state().solid->particles;
-    PointTable table = common_table(particles, flow.grid(), flow.nodes(), flow.metric());
+    PointTable table = common_table(particles, flow.grid(), flow.nodes(), flow.metric(), [&](std::size_t p) {
+        return Point{particles[Field::u][p], particles[Field::v][p]};
+    });
     const std::size_t count = particles.size();
     const auto fill = [&](const char* name, const auto& value) {
         std::vector<double>& values = table.add(name);

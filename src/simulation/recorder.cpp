@@ -69,8 +69,9 @@ Recorder::NodeState Recorder::state_of(const Flow& flow, std::size_t node) const
     const double cell_area = cell_size_ * cell_size_;
     state.depth = shown_depth(sums.mass, sums.area * cell_area, sums.support, 1 / cell_area);
     state.held = sums.mass / cell_area;
-    state.u = sums.fx;
-    state.v = sums.fy;
+    const Point brought = flow.brought_velocity(node);
+    state.u = brought.x;
+    state.v = brought.y;
     state.moved_x = state.held * sums.px;
     state.moved_y = state.held * sums.py;
     double climb = 0;

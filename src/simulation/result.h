@@ -212,6 +212,8 @@ struct RunResult {
     double thin_share = 0;  ///< greatest share of the volume that was at one time thinner than the minimum depth
     double moving_share = 0;  ///< of the volume, faster than the scene's moving speed after the last step
     std::int64_t unsupported = 0;   ///< nodes times steps at which the motion over a convex bed lifted off
+    /// Greatest rise that neither gravity nor what friction took explains (EnergyWatch); none where it is not known.
+    std::optional<double> energy_error;
     HardEvents hard_events;
     std::vector<Trouble> troubles;   ///< of the run's last step
     std::vector<std::string> terms;  ///< physics and numerics really computed

@@ -172,8 +172,7 @@ struct Numerics {
     double cfl = 0.5;
     bool well_balanced = true;  ///< still level per node (default scheme only)
     SlopeCorrection slope_correction = SlopeCorrection::normal;
-    bool curvature =
-        false;  ///< the load of the motion over the bed's curvature; not without slope correction
+    bool curvature = true;  ///< motion along a curved bed (Curved); not without slope correction
     Boundary boundary = Boundary::open;
     NodataPolicy nodata = NodataPolicy::stop;
     double gravity = 9.81;        ///< [m/s2]

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace frana {
 
@@ -14,6 +15,11 @@ struct StepFigures {
     double fastest = 0;            ///< particle in map view, however thin [m/s]
     double front_distance = 0;     ///< from the run's origin, in map view [m]
     double kinetic = 0;            ///< energy over density [m5/s2]
+    double energy = std::numeric_limits<double>::quiet_NaN();
+                                              ///< kinetic and potential, over density, as the step began [m5/s2]; NaN: not known
+    double energy_moving = 0;      ///< of which kinetic [m5/s2]
+    double energy_volume = 0;      ///< of the volume that has it [m3]
+    double energy_taken = 0;       ///< by friction and walls in the step, over density [m5/s2]
     double moving = 0;             ///< volume faster than the run's moving speed, however thin [m3]
     double thin = 0;               ///< volume that is nowhere as deep as the minimum depth [m3]
     std::int64_t covered = 0;      ///< cells deeper than the minimum depth

@@ -36,6 +36,7 @@ Flow drifting_sheet(const Entrainment& entrainment, Scheme scheme = Scheme::stan
     material.density = k_density;
     Numerics how = numerics(scheme, SlopeCorrection::normal, Boundary::open);
     how.gravity = 1e-12;
+    how.curvature = false;  // what is laid down would turn the motion
     return Flow(Raster(grid), seeds, material, how, 2, std::nullopt, {}, entrainment);
 }
 

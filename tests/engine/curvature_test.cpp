@@ -26,7 +26,7 @@ struct Rider {
 Rider ride(const Track& track, double start, double speed, double friction, bool curvature, double time) {
     const GridSpec grid = bench::plain_grid(std::llround(track.length / track.cell), 6, track.cell);
     const ParticleSet seeds = bench::fill_lattice(grid, 2, 0, [&](Point p) {
-        return bench::Seed{std::abs(p.x - start) < 4 ? 1e-4 : 0, speed, 0};
+        return bench::Seed{std::abs(p.x - start) < 4 ? 0.1 : 0, speed, 0};
     });
     Numerics how = numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall);
     how.curvature = curvature;
@@ -44,7 +44,7 @@ Rider ride(const Track& track, double start, double speed, double friction, bool
         const double v = p[Field::volume][i];
         volume += v;
         rider.x += v * p[Field::x][i];
-        rider.map_speed += v * p[Field::u][i];
+        rider.map_speed += v * flow.map_velocity(i).x;
     }
     rider.x /= volume;
     rider.map_speed /= volume;

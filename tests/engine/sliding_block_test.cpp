@@ -29,7 +29,7 @@ double slab_speed(double slope_deg, const Material& material, SlopeCorrection sl
     const ParticleSet& p = flow.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (std::abs(p[Field::x][i] - 120 - travelled) > 20) continue;
-        sum += p[Field::u][i];
+        sum += flow.map_velocity(i).x;
         ++n;
     }
     return sum / n;

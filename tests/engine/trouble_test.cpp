@@ -133,6 +133,7 @@ TEST(Trouble, StrongSolidsMaySpringBack) {
 TEST(Trouble, ASpeedAboveTheBoundEndsTheRunAtItsStep) {
     Scene scene = slope(Of::mass);
     scene.material.friction_coefficient = 0.1;
+    scene.numerics.curvature = false;  // with it the speed stays under the bound
     scene.terrain.at(30, 25) += 60;
     scene.terrain.at(30, 16) += 60;
     scene.time.end = 10;

@@ -49,13 +49,14 @@ struct State {
     ZeroArray<BedLayer> bed_layers;  ///< padded; empty where the bed stays as it is
     ExchangeReport exchanged;        ///< with the bed, so far
     std::vector<double> kept, lost;  ///< by each particle, within a step
+    ZeroArray<Point> brought;        ///< padded; velocity in map view that the particles brought; empty: not kept
 };
 
 template <class Archive>
 void serialise(Archive& archive, State& state) {
     [[maybe_unused]] auto& [particles, nodes, order, active, nodes_seen, particles_seen, time, velocity_lag, drift,
                             since_sort, wave_speed, diffusivity, volume_left, bed_states, bed_layers, exchanged, kept,
-                            lost] = state;
+                            lost, brought] = state;
     archive(particles, nodes, order, active, nodes_seen, particles_seen, time, velocity_lag, drift, since_sort,
             wave_speed, diffusivity, volume_left, bed_states, bed_layers, exchanged);  // the rest is within a step
     if constexpr (Archive::k_reads) archive.require(order.restore(particles));

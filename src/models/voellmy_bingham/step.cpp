@@ -164,6 +164,10 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
     active.keep(state.nodes);
     report.moved = active.moved_particles(state.order);
     gather(state, laws, stages, pool, watch);
+    if (stages.follows_bed) {
+        for (const auto* tiles : {&active.updated(), &active.gathered()})
+            for_node_tiles(state, *tiles, pool, [&](const NodeRange& range) { momenta_to_map(range, state.nodes); });
+    }
     for_tiles_by_colour(state, pool, [&](const ParticleTile& tile) {
         stages.pressure_to_nodes(tile, state.particles, laws.gravity, state.nodes);
     });
@@ -174,6 +178,9 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
     // first.
     NodeUpdate node_update{kick, laws.gravity, laws.gravity_x, laws.gravity_y, laws.minimum_depth};
     node_update.moving_speed = laws.moving_speed;
+    node_update.change_only = stages.change_only;
+    node_update.wall = laws.wall;
+    if (state.brought.size() != 0) node_update.brought = state.brought.data();
     if (laws.friction.pore_pressure.active())
         node_update.effective_share = 1 - laws.friction.pore_pressure.ratio(state.time);
     BedState* const bed_states = state.bed_states.data();
@@ -207,7 +214,7 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
 
     // Nodes to particles: velocity, position, depth, stress.
     const ParticleUpdate particle_update{drift, laws.gravity * laws.stress.wave_factor, laws.resample.minimum_depth,
-                                         laws.wall, laws.origin};
+                                         laws.wall, laws.origin, laws.gravity * kick};
     const auto& tiles = state.order.tiles();
     for (const ParticleTile& tile : tiles) state.particles_seen[static_cast<std::size_t>(tile.tile)].longest = 0;
     pool.for_each(active.moved().size(), [&](std::size_t i) {

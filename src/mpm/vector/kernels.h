@@ -13,10 +13,10 @@ struct VectorKernels {
     void (*particles_and_levels_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&);
     void (*pressure_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&);
     void (*pressure_and_stress_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&);
-    ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const BinghamStress&,
-                                         const NodeGrid&, ParticleSet&);
-    ParticleReport (*nodes_to_particles_with_stress)(const ParticleTile&, const ParticleUpdate&,
-                                                     const BinghamStress&, const NodeGrid&, ParticleSet&);
+    using NodesToParticles = ParticleReport (*)(const ParticleTile&, const ParticleUpdate&, const BinghamStress&,
+                                                const NodeGrid&, ParticleSet&);
+    NodesToParticles nodes_to_particles, nodes_to_particles_with_stress;
+    NodesToParticles along_bed, along_bed_with_stress;  ///< the same, following the bed
 };
 
 /// The kernels in AVX2 and FMA; null where the processor has not both.

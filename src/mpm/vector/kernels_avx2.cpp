@@ -14,20 +14,23 @@ namespace frana {
 
 namespace {
 
-template <bool Stress>
+template <bool FollowsBed, bool Stress>
 ParticleReport vector_nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
                                                const BinghamStress& stress, const NodeGrid& nodes,
                                                ParticleSet& particles) {
     if constexpr (Stress) {
-        return vector_nodes_to_particles(tile, update, stress, nodes, particles);
+        return vector_nodes_to_particles<FollowsBed>(tile, update, stress, nodes, particles);
     } else {
-        return vector_nodes_to_particles(tile, update, NoStress{}, nodes, particles);
+        return vector_nodes_to_particles<FollowsBed>(tile, update, NoStress{}, nodes, particles);
     }
 }
 
 constexpr VectorKernels k_kernels{vector_particles_to_nodes<false>,      vector_particles_to_nodes<true>,
                                   vector_pressure_to_nodes<false>,       vector_pressure_to_nodes<true>,
-                                  vector_nodes_to_particles_stage<false>, vector_nodes_to_particles_stage<true>};
+                                  vector_nodes_to_particles_stage<false, false>,
+                                  vector_nodes_to_particles_stage<false, true>,
+                                  vector_nodes_to_particles_stage<true, false>,
+                                  vector_nodes_to_particles_stage<true, true>};
 
 }  // namespace
 

@@ -10,13 +10,15 @@ namespace {
 
 /// What four particles gather from their nodes; each quad holds one quantity of the four.
 struct ChunkGather {
-    Quad cell_depth, u, v, share, support;
-    Quad u_x, u_y, v_x, v_y;      // gradient of the nodal velocity
-    Quad m_xx, m_xy, m_yx, m_yy;  // its first moments
+    Quad cell_depth, share, climb, support;
+    Quad u, v, back_u, back_v;    // nodal velocity in map view; what the particles take back
+    Quad u_x, u_y, v_x, v_y;      // gradient of the former
+    Quad m_xx, m_xy, m_yx, m_yy;  // first moments of the latter
     Quad bend, change;            // of the nodal velocity along the axes, see shock_compression
 
-    /// Each node is one quad {mass, u, v, share}, and its support. Particle by particle only the sums along rows and
-    /// along columns are made, with the splines' weights; all else follows from those six, four particles at once.
+    /// Each node is two quads, {u, v, back_u, back_v} and {mass, share, climb, support}. Particle by particle only the
+    /// sums of the first along rows and along columns are made, with the splines' weights, and the mean of the second; all
+    /// else follows from those seven, four particles at once.
     FRANA_INLINE ChunkGather(Quad px, Quad py, const NodeScale& grid, const NodeSums* sums) {
         const ChunkAxis ax(px, grid), ay(py, grid);
         std::size_t first[4];
@@ -24,58 +26,61 @@ struct ChunkGather {
         Quad wx[3], wy[3];
         ax.weights(wx);
         ay.weights(wy);
-        alignas(32) double weight_x[3][4], weight_y[3][4], held[4];
+        alignas(32) double weight_x[3][4], weight_y[3][4];
         for (int a = 0; a < 3; ++a) {
             wx[a].store(weight_x[a]);
             wy[a].store(weight_y[a]);
         }
-        Quad rows[3][4], columns[3][4];
+        Quad rows[3][4], columns[3][4], means[4];
         for (std::size_t k = 0; k < 4; ++k) {
             const NodeSums* row = sums + first[k];  // lanes that repeat the first particle do so here too
             const Quad w0(weight_x[0][k]), w1(weight_x[1][k]), w2(weight_x[2][k]);
             Quad column0 = 0.0, column1 = 0.0, column2 = 0.0;
-            double held_k = 0;
+            Quad mean = 0.0;
             for (int b = 0; b < 3; ++b, row += grid.stride) {
-                const Quad west = Quad::load(&row[0].mass), middle = Quad::load(&row[1].mass),
-                           east = Quad::load(&row[2].mass);
+                const Quad west = Quad::load(&row[0].px), middle = Quad::load(&row[1].px), east = Quad::load(&row[2].px);
                 const Quad weight(weight_y[b][k]);
                 rows[b][k] = w0 * west + w1 * middle + w2 * east;
                 column0 += weight * west;
                 column1 += weight * middle;
                 column2 += weight * east;
-                held_k += weight_y[b][k] * (weight_x[0][k] * row[0].support + weight_x[1][k] * row[1].support +
-                                            weight_x[2][k] * row[2].support);
+                mean += weight * (w0 * Quad::load(&row[0].mass) + w1 * Quad::load(&row[1].mass) +
+                                  w2 * Quad::load(&row[2].mass));
             }
             columns[0][k] = column0;
             columns[1][k] = column1;
             columns[2][k] = column2;
-            held[k] = held_k;
+            means[k] = mean;
         }
-        support = Quad::load(held);
+        transpose(means[0], means[1], means[2], means[3]);
+        cell_depth = means[0];
+        share = means[1];
+        climb = means[2];
+        support = means[3];
         for (int a = 0; a < 3; ++a) {
             transpose(rows[a][0], rows[a][1], rows[a][2], rows[a][3]);
             transpose(columns[a][0], columns[a][1], columns[a][2], columns[a][3]);
         }
-        cell_depth = weighted(wy, rows, 0);
-        u = weighted(wy, rows, 1);
-        v = weighted(wy, rows, 2);
-        share = weighted(wy, rows, 3);
+        u = weighted(wy, rows, 0);
+        v = weighted(wy, rows, 1);
+        back_u = weighted(wy, rows, 2);
+        back_v = weighted(wy, rows, 3);
         Quad slope[3], moment[3];
         ax.slopes(grid.inverse_dx, slope);
         moments(ax, px, wx, grid, moment);
-        u_x = weighted(slope, columns, 1);
-        v_x = weighted(slope, columns, 2);
-        m_xx = weighted(moment, columns, 1);
-        m_yx = weighted(moment, columns, 2);
+        u_x = weighted(slope, columns, 0);
+        v_x = weighted(slope, columns, 1);
+        m_xx = weighted(moment, columns, 2);
+        m_yx = weighted(moment, columns, 3);
         ay.slopes(grid.inverse_dx, slope);
         moments(ay, py, wy, grid, moment);
-        u_y = weighted(slope, rows, 1);
-        v_y = weighted(slope, rows, 2);
-        m_xy = weighted(moment, rows, 1);
-        m_yy = weighted(moment, rows, 2);
+        u_y = weighted(slope, rows, 0);
+        v_y = weighted(slope, rows, 1);
+        m_xy = weighted(moment, rows, 2);
+        m_yy = weighted(moment, rows, 3);
         // u from column to column, v from row to row.
-        const Quad u_low = columns[0][1], u_mean = columns[1][1], u_high = columns[2][1];
-        const Quad v_low = rows[0][2], v_mean = rows[1][2], v_high = rows[2][2];
+        const Quad u_low = columns[0][0], u_mean = columns[1][0], u_high = columns[2][0];
+        const Quad v_low = rows[0][1], v_mean = rows[1][1], v_high = rows[2][1];
         bend = abs(u_low - 2 * u_mean + u_high) + abs(v_low - 2 * v_mean + v_high);
         change = (abs(u_mean - u_low) + abs(u_high - u_mean)) + (abs(v_mean - v_low) + abs(v_high - v_mean));
     }
@@ -91,8 +96,37 @@ struct ChunkGather {
     }
 };
 
-/// nodes_to_particles<QuadraticSplineShape, ApicTransfer, Stress, true>, four particles at a time.
-template <class Stress>
+/// Gradient of the bed at four particles, through the splines.
+FRANA_INLINE void bed_slopes(Quad px, Quad py, const NodeScale& grid, const double* bed, Quad& slope_x, Quad& slope_y) {
+    const ChunkAxis ax(px, grid), ay(py, grid);
+    std::size_t first[4];
+    first_nodes(ax, ay, grid, first);
+    alignas(32) double weight_y[3][4], along_y[3][4];
+    Quad weight[3], slope[3];
+    ay.weights(weight);
+    ay.slopes(grid.inverse_dx, slope);
+    for (int b = 0; b < 3; ++b) {
+        weight[b].store(weight_y[b]);
+        slope[b].store(along_y[b]);
+    }
+    Quad across[4], along[4];  // sums along the columns, with the splines' weights and with their slopes
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double* const ground = bed + first[k];  // rows of four lanes: the last is left out below
+        const Quad south = Quad::load(ground), middle = Quad::load(ground + grid.stride),
+                   north = Quad::load(ground + 2 * grid.stride);
+        across[k] = weight_y[0][k] * south + weight_y[1][k] * middle + weight_y[2][k] * north;
+        along[k] = along_y[0][k] * south + along_y[1][k] * middle + along_y[2][k] * north;
+    }
+    transpose(across[0], across[1], across[2], across[3]);
+    transpose(along[0], along[1], along[2], along[3]);
+    ax.slopes(grid.inverse_dx, slope);
+    slope_x = slope[0] * across[0] + slope[1] * across[1] + slope[2] * across[2];
+    ax.weights(weight);
+    slope_y = weight[0] * along[0] + weight[1] * along[1] + weight[2] * along[2];
+}
+
+/// nodes_to_particles<QuadraticSplineShape, ApicTransfer, Stress, true, FollowsBed>, four particles at a time.
+template <bool FollowsBed, class Stress>
 ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const ParticleUpdate& k, const Stress& stress,
                                          const NodeGrid& nodes, ParticleSet& particles) {
     double *const x = particles[Field::x], *const y = particles[Field::y];
@@ -129,7 +163,11 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
             // At a free front no more than the celerity allows; squares, since few particles are at one.
             const Quad free = (1 - g.support) * grid.dx;
             const Quad free2 = free * free * (xx * xx + xy * xy + yx * yx + yy * yy);
-            const Quad bound2 = (k_front_shear * k_front_shear * k.gravity) * mass / old_area;
+            Quad bound2 = (k_front_shear * k_front_shear * k.gravity) * mass / old_area;
+            if constexpr (FollowsBed) {
+                const Quad in_map = g.u * g.u + g.v * g.v;
+                bound2 = select(in_map > 0, bound2 * (g.back_u * g.back_u + g.back_v * g.back_v) / in_map, bound2);
+            }
             Quad fit = 1.0;
             if (any(free2 > bound2)) fit = select(free2 > bound2, sqrt(bound2 / free2), 1.0);
             store_some(fit * xx, c_xx + p, n);
@@ -137,8 +175,25 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
             store_some(fit * yx, c_yx + p, n);
             store_some(fit * yy, c_yy + p, n);
         }
-        store_some(g.u, u + p, n);
-        store_some(g.v, v + p, n);
+        Quad back_u = g.back_u, back_v = g.back_v;
+        if constexpr (FollowsBed) {
+            Quad slope_x, slope_y;
+            bed_slopes(old_x, old_y, grid, nodes.bed.data(), slope_x, slope_y);
+            // BedFrame::in_map of what forces changed of the velocity along the bed.
+            const Quad root = sqrt(1 + slope_x * slope_x + slope_y * slope_y);
+            const Quad rate_x = d * (g.m_xx * g.u + g.m_xy * g.v), rate_y = d * (g.m_yx * g.u + g.m_yy * g.v);
+            const Quad lift = (rate_x * slope_x + rate_y * slope_y) / (root * (root + 1));
+            const double half = 0.5 * k.dt;
+            const Quad mean_u = g.u - half * (g.u_x * g.u + g.u_y * g.v - (rate_x - lift * slope_x)),
+                       mean_v = g.v - half * (g.v_x * g.u + g.v_y * g.v - (rate_y - lift * slope_y));
+            const Quad work = k.pull * g.support * (g.climb - (mean_u * slope_x + mean_v * slope_y));
+            const Quad most = back_u * back_u + back_v * back_v + k.gravity * mass / old_area;
+            const Quad change = min(max(select(most > 0, work / most, 0.0), -k_work_limit), k_work_limit);
+            back_u += change * back_u;
+            back_v += change * back_v;
+        }
+        store_some(back_u, u + p, n);
+        store_some(back_v, v + p, n);
 
         const Quad div = g.u_x + g.v_y;
         store_some(select((div < 0) & (g.change > 0), -div * g.bend / g.change, 0.0), compression + p, n);
@@ -210,7 +265,7 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         wave_speed = select(inside, max(wave_speed, wave), wave_speed);
         greatest_speed = select(inside, max(greatest_speed, speed), greatest_speed);
         front_squared = select(inside, max(front_squared, ox * ox + oy * oy), front_squared);
-        kinetic += select(inside, 0.5 * mass * speed2, 0.0);
+        kinetic += select(inside, 0.5 * mass * (back_u * back_u + back_v * back_v), 0.0);
         inside_volume += select(inside, mass, 0.0);
     });
     report.clamped = count(clamped);

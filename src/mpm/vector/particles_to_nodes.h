@@ -10,7 +10,7 @@ namespace {
 
 /// particles_to_nodes<QuadraticSplineShape, true, Levels>, four particles at a time: weights and what each brings
 /// are worked out side by side; then each particle adds two quads to each of its nine nodes,
-///     {mass, px, py, area}  and, if Levels,  {area_bed, fx, fy, support}.
+///     {px, py, fx, fy}  and  {mass, area, area_bed, support}, of which fx, fy, area_bed only if Levels.
 template <bool Levels>
 void vector_particles_to_nodes(const ParticleTile& tile, const ParticleSet& particles, NodeGrid& nodes) {
     const double *const x = particles[Field::x], *const y = particles[Field::y];
@@ -40,11 +40,11 @@ void vector_particles_to_nodes(const ParticleTile& tile, const ParticleSet& part
         const Quad cxx = load_some(c_xx + p, n), cxy = load_some(c_xy + p, n);
         const Quad cyx = load_some(c_yx + p, n), cyy = load_some(c_yy + p, n);
         const Quad to_x = ax.to_first(px, grid.dx), to_y = ay.to_first(py, grid.dx);
-        // Rows: what a particle brings to its first node, and what each column and row adds to that.
-        Quad at_first[4] = {mass, mass * (load_some(u + p, n) + cxx * to_x + cxy * to_y),
-                            mass * (load_some(v + p, n) + cyx * to_x + cyy * to_y), claim};
-        Quad by_column[4] = {0.0, mass * cxx * grid.dx, mass * cyx * grid.dx, 0.0};
-        Quad by_row[4] = {0.0, mass * cxy * grid.dx, mass * cyy * grid.dx, 0.0};
+        // Rows: the momentum that a particle brings to its first node, and what each column and row adds to that.
+        Quad at_first[4] = {mass * (load_some(u + p, n) + cxx * to_x + cxy * to_y),
+                            mass * (load_some(v + p, n) + cyx * to_x + cyy * to_y), 0.0, 0.0};
+        Quad by_column[4] = {mass * cxx * grid.dx, mass * cyx * grid.dx, 0.0, 0.0};
+        Quad by_row[4] = {mass * cxy * grid.dx, mass * cyy * grid.dx, 0.0, 0.0};
         transpose(at_first[0], at_first[1], at_first[2], at_first[3]);
         transpose(by_column[0], by_column[1], by_column[2], by_column[3]);
         transpose(by_row[0], by_row[1], by_row[2], by_row[3]);
@@ -52,7 +52,7 @@ void vector_particles_to_nodes(const ParticleTile& tile, const ParticleSet& part
         if constexpr (Levels) (mass / claim).store(depth);
 
         for (std::size_t k = 0; k < n; ++k) {
-            double* const node = &sums[first[k]].mass;
+            double* const node = &sums[first[k]].px;
             const double* const ground = bed + first[k];
             const std::int64_t stride = grid.stride;
             double z = 0;
@@ -62,21 +62,24 @@ void vector_particles_to_nodes(const ParticleTile& tile, const ParticleSet& part
                     z += (weight[3 * b][k] * r[0] + weight[3 * b + 1][k] * r[1]) + weight[3 * b + 2][k] * r[2];
                 }
             }
-            const double a_k = area[p + k], d_k = depth[k];
-            const Quad claim_level{a_k, 0, a_k * d_k, 0}, claim_square{0, a_k, a_k, 0}, surface{0, 0, d_k, 0};
+            // With the bed's height t over the node's own: {.., .., area t^2, area (t + depth)^2} and area t.
+            const double a_k = area[p + k];
+            const Quad square{0, 0, a_k, a_k}, surface{0, 0, 0, depth[k]};
+            const Quad holds{volume[p + k], a_k, 0, 0}, level{0, 0, a_k, 0};
             Quad row_brings = at_first[k];
             for (int b = 0; b < 3; ++b) {
                 double* const row = node + 8 * b * stride;
                 Quad brings = row_brings;
                 for (int a = 0; a < 3; ++a) {
                     const Quad w(weight[3 * b + a][k]);
-                    (Quad::load(row + 8 * a) + w * brings).store(row + 8 * a);
+                    Quad moves = brings, stays = holds;
                     if constexpr (Levels) {
-                        // area {t, t^2, (t + depth)^2, 0} for the bed's height t over the node's own
-                        const Quad above(z - ground[b * stride + a]);
-                        const Quad level = (claim_level + claim_square * above) * (above + surface);
-                        (Quad::load(row + 8 * a + 4) + w * level).store(row + 8 * a + 4);
+                        const Quad above(z - ground[b * stride + a]), height = above + surface;
+                        moves += square * height * height;
+                        stays += level * above;
                     }
+                    (Quad::load(row + 8 * a) + w * moves).store(row + 8 * a);
+                    (Quad::load(row + 8 * a + 4) + w * stays).store(row + 8 * a + 4);
                     brings += by_column[k];
                 }
                 row_brings += by_row[k];

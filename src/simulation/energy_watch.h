@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "simulation/step_figures.h"
+
+namespace frana {
+
+/// Whether a flow gets energy from nowhere. What moves under gravity and friction alone keeps
+///
+///     E = kinetic energy along the bed + potential energy + what friction has taken so far;
+///
+/// numerics may lose some of it, never add. error() is the greatest rise of E over an earlier value, over the greatest
+/// kinetic energy with what friction had taken by then, which is the fall that gravity had worked. Velocities lag half a
+/// step behind positions: a step's kinetic energy is the mean of before and after, and half of what friction takes in it
+/// comes before. Steps between which volume came in or went (release, inflow, open edges, erosion) are left out.
+class EnergyWatch {
+  public:
+    void see(const StepFigures& figures) {
+        if (std::isnan(figures.energy)) return;
+        const double now = figures.energy, volume = figures.energy_volume;
+        const double half = 0.5 * figures.energy_taken;
+        if (known_ && std::abs(volume - volume_) <= k_same_volume * volume_) balance_ += now - energy_ + half_taken_ + half;
+        taken_ += figures.energy_taken;
+        lowest_ = std::min(lowest_, balance_);
+        rise_ = std::max(rise_, balance_ - lowest_);
+        turned_over_ = std::max(turned_over_, figures.energy_moving + taken_);
+        energy_ = now;
+        half_taken_ = half;
+        volume_ = volume;
+        known_ = true;
+    }
+    /// None where nothing moved, or where the model does not tell.
+    [[nodiscard]] std::optional<double> error() const {
+        if (!(turned_over_ > 0)) return std::nullopt;
+        return rise_ / turned_over_;
+    }
+
+    template <class Archive>
+    void serialise(Archive& archive) {
+        auto& [known, energy, half, volume, balance, lowest, rise, taken, turned] = *this;
+        archive(known, energy, half, volume, balance, lowest, rise, taken, turned);
+    }
+
+  private:
+    static constexpr double k_same_volume = 1e-9;  ///< thousands of sums' rounding, less than any particle
+
+    bool known_ = false;
+    double energy_ = 0, half_taken_ = 0, volume_ = 0;  ///< of the step before
+    double balance_ = 0, lowest_ = 0, rise_ = 0;       ///< of E, counted from the start [m5/s2]
+    double taken_ = 0, turned_over_ = 0;
+};
+
+}  // namespace frana
