@@ -49,6 +49,16 @@ inline BedCurvature bed_curvature(const NodeGrid& nodes, std::size_t i, std::int
     return {xx, xy, yy, x, y};
 }
 
+/// Velocities in map view, measured along a bed of slope grad Z: u . v + (u . grad Z)(v . grad Z).
+struct AlongBed {
+    double slope_x = 0, slope_y = 0;
+
+    [[nodiscard]] double dot(Point u, Point v) const noexcept {
+        return u.x * v.x + u.y * v.y + (u.x * slope_x + u.y * slope_y) * (v.x * slope_x + v.y * slope_y);
+    }
+    [[nodiscard]] double speed(Point v) const noexcept { return std::sqrt(dot(v, v)); }
+};
+
 /// Velocities along a bed of slope grad Z, turned into the horizontal about the contour line:
 ///
 ///     w = u + (u . grad Z) grad Z / (root + 1),   root = sqrt(1 + |grad Z|^2),

@@ -8,6 +8,7 @@
 #include "mpm/curvature.h"
 #include "mpm/node_friction.h"
 #include "mpm/node_grid.h"
+#include "mpm/node_report.h"
 #include "mpm/node_tiles.h"
 
 namespace frana {
@@ -28,41 +29,6 @@ struct NormalSlope {
 template <class Slope>
 struct Curved : Slope {
     static constexpr bool curved = true;  // cppcheck-suppress duplInheritedMember; hides it on purpose
-};
-
-/// What a tile's nodes showed in a step.
-struct NodeReport {
-    double max_depth = 0;          ///< [m]
-    double max_speed = 0;          ///< along the bed [m/s]
-    std::int64_t covered = 0;      ///< nodes deeper than the minimum
-    std::int64_t unsupported = 0;  ///< of those, nodes whose motion over a convex bed lifts them off it
-    bool moves = false;            ///< whether any node moves on
-    double moving = 0;             ///< volume that is faster than NodeUpdate::moving_speed, however thin [m3]
-    double thin = 0;               ///< volume on nodes that are not as deep as the minimum [m3]
-    double volume = 0;             ///< of all nodes [m3]
-    double energy = 0;             ///< kinetic and potential, over density, when the positions were as now [m5/s2]
-    double kinetic = 0;            ///< of which kinetic
-    double taken = 0;              ///< energy over density that friction and walls took [m5/s2]
-
-    template <class Archive>
-    void serialise(Archive& archive) {
-        auto& [depth, speed, cells, lifted, any_moves, fast, shallow, all, energies, motion, lost] = *this;
-        archive(depth, speed, cells, lifted, any_moves, fast, shallow, all, energies, motion, lost);
-    }
-
-    void merge(const NodeReport& r) noexcept {
-        max_depth = std::max(max_depth, r.max_depth);
-        max_speed = std::max(max_speed, r.max_speed);
-        moves = moves || r.moves;
-        covered += r.covered;
-        unsupported += r.unsupported;
-        moving += r.moving;
-        thin += r.thin;
-        volume += r.volume;
-        energy += r.energy;
-        kinetic += r.kinetic;
-        taken += r.taken;
-    }
 };
 
 /// What drives a node, and the ground it lies on.
@@ -234,46 +200,37 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         NodeSums& node = nodes.sums[i];
         if (!(node.mass > 0)) return;
         const NodeDrive drive = drive_of<Slope>(nodes, k, i, column, row);
-        const double old_u = node.px / node.mass, old_v = node.py / node.mass;
+        const Point old{node.px / node.mass, node.py / node.mass};
+        const AlongBed bed = Slope::metric ? AlongBed{drive.slope_x, drive.slope_y} : AlongBed{};
         BedFrame frame;
-        if constexpr (Slope::curved) frame = node_frame(nodes, i, column, row);
-        double u = old_u, v = old_v;
-        if constexpr (Slope::curved)
-            turn_by_bed(drive.curvature, frame, levels ? (1 - levels[i].ponding) * k.dt : k.dt, u, v);
-        u += k.dt * drive.ax;
-        v += k.dt * drive.ay;
-        const auto along_bed = [&](double a, double b) {
-            const double climb = Slope::metric ? a * drive.slope_x + b * drive.slope_y : 0;
-            return std::sqrt(a * a + b * b + climb * climb);
-        };
-        const double driven = along_bed(u, v);
+        Point turned = old;
+        if constexpr (Slope::curved) {
+            frame = node_frame(nodes, i, column, row);
+            turn_by_bed(drive.curvature, frame, levels ? (1 - levels[i].ponding) * k.dt : k.dt, turned.x, turned.y);
+        }
+        const Point driven{turned.x + k.dt * drive.ax, turned.y + k.dt * drive.ay};
+        const double driven_speed = bed.speed(driven);
+        Point after = driven;
         if ((solid && solid[i]) || (holds && node.area_bed != 0)) {
-            if constexpr (Friction::remembers) friction.remember(i, driven, k);
-            u = v = 0;
-        }
-        const double speed = u != 0 || v != 0 ? driven : 0;
-        if (speed > 0 && friction.active()) {
+            if constexpr (Friction::remembers) friction.remember(i, driven_speed, k);
+            after = {0, 0};
+        } else if (driven_speed > 0 && friction.active()) {
             const double root = Slope::metric ? std::sqrt(drive.n) : 1;
-            const double after =
-                friction.speed_after(i, speed, k, root, k.gravity + drive.load, node.mass / node.area);
-            const double left = after / speed;
-            u *= left;
-            v *= left;
+            const double left = friction.speed_after(i, driven_speed, k, root, k.gravity + drive.load, node.mass / node.area) /
+                                driven_speed;
+            after = {left * driven.x, left * driven.y};
         }
-        const double brought = along_bed(old_u, old_v);
-        if (!k.wall || (column >= k_ghost && row >= k_ghost && column < nodes.stride() - k_ghost &&
-                        row < nodes.padded_rows() - k_ghost)) {
-            const double after = along_bed(u, v), layer = levels ? levels[i].ponding : 1;
-            const double kinetic = 0.25 * node.mass * (brought * brought + after * after);
-            report.volume += node.mass;
-            report.kinetic += kinetic;
-            report.energy += kinetic + k.gravity * node.mass *
-                                           (nodes.bed[i] + 0.5 * node.mass * inverse_area * (layer + (1 - layer) / drive.n));
-            report.taken += 0.5 * node.mass * (driven * driven - after * after);
+        const bool ghost = k.wall && (column < k_ghost || row < k_ghost || column >= nodes.stride() - k_ghost ||
+                                      row >= nodes.padded_rows() - k_ghost);
+        if (!ghost) {
+            const double ponding = levels ? levels[i].ponding : 1;
+            const double middle = 0.5 * node.mass * inverse_area * (ponding + (1 - ponding) / drive.n);
+            report.count_energy(node.mass, nodes.bed[i] + middle, k.gravity, bed, old, turned, driven, after);
         }
         const double support = levels ? levels[i].support : 0;
         const double cell_depth = shown_depth(node.mass, node.area, support, inverse_area);
         // The particles' own mean velocity: the new nodal one overshoots where a node holds next to nothing.
+        const double brought = bed.speed(old);
         if (brought > k.moving_speed) report.moving += node.mass;
         if (cell_depth < k.minimum_depth) {
             report.thin += node.mass;
@@ -284,20 +241,20 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
             if constexpr (Slope::curved) report.unsupported += drive.load <= -k.gravity;
             observe(i, cell_depth, brought);
         }
-        report.moves = report.moves || u != 0 || v != 0;
-        node.px = u;
-        node.py = v;
+        report.moves = report.moves || after.x != 0 || after.y != 0;
+        node.px = after.x;
+        node.py = after.y;
         node.area *= inverse_area;
-        if (k.brought != nullptr) k.brought[i] = {old_u, old_v};
-        Point back = Slope::curved ? frame.along_bed(u, v) : Point{u, v};
+        if (k.brought != nullptr) k.brought[i] = old;
+        Point back = Slope::curved ? frame.along_bed(after.x, after.y) : after;
         if (k.change_only) {
-            const Point before = Slope::curved ? frame.along_bed(old_u, old_v) : Point{old_u, old_v};
+            const Point before = Slope::curved ? frame.along_bed(old.x, old.y) : old;
             back = {back.x - before.x, back.y - before.y};
         }
         node.fx = back.x;
         node.fy = back.y;
         node.support = support;
-        if constexpr (Slope::curved) node.area_bed = u * drive.slope_x + v * drive.slope_y;
+        if constexpr (Slope::curved) node.area_bed = after.x * drive.slope_x + after.y * drive.slope_y;
     });
     return report;
 }
