@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "mpm/curvature.h"
+
+namespace frana {
+
+/// What a tile's nodes showed in a step.
+struct NodeReport {
+    double max_depth = 0;          ///< [m]
+    double max_speed = 0;          ///< along the bed [m/s]
+    std::int64_t covered = 0;      ///< nodes deeper than the minimum
+    std::int64_t unsupported = 0;  ///< of those, nodes whose motion over a convex bed lifts them off it
+    bool moves = false;            ///< whether any node moves on
+    double moving = 0;             ///< volume that is faster than NodeUpdate::moving_speed, however thin [m3]
+    double thin = 0;               ///< volume on nodes that are not as deep as the minimum [m3]
+    double volume = 0;             ///< of all nodes [m3]
+    double energy = 0;             ///< kinetic and potential, over density, when the positions were as now [m5/s2]
+    double kinetic = 0;            ///< of which kinetic
+    double taken = 0;              ///< energy over density that friction and walls took [m5/s2]
+
+    template <class Archive>
+    void serialise(Archive& archive) {
+        auto& [depth, speed, cells, lifted, any_moves, fast, shallow, all, energies, motion, lost] = *this;
+        archive(depth, speed, cells, lifted, any_moves, fast, shallow, all, energies, motion, lost);
+    }
+
+    void merge(const NodeReport& r) noexcept {
+        max_depth = std::max(max_depth, r.max_depth);
+        max_speed = std::max(max_speed, r.max_speed);
+        moves = moves || r.moves;
+        covered += r.covered;
+        unsupported += r.unsupported;
+        moving += r.moving;
+        thin += r.thin;
+        volume += r.volume;
+        energy += r.energy;
+        kinetic += r.kinetic;
+        taken += r.taken;
+    }
+
+    /// Counts a node's energy in the step in which its velocity in map view goes from `before` (`turned` by the bed) over
+    /// `driven`, with all that drives it, to `after`, with friction and walls too. Those take what they change of the
+    /// velocity times the mean of before and after: what is held in place does no work.
+    /// @param height of its middle [m]
+    void count_energy(double volume_held, double height, double gravity, const AlongBed& bed, Point before, Point turned,
+                      Point driven, Point after) noexcept {
+        const double motion = 0.25 * volume_held * (bed.dot(before, before) + bed.dot(after, after));
+        volume += volume_held;
+        kinetic += motion;
+        energy += motion + gravity * volume_held * height;
+        taken += 0.5 * volume_held *
+                 bed.dot({driven.x - after.x, driven.y - after.y}, {turned.x + after.x, turned.y + after.y});
+    }
+};
+
+}  // namespace frana
