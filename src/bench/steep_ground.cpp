@@ -329,7 +329,7 @@ CaseFigures run_ridge(double cell_size, Scheme scheme) {
 }  // namespace
 
 std::vector<AccuracyCase> steep_ground() {
-    const std::vector<double> cells{10, 5, 2.5};
+    const std::vector<double> cells{10, 5, 2.5, 1.25};
     return {{"valley", "film without friction down one side of a V and up the other", cells, false, run_valley},
             {"profile", "film without friction down a smooth, wavy profile", cells, false, run_profile},
             {"bowl", "film without friction round a paraboloid", cells, false, run_bowl},
