@@ -4,10 +4,45 @@
 #include "particles/lattice_cover.h"
 
 namespace frana {
+namespace {
+
+// Of a lattice cell: so little beyond the edge of the rest is thrown out by the surface's slope at its only
+// node.
+constexpr double k_sliver = 1e-5;
+// Of what is filled: more in slivers is an outline of nothing else, a line's.
+constexpr double k_spread = 1e-4;
+
+}  // namespace
+
+void spread_slivers(std::size_t first, double spacing, ParticleSet& particles) {
+    const auto is_sliver = [&](std::size_t p) {
+        return particles[Field::area][p] < k_sliver * spacing * spacing;
+    };
+    struct Sums {
+        double area = 0, volume = 0;
+    } slivers, rest;
+    for (std::size_t p = first; p < particles.size(); ++p) {
+        Sums& of = is_sliver(p) ? slivers : rest;
+        of.area += particles[Field::area][p];
+        of.volume += particles[Field::volume][p];
+    }
+    if (slivers.area == 0 || slivers.area > k_spread * rest.area || slivers.volume > k_spread * rest.volume)
+        return;
+    std::size_t kept = first;
+    for (std::size_t p = first; p < particles.size(); ++p) {
+        if (is_sliver(p)) continue;
+        ParticleRow row = particles.row(p);
+        get(row, Field::area) *= 1 + slivers.area / rest.area;
+        get(row, Field::volume) *= 1 + slivers.volume / rest.volume;
+        particles.set_row(kept++, row);
+    }
+    particles.resize(kept);
+}
 
 double fill_outline(const MultiPolygon& outline, double spacing,
                     const std::function<double(Point)>& thickness, ParticleSet& particles) {
     LatticeCover cover(outline, spacing);
+    const std::size_t first = particles.size();
     double volume = 0;
     for (std::int64_t row = cover.first_row(); row <= cover.last_row(); ++row) {
         for (const Covered& cell : cover.row(row)) {
@@ -24,6 +59,7 @@ double fill_outline(const MultiPolygon& outline, double spacing,
             particles.push_back(particle);
         }
     }
+    spread_slivers(first, spacing, particles);
     return volume;
 }
 

@@ -34,6 +34,7 @@ void expect_same_bits(const MultiPolygon& outline, double spacing) {
     ParticleSet simple, filled;
     EXPECT_EQ(test::simple_fill(outline, spacing, thickness, simple),
               fill_outline(outline, spacing, thickness, filled));
+    spread_slivers(0, spacing, simple);
     ASSERT_EQ(simple.size(), filled.size());
     for (std::size_t p = 0; p < simple.size(); ++p)
         for (const Field field : {Field::x, Field::y, Field::area, Field::volume})
@@ -56,6 +57,27 @@ TEST(FillOutline, IsTheSimpleWayToTheBit) {
     }
     // Edges on the lattice's lines and corners.
     expect_same_bits({{{{0, 0}, {10, 0}, {10, 10}, {5, 5}, {0, 10}}, {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}}}}, 1);
+}
+
+// An outline drawn along the cells, or taken from a raster, passes their edges by what rounding leaves of
+// coordinates.
+TEST(FillOutline, SliversGiveNoParticlesButKeepTheirVolume) {
+    const auto one = [](Point) { return 1.0; };
+    for (const double over : {1e-8, 3e-7, 1e-6, 9e-6}) {
+        ParticleSet particles;
+        const double a = -over, b = 10, c = 20 + over;
+        const double volume = fill_outline({{{{a, a}, {c, a}, {c, b}, {a, b}}, {}}}, 1, one, particles);
+        EXPECT_EQ(particles.size(), 200U) << over;
+        EXPECT_NEAR(volume / ((c - a) * (b - a)), 1, 1e-12) << over;  // of 200 roundings
+        double area = 0;
+        for (std::size_t p = 0; p < particles.size(); ++p) area += particles[Field::area][p];
+        EXPECT_NEAR(area / volume, 1, 1e-12);
+    }
+    // What is no more than that is kept.
+    ParticleSet line;
+    EXPECT_NEAR(fill_outline({{{{0, 0.5}, {10, 0.5}, {10, 0.5 + 1e-6}, {0, 0.5 + 1e-6}}, {}}}, 1, one, line),
+                1e-5, 1e-14);
+    EXPECT_EQ(line.size(), 10U);
 }
 
 /// Spikes from a circle to another, with the area that the shoelace formula gives.

@@ -60,6 +60,36 @@ TEST_P(AnyMaterial, AGoodRunHasNoTrouble) {
     EXPECT_TRUE(result.troubles.empty());
 }
 
+// A flume of cells of 2 cm and a slope a hundred times as large, with outlines that pass the cells' edges by
+// nothing.
+TEST(Trouble, AnOutlineThatPassesTheCellsByNothingIsNone) {
+    for (const double scale : {1.0, 100.0}) {
+        for (const double over : {1e-10, 1e-9, 3e-9}) {
+            Scene scene;
+            scene.grid = {0, scale, 0.02 * scale, 200, 50, ""};
+            scene.terrain = Raster(scene.grid);
+            for (std::int64_t r = 0; r < 50; ++r)
+                for (std::int64_t c = 0; c < 200; ++c)
+                    scene.terrain.at(r, c) = scale * std::max(0.8, 2 - 0.012 * static_cast<double>(c));
+            const double west = (0.2 - over) * scale, east = (0.5 - over) * scale,
+                         south = (0.3 - over) * scale, north = (0.7 - over) * scale;
+            ReleaseArea area;
+            area.outline = {{{{west, south}, {east, south}, {east, north}, {west, north}}, {}}};
+            area.thickness = 0.02 * scale;
+            scene.release = {area};
+            scene.numerics.minimum_depth = 2e-4 * scale;
+            scene.material.friction_coefficient = 0.364;
+            scene.time.end = 0.3 * std::sqrt(scale);
+            const RunResult result = run(scene, {});
+            EXPECT_TRUE(result.troubles.empty()) << describe(result.troubles.front());
+            for (const SeriesRow& row : result.series) {
+                ASSERT_LT(row.max_speed, 5 * std::sqrt(scale))
+                    << over;  // 3.9 where the outline is on the edges
+            }
+        }
+    }
+}
+
 // Water that lies there from the start, higher and deeper than what is released, may be as fast as its own fall.
 TEST(Trouble, WaterThatLiesHigherThanTheReleaseIsNone) {
     Scene scene = slope(Of::fluid);
