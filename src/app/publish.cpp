@@ -68,6 +68,12 @@ std::string percent(double share) {
     return figure(100 * share, 2) + " %";
 }
 
+/// Summed over the window: what moves on and on changes place more than once.
+std::string volume_that_moved(double share) {
+    if (share <= 1) return percent(share) + " of the volume changed place";
+    return "all of the volume changed place, " + figure(share, 2) + " times over";
+}
+
 /// Time ran out: what moves, and how fast the figures that people use still grow.
 void warn_of_motion(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
@@ -75,12 +81,14 @@ void warn_of_motion(const Finished& run, RunLog& log) {
     const bool moves = result.series.back().max_speed > k_moving_speed || result.moving_share > k_moving_volume;
     if (!moves) return;
     std::string text = "the flow still moves when time.end is reached: " + percent(result.moving_share) +
-                       " of its volume faster than " + figure(run.prepared.scene.time.moving_speed) + " m/s, the fastest at " +
-                       figure(result.series.back().max_speed, 3) + " m/s";
+                       " of its volume faster than " + figure(run.prepared.scene.time.moving_speed) + " m/s";
+    // The series tells the speed of what maps show.
+    if (const double fastest = result.series.back().max_speed; fastest > 0)
+        text += ", the fastest at " + figure(fastest, 3) + " m/s";
     if (result.settling) {
         const Settling& s = *result.settling;
-        text += "; in its last " + figure(s.window, 2) + " s it came " + figure(s.runout, 3) + " m farther, the area grew by " +
-                percent(s.area) + " and " + percent(s.deposit) + " of the volume changed place";
+        text += "; in its last " + figure(s.window, 2) + " s it came " + figure(s.runout, 3) +
+                " m farther, the area grew by " + percent(s.area) + " and " + volume_that_moved(s.deposit);
     }
     log.warn(text + ". Final depth and run-out are not those of the deposit: raise time.end");
 }
@@ -99,6 +107,18 @@ void warn_of_thin_flow(const Finished& run, RunLog& log) {
              "hundredth of the flow's usual depth");
 }
 
+/// What outlines and run-out do not show though maps do.
+void warn_of_empty_trace(const Finished& run, RunLog& log) {
+    const double threshold = run.prepared.spec.output.trace_threshold,
+                 deepest = maximum(run.result.max_depth);
+    if (!(deepest > 0) || deepest > threshold) return;
+    log.warn(
+        "the flow was nowhere deeper than output.trace-threshold = " + shortest_text(threshold) + " m, but " +
+        figure(deepest, 3) +
+        " m: trace, deposit and covered area are empty, run-out is 0 and a comparison finds nothing. Set "
+        "output.trace-threshold to about a tenth of the flow's usual depth");
+}
+
 void warn_of_trouble(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
     compare_volumes(run.prepared.release.file_volume_m3, released_volume(result), log);
@@ -114,6 +134,7 @@ void warn_of_trouble(const Finished& run, RunLog& log) {
         log.warn("the computation met events that a good run does not have; see hard_events in summary.json");
     warn_of_motion(run, log);
     warn_of_thin_flow(run, log);
+    warn_of_empty_trace(run, log);
     const double shown = shown_volume(result);
     if (std::abs(shown - result.volume_final) > k_shown_share * result.volume_final) {
         log.warn("the depths of final_depth.tif add up to " + grouped(shown) + " m3, the flow holds " +

@@ -7,11 +7,17 @@
 namespace frana::app {
 
 void warn_of_thin_release(const RunEstimate& expected, const Scene& scene, RunLog& log) {
-    if (expected.thin_share <= k_thin_share) return;
-    log.warn(
-        figure(100 * expected.thin_share, 2) + " % of the release is thinner than numerics.minimum-depth = " +
-        shortest_text(scene.numerics.minimum_depth) +
-        " m: maps and figures do not show it; set the key to about a hundredth of the flow's usual depth");
+    const auto warn = [&](double share, const char* key, double depth, const std::string& then) {
+        if (share <= k_thin_share) return;
+        log.warn(figure(100 * share, 2) + " % of the release is thinner than " + key + " = " +
+                 shortest_text(depth) + " m: " + then);
+    };
+    warn(expected.thin_share, "numerics.minimum-depth", scene.numerics.minimum_depth,
+         "maps and figures do not show it; set the key to about a hundredth of the flow's usual depth");
+    if (scene.time.trace_threshold > scene.numerics.minimum_depth)
+        warn(expected.untraced_share, "output.trace-threshold", scene.time.trace_threshold,
+             "outlines, covered area and run-out do not count it; set the key to about a tenth of the flow's "
+             "usual depth");
 }
 
 }  // namespace frana::app

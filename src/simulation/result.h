@@ -114,7 +114,8 @@ struct Settling {
     double window = 0;   ///< [s]
     double runout = 0;   ///< how much farther the farthest cell of the trace lies [m]
     double area = 0;     ///< growth of the trace, as a share of it
-    double deposit = 0;  ///< share of all volume that lies in other cells
+    double deposit =
+        0;  ///< share of all volume that came to lie in other cells; over 1 where it did so several times
 };
 
 enum class StopReason {
@@ -226,6 +227,7 @@ struct RunEstimate {
     double volume = 0;              ///< released [m3]
     double inflow = 0;              ///< through lines until the end [m3]
     double thin_share = 0;          ///< of what is released, in cells thinner than the minimum depth
+    double untraced_share = 0;      ///< of what is released, in cells thinner than the trace's threshold
     std::int64_t memory_bytes = 0;  ///< engine and rasters, with the particles of the start
     std::int64_t bytes_per_particle = 0, bytes_per_node = 0;
     /// Their fields, and those few of which there is a second while they are put into order.

@@ -134,10 +134,14 @@ RunEstimate estimate(const Scene& scene, int threads) {
     Arrivals arrivals(scene, std::exchange(release.later, {}));
     RunEstimate e;
     e.volume = release.volume;
-    double thin = 0;
-    for (const double depth : release.depth.values)
-        if (depth < scene.numerics.minimum_depth) thin += depth * scene.grid.cell_area();
-    if (release.volume > 0) e.thin_share = thin / release.volume;
+    const auto share_below = [&](double limit) {
+        double thin = 0;
+        for (const double depth : release.depth.values)
+            if (depth < limit) thin += depth * scene.grid.cell_area();
+        return release.volume > 0 ? thin / release.volume : 0;
+    };
+    e.thin_share = share_below(scene.numerics.minimum_depth);
+    e.untraced_share = share_below(scene.time.trace_threshold);
     e.terms = list_terms(scene);
     const std::size_t arriving = arrivals.particles_left();
     const Arrivals::Taken rest = arrivals.take(scene.time.end);

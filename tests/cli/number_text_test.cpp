@@ -23,6 +23,14 @@ TEST(NumberText, GroupsOfThree) {
     EXPECT_EQ(grouped(0.0), "0");
 }
 
+TEST(NumberText, FiguresWithoutExponent) {
+    EXPECT_EQ(figure(100, 2), "100");
+    EXPECT_EQ(figure(99.96, 2), "100");
+    EXPECT_EQ(figure(99.4, 2), "99");
+    EXPECT_EQ(figure(9999.7), "10000");
+    EXPECT_EQ(figure(0.9996, 3), "1");
+}
+
 TEST(NumberText, BytesAndExtents) {
     EXPECT_EQ(bytes_text(999), "999 B");
     EXPECT_EQ(bytes_text(373469184), "373 MB");

@@ -49,6 +49,31 @@ TEST_F(ThinFlow, ReleasedInPartIsAWarningOfCheckAndRun) {
     EXPECT_NE(summary.find(told, summary.find("\"warnings\"")), std::string::npos) << summary;
 }
 
+TEST_F(ThinFlow, ThatOutlinesDoNotShowIsAWarningOfCheckAndRun) {
+    write_scene(k_numbers_only);
+    const std::string released = "100 % of the release is thinner than output.trace-threshold = 0.1 m",
+                      flowed = "the flow was nowhere deeper than output.trace-threshold = 0.1 m, but 0.0";
+    const auto call = [&](std::vector<std::string> words, const std::string& threshold) {
+        for (const std::string& set :
+             {std::string("release.thickness=0.05"), std::string("numerics.minimum-depth=0.0005"), threshold})
+            words.insert(words.end(), {"--set", set});
+        const Outcome outcome = frana(words);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return outcome.err;
+    };
+    const std::string check = call({"check", "scene.ini"}, "output.trace-threshold=0.1");
+    EXPECT_NE(check.find(released), std::string::npos) << check;
+    const std::string run = call({"run", "scene.ini", "--out", "result"}, "output.trace-threshold=0.1");
+    EXPECT_NE(run.find(released), std::string::npos) << run;
+    const std::string summary = read_text(path("result/summary.json"));
+    EXPECT_EQ(json_number(summary, "covered_area_m2"), 0);
+    EXPECT_NE(summary.find(flowed, summary.find("\"warnings\"")), std::string::npos) << summary;
+    // As it says.
+    const std::string heeded = call({"run", "scene.ini", "--out", "heeded"}, "output.trace-threshold=0.005");
+    EXPECT_EQ(heeded.find("output.trace-threshold"), std::string::npos) << heeded;
+    EXPECT_GT(json_number(read_text(path("heeded/summary.json")), "covered_area_m2"), 2000);
+}
+
 TEST_F(ThinFlow, OnTheWayIsAWarning) {
     write_scene(k_numbers_only);
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--set", "release.thickness=0.02", "--set",
