@@ -39,7 +39,8 @@ struct NodeLevel {
 /// Share of a cell from which it counts as filled (specification 4, item 4).
 inline constexpr double k_filled_share = 0.6;
 
-/// Share of a cell from which its particles lie on top of each other rather than unevenly side by side.
+/// Share of a cell from which its particles lie on top of each other rather than unevenly side by side: their claims then
+/// shrink faster.
 inline constexpr double k_crowded_share = 1.1;
 
 /// Depth that a node shows [m]: the mean depth of its particles where it is filled, itself and all round,

@@ -220,7 +220,8 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
             store_some(fit * yy, q_yy + p, n);
         }
         const Quad speed2 = g.u * g.u + g.v * g.v, speed = sqrt(speed2);
-        const Quad beta = min(k_relaxation_limit, k_relaxation_gain * speed * courant);
+        const Quad gain = select(g.share > k_crowded_share, k_crowded_gain, k_relaxation_gain);
+        const Quad beta = min(k_relaxation_limit, gain * speed * courant);
         const Quad relaxed = new_area * (1 + beta * (1 / g.share - 1));
         new_area = select((g.share > 1) | (g.support > 0.999), relaxed, new_area);
         new_area = min(new_area, max(old_area, largest_claim));
