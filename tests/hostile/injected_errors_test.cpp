@@ -66,7 +66,8 @@ class InjectedError : public TrialGround {
     void attempt(const TriedCommand& command, const SystemCall& where, const Fault& fault, Trials& trials) {
         restore(command.begins_in);
         bool met = false;
-        Launch launch{command.arguments};
+        // GDAL reads an ASCII grid without end where the disk fails for good: frana's own limit ends that.
+        Launch launch{command.arguments, {"FRANA_READ_SECONDS=30"}};
         const bool memory = where.name == "mmap";
         if (memory) launch.patience_seconds = 20;
         const Ending ending = run(launch, k_watch, [&](const SystemCall& call) {

@@ -163,6 +163,12 @@ TEST_F(Damaged, ResultsAndCheckpointsAreRefusedOrDrawnAndChangeNoResult) {
         if (ended.exit_code == 0 && command.whole) {
             std::vector<std::string> wrong = differences(command.after, now);
             std::erase_if(wrong, is_kept_copy);
+            if (what.find("/being_built.json") != std::string::npos && !wrong.empty()) {
+                // A folder whose own note is damaged may be anybody's: it stays, and is told of.
+                EXPECT_NE(read_text(at("out/r/log.txt")).find("it holds more than frana wrote there, and stays"),
+                          std::string::npos);
+                std::erase_if(wrong, [](const auto& text) { return text.rfind("new: out/r.partial-", 0) == 0; });
+            }
             EXPECT_EQ(in_lines(wrong), "");
         }
     }
