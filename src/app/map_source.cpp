@@ -224,8 +224,7 @@ std::vector<std::string> LayerDrawer::draw(const MapLayer& layer, bool view_3d, 
 }
 
 std::string LayerDrawer::page_picture(const std::string& stem) const {
-    const std::vector<std::string>& formats = source_.style.formats;
-    if (page_folder_.empty() || std::find(formats.begin(), formats.end(), "png") != formats.end()) return {};
+    if (page_folder_.empty()) return {};
     return page_folder_ + "/" + std::filesystem::path(stem).filename().string() + ".png";
 }
 

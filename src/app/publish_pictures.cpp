@@ -142,7 +142,9 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
     const ResultReader written(request.folder);
     const MapSource source = map_source(written, request.spec);
     LayerDrawer drawer(source);
-    if (output.report && !request.only_missing) {
+    const std::vector<std::string>& formats = drawer.style().formats;
+    if (output.report && !request.only_missing &&
+        std::find(formats.begin(), formats.end(), "png") == formats.end()) {
         const std::string folder = written.path(k_page_folder);
         make_folder(folder);
         drawer.draw_for_page_too(folder);

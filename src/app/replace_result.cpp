@@ -145,14 +145,13 @@ class Replacement {
     }
 
     void remove_listed() {
-        // The note goes last: who comes after a kill can still end this.
-        for (const char* last : {k_manifest_file, k_replaced_file}) {
-            const auto note = std::find(listed_.begin(), listed_.end(), last);
-            if (note != listed_.end()) std::rotate(note, note + 1, listed_.end());
-        }
+        // List and note go after all that they tell of: who comes after a kill or a fault can still end this.
+        const std::vector<std::string> last{k_manifest_file, k_replaced_file};
+        std::erase_if(listed_,
+                      [&](const std::string& name) { return name == last.front() || name == last.back(); });
         std::sort(folders_.rbegin(), folders_.rend());  // those inside come first
         std::error_code failure;
-        for (const std::vector<std::string>& names : {listed_, folders_, {""}})
+        for (const std::vector<std::string>& names : {listed_, folders_, last, {""}})
             for (const std::string& name : names) {
                 if (failure) break;
                 fs::remove(older_ / name, failure);

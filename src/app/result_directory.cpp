@@ -228,7 +228,7 @@ std::vector<Problem> clear_place_of(const std::string& result, const std::string
 void forget_the_way(const std::string& result, bool frames, RunLog& log) {
     const std::optional<Manifest> manifest = read_manifest(result);
     if (!manifest) return;
-    std::vector<std::string> folders{k_checkpoint_folder}, gone;
+    std::vector<std::string> folders{k_checkpoint_folder, k_page_folder}, gone;
     if (frames) folders.emplace_back("frames");
     std::error_code failure, ignored;
     for (const std::string& folder : folders) {

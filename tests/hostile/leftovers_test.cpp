@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What frana could not remove, or had in the making when it was killed, goes with the next command; files of
 // a user's with names like those stay.
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <fstream>
@@ -127,6 +128,13 @@ TEST_F(Leftovers, AnEmptiedFolderGoesWithTheNextRun) {
     EXPECT_EQ(emptied.exit_code, 0) << emptied.err;
     EXPECT_FALSE(differences(over.after, state()).empty());
     expect_mended(over, over.again);
+    // A folder in it that cannot be removed keeps list and note.
+    const Ending part = disturb(over, {Answer::Kind::fail, EACCES}, [](const SystemCall& call) {
+        return is_of(call, "rmdir", "out/r.partial-*/maps");
+    });
+    EXPECT_EQ(part.exit_code, 0) << part.err;
+    EXPECT_FALSE(differences(over.after, state()).empty());
+    expect_mended(over, over.again);
     // And one that got no note.
     const TriedCommand& anew = measured("run");
     const Ending refused = disturb(anew, {Answer::Kind::fail, EMLINK}, [](const SystemCall& call) {
@@ -140,6 +148,27 @@ TEST_F(Leftovers, AnEmptiedFolderGoesWithTheNextRun) {
             .exit_code,
         -SIGKILL);
     expect_mended(anew, anew.again);
+}
+
+TEST_F(Leftovers, AFolderOfTheReportsPicturesGoesWithTheNextRun) {
+    EXPECT_TRUE(std::none_of(measured("run").calls.begin(), measured("run").calls.end(),
+                             [](const SystemCall& call) {
+                                 return call.path.find("report_pictures") != std::string::npos &&
+                                        call.name.find("mkdir") != std::string::npos;
+                             }))
+        << "made, though the maps are PNG";
+    TriedCommand pdf = measured("run");
+    pdf.after.clear();
+    for (auto* arguments : {&pdf.arguments, &pdf.again})
+        arguments->insert(arguments->end(), {"--set", "output.map-formats=pdf"});
+    measure(pdf, k_all);
+    EXPECT_EQ(disturb(pdf, {Answer::Kind::fail, EIO},
+                      [](const SystemCall& call) {
+                          return is_of(call, "rmdir", "out/r.partial-*/report_pictures");
+                      })
+                  .exit_code,
+              0);
+    expect_mended(pdf, pdf.again);
 }
 
 TEST_F(Leftovers, OfNamesLikeThoseAUsersFilesStay) {
