@@ -53,6 +53,8 @@ const std::vector<Case> k_cases{
     {"release.tif", {"maps"}, k_exchanged},
     {"bed.tif", {"maps"}, k_exchanged},
     {"dtm.tif", {"maps"}, k_optional},
+    {"dtm.tif", {"view"}, {{Damage::missing, 2}}},
+    {"dtm.tif", {"plates"}, {{Damage::missing, 2}}},
     {"comparison.tif", {"maps"}, k_exchanged},
     {"comparison.json", {"maps"}, {{Damage::half, 2}}},
     {"timeseries.csv", {"maps", "charts"}, {{Damage::missing, 0}, {Damage::empty, 2}, {Damage::other, 2}}},
