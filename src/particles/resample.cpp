@@ -185,6 +185,59 @@ class TileResampler {
         return both;
     }
 
+    // Looking at all pairs for each that merges takes the cube of a crowd: where areas of release lie on each
+    // other, neighbours along a curve through the cell merge first, all at once.
+    template <class Drop>
+    void thin_out(std::vector<std::size_t>& cell, double limit, std::vector<std::uint8_t>& unwanted,
+                  const Drop& drop) {
+        constexpr std::size_t k_crowd = 8;  // times as many as may stay
+        while (cell.size() > k_crowd * static_cast<std::size_t>(limits_.max_per_cell)) {
+            std::vector<std::pair<std::uint32_t, std::size_t>> along;
+            for (const std::size_t i : cell) {
+                const ParticleRow r = row(i);
+                along.emplace_back(place_on_curve(get(r, Field::x), get(r, Field::y)), i);
+            }
+            std::sort(along.begin(), along.end());
+            const std::size_t before = cell.size();
+            cell.clear();
+            for (std::size_t k = 0; k < along.size(); ++k) {
+                const std::size_t one = along[k].second;
+                if (k + 1 == along.size()) {
+                    cell.push_back(one);
+                    break;
+                }
+                const std::size_t other = along[k + 1].second;
+                const ParticleRow a = row(one), b = row(other);
+                if (merged_shape(Outline(a), Outline(b)).largest() >= limit * limit) {
+                    cell.push_back(one);
+                    continue;
+                }
+                drop(one);
+                drop(other);
+                cell.push_back(size_ + change_.come.size());
+                change_.come.push_back(merged(a, b));
+                unwanted.push_back(0);
+                ++change_.counts.merged;
+                ++k;
+            }
+            if (cell.size() == before) return;
+        }
+    }
+
+    // Where a place lies on Morton's curve through its cell.
+    [[nodiscard]] std::uint32_t place_on_curve(double x, double y) const {
+        constexpr std::uint32_t k_bits = 10;
+        const auto within = [&](double at) {
+            const double cells = at / limits_.cell_size;
+            return static_cast<std::uint32_t>((cells - std::floor(cells)) * ((1U << k_bits) - 1));
+        };
+        const std::uint32_t column = within(x), line = within(y);
+        std::uint32_t code = 0;
+        for (std::uint32_t bit = 0; bit < k_bits; ++bit)
+            code |= ((column >> bit & 1U) << (2 * bit)) | ((line >> bit & 1U) << (2 * bit + 1));
+        return code;
+    }
+
     void merge() {
         // Members of the cells that hold too many, in their order; none of them splits (ResampleLimits).
         std::array<std::vector<std::size_t>, k_cells> cells;
@@ -204,6 +257,7 @@ class TileResampler {
         const double limit = limits_.merge_extent * limits_.cell_size;
         std::vector<Outline> outlines;
         for (auto& cell : cells) {
+            thin_out(cell, limit, unwanted, drop);
             outlines.clear();
             for (const std::size_t i : cell) outlines.emplace_back(row(i));
             while (static_cast<int>(cell.size()) > limits_.max_per_cell) {

@@ -137,6 +137,23 @@ std::vector<std::array<double, 5>> left_of_crowd(int east, int north) {
     return left;
 }
 
+// As many areas of release on each other: all pairs for each that merges would take the cube of that, hours.
+TEST(Resample, MergesACrowdInTimeThatGrowsWithIt) {
+    ParticleSet particles(k_mask);
+    for (int i = 0; i < 50'000; ++i)
+        particles.push_back(particle(20.25 + 0.5 * (i % 2), 20.25 + 0.5 * (i / 2 % 2), 0.5, 0.5, 0));
+    const Totals before(particles);
+    const ResampleCounts counts = resample_once(particles, 10);
+    EXPECT_EQ(counts.merged, 50'000 - static_cast<std::int64_t>(particles.size()));
+    EXPECT_LE(particles.size(), 10U);
+    const Totals after(particles);
+    EXPECT_NEAR(after.volume / before.volume, 1, 1e-12);  // 50 000 roundings
+    EXPECT_NEAR(after.area / before.area, 1, 1e-12);
+    EXPECT_NEAR(after.mx / before.mx, 1, 1e-12);
+    EXPECT_NEAR(after.my / before.my, 1, 1e-12);
+    EXPECT_NEAR(after.moment_x / before.moment_x, 1, 1e-12);
+}
+
 TEST(Resample, DoesNotDependOnWhereTheTilesLie) {
     const auto here = left_of_crowd(0, 0);
     for (const auto& [east, north] : {std::array{1, 0}, std::array{0, 5}, std::array{7, 11}}) {
