@@ -5,6 +5,7 @@
 #include <cpl_error.h>
 #include <gdal.h>
 #include <ogr_srs_api.h>
+#include <sys/resource.h>
 
 #include <mutex>
 #include <utility>
@@ -32,6 +33,11 @@ constexpr std::pair<const char*, const char*> k_settings[] = {
 /// Drivers that start a program (GPSBabel) or write a database beside the file (VFK).
 constexpr const char* k_drivers[] = {"GPSBabel", "VFK"};
 
+bool mapping_is_limited() {
+    rlimit space{};
+    return ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
+}
+
 void shut_other_doors() {
     for (const auto& [name, value] : k_settings) CPLSetConfigOption(name, value);
     for (const char* name : k_drivers) {
@@ -54,8 +60,9 @@ GdalSession::GdalSession() {
         guard_local_files();
         if (!network_allowed()) shut_network();
         // Tiles are unpacked and warped side by side; the values are the same. Who set it otherwise meant it.
+        // GDAL waits for ever for a thread that it was not given for want of memory to map.
         if (CPLGetConfigOption("GDAL_NUM_THREADS", nullptr) == nullptr)
-            CPLSetConfigOption("GDAL_NUM_THREADS", "ALL_CPUS");
+            CPLSetConfigOption("GDAL_NUM_THREADS", mapping_is_limited() ? "1" : "ALL_CPUS");
     });
     CPLPushErrorHandlerEx(keep, this);
 }

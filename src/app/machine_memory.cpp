@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/machine_memory.h"
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -95,6 +96,10 @@ double shell_room(const fs::path& root, int resource, const std::string& mapped)
 
 std::int64_t resident_memory(const std::string& root) {
     return static_cast<std::int64_t>(number_after(fs::path(root) / "proc/self/status", "VmRSS:").value_or(0));
+}
+
+void map_sparingly() {
+    if (shell_room("/", RLIMIT_AS, "VmSize:") != k_none) ::mallopt(M_ARENA_MAX, 1);
 }
 
 MemoryBound machine_memory(const std::string& root) {

@@ -20,4 +20,8 @@ MemoryBound machine_memory(const std::string& root = "/");
 /// What this process holds now [bytes].
 std::int64_t resident_memory(const std::string& root = "/");
 
+/// Where the shell limits mapped memory (ulimit -v): the threads share what they allocate from, for each
+/// would map much more than it uses. To be called before there are threads.
+void map_sparingly();
+
 }  // namespace frana::app

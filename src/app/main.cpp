@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -12,6 +13,8 @@
 #include "app/commands.h"
 #include "app/guarded_process.h"
 #include "app/library_versions.h"
+#include "app/machine_memory.h"
+#include "app/number_text.h"
 #include "app/signals.h"
 #include "app/version.h"
 #include "core/error.h"
@@ -123,6 +126,7 @@ int main(int count, char** words) {
     try {
         frana::app::fill_standard_streams();
         frana::app::ignore_file_signals();
+        frana::app::map_sparingly();
         const int code = frana::app::dispatch({words + 1, words + count});
         std::cout.flush();
         // A write that failed earlier leaves its mark although the last one went well.
@@ -134,9 +138,12 @@ int main(int count, char** words) {
     } catch (const frana::Error& error) {
         return frana::app::report(error);
     } catch (const std::bad_alloc&) {
-        std::cerr
-            << "frana: out of memory. Choose larger cells or a smaller part of the DTM (terrain.cell-size, "
-               "terrain.bounds)\n";
+        const frana::app::MemoryBound bound = frana::app::machine_memory();
+        return frana::app::report(
+            {frana::ErrorKind::environment,
+             frana::Problem{"out of memory", "", "",
+                            frana::app::bytes_text(bound.bytes) + ", which " + bound.what,
+                            frana::system_remedy(ENOMEM)}});
     } catch (const std::filesystem::filesystem_error& error) {
         // What no path can be is a word of the user's, whatever was done with it.
         const bool word = error.code() == std::errc::filename_too_long || error.code() == std::errc::invalid_argument;

@@ -11,7 +11,7 @@ std::string system_remedy(int reason) {
             return "Memory ran out: end other programs, allow more (ulimit -v), or choose larger cells "
                    "(terrain.cell-size) or smaller pictures (output.map-size)";
         case EAGAIN:
-            return "The system gave no thread: allow more (ulimit -u) or take fewer --threads";
+            return "The system gave no thread: allow more (ulimit -u, ulimit -v) or take fewer --threads";
         case EMFILE:
         case ENFILE:
             return "Too many files are open: allow more (ulimit -n)";

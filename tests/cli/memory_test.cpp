@@ -127,6 +127,23 @@ TEST_F(MemoryOfMachine, RefusesWhatItCannotHoldBeforeAnythingIsComputed) {
             "--memory-limit 9GB is more than");
 }
 
+// Libraries wait for ever for a thread that the shell's limit does not let them have.
+TEST_F(MemoryOfMachine, MayBeNextToNothing) {
+    if (k_sanitized) GTEST_SKIP() << "a sanitizer reserves more addresses than that";
+    write_scene();
+    for (const rlim_t bytes : {500'000'000U, 1'000'000'000U}) {
+        const rlimit least{bytes, RLIM_INFINITY};
+        ASSERT_EQ(::setrlimit(RLIMIT_AS, &least), 0);
+        const Outcome check = frana({"check", "scene.ini"});
+        const Outcome run = frana({"run", "scene.ini", "--overwrite"});
+        for (const Outcome* outcome : {&check, &run}) {
+            EXPECT_TRUE(outcome->exit_code == 0 || outcome->err.find("ulimit -v") != std::string::npos)
+                << bytes << ": " << outcome->exit_code << ": " << outcome->err;
+        }
+        EXPECT_TRUE(check.exit_code != 0 || run.exit_code == 0) << run.err;
+    }
+}
+
 TEST_F(MemoryOfMachine, IsTheLeastOfWhatIsFreeAndWhatControlGroupsLeave) {
     write("proc/self/status", "Name:\tfrana\nVmSize:\t 900 kB\nVmRSS:\t 100 kB\n");
     write("proc/meminfo", "MemTotal: 9000000 kB\nMemAvailable:  1000000 kB\nSwapFree: 200000 kB\n");
