@@ -8,6 +8,7 @@
 #include "app/comparison_input.h"
 #include "app/manifest.h"
 #include "app/publish_pictures.h"
+#include "app/replace_result.h"
 #include "app/result_directory.h"
 #include "app/result_files.h"
 #include "app/result_reader.h"
@@ -57,15 +58,66 @@ std::vector<std::string> missing_files(const Manifest& manifest, const std::stri
     return missing;
 }
 
-void require_all(const std::vector<std::string>& missing, const std::string& directory) {
+bool is_drawn(const std::string& name) {
+    const ResultFile* const file = known_file(name);
+    return file != nullptr && (file->kind == FileKind::picture || file->kind == FileKind::film);
+}
+
+// Of what is there. A GIS writes into a GeoPackage that it only shows: of such a file no more is asked than
+// its length.
+bool is_changed(const std::string& path, const FileMark& listed) {
+    std::error_code failure;
+    const std::uintmax_t bytes = fs::file_size(path, failure);
+    if (failure) return true;
+    if (path.ends_with(".gpkg")) return bytes < listed.bytes;
+    return bytes != listed.bytes || mark_of(path) != listed;
+}
+
+// The files that are there, but are not as the run wrote them; styles are the user's to change.
+std::vector<std::string> changed_files_of(const Manifest& manifest, const std::string& directory,
+                                          bool drawn) {
+    std::vector<std::string> changed;
+    for (const auto& [name, mark] : manifest.files) {
+        const ResultFile* const file = known_file(name);
+        if (file == nullptr || file->kind == FileKind::style || file->kind == FileKind::working) continue;
+        const std::string path = (fs::path(directory) / name).string();
+        if (is_drawn(name) == drawn && fs::exists(path) && is_changed(path, mark)) changed.push_back(name);
+    }
+    return changed;
+}
+
+std::string told(const std::vector<std::string>& names) {
     constexpr std::size_t k_told = 20;
-    if (missing.empty()) return;
-    std::vector<std::string> told(missing.begin(), missing.begin() + std::min(k_told, missing.size()));
-    if (missing.size() > told.size())
-        told.push_back("and " + std::to_string(missing.size() - told.size()) + " more");
-    throw Error(ErrorKind::input,
-                Problem{"files of the result are missing, which only a run can write: " + joined(told, ", "),
-                        directory, "", "", "Bring them back, or compute the scene anew with --overwrite"});
+    std::vector<std::string> some(names.begin(), names.begin() + std::min(k_told, names.size()));
+    if (names.size() > some.size())
+        some.push_back("and " + std::to_string(names.size() - some.size()) + " more");
+    return joined(some, ", ");
+}
+
+void require_all(const std::vector<std::string>& missing, const std::vector<std::string>& changed,
+                 const std::string& directory) {
+    const std::string remedy = "Bring them back, or compute the scene anew with --overwrite";
+    Problems problems;
+    if (!missing.empty())
+        problems.add({"files of the result are missing, which only a run can write: " + told(missing),
+                      directory, "", "", remedy});
+    if (!changed.empty())
+        problems.add({"files of the result are not as the run wrote them: " + told(changed), directory, "",
+                      "", remedy});
+    problems.throw_if_any();
+}
+
+// Nobody can tell then what should be there.
+Manifest require_list(const std::string& directory) {
+    if (auto manifest = read_manifest(directory)) return std::move(*manifest);
+    throw Error(
+        ErrorKind::input,
+        Problem{
+            "the result's list of files is missing or cannot be read, so that nobody can tell whether it is "
+            "whole",
+            (fs::path(directory) / k_manifest_file).string(), "", "",
+            "Bring it back, or compute the scene anew with --overwrite, which keeps this result under "
+            "another name"});
 }
 
 }  // namespace
@@ -79,11 +131,15 @@ bool is_finished(const std::string& directory) {
 bool complete_result(const Prepared& prepared, const std::string& directory, RunLog& log) {
     require_same_scene(prepared, directory);
     const std::vector<Problem> of_the_older = clear_place_of(directory, "", log);
-    const auto manifest = read_manifest(directory);
-    const std::vector<std::string> missing =
-        manifest ? missing_files(*manifest, directory) : std::vector<std::string>{};
+    const Manifest manifest = require_list(directory);
+    const std::vector<std::string> missing = missing_files(manifest, directory),
+                                   changed = changed_files_of(manifest, directory, false);
     const bool only_report = missing == std::vector<std::string>{"report.html"};
-    if (!only_report) require_all(missing, directory);
+    if (!only_report || !changed.empty()) require_all(missing, changed, directory);
+    std::vector<std::string> ruined;  // or the user's own: they keep another name, and are drawn anew
+    for (const std::string& name : changed_files_of(manifest, directory, true))
+        ruined.push_back((fs::path(directory) / name).string());
+    keep_changed_files(ruined);
     const auto comparison = comparison_of(prepared, directory, log);
     const PictureOutcome pictures = draw_pictures({prepared.spec, directory, comparison, true}, log);
     record_files(pictures.files);
@@ -96,7 +152,7 @@ bool complete_result(const Prepared& prepared, const std::string& directory, Run
     } else if (!pictures.drawn.empty()) {
         log.tell("drew what was missing in " + directory + ": " + joined(pictures.drawn, ", "));
     }
-    require_all(missing, directory);
+    require_all(missing, {}, directory);
     if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
     return pictures.complete();
 }

@@ -127,6 +127,32 @@ TEST_F(Late, ResumingAFinishedResultDrawsWhatIsMissing) {
     EXPECT_NE(data.err.find("of another scene: the terrain differs"), std::string::npos) << data.err;
 }
 
+// What was drawn is drawn anew and the ruin kept; what only the run can write, and the list itself, is
+// missed.
+TEST_F(Late, ResumingAResultWithFilesRuinedSaysWhich) {
+    ASSERT_EQ(frana(command("result", {"--quiet"})).exit_code, 0);
+    const std::string map = read_text(path("result/maps/max_velocity.png"));
+    write("result/maps/max_velocity.png", "x");
+    ASSERT_EQ(frana(command("result", {"--resume"})).exit_code, 0);
+    EXPECT_TRUE(read_text(path("result/maps/max_velocity.png")) == map);
+    EXPECT_EQ(read_text(path("result/maps/max_velocity.kept-1.png")), "x");
+    const auto refused = [&](const std::string& words) {
+        const Outcome outcome = frana(command("result", {"--resume"}));
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    };
+    for (const std::string name : {"timeseries.csv", "max_pressure.tif", "extent.gpkg", "report.html"}) {
+        const std::string before = read_text(path("result/" + name));
+        write("result/" + name, before.substr(0, before.size() / 2));
+        refused("files of the result are not as the run wrote them: " + name);
+        write("result/" + name, before);
+    }
+    write("result/max_depth.qml", "of the user's own");
+    EXPECT_EQ(frana(command("result", {"--resume"})).exit_code, 0);
+    fs::remove(path("result/manifest.json"));
+    refused("the result's list of files is missing");
+}
+
 // Only a run can write them: a result that lacks one is not called complete.
 TEST_F(Late, ResumingAResultWithFilesMissingSaysWhich) {
     ASSERT_EQ(frana(command("result", {"--quiet"})).exit_code, 0);
