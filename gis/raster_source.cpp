@@ -45,7 +45,8 @@ GdalDataset open(const std::string& path, const std::string& where) {
     if (dataset) return dataset;
     VSIStatBufL status;
     if (VSIStatL(path.c_str(), &status) != 0) {
-        refuse("the file does not exist", where, path, "Check the path; it is relative to the scene file");
+        refuse("the file does not exist", where, path,
+               "Check the path: a scene's is relative to the scene file, an option's to the current folder");
     }
     refuse("the file is not a raster that can be read: " + session.last_message(), where, path,
            "Give a GeoTIFF, an ASCII grid or another raster that GDAL reads");

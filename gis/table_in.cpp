@@ -29,7 +29,8 @@ Table read_table(const std::string& path, const std::string& where) {
     VSIStatBufL status;
     if (VSIStatL(path.c_str(), &status) != 0) {
         throw Error(ErrorKind::input, Problem{"the file does not exist", place, "", "",
-                                              "Check the path; it is relative to the scene file"});
+                                              "Check the path: a scene's is relative to the scene file, an "
+                                              "option's to the current folder"});
     }
     // "CSV:" keeps the driver from asking for the ending .csv.
     const char* const drivers[] = {"CSV", nullptr};

@@ -93,8 +93,9 @@ GDALDatasetUniquePtr open_vector(const VectorSource& source, bool is_ours) {
     if (dataset) return dataset;
     VSIStatBufL status;
     if (VSIStatL(source.file.c_str(), &status) != 0) {
-        throw vector_fault(source, "the file does not exist", "",
-                           "Check the path; it is relative to the scene file");
+        throw vector_fault(
+            source, "the file does not exist", "",
+            "Check the path: a scene's is relative to the scene file, an option's to the current folder");
     }
     throw vector_fault(
         source, "the file is not a vector file that can be read: " + session.last_message(), "",

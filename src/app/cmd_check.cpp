@@ -30,9 +30,11 @@ CommandForm check_form() {
                      "Validates a scene and everything it names, prints what would run, and writes nothing.",
                      "SCENE.ini",
                      {}};
-    form.options.add_options()("set", options::value<std::vector<std::string>>(),
-                               "section.key=value, overrides the scene; repeatable")(
-        "threads", options::value<std::string>(), "number of threads (default: all processors)")(
+    form.options.add_options()("out", options::value<std::string>(),
+                               "result directory that the run would have (overrides output.directory)")(
+        "set", options::value<std::vector<std::string>>(),
+        "section.key=value, overrides the scene; repeatable")("threads", options::value<std::string>(),
+                                                              "number of threads (default: all processors)")(
         "memory-limit", options::value<std::string>(), "refuse a run that would take more (4GB, 500MB)");
     return form;
 }
@@ -85,7 +87,7 @@ void print_site(const Scene& scene) {
 }
 
 void print_run(const Prepared& prepared, const RunEstimate& expected,
-               const std::optional<TimeEstimate>& trial, int threads) {
+               const std::optional<TimeEstimate>& trial, int threads, const std::string& directory) {
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
     std::printf("\nRun\n");
     line("released",
@@ -107,7 +109,7 @@ void print_run(const Prepared& prepared, const RunEstimate& expected,
     line("estimated time",
          time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
     for (std::size_t i = 0; i < expected.terms.size(); ++i) line(i == 0 ? "terms" : "", expected.terms[i]);
-    const std::string place = result_path(output_directory(prepared.spec));
+    const std::string place = result_path(directory);
     line("result", place + (holds_files(place) ? ", where one is already: --overwrite replaces it" : ""));
 }
 
@@ -122,9 +124,11 @@ int cmd_check(const Arguments& arguments) {
     SceneReading reading = read_scene((*values)["operand"].as<std::string>(),
                                       text_options(*values, "set"), materials_directory());
     // Whether a result that is there already may be replaced is asked of whoever runs the scene.
-    check_result_directory(output_directory(reading.scene), true, {}, reading.where("output.directory"),
-                           reading.problems);
-    const Prepared prepared = prepare(reading, log);
+    const auto out = text_option(*values, "out");
+    const std::string directory = out.value_or(output_directory(reading.scene));
+    const std::optional<Problem> place_fault = check_result_directory(
+        directory, true, {}, out ? "--out" : reading.where("output.directory"), reading.problems);
+    const Prepared prepared = prepare(reading, place_fault, log);
     const std::int64_t held = resident_memory();
     const RunEstimate expected = estimate(prepared.scene, threads);
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
@@ -133,7 +137,7 @@ int cmd_check(const Arguments& arguments) {
     std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
     std::printf("\n%s", input_table(prepared, memory).c_str());
     print_site(prepared.scene);
-    print_run(prepared, expected, trial, threads);
+    print_run(prepared, expected, trial, threads, directory);
     std::fflush(stdout);
     compare_volumes(prepared.release.file_volume_m3, expected.volume, log);
     warn_of_thin_release(expected, prepared.scene, log);

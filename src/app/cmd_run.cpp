@@ -217,14 +217,15 @@ int cmd_run(const Arguments& arguments) {
     const bool resume = values->count("resume") > 0;
     const InterruptedRun interrupted(target);
     const bool is_complete = resume && !overwrite && !interrupted.any() && is_finished(target);
+    std::optional<Problem> place_fault;
     if (!is_complete)
-        check_result_directory(place, overwrite || (resume && interrupted.in_place()),
-                           input_files(reading.scene), out ? "--out" : reading.where("output.directory"),
-                           reading.problems);
+        place_fault = check_result_directory(
+            place, overwrite || (resume && interrupted.in_place()), input_files(reading.scene),
+            out ? "--out" : reading.where("output.directory"), reading.problems);
     if (!resume && !overwrite) refuse_to_forget(interrupted, target, reading.problems);
     log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
              std::to_string(threads) + " threads");
-    Prepared prepared = prepare(reading, log);
+    Prepared prepared = prepare(reading, place_fault, log);
     if (is_complete) {
         catch_stop_signals();
         const bool all_there = complete_result(prepared, target, log);

@@ -183,4 +183,16 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     return prepared;
 }
 
+Prepared prepare(const SceneReading& reading, const std::optional<Problem>& place, RunLog& log) {
+    if (!place) return prepare(reading, log);
+    try {
+        (void)prepare(reading, log);
+    } catch (const Error& error) {
+        std::vector<Problem> all = error.problems();
+        all.push_back(*place);
+        throw Error(error.kind(), all);
+    }
+    throw Error(ErrorKind::environment, *place);
+}
+
 }  // namespace frana::app

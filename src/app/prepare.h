@@ -31,4 +31,8 @@ struct Prepared {
 /// files.
 Prepared prepare(const SceneReading& reading, RunLog& log);
 
+/// The same where the result's place may not allow it (check_result_directory()): that is told beside all
+/// other faults, and alone it is an Error(environment).
+Prepared prepare(const SceneReading& reading, const std::optional<Problem>& place, RunLog& log);
+
 }  // namespace frana::app

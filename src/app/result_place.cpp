@@ -15,6 +15,7 @@
 #include "app/kept_files.h"
 #include "app/manifest.h"
 #include "app/result_files.h"
+#include "app/unfinished_results.h"
 
 namespace frana::app {
 namespace {
@@ -69,6 +70,13 @@ bool is_kept_by_its_owner(const fs::path& path) {
         ::stat(path.parent_path().c_str(), &above) != 0)
         return false;
     return (above.st_mode & S_ISVTX) != 0 && own.st_uid != ::geteuid() && above.st_uid != ::geteuid();
+}
+
+/// Of a result, which is built beside its place under a longer name.
+long longest_name(const fs::path& path) {
+    const long most = ::pathconf(existing_parent(path).c_str(), _PC_NAME_MAX);
+    return (most > 0 ? most : 255) -
+           static_cast<long>(std::string(k_building).size() + 6 + std::string(".old").size());
 }
 
 /// What the rights or the disk do not allow; none where the folder can be made, or replaced.
@@ -152,36 +160,38 @@ bool holds_files(const std::string& folder) {
     return failure || !is_empty;
 }
 
-void check_result_directory(const std::string& directory, bool overwrite,
-                            const std::vector<std::string>& inputs, const std::string& where,
-                            Problems& problems) {
+std::optional<Problem> check_result_directory(const std::string& directory, bool overwrite,
+                                              const std::vector<std::string>& inputs,
+                                              const std::string& where, Problems& problems) {
     const fs::path path = result_path(directory);
     if (const auto problem = broken_link(directory, path, where)) {
         problems.add(*problem);
-        return;
+        return {};
     }
     std::error_code failure;
     if (fs::exists(path, failure) && !fs::is_directory(path, failure)) {
         problems.add(
             {"is a file, not a folder", where, path.string(), "", "Choose another result directory"});
-        return;
+        return {};
     }
     if (fs::is_directory(path, failure) && is_mount_point(path)) {
         problems.add(
             {"is a mount point (a disk or a container's volume), which no result can take the place of",
              where, path.string(), "", "Choose a folder in it: --out " + (path / "result").string()});
-        return;
+        return {};
     }
+    if (const long most = longest_name(path); static_cast<long>(path.filename().string().size()) > most)
+        problems.add({"has too long a name", where, path.filename().string(),
+                      "at most " + std::to_string(most) + " bytes here", "Choose a shorter one with --out"});
     if (holds_files(path.string())) check_older(path, overwrite, inputs, where, problems);
     const fs::path parent = existing_parent(path);
     if (!fs::is_directory(parent, failure)) {
         problems.add({"cannot be written: " + parent.string() + " is not a folder", where, path.string(), "",
                       k_choose});
     } else if (const auto reason = refusal(path)) {
-        Problem problem{"cannot be written: " + *reason, where, path.string(), "", k_choose};
-        if (problems.empty()) throw Error(ErrorKind::environment, problem);
-        problems.add(problem);
+        return Problem{"cannot be written: " + *reason, where, path.string(), "", k_choose};
     }
+    return {};
 }
 
 }  // namespace frana::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,11 @@ std::string result_path(const std::string& directory);
 
 /// Looks, before anything is computed, whether a result can be written to a directory. Adds to `problems`: an
 /// existing result without leave to overwrite it, a folder that is no result (never overwritten), inputs
-/// inside the folder that would be replaced, a place that is a mount point, another owner's, or cannot be
-/// written. Throws Error(environment) for the last where nothing else is wrong.
-void check_result_directory(const std::string& directory, bool overwrite,
-                            const std::vector<std::string>& inputs, const std::string& where,
-                            Problems& problems);
+/// inside the folder that would be replaced, a place that is a mount point or has too long a name. Returns
+/// what the environment does not allow: a place that is another owner's, or cannot be written.
+[[nodiscard]] std::optional<Problem> check_result_directory(const std::string& directory, bool overwrite,
+                                                            const std::vector<std::string>& inputs,
+                                                            const std::string& where, Problems& problems);
 
 /// Whether there is anything in a folder; one that cannot be read has something.
 bool holds_files(const std::string& folder);

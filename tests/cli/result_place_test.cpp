@@ -135,13 +135,9 @@ TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
     ASSERT_EQ(::chmod(path("").c_str(), 0755), 0);
     const auto refusal = [&](const std::string& directory) -> std::string {
         Problems problems;
-        try {
-            app::check_result_directory(path(directory), true, {}, "--out", problems);
-            problems.throw_if_any();
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
+        const auto fault = app::check_result_directory(path(directory), true, {}, "--out", problems);
+        EXPECT_TRUE(problems.empty());
+        return fault ? describe(*fault) : "";
     };
     const AsNobody nobody;
     if (!nobody.is()) GTEST_SKIP() << "only root can be somebody else";
@@ -154,6 +150,41 @@ TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
         << refusal("sticky/result");
     EXPECT_EQ(refusal("open/result"), "");
     EXPECT_EQ(refusal("sticky/another"), "");
+}
+
+// A colleague's share, a disk that is mounted for reading: all faults at once, and a remedy that check has
+// too.
+TEST_F(Place, ThatCannotBeWrittenIsToldBesideTheScenesFaults) {
+    fs::create_directories(path("disk"));
+    const Mounted disk(path("disk"));
+    if (!disk.is_there() ||
+        ::mount("tmpfs", path("disk").c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, "size=16m") != 0)
+        GTEST_SKIP() << "nothing may be mounted here";
+    write_scene(k_numbers_only + "directory = disk/result\n");
+    for (const std::string command : {"check", "run"}) {
+        const Outcome alone = frana({command, "scene.ini"});
+        EXPECT_EQ(alone.exit_code, 4) << alone.err;
+        EXPECT_NE(alone.err.find("Choose another result directory with --out"), std::string::npos)
+            << alone.err;
+        const Outcome both = frana({command, "scene.ini", "--set", "terrain.dtm=nosuch.tif"});
+        EXPECT_EQ(both.exit_code, 2) << both.err;
+        EXPECT_NE(both.err.find("nosuch.tif"), std::string::npos) << both.err;
+        EXPECT_NE(both.err.find("cannot be written"), std::string::npos) << both.err;
+    }
+    const Outcome elsewhere = frana({"check", "scene.ini", "--out", "elsewhere"});
+    EXPECT_EQ(elsewhere.exit_code, 0) << elsewhere.err;
+    EXPECT_NE(elsewhere.out.find(path("elsewhere")), std::string::npos) << elsewhere.out;
+    EXPECT_FALSE(fs::exists(path("elsewhere")));
+}
+
+TEST_F(Place, WhoseNameIsTooLongIsRefusedBeforeAFolderIsMade) {
+    for (const std::string command : {"check", "run"}) {
+        const Outcome outcome = frana({command, "scene.ini", "--out", "above/" + std::string(245, 'a')});
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find("--out: has too long a name"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("Choose a shorter one with --out"), std::string::npos) << outcome.err;
+    }
+    EXPECT_FALSE(fs::exists(path("above")));
 }
 
 // Whatever a file of the result that is replaced is called: by a link, by a layer in it, by GDAL's spellings.
