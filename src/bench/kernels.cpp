@@ -104,6 +104,11 @@ std::vector<KernelCase> kernel_cases() {
                      }});
     cases.push_back({"nodes to particles along the bed, fast",
                      [=] { fast->along_bed(t->run, t->update, t->stress, t->moved, t->particles); }});
+    cases.push_back({"nodes to particles along the bed, shifting, fast", [=] {
+                         ParticleUpdate shifting = t->update;
+                         shifting.shift = k_shift;
+                         fast->along_bed(t->run, shifting, t->stress, t->moved, t->particles);
+                     }});
     cases.push_back({"nodes to particles with stress, fast", [=] {
                          fast->nodes_to_particles_with_stress(t->run, t->update, t->stress, t->moved, t->particles);
                      }});

@@ -102,6 +102,11 @@ FRANA_INLINE void transpose(Quad& a, Quad& b, Quad& c, Quad& d) {
     d.v = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
+/// The first two lanes of both.
+FRANA_INLINE Quad first_halves(Quad a, Quad b) {
+    return Quad(__builtin_shufflevector(a.v, b.v, 0, 1, 4, 5));
+}
+
 /// The first n (1 to 4) of four values; the others repeat the first. Stores the first n only.
 FRANA_INLINE Quad load_some(const double* from, std::size_t n) {
     if (n == 4) return Quad::load(from);

@@ -7,6 +7,7 @@
 #include "mpm/curvature.h"
 #include "mpm/node_grid.h"
 #include "mpm/shape.h"
+#include "mpm/shifting.h"
 #include "particles/particle_set.h"
 #include "particles/tile_order.h"
 #include "physics/stress_bingham.h"
@@ -56,6 +57,7 @@ struct ParticleUpdate {
     bool wall = false;  ///< particles are kept inside; otherwise they may leave
     Point origin;       ///< release centroid, for the front distance, local metres
     double pull = 0;    ///< gravity times the time for which forces acted [m/s]; for what follows the bed
+    double shift = 0;   ///< particle shifting: s of shifting.h, 0 in steps without it
 };
 
 /// What a tile's particles showed in a step; combined tile by tile in their order.
@@ -131,8 +133,9 @@ inline constexpr double k_work_limit = 0.5;
 /// Reads NodeSums after update_nodes; reads and writes x, y, u, v, area; writes c_* (affine), compression
 /// (Relaxed), s_* (Stress). Relaxed adds the area relaxation, which ties h_p to the mass on the grid: A grows
 /// or shrinks with what the particles claim of each cell, and only shrinks at a free front. Relaxed and
-/// affine together also carry the particle's shape q_*, which decides about splitting. A particle that leaves
-/// through an open boundary stays in the arrays until the next sort and is counted `outside`.
+/// affine together also carry the particle's shape q_*, which decides about splitting, and
+/// shift the particle (shifting.h). A particle that leaves through an open boundary stays in the arrays until the next
+/// sort and is counted `outside`.
 ///
 /// FollowsBed: u, v are the velocity along the bed (BedFrame), which the nodes give back in fx, fy; positions move with the
 /// nodes' velocity in map view. Gravity's work at the nodes, whose slopes are differences over two cells, is not what the
@@ -178,6 +181,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         double un = 0, vn = 0, wu = 0, wv = 0, share = 0, support = 0, cell_depth = 0, climb = 0;
         double u_x = 0, u_y = 0, v_x = 0, v_y = 0;      // gradient of the nodal velocity
         double m_xx = 0, m_xy = 0, m_yx = 0, m_yy = 0;  // first moments, for the affine part
+        [[maybe_unused]] double least = 1, share_x = 0, share_y = 0, depth_x = 0, depth_y = 0;  // for shifting
         for (int b = 0; b < Shape::width; ++b) {
             const NodeSums* row = sums + s.first + b * stride;
             const double to_y = s.to_first_y + b * dx;
@@ -204,6 +208,13 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
                     share += w * row[a].area;
                     cell_depth += w * row[a].mass;
                     support += w * row[a].support;
+                    if constexpr (Transfer::affine) {
+                        share_x += gx * row[a].area;
+                        share_y += gy * row[a].area;
+                        depth_x += gx * row[a].mass;
+                        depth_y += gy * row[a].mass;
+                        least = std::min(least, row[a].area);
+                    }
                 }
             }
         }
@@ -298,6 +309,13 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             report.diffusivity = std::max(report.diffusivity, t.diffusivity);
         }
         double px = x[p] + k.dt * un, py = y[p] + k.dt * vn;
+        if constexpr (Relaxed && Transfer::affine) {
+            const Shift<double> shift = shift_of(k.shift, speed * courant, support, least, share, share_x, share_y, cell_depth,
+                                                 depth_x, depth_y, dx);
+            px += shift.x;
+            py += shift.y;
+            area[p] *= shift.growth;
+        }
         if (k.wall) {
             px = std::clamp(px, edges.west + margin, edges.east - margin);
             py = std::clamp(py, edges.south + margin, edges.north - margin);

@@ -150,15 +150,12 @@ TEST_P(VectorKernelsTest, PressureToNodesOfParticlesFarApart) {
     compare_pressure<false>(bed_, particles, {0, GetParam(), 0});
 }
 
-template <bool FollowsBed, class Stress>
-void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile& tile, const Stress& stress,
-                    bool wall) {
-    Fields fields(bed);
-    NodeGrid& nodes = fields.nodes;
+// Nodes as nodes_to_particles finds them.
+template <bool FollowsBed>
+void step_nodes(const ParticleSet& particles, const ParticleTile& tile, double dt, NodeGrid& nodes) {
     particles_to_nodes<Shape, true, true>(tile, particles, nodes);
     work_out_levels(nodes);
     pressure_to_nodes<Shape, true, false>(tile, particles, 9.81, nodes);
-    const double dt = 0.05;
     const VoellmyFriction frictionless;
     for_all_nodes(nodes, [&](const NodeRange& range) {
         using Slope = std::conditional_t<FollowsBed, Curved<NormalSlope>, NormalSlope>;
@@ -170,8 +167,17 @@ void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile
         for (double* velocity : {&node.px, &node.py, &node.fx, &node.fy}) *velocity = 20 * std::tanh(*velocity / 20);
         node.area_bed = 10 * std::tanh(node.area_bed / 10);
     }
+}
+
+template <bool FollowsBed, class Stress>
+void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile& tile, const Stress& stress,
+                    bool wall, double shift = 0) {
+    Fields fields(bed);
+    NodeGrid& nodes = fields.nodes;
+    const double dt = 0.05;
+    step_nodes<FollowsBed>(particles, tile, dt, nodes);
     ParticleSet fast = particles;
-    const ParticleUpdate update{dt, 9.81, 1e-3, wall, {10, 20}, 9.81 * dt};
+    const ParticleUpdate update{dt, 9.81, 1e-3, wall, {10, 20}, 9.81 * dt, shift};
     const VectorKernels& kernels = *vector_kernels();
     const ParticleReport a =
         nodes_to_particles<Shape, ApicTransfer, Stress, true, FollowsBed>(tile, update, stress, nodes, particles);
@@ -205,6 +211,40 @@ TEST_P(VectorKernelsTest, NodesToParticles) {
     compare_update<true>(bed_, particles, tile, BinghamStress{0.5, 0.25, 0.01, true}, false);
     compare_update<false>(bed_, particles, tile, BinghamStress{0.5, 0, 0.01, true}, false);
     compare_update<false>(bed_, particles, tile, BinghamStress{0, 0.25, 0.01, true}, false);
+}
+
+TEST_P(VectorKernelsTest, NodesToParticlesThatShift) {
+    const ParticleSet particles = random_particles(GetParam() + 2, 13, 35, random_);
+    const ParticleTile tile{1, 1 + GetParam(), 0};
+    compare_update<false>(bed_, particles, tile, NoStress{}, false, k_shift);
+    compare_update<true>(bed_, particles, tile, NoStress{}, true, k_shift);
+    compare_update<true>(bed_, particles, tile, BinghamStress{0.5, 0.25, 0.01, true}, false, k_shift);
+}
+
+// Shifting moves particles and changes their areas; volume, momentum and kinetic energy keep every bit, particle by particle.
+TEST(Shifting, ChangesNeitherVolumeNorVelocity) {
+    std::mt19937 random(20240517);
+    const Raster bed = rough_bed(random);
+    ParticleSet still = random_particles(1023, 13, 35, random);
+    ParticleSet shifted = still;
+    Fields fields(bed);
+    const double dt = 0.05;
+    const ParticleTile tile{0, still.size(), 0};
+    step_nodes<true>(still, tile, dt, fields.nodes);
+    ParticleUpdate update{dt, 9.81, 1e-3, false, {10, 20}, 9.81 * dt};
+    nodes_to_particles<Shape, ApicTransfer, NoStress, true, true>(tile, update, {}, fields.nodes, still);
+    update.shift = k_shift;
+    nodes_to_particles<Shape, ApicTransfer, NoStress, true, true>(tile, update, {}, fields.nodes, shifted);
+    std::size_t moved = 0;
+    for (std::size_t p = 0; p < still.size(); ++p) {
+        for (const Field f : {Field::u, Field::v, Field::volume, Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy})
+            ASSERT_EQ(still[f][p], shifted[f][p]) << k_field_table[static_cast<std::size_t>(f)].name << " of particle " << p;
+        const double x = shifted[Field::x][p] - still[Field::x][p], y = shifted[Field::y][p] - still[Field::y][p];
+        // To the rounding of a sum of places, some tens of metres.
+        ASSERT_LE(std::max(std::abs(x), std::abs(y)), k_shift_farthest * k_cell + 1e-13);
+        moved += x != 0 || y != 0;
+    }
+    EXPECT_GT(moved, still.size() / 2);
 }
 
 // Some leave, some come to rest on cells without terrain, some are kept in by walls.

@@ -6,6 +6,7 @@
 
 #include "mpm/boundary.h"
 #include "mpm/levels.h"
+#include "mpm/shifting.h"
 #include "mpm/stable_step.h"
 
 namespace frana::voellmy_bingham {
@@ -100,6 +101,11 @@ void exchange_with_bed(State& state, const Laws& laws, const Stages& stages, dou
                                        state.particles, state.kept.data(), state.lost.data(), reports[t]);
     });
     for (const ExchangeReport& r : reports) state.exchanged.merge(r);
+}
+
+// Shifting needs what splitting does: the default scheme with its affine velocities.
+bool shifts_now(const State& state, const Stages& stages) {
+    return stages.resamples && state.since_sort % k_shift_steps == 0;
 }
 
 void slow_down(State& state, ThreadPool& pool) {
@@ -213,8 +219,9 @@ StepReport kick_and_drift(State& state, const Laws& laws, const Stages& stages, 
     watch.ends(Stage::nodes);
 
     // Nodes to particles: velocity, position, depth, stress.
-    const ParticleUpdate particle_update{drift, laws.gravity * laws.stress.wave_factor, laws.resample.minimum_depth,
+    ParticleUpdate particle_update{drift, laws.gravity * laws.stress.wave_factor, laws.resample.minimum_depth,
                                          laws.wall, laws.origin, laws.gravity * kick};
+    if (shifts_now(state, stages)) particle_update.shift = k_shift;
     const auto& tiles = state.order.tiles();
     for (const ParticleTile& tile : tiles) state.particles_seen[static_cast<std::size_t>(tile.tile)].longest = 0;
     pool.for_each(active.moved().size(), [&](std::size_t i) {
@@ -258,12 +265,12 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
     state.velocity_lag = lag;
     state.wave_speed = report.particles.wave_speed;
     state.diffusivity = report.particles.diffusivity;
-    const double moved = report.particles.speed * dt / dx;
-    state.drift += moved;
+    const double moved = report.particles.speed * dt / dx, shift = stages.resamples ? shift_reach(moved) : 0;
+    state.drift += moved + (shifts_now(state, stages) ? shift : 0);
     ++state.since_sort;
     const bool stretched = stages.resamples && report.particles.longest > k_long_shape * dx * dx &&
                            state.since_sort >= k_sort_pause;
-    if (report.particles.outside > 0 || stretched || state.drift + moved > k_drift_limit) {
+    if (report.particles.outside > 0 || stretched || state.drift + moved + shift > k_drift_limit) {
         sort_particles(state, report.particles.outside > 0, pool);
         watch.ends(Stage::sort);
         if (stages.resamples) {

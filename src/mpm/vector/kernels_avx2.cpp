@@ -14,14 +14,21 @@ namespace frana {
 
 namespace {
 
+template <bool FollowsBed, class Stress>
+ParticleReport shifting_or_not(const ParticleTile& tile, const ParticleUpdate& update, const Stress& stress,
+                               const NodeGrid& nodes, ParticleSet& particles) {
+    if (update.shift > 0) return vector_nodes_to_particles<FollowsBed, true>(tile, update, stress, nodes, particles);
+    return vector_nodes_to_particles<FollowsBed, false>(tile, update, stress, nodes, particles);
+}
+
 template <bool FollowsBed, bool Stress>
 ParticleReport vector_nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
                                                const BinghamStress& stress, const NodeGrid& nodes,
                                                ParticleSet& particles) {
     if constexpr (Stress) {
-        return vector_nodes_to_particles<FollowsBed>(tile, update, stress, nodes, particles);
+        return shifting_or_not<FollowsBed>(tile, update, stress, nodes, particles);
     } else {
-        return vector_nodes_to_particles<FollowsBed>(tile, update, NoStress{}, nodes, particles);
+        return shifting_or_not<FollowsBed>(tile, update, NoStress{}, nodes, particles);
     }
 }
 

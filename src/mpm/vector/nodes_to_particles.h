@@ -9,8 +9,10 @@ namespace frana {
 namespace {
 
 /// What four particles gather from their nodes; each quad holds one quantity of the four.
+template <bool Shifts>
 struct ChunkGather {
     Quad cell_depth, share, climb, support;
+    Quad depth_x, depth_y, share_x, share_y, least;  // if Shifts: gradients of the first two; least share of any node
     Quad u, v, back_u, back_v;    // nodal velocity in map view; what the particles take back
     Quad u_x, u_y, v_x, v_y;      // gradient of the former
     Quad m_xx, m_xy, m_yx, m_yy;  // first moments of the latter
@@ -57,6 +59,7 @@ struct ChunkGather {
         share = means[1];
         climb = means[2];
         support = means[3];
+        if constexpr (Shifts) gather_slopes(ax, ay, weight_x, weight_y, grid, sums, first);
         for (int a = 0; a < 3; ++a) {
             transpose(rows[a][0], rows[a][1], rows[a][2], rows[a][3]);
             transpose(columns[a][0], columns[a][1], columns[a][2], columns[a][3]);
@@ -86,6 +89,40 @@ struct ChunkGather {
     }
 
   private:
+    /// Gradients of depth and share, and the least share of any node: a sweep of its own over the second quads, since few
+    /// steps shift.
+    FRANA_INLINE void gather_slopes(const ChunkAxis& ax, const ChunkAxis& ay, const double (&weight_x)[3][4],
+                                    const double (&weight_y)[3][4], const NodeScale& grid, const NodeSums* sums,
+                                    const std::size_t (&first)[4]) {
+        alignas(32) double along_x[3][4], along_y[3][4];
+        Quad slope[3];
+        ax.slopes(grid.inverse_dx, slope);
+        for (int a = 0; a < 3; ++a) slope[a].store(along_x[a]);
+        ay.slopes(grid.inverse_dx, slope);
+        for (int a = 0; a < 3; ++a) slope[a].store(along_y[a]);
+        Quad slopes[4], lows[4];
+        for (std::size_t k = 0; k < 4; ++k) {
+            const NodeSums* row = sums + first[k];
+            Quad slope_x = 0.0, slope_y = 0.0, low = 1.0;
+            for (int b = 0; b < 3; ++b, row += grid.stride) {
+                const Quad west = Quad::load(&row[0].mass), middle = Quad::load(&row[1].mass),
+                           east = Quad::load(&row[2].mass);
+                slope_x += Quad(weight_y[b][k]) *
+                           (Quad(along_x[0][k]) * west + Quad(along_x[1][k]) * middle + Quad(along_x[2][k]) * east);
+                slope_y += Quad(along_y[b][k]) *
+                           (Quad(weight_x[0][k]) * west + Quad(weight_x[1][k]) * middle + Quad(weight_x[2][k]) * east);
+                low = min(min(low, west), min(middle, east));
+            }
+            slopes[k] = first_halves(slope_x, slope_y);
+            lows[k] = low;
+        }
+        transpose(slopes[0], slopes[1], slopes[2], slopes[3]);
+        depth_x = slopes[0];
+        share_x = slopes[1];
+        depth_y = slopes[2];
+        share_y = slopes[3];
+        least = {lows[0][1], lows[1][1], lows[2][1], lows[3][1]};
+    }
     static FRANA_INLINE Quad weighted(const Quad (&weights)[3], const Quad (&sums)[3][4], int quantity) {
         return weights[0] * sums[0][quantity] + weights[1] * sums[1][quantity] + weights[2] * sums[2][quantity];
     }
@@ -126,7 +163,8 @@ FRANA_INLINE void bed_slopes(Quad px, Quad py, const NodeScale& grid, const doub
 }
 
 /// nodes_to_particles<QuadraticSplineShape, ApicTransfer, Stress, true, FollowsBed>, four particles at a time.
-template <bool FollowsBed, class Stress>
+/// Shifts: whether ParticleUpdate::shift is not 0.
+template <bool FollowsBed, bool Shifts, class Stress>
 ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const ParticleUpdate& k, const Stress& stress,
                                          const NodeGrid& nodes, ParticleSet& particles) {
     double *const x = particles[Field::x], *const y = particles[Field::y];
@@ -155,7 +193,7 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         const Quad::Mask real = first_lanes(n);
         const Quad old_x = load_some(x + p, n), old_y = load_some(y + p, n);
         const Quad mass = load_some(volume + p, n), old_area = load_some(area + p, n);
-        const ChunkGather g(old_x, old_y, grid, sums);
+        const ChunkGather<Shifts> g(old_x, old_y, grid, sums);
 
         const double d = 4 * grid.inverse_dx * grid.inverse_dx;  // inverse of the spline's second moment
         {
@@ -225,7 +263,6 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         const Quad relaxed = new_area * (1 + beta * (1 / g.share - 1));
         new_area = select((g.share > 1) | (g.support > 0.999), relaxed, new_area);
         new_area = min(new_area, max(old_area, largest_claim));
-        store_some(new_area, area + p, n);
         const Quad depth = mass / new_area;
         if constexpr (Stress::active) {
             const QuadStress t = bingham_stress(stress, g.u_x, 0.5 * (g.u_y + g.v_x), g.v_y, g.u, g.v, depth);
@@ -235,6 +272,14 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
             diffusivity = max(diffusivity, t.diffusivity);
         }
         Quad px = old_x + k.dt * g.u, py = old_y + k.dt * g.v;
+        if constexpr (Shifts) {
+            const Shift<Quad> shift = shift_of(k.shift, speed * courant, g.support, g.least, g.share, g.share_x, g.share_y,
+                                               g.cell_depth, g.depth_x, g.depth_y, grid.dx);
+            px += shift.x;
+            py += shift.y;
+            new_area = new_area * shift.growth;
+        }
+        store_some(new_area, area + p, n);
         if (k.wall) {
             px = min(max(px, edges.west + margin), edges.east - margin);
             py = min(max(py, edges.south + margin), edges.north - margin);

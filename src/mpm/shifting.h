@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+namespace frana {
+
+/// Particle shifting: a particle in a filled part of the flow drifts from where particles crowd to where they are few,
+///
+///     x <- x - s dx^2 grad phi,   phi the share of the cell that particles claim,
+///
+/// so that a flow's particles become as even as a lattice. Its depth follows the nodes' own depth M / phi:
+/// A <- A (1 - dx . grad h / h). Volume and velocity stay with it, so that volume, momentum and kinetic energy are kept to
+/// the last bit; potential energy is not. (After Lind et al. 2012, J. Comput. Phys. 231, 1499.)
+///
+/// Bounds: none without motion, so that still water stays; none where a cell of its stencil is far from full, since grad phi
+/// is there the flow's own edge.
+inline constexpr double k_shift = 0.2;  ///< s, in one step of k_shift_steps
+inline constexpr int k_shift_steps = 4;
+inline constexpr double k_shift_courant = 30;    ///< s is reduced where |v| dt/dx times this is less than 1
+inline constexpr double k_shift_farthest = 0.1;  ///< along either axis, reduced likewise [cells]
+inline constexpr double k_shift_deepening = 0.2;  ///< greatest relative change of depth by one shift
+inline constexpr double k_shift_from = 0.7, k_shift_full = 0.9;  ///< least share of a stencil's nodes: none, all of it
+
+/// How far particles may shift along an axis in a step [cells].
+/// @param courant greatest |v| dt/dx
+inline double shift_reach(double courant) { return k_shift_farthest * std::min(1.0, k_shift_courant * courant); }
+
+/// How far a particle moves, and the factor by which its area changes.
+template <class Number>
+struct Shift {
+    Number x, y, growth;
+};
+
+/// One formula for one particle (double) and for four (Quad). Always inlined: the fast sweeps, compiled for another
+/// instruction set, must share no function with the rest.
+/// @param s see above  @param courant |v| dt/dx  @param support NodeLevel::support
+/// @param least share of any node of the stencil
+/// @param share, share_x, share_y phi and its gradient  @param mass, mass_x, mass_y the same of the nodes' volume
+template <class Number>
+[[gnu::always_inline]] inline Shift<Number> shift_of(double s, Number courant, Number support, Number least,
+                                                     Number share, Number share_x, Number share_y, Number mass,
+                                                     Number mass_x, Number mass_y, double dx) {
+    using std::max;
+    using std::min;
+    const Number none(0.0), all(1.0), deepening(k_shift_deepening), pace = min(all, k_shift_courant * courant);
+    const Number farthest = (k_shift_farthest * dx) * pace;
+    const Number filled = max(none, min(all, (least - k_shift_from) * (1 / (k_shift_full - k_shift_from))));
+    const Number inner = max(none, 100 * support - 99);  // 1 away from free fronts
+    const Number gain = (-s * dx * dx) * (filled * inner * pace);
+    const Number x = max(-farthest, min(farthest, gain * share_x)), y = max(-farthest, min(farthest, gain * share_y));
+    const Number deeper = (x * mass_x + y * mass_y) / mass - (x * share_x + y * share_y) / share;
+    return {x, y, 1 - max(-deepening, min(deepening, deeper))};
+}
+
+}  // namespace frana
