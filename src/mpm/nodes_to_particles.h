@@ -126,16 +126,16 @@ double shock_compression(const Stencil<Shape>& s, const NodeSums* sums, std::int
     }
 }
 
-/// Greatest share by which the speed of a particle is set right in a step (work_left_over).
+/// Greatest share by which gravity's work sets the speed of a particle right in a step.
 inline constexpr double k_work_limit = 0.5;
 
 /// New velocity, position, depth and stress of a tile's particles (paper, equations 33-38).
 /// Reads NodeSums after update_nodes; reads and writes x, y, u, v, area; writes c_* (affine), compression
 /// (Relaxed), s_* (Stress). Relaxed adds the area relaxation, which ties h_p to the mass on the grid: A grows
 /// or shrinks with what the particles claim of each cell, and only shrinks at a free front. Relaxed and
-/// affine together also carry the particle's shape q_*, which decides about splitting, and
-/// shift the particle (shifting.h). A particle that leaves through an open boundary stays in the arrays until the next
-/// sort and is counted `outside`.
+/// affine together also carry the particle's shape q_*, which decides about splitting, and shift the particle
+/// (shifting.h). A particle that leaves through an open boundary stays in the arrays until the next sort and is
+/// counted `outside`.
 ///
 /// FollowsBed: u, v are the velocity along the bed (BedFrame), which the nodes give back in fx, fy; positions move with the
 /// nodes' velocity in map view. Gravity's work at the nodes, whose slopes are differences over two cells, is not what the
@@ -145,8 +145,8 @@ inline constexpr double k_work_limit = 0.5;
 ///
 /// with grad Z of the splines' bed where the particle was when gravity acted, and m the mean of the map velocities with which
 /// it came there and went on, but for what forces changed of them: on a plane m = v, and nothing is set right. M^-1 w is
-/// BedFrame::in_map. What moves slower than sqrt(g h) is driven by pressure as much as by gravity, which this
-/// does not balance: there the correction fades with w^2 / (w^2 + g h), so that what is still stays so.
+/// BedFrame::in_map. What moves slower than sqrt(g h) is driven by pressure as much as by gravity, which this does not
+/// balance: there the correction fades with w^2 / (w^2 + g h), so that what is still stays so.
 template <class Shape, class Transfer, class Stress, bool Relaxed, bool FollowsBed = false>
 ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate& k, const Stress& stress,
                                   const NodeGrid& nodes, ParticleSet& particles) {
@@ -180,7 +180,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         const Stencil<Shape> s(x[p], y[p], grid);
         double un = 0, vn = 0, wu = 0, wv = 0, share = 0, support = 0, cell_depth = 0, climb = 0;
         double u_x = 0, u_y = 0, v_x = 0, v_y = 0;      // gradient of the nodal velocity
-        double m_xx = 0, m_xy = 0, m_yx = 0, m_yy = 0;  // first moments, for the affine part
+        double m_xx = 0, m_xy = 0, m_yx = 0, m_yy = 0;  // for the affine part: first moments, gradient with hats
         [[maybe_unused]] double least = 1, share_x = 0, share_y = 0, depth_x = 0, depth_y = 0;  // for shifting
         for (int b = 0; b < Shape::width; ++b) {
             const NodeSums* row = sums + s.first + b * stride;
@@ -202,6 +202,11 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
                     m_xy += w * row[a].fx * to_y;
                     m_yx += w * row[a].fy * to_x;
                     m_yy += w * row[a].fy * to_y;
+                } else if constexpr (Transfer::affine) {
+                    m_xx += gx * row[a].fx;
+                    m_xy += gy * row[a].fx;
+                    m_yx += gx * row[a].fy;
+                    m_yy += gy * row[a].fy;
                 }
                 if constexpr (FollowsBed) climb += w * row[a].area_bed;
                 if constexpr (Relaxed) {
@@ -219,34 +224,29 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             }
         }
         const double celerity = std::sqrt(k.gravity * volume[p] / area[p]);
-        [[maybe_unused]] const double d = 4 * inverse_dx * inverse_dx;  // inverse of the spline's second moment
+        // Of the splines the inverse of the second moment; hat functions: the affine part is the gradient itself (Jiang et
+        // al. 2015).
+        [[maybe_unused]] const double d = Shape::width == 3 ? 4 * inverse_dx * inverse_dx : 1;
         if constexpr (Transfer::affine) {
-            if constexpr (Shape::width == 3) {
-                c_xx[p] = d * m_xx;
-                c_xy[p] = d * m_xy;
-                c_yx[p] = d * m_yx;
-                c_yy[p] = d * m_yy;
-                if constexpr (Relaxed) {
-                    const double across = dx * std::sqrt(c_xx[p] * c_xx[p] + c_xy[p] * c_xy[p] +
-                                                         c_yx[p] * c_yx[p] + c_yy[p] * c_yy[p]);
-                    double bound = k_front_shear * celerity;  // of velocities in map view
-                    if constexpr (FollowsBed) {
-                        const double in_map = un * un + vn * vn;
-                        if (in_map > 0) bound *= std::sqrt((wu * wu + wv * wv) / in_map);
-                    }
-                    if ((1 - support) * across > bound) {
-                        const double fit = bound / ((1 - support) * across);
-                        c_xx[p] *= fit;
-                        c_xy[p] *= fit;
-                        c_yx[p] *= fit;
-                        c_yy[p] *= fit;
-                    }
+            c_xx[p] = d * m_xx;
+            c_xy[p] = d * m_xy;
+            c_yx[p] = d * m_yx;
+            c_yy[p] = d * m_yy;
+            if constexpr (Relaxed) {
+                const double across = dx * std::sqrt(c_xx[p] * c_xx[p] + c_xy[p] * c_xy[p] + c_yx[p] * c_yx[p] +
+                                                     c_yy[p] * c_yy[p]);
+                double bound = k_front_shear * celerity;  // of velocities in map view
+                if constexpr (FollowsBed) {
+                    const double in_map = un * un + vn * vn;
+                    if (in_map > 0) bound *= std::sqrt((wu * wu + wv * wv) / in_map);
                 }
-            } else {  // hat functions: the affine part is the gradient itself (Jiang et al. 2015)
-                c_xx[p] = u_x;
-                c_xy[p] = u_y;
-                c_yx[p] = v_x;
-                c_yy[p] = v_y;
+                if ((1 - support) * across > bound) {
+                    const double fit = bound / ((1 - support) * across);
+                    c_xx[p] *= fit;
+                    c_xy[p] *= fit;
+                    c_yx[p] *= fit;
+                    c_yy[p] *= fit;
+                }
             }
         }
         u[p] = Transfer::increment ? u[p] + wu : wu;
