@@ -9,7 +9,7 @@ namespace frana {
 namespace {
 
 /// What four particles gather from their nodes; each quad holds one quantity of the four.
-template <bool Shifts>
+template <bool FollowsBed, bool Shifts>
 struct ChunkGather {
     Quad cell_depth, share, climb, support;
     Quad depth_x, depth_y, share_x, share_y, least;  // if Shifts: gradients of the first two; least share of any node
@@ -17,11 +17,12 @@ struct ChunkGather {
     Quad u_x, u_y, v_x, v_y;      // gradient of the former
     Quad m_xx, m_xy, m_yx, m_yy;  // first moments of the latter
     Quad bend, change;            // of the nodal velocity along the axes, see shock_compression
+    Quad bed_x, bed_y;            // if FollowsBed: gradient of the bed, through the splines
 
     /// Each node is two quads, {u, v, back_u, back_v} and {mass, share, climb, support}. Particle by particle only the
     /// sums of the first along rows and along columns are made, with the splines' weights, and the mean of the second; all
     /// else follows from those seven, four particles at once.
-    FRANA_INLINE ChunkGather(Quad px, Quad py, const NodeScale& grid, const NodeSums* sums) {
+    FRANA_INLINE ChunkGather(Quad px, Quad py, const NodeScale& grid, const NodeSums* sums, const double* bed) {
         const ChunkAxis ax(px, grid), ay(py, grid);
         std::size_t first[4];
         first_nodes(ax, ay, grid, first);
@@ -59,6 +60,7 @@ struct ChunkGather {
         share = means[1];
         climb = means[2];
         support = means[3];
+        if constexpr (FollowsBed) gather_bed(ax, ay, wx, weight_y, grid, bed, first);
         if constexpr (Shifts) gather_slopes(ax, ay, weight_x, weight_y, grid, sums, first);
         for (int a = 0; a < 3; ++a) {
             transpose(rows[a][0], rows[a][1], rows[a][2], rows[a][3]);
@@ -89,6 +91,27 @@ struct ChunkGather {
     }
 
   private:
+    FRANA_INLINE void gather_bed(const ChunkAxis& ax, const ChunkAxis& ay, const Quad (&wx)[3],
+                                 const double (&weight_y)[3][4], const NodeScale& grid, const double* bed,
+                                 const std::size_t (&first)[4]) {
+        alignas(32) double along_y[3][4];
+        Quad slope[3];
+        ay.slopes(grid.inverse_dx, slope);
+        for (int b = 0; b < 3; ++b) slope[b].store(along_y[b]);
+        Quad across[4], along[4];  // sums along the columns, with the splines' weights and with their slopes
+        for (std::size_t k = 0; k < 4; ++k) {
+            const double* const ground = bed + first[k];  // rows of four lanes: the last is left out below
+            const Quad south = Quad::load(ground), middle = Quad::load(ground + grid.stride),
+                       north = Quad::load(ground + 2 * grid.stride);
+            across[k] = weight_y[0][k] * south + weight_y[1][k] * middle + weight_y[2][k] * north;
+            along[k] = along_y[0][k] * south + along_y[1][k] * middle + along_y[2][k] * north;
+        }
+        transpose(across[0], across[1], across[2], across[3]);
+        transpose(along[0], along[1], along[2], along[3]);
+        ax.slopes(grid.inverse_dx, slope);
+        bed_x = slope[0] * across[0] + slope[1] * across[1] + slope[2] * across[2];
+        bed_y = wx[0] * along[0] + wx[1] * along[1] + wx[2] * along[2];
+    }
     /// Gradients of depth and share, and the least share of any node: a sweep of its own over the second quads, since few
     /// steps shift.
     FRANA_INLINE void gather_slopes(const ChunkAxis& ax, const ChunkAxis& ay, const double (&weight_x)[3][4],
@@ -133,35 +156,6 @@ struct ChunkGather {
     }
 };
 
-/// Gradient of the bed at four particles, through the splines.
-FRANA_INLINE void bed_slopes(Quad px, Quad py, const NodeScale& grid, const double* bed, Quad& slope_x, Quad& slope_y) {
-    const ChunkAxis ax(px, grid), ay(py, grid);
-    std::size_t first[4];
-    first_nodes(ax, ay, grid, first);
-    alignas(32) double weight_y[3][4], along_y[3][4];
-    Quad weight[3], slope[3];
-    ay.weights(weight);
-    ay.slopes(grid.inverse_dx, slope);
-    for (int b = 0; b < 3; ++b) {
-        weight[b].store(weight_y[b]);
-        slope[b].store(along_y[b]);
-    }
-    Quad across[4], along[4];  // sums along the columns, with the splines' weights and with their slopes
-    for (std::size_t k = 0; k < 4; ++k) {
-        const double* const ground = bed + first[k];  // rows of four lanes: the last is left out below
-        const Quad south = Quad::load(ground), middle = Quad::load(ground + grid.stride),
-                   north = Quad::load(ground + 2 * grid.stride);
-        across[k] = weight_y[0][k] * south + weight_y[1][k] * middle + weight_y[2][k] * north;
-        along[k] = along_y[0][k] * south + along_y[1][k] * middle + along_y[2][k] * north;
-    }
-    transpose(across[0], across[1], across[2], across[3]);
-    transpose(along[0], along[1], along[2], along[3]);
-    ax.slopes(grid.inverse_dx, slope);
-    slope_x = slope[0] * across[0] + slope[1] * across[1] + slope[2] * across[2];
-    ax.weights(weight);
-    slope_y = weight[0] * along[0] + weight[1] * along[1] + weight[2] * along[2];
-}
-
 /// nodes_to_particles<QuadraticSplineShape, ApicTransfer, Stress, true, FollowsBed>, four particles at a time.
 /// Shifts: whether ParticleUpdate::shift is not 0.
 template <bool FollowsBed, bool Shifts, class Stress>
@@ -193,7 +187,7 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         const Quad::Mask real = first_lanes(n);
         const Quad old_x = load_some(x + p, n), old_y = load_some(y + p, n);
         const Quad mass = load_some(volume + p, n), old_area = load_some(area + p, n);
-        const ChunkGather<Shifts> g(old_x, old_y, grid, sums);
+        const ChunkGather<FollowsBed, Shifts> g(old_x, old_y, grid, sums, nodes.bed.data());
 
         const double d = 4 * grid.inverse_dx * grid.inverse_dx;  // inverse of the spline's second moment
         {
@@ -215,8 +209,7 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         }
         Quad back_u = g.back_u, back_v = g.back_v;
         if constexpr (FollowsBed) {
-            Quad slope_x, slope_y;
-            bed_slopes(old_x, old_y, grid, nodes.bed.data(), slope_x, slope_y);
+            const Quad slope_x = g.bed_x, slope_y = g.bed_y;
             // BedFrame::in_map of what forces changed of the velocity along the bed.
             const Quad root = sqrt(1 + slope_x * slope_x + slope_y * slope_y);
             const Quad rate_x = d * (g.m_xx * g.u + g.m_xy * g.v), rate_y = d * (g.m_yx * g.u + g.m_yy * g.v);
