@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <boost/program_options/value_semantic.hpp>
 #include <algorithm>
+#include <boost/program_options/value_semantic.hpp>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -9,6 +9,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/input_table.h"
+#include "app/machine_memory.h"
 #include "app/memory_forecast.h"
 #include "app/memory_limit.h"
 #include "app/number_text.h"

@@ -9,6 +9,7 @@
 #include "app/complete_result.h"
 #include "app/error_estimate.h"
 #include "app/interrupted_run.h"
+#include "app/machine_memory.h"
 #include "app/memory_limit.h"
 #include "app/number_text.h"
 #include "app/progress.h"

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "app/provenance.h"
+#include "app/text_hash.h"
 
 namespace frana::app {
 namespace {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string>
 
-#include "app/machine_memory.h"
 #include "app/prepare.h"
 #include "app/run_log.h"
 #include "app/time_estimate.h"
@@ -13,17 +12,8 @@
 
 namespace frana::app {
 
-/// --memory-limit ("4GB", "500 MB", "2GiB", bytes), which holds from now on; told where there is not as much.
-/// Throws Error(input).
+/// --memory-limit, where it was given, holds from now on; see limit_memory.
 void take_memory_limit(const boost::program_options::variables_map& values, RunLog& log);
-
-/// What this program may hold in all: the least of --memory-limit, where it was given, and of what the
-/// machine, this process's control group and the shell leave it.
-MemoryBound usable_memory();
-
-/// Throws Error(input), before any particle is made, where the grid and the release's particles alone take
-/// more than there is, or are more than can be numbered.
-void refuse_too_much(const SceneReading& reading, const Scene& scene, double released_area);
 
 /// Throws Error(input) where a run takes more than there is. `held`: what this process held with all inputs
 /// read. A trial run is made only where the run's flow decides.

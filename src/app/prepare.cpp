@@ -6,7 +6,7 @@
 
 #include "app/layer_choice.h"
 #include "app/number_text.h"
-#include "app/memory_limit.h"
+#include "app/memory_bound.h"
 #include "app/prepare_inflow.h"
 #include "app/prepare_material.h"
 #include "app/prepare_obstacles.h"

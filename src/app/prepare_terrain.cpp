@@ -8,7 +8,7 @@
 #include "app/check_terrain.h"
 #include "app/choose_crs.h"
 #include "app/flow_window.h"
-#include "app/memory_limit.h"
+#include "app/memory_bound.h"
 #include "app/number_text.h"
 #include "app/transform_report.h"
 #include "core/json.h"

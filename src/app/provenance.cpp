@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/provenance.h"
 
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/uuid_io.hpp>
-
+#include "app/text_hash.h"
 #include "app/version.h"
 #include "core/utf8.h"
 #include "params/write_scene.h"
 
 namespace frana::app {
-
-std::string text_hash(const std::string& text) {
-    return to_string(boost::uuids::name_generator_sha1(boost::uuids::ns::url())(text));
-}
 
 std::string echoed_scene(const Prepared& prepared) {
     SceneSpec spec = prepared.spec;

@@ -14,8 +14,4 @@ std::map<std::string, std::string> provenance(const Prepared& prepared);
 /// The scene as scene.ini of the result holds it.
 std::string echoed_scene(const Prepared& prepared);
 
-/// A name for a text that changes with every byte of it: its UUID of version 5 (SHA-1; RFC 4122) in the URL
-/// namespace.
-std::string text_hash(const std::string& text);
-
 }  // namespace frana::app

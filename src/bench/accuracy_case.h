@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/exact_state.h"
 #include "bench/setup.h"
 
 namespace frana::bench {
@@ -45,11 +46,6 @@ struct AccuracyCase {
     bool rounding = false;           ///< the exact error is rounding: no order is to be expected
     std::function<CaseFigures(double cell_size, Scheme scheme)> run;
     bool one_scheme = false;  ///< of the structured model, which has no schemes: runs once, as `default`
-};
-
-/// Depth and momentum of an exact solution at a node.
-struct ExactState {
-    double depth = 0, qx = 0, qy = 0;
 };
 
 /// Compares depth and momentum at the nodes with an exact solution at their places (local metres), where `inside` says

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/setup.h"
+#include "bench/exact_state.h"
 
 namespace frana::bench {
 namespace {

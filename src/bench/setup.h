@@ -5,13 +5,11 @@
 #include <functional>
 #include <optional>
 
+#include "bench/exact_state.h"
 #include "bench/lattice.h"
 #include "simulation/flow.h"
 
 namespace frana::bench {
-
-inline constexpr double k_gravity = 9.81;  ///< of every case [m/s2]
-inline constexpr double k_degree = 0.017453292519943295;
 
 /// Everything a flow starts from.
 struct Setup {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "bench/accuracy_case.h"
+#include "bench/exact_state.h"
+#include "core/grid_spec.h"
 
 namespace frana::bench {
 

@@ -12,7 +12,7 @@
 
 #include "../gis/cog_check.h"
 #include "app/number_text.h"
-#include "app/provenance.h"
+#include "app/text_hash.h"
 #include "gis/gdal_session.h"
 #include "gis/raster_in.h"
 #include "tiny_scene.h"
