@@ -10,13 +10,13 @@
 #include <system_error>
 #include <vector>
 
-#include "app/commands.h"
-#include "app/guarded_process.h"
-#include "app/library_versions.h"
-#include "app/machine_memory.h"
-#include "app/number_text.h"
-#include "app/signals.h"
-#include "app/version.h"
+#include "app/commands/commands.h"
+#include "app/commands/guarded_process.h"
+#include "app/commands/library_versions.h"
+#include "app/process/machine_memory.h"
+#include "app/process/signals.h"
+#include "app/text/number_text.h"
+#include "app/text/version.h"
 #include "core/error.h"
 #include "core/system_remedy.h"
 #include "gis/network.h"

@@ -12,8 +12,8 @@
 #include <optional>
 #include <thread>
 
-#include "app/checkpoint_file.h"
-#include "app/reserved_space.h"
+#include "app/store/checkpoint_file.h"
+#include "app/store/reserved_space.h"
 #include "resuming.h"
 
 namespace frana::test {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a large DTM only what lies under the energy line is taken, where a law of the scene draws one.
-#include "app/flow_window.h"
+#include "app/input/flow_window.h"
 
-#include "app/share_directory.h"
+#include "app/input/share_directory.h"
 #include "gis/raster_in.h"
 #include "params/law_names.h"
 #include "tiny_scene.h"

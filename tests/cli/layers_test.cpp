@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/layers.h"
+#include "app/store/layers.h"
 
 #include <gtest/gtest.h>
 

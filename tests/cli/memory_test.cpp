@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <regex>
 
-#include "app/machine_memory.h"
+#include "app/process/machine_memory.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

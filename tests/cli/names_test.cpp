@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "app/csv_cell.h"
-#include "app/file_stems.h"
-#include "app/svg_chart.h"
+#include "app/publish/svg_chart.h"
+#include "app/text/csv_cell.h"
+#include "app/text/file_stems.h"
 #include "core/json.h"
 #include "core/utf8.h"
 

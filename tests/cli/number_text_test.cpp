@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/number_text.h"
+#include "app/text/number_text.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include <cstring>
 #include <fstream>
 
-#include "app/checkpoint_file.h"
-#include "app/prepare.h"
-#include "app/scene_identity.h"
-#include "app/share_directory.h"
+#include "app/input/prepare.h"
+#include "app/input/share_directory.h"
+#include "app/store/checkpoint_file.h"
+#include "app/store/scene_identity.h"
 #include "gis/raster_in.h"
 #include "params/read_scene.h"
 #include "simulation/simulation.h"

@@ -11,8 +11,8 @@
 #include <stdexcept>
 
 #include "../gis/cog_check.h"
-#include "app/number_text.h"
-#include "app/text_hash.h"
+#include "app/text/number_text.h"
+#include "app/text/text_hash.h"
 #include "gis/gdal_session.h"
 #include "gis/raster_in.h"
 #include "tiny_scene.h"

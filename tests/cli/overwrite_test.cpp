@@ -5,9 +5,9 @@
 #include <csignal>
 #include <map>
 
-#include "app/manifest.h"
-#include "app/result_files.h"
-#include "app/unfinished_results.h"
+#include "app/store/manifest.h"
+#include "app/store/result_files.h"
+#include "app/store/unfinished_results.h"
 #include "lasting_bytes.h"
 #include "resuming.h"
 #include "same_result.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/frame_store.h"
+#include "app/store/frame_store.h"
 #include "core/json.h"
 #include "gis/raster_in.h"
 #include "tiny_scene.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/report.h"
+#include "app/publish/report.h"
 #include "params/scene_parameters.h"
 #include "tiny_scene.h"
 

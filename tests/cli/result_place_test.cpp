@@ -4,9 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "app/manifest.h"
-#include "app/replace_result.h"
-#include "app/result_place.h"
+#include "app/store/manifest.h"
+#include "app/store/replace_result.h"
+#include "app/store/result_place.h"
 #include "same_result.h"
 #include "tiny_scene.h"
 

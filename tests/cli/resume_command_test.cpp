@@ -6,8 +6,8 @@
 #include <random>
 #include <thread>
 
-#include "app/checkpoint_file.h"
-#include "app/scene_identity.h"
+#include "app/store/checkpoint_file.h"
+#include "app/store/scene_identity.h"
 #include "core/error.h"
 #include "resuming.h"
 

@@ -4,7 +4,7 @@
 #include <csignal>
 #include <fstream>
 
-#include "app/checkpoint_file.h"
+#include "app/store/checkpoint_file.h"
 #include "particle_points.h"
 #include "resuming.h"
 

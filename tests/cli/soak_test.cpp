@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/prepare.h"
+#include "app/input/prepare.h"
 #include "sample_data/structured_samples.h"
 #include "simulation/particle_table.h"
 #include "simulation/release.h"

@@ -10,7 +10,7 @@
 #include <map>
 #include <string>
 
-#include "app/checkpoint_file.h"
+#include "app/store/checkpoint_file.h"
 #include "simulation/simulation.h"
 
 namespace frana::fuzz {

@@ -8,7 +8,7 @@
 
 #include <cstring>
 
-#include "app/checkpoint_file.h"
+#include "app/store/checkpoint_file.h"
 #include "checkpoint_states.h"
 #include "harness.h"
 #include "simulation/simulation.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/prepare_inflow.h"
+#include "app/input/prepare_inflow.h"
 #include "harness.h"
 #include "simulation/inflow.h"
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/bench_chart.h"
+
+#include <algorithm>
+
+#include "bench/peers.h"
+#include "render/chart.h"
+
+namespace frana::app {
+namespace {
+
+constexpr Rgb k_default{0, 90, 181}, k_paper{213, 94, 0}, k_peer{90, 90, 90};
+
+// Told apart without colours, too: depth by full and dash-dotted lines, momentum by dashed and dotted ones.
+render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name,
+                              Scheme scheme, bool momentum) {
+    const bool paper = scheme == Scheme::paper;
+    render::ChartSeries series{
+        std::string("scheme = ") + bench::name_of(scheme) + (momentum ? ", momentum" : ", depth"),
+        paper ? k_paper : k_default,
+        momentum ? render::Marker::diamond
+        : paper  ? render::Marker::square
+                 : render::Marker::circle,
+        momentum ? (paper ? render::Stroke::dotted : render::Stroke::dashed)
+                 : (paper ? render::Stroke::dash_dot : render::Stroke::solid),
+        {}};
+    for (const bench::AccuracyRow& row : rows) {
+        if (row.case_name != name || row.scheme != scheme) continue;
+        const double error = momentum ? row.figures.l1_momentum : row.figures.l1_depth;
+        // At rest to rounding: would only stretch the axis.
+        constexpr double k_nothing = 1e-18;
+        if (error > k_nothing) series.points.push_back({row.figures.wall_seconds, error});
+    }
+    return series;
+}
+
+// GeoClaw publishes mean errors in metres; over the exact mean depth they are l1_depth.
+render::ChartSeries geoclaw_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name) {
+    render::ChartSeries series{
+        "GeoClaw, depth, published, its own machine", k_peer, render::Marker::triangle, render::Stroke::dashed, {}};
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const bench::AccuracyRow& one) { return one.case_name == name; });
+    const double mean_depth = row->figures.mean_depth_error / row->figures.l1_depth;
+    for (const bench::PeerFigure& peer : bench::peer_figures())
+        if (peer.case_name == name && peer.code == "GeoClaw, order 2")
+            series.points.push_back({peer.seconds, peer.value / mean_depth});
+    return series;
+}
+
+}  // namespace
+
+render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows) {
+    render::ChartContent content{
+        "Error against time",
+        "One point a resolution, coarse to fine; one thread. A scheme that converges falls "
+        "to the right.",
+        "wall time of the engine [s]",
+        "relative L1 error [-]",
+        5,
+        {}};
+    for (const bench::AccuracyRow& row : rows) {
+        if (!content.panels.empty() && content.panels.back().title == row.case_name) continue;
+        render::ChartPanel panel{row.case_name, {}, "no error: exact to the last bit"};
+        for (const Scheme scheme : bench::k_schemes)
+            for (const bool momentum : {false, true})
+                panel.series.push_back(series_of(rows, row.case_name, scheme, momentum));
+        render::ChartSeries peer = geoclaw_of(rows, row.case_name);
+        if (!peer.points.empty()) panel.series.push_back(std::move(peer));
+        content.panels.push_back(std::move(panel));
+    }
+    content.panels_across = std::min<int>(5, static_cast<int>(content.panels.size()));
+    return render::draw_chart(content, 2000, 1500);
+}
+
+render::Image speed_chart(const bench::SpeedResult& result) {
+    render::ChartContent content{"Speed of the engine",
+                                 "Level lines: the time of a particle-step does not depend on their number.",
+                                 "particles",
+                                 "million particle-steps a second",
+                                 2,
+                                 {}};
+    for (const bench::SpeedRow& row : result.rows) {
+        if (content.panels.empty() || content.panels.back().title != row.case_name)
+            content.panels.push_back({row.case_name, {}, "not run"});
+        auto& lines = content.panels.back().series;
+        const std::string label = std::to_string(row.threads) + (row.threads == 1 ? " thread" : " threads");
+        auto line = std::find_if(lines.begin(), lines.end(), [&](const auto& one) { return one.label == label; });
+        if (line == lines.end()) {
+            const bool one = row.threads == 1;
+            lines.push_back({label, one ? k_paper : k_default,
+                             one ? render::Marker::square : render::Marker::circle, render::Stroke::solid, {}});
+            line = lines.end() - 1;
+        }
+        line->points.push_back({static_cast<double>(row.particles), row.particle_steps_per_second / 1e6});
+    }
+    return render::draw_chart(content, 1600, 900);
+}
+
+}  // namespace frana::app

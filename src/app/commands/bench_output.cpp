@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/bench_output.h"
+
+#include "app/commands/command_line.h"
+#include "app/store/kept_files.h"
+#include "core/error.h"
+
+namespace frana::app {
+
+namespace fs = std::filesystem;
+
+std::optional<BenchOutput> bench_output(const boost::program_options::variables_map& values,
+                                        const std::vector<const char*>& names,
+                                        const std::vector<std::string>& inputs) {
+    const auto folder = text_option(values, "out");
+    if (!folder) return {};
+    BenchOutput output(*folder, names);
+    Problems problems;
+    KeptFiles kept;
+    for (const std::string& file : inputs) kept.add(file);
+    kept.check(output.files(), "--out", problems);
+    check_own(*folder, output.files(), "--out", {}, problems);
+    problems.throw_if_any();
+    std::error_code failure;
+    fs::create_directories(*folder, failure);
+    if (failure) {
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), "--out", *folder,
+                                                    "", "Choose another folder"});
+    }
+    return output;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <boost/program_options/variables_map.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/store/manifest.h"
+#include "app/store/own_files.h"
+
+namespace frana::app {
+
+/// The files of a bench, and where they go.
+class BenchOutput {
+  public:
+    BenchOutput(std::string folder, const std::vector<const char*>& names) : folder_(std::move(folder)) {
+        for (const char* name : names) files_.push_back(path(name));
+    }
+    [[nodiscard]] std::string path(const std::string& name) const {
+        return (std::filesystem::path(folder_) / name).string();
+    }
+    [[nodiscard]] const std::vector<std::string>& files() const noexcept { return files_; }
+    /// Before the first is written.
+    void begin() const { begin_own(folder_, files_); }
+    /// After the last.
+    void list() const { record_files(files_); }
+
+  private:
+    std::string folder_;
+    std::vector<std::string> files_;
+};
+
+/// That of --out, if it is given; made before anything is computed, so that a bad folder costs nothing.
+/// @param inputs files that must not be among them
+/// Throws Error(input) where a file would replace what frana did not write, Error(environment).
+std::optional<BenchOutput> bench_output(const boost::program_options::variables_map& values,
+                                        const std::vector<const char*>& names,
+                                        const std::vector<std::string>& inputs = {});
+
+}  // namespace frana::app

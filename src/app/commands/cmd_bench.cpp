@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <boost/program_options/value_semantic.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "app/commands/bench_chart.h"
+#include "app/commands/bench_output.h"
+#include "app/commands/bench_robustness.h"
+#include "app/commands/command_line.h"
+#include "app/commands/commands.h"
+#include "app/input/share_directory.h"
+#include "app/text/text_file.h"
+#include "bench/accuracy_report.h"
+#include "bench/law_costs.h"
+#include "bench/speed.h"
+#include "bench/stability.h"
+#include "bench/time_to_error.h"
+#include "core/error.h"
+#include "gis/raster_in.h"
+#include "render/image.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+CommandForm bench_form() {
+    namespace options = boost::program_options;
+    CommandForm form{"frana bench accuracy|stability|speed [options]\n"
+                     "       frana bench robustness SCENE.ini [options]",
+                     "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
+                     "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
+                     "with --out also writes\naccuracy.csv and accuracy.png, stability.csv or "
+                     "speed.csv,\nspeed_stages.csv, speed_terms.csv, law_costs.csv and speed.png.\n"
+                     "accuracy takes some ten minutes, with --quick under a minute.\n"
+                     "robustness: a scene as it is, with its grid shifted and turned, with rough ground, with other "
+                     "numbers of\nparticles and Courant numbers: how much do its figures change? robustness.csv, "
+                     "robustness.json. It takes as\nlong as some twenty runs without pictures.",
+                     "accuracy|stability|speed|robustness SCENE.ini",
+                     {}};
+    form.repeats = true;
+    form.options.add_options()("out", options::value<std::string>(), "folder for the files")(
+        "quick", "accuracy: two resolutions; speed: no more than a million particles")(
+        "case", options::value<std::vector<std::string>>(),
+        "accuracy, stability, robustness: only this case (may be repeated)")(
+        "set", options::value<std::vector<std::string>>(),
+        "robustness: section.key=value, overrides the scene; repeatable")(
+        "seed", options::value<std::string>(), "robustness: of the noise on the ground (default 1)")(
+        "quiet,q", "robustness: no progress on the terminal")(
+        "threads", options::value<std::string>(),
+        "stability, robustness: threads of a run; speed: the most threads (default: all; accuracy always takes one)");
+    return form;
+}
+
+void report_line(const std::string& line) {
+    std::cerr << line << '\n';
+}
+
+// The sample's DTM beside the share folder's sources; none where only the program is installed.
+std::optional<Raster> sample_terrain() {
+    const fs::path file = fs::path(share_directory()) / ".." / "sample_data" / "bindo" / "dtm.tif";
+    std::error_code failure;
+    if (!fs::exists(file, failure)) return {};
+    return gis::read_result_raster(file.lexically_normal().string());
+}
+
+int bench_accuracy(const boost::program_options::variables_map& values) {
+    const auto out = bench_output(values, {"accuracy.csv", "accuracy.png"});
+    bench::AccuracyOptions options;
+    options.quick = values.count("quick") > 0;
+    options.only = text_options(values, "case");
+    options.sample_terrain = sample_terrain();
+    options.report = report_line;
+    if (!options.sample_terrain)
+        report_line(
+            "lake-dtm is left out: the sample's terrain (sample_data/bindo/dtm.tif) is not beside the "
+            "share folder");
+    const auto rows = bench::run_accuracy(options);
+    std::cout << bench::accuracy_table(rows) << bench::accuracy_verdict(rows)
+              << bench::time_to_error_table(rows);
+    if (out) {
+        out->begin();
+        write_text_file(out->path("accuracy.csv"), bench::accuracy_csv(rows));
+        render::write_png(out->path("accuracy.png"), accuracy_chart(rows));
+        out->list();
+    }
+    return static_cast<int>(ExitCode::done);
+}
+
+int bench_stability(const boost::program_options::variables_map& values) {
+    const auto out = bench_output(values, {"stability.csv"});
+    bench::StabilityOptions options;
+    options.only = text_options(values, "case");
+    options.threads = thread_count(values);
+    options.report = report_line;
+    const auto rows = bench::run_stability(options);
+    std::cout << bench::stability_table(rows);
+    if (out) {
+        out->begin();
+        write_text_file(out->path("stability.csv"), bench::stability_csv(rows));
+        out->list();
+    }
+    const bool passed =
+        std::all_of(rows.begin(), rows.end(), [](const bench::StabilityRow& row) { return row.passed; });
+    return static_cast<int>(passed ? ExitCode::done : ExitCode::numerical);
+}
+
+int bench_speed(const boost::program_options::variables_map& values) {
+    const auto out = bench_output(
+        values, {"speed.csv", "speed_stages.csv", "speed_terms.csv", "law_costs.csv", "speed.png"});
+    bench::SpeedOptions options;
+    options.quick = values.count("quick") > 0;
+    options.threads = thread_count(values);
+    options.report = report_line;
+    const auto result = bench::run_speed(options);
+    report_line("cost of each law ...");
+    const auto costs = bench::run_law_costs(options.quick ? 2e4 : 1e5, options.quick ? 20 : 50);
+    std::cout << bench::speed_table(result) << bench::law_costs_table(costs);
+    if (out) {
+        out->begin();
+        write_text_file(out->path("speed.csv"), bench::speed_csv(result));
+        write_text_file(out->path("speed_stages.csv"), bench::speed_stages_csv(result));
+        write_text_file(out->path("speed_terms.csv"), bench::speed_terms_csv(result));
+        write_text_file(out->path("law_costs.csv"), bench::law_costs_csv(costs));
+        render::write_png(out->path("speed.png"), speed_chart(result));
+        out->list();
+    }
+    return static_cast<int>(result.right() ? ExitCode::done : ExitCode::numerical);
+}
+
+}  // namespace
+
+int cmd_bench(const Arguments& arguments) {
+    const auto values = parse_arguments(bench_form(), arguments);
+    if (!values) return static_cast<int>(ExitCode::done);
+    const auto operands = text_options(*values, "operand");
+    const std::string& which = operands.front();
+    const bool takes_scene = which == "robustness";
+    if (operands.size() > (takes_scene ? 2U : 1U)) {
+        throw Error(ErrorKind::input, Problem{"is one word too many", "command line", operands.back(), "",
+                                              "Usage: " + bench_form().usage});
+    }
+    if (which == "accuracy") return bench_accuracy(*values);
+    if (which == "stability") return bench_stability(*values);
+    if (which == "speed") return bench_speed(*values);
+    if (!takes_scene) {
+        throw Error(ErrorKind::input, Problem{"no such bench", "command line", which,
+                                              "accuracy, stability, speed, robustness", "Give one of these"});
+    }
+    if (operands.size() < 2) {
+        throw Error(ErrorKind::input,
+                    Problem{"SCENE.ini is missing", "command line", "", "", "Usage: " + bench_form().usage});
+    }
+    return bench_robustness(operands.back(), *values);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <boost/program_options/value_semantic.hpp>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <limits>
+
+#include "app/commands/command_line.h"
+#include "app/commands/commands.h"
+#include "app/commands/input_table.h"
+#include "app/commands/memory_forecast.h"
+#include "app/commands/memory_limit.h"
+#include "app/commands/time_estimate.h"
+#include "app/input/prepare.h"
+#include "app/input/share_directory.h"
+#include "app/input/thickness_volume.h"
+#include "app/input/thin_release.h"
+#include "app/process/machine_memory.h"
+#include "app/store/result_place.h"
+#include "app/text/number_text.h"
+#include "core/json.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+CommandForm check_form() {
+    namespace options = boost::program_options;
+    CommandForm form{"frana check SCENE.ini [options]",
+                     "Validates a scene and everything it names, prints what would run, and writes nothing.",
+                     "SCENE.ini",
+                     {}};
+    form.options.add_options()("out", options::value<std::string>(),
+                               "result directory that the run would have (overrides output.directory)")(
+        "set", options::value<std::vector<std::string>>(),
+        "section.key=value, overrides the scene; repeatable")("threads", options::value<std::string>(),
+                                                              "number of threads (default: all processors)")(
+        "memory-limit", options::value<std::string>(), "refuse a run that would take more (4GB, 500MB)");
+    return form;
+}
+
+void line(const std::string& name, const std::string& value) {
+    std::printf("  %-16s %s\n", name.c_str(), value.c_str());
+}
+
+/// To two significant digits, for what is known no better.
+double two_digits(std::int64_t count) {
+    const double power = std::pow(10, std::max(0.0, std::floor(std::log10(static_cast<double>(count))) - 1));
+    return std::round(static_cast<double>(count) / power) * power;
+}
+
+/// Trial runs foresee splitting and the speeds to come within a factor of about two.
+std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial) {
+    if (!trial)
+        return "at least " + figure(expected.wall_seconds, 2) + " s, more where the flow spreads" +
+               (expected.particles > 0 ? " and particles split" : "");
+    const double seconds = trial->engine_seconds;
+    return "about " + figure(seconds, 2) + " s (" + figure(seconds / 2, 2) + " to " + figure(2 * seconds, 2) +
+           " s), from a trial on cells " + std::to_string(trial->coarsening) + " times as large" +
+           (trial->cut_short ? ", which reached " + figure(trial->trial_end, 2) + " s" : "");
+}
+
+/// What stands on the ground and where it differs, on the working grid.
+void print_site(const Scene& scene) {
+    const auto zone = [&](const std::string& name, const std::optional<Raster>& raster, const std::string& unit) {
+        if (!raster) return;
+        std::int64_t cells = 0;
+        double least = std::numeric_limits<double>::infinity(), greatest = -least;
+        for (const double value : raster->values) {
+            if (std::isnan(value)) continue;
+            ++cells;
+            least = std::min(least, value);
+            greatest = std::max(greatest, value);
+        }
+        line(name, figure(least, 4) + " to " + figure(greatest, 4) + unit + " on " + grouped(cells) + " cells");
+    };
+    const MaterialZones& zones = scene.zones;
+    if (zones.friction_coefficient || zones.turbulence || zones.cohesion || zones.erodible_depth)
+        std::printf("\nZones\n");
+    zone("friction", zones.friction_coefficient, " (coefficient)");
+    zone("turbulence", zones.turbulence, " m/s2");
+    zone("cohesion", zones.cohesion, " Pa");
+    zone("erodible depth", zones.erodible_depth, " m");
+    if (scene.walls)
+        std::printf("\nWalls on %s cells\n",
+                    grouped(std::count(scene.walls->values.begin(), scene.walls->values.end(), 1.0)).c_str());
+}
+
+void print_run(const Prepared& prepared, const RunEstimate& expected,
+               const std::optional<TimeEstimate>& trial, int threads, const std::string& directory) {
+    const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
+    std::printf("\nRun\n");
+    line("released",
+         words(grouped(expected.volume), "m3 from") + " " + grouped(prepared.release.area_m2) + " m2");
+    if (expected.inflow > 0) line("flows in", grouped(expected.inflow) + " m3 until the end");
+    line("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
+                                                        : "is the bed: the release lies on top of it");
+    const std::string node_bytes = std::to_string(expected.bytes_per_node) + " bytes a ";
+    if (expected.particles == 0) {
+        line("fields", node_bytes + "cell");
+    } else {
+        line("particles",
+             grouped(expected.particles) +
+                 (trial ? " at the start, about " + grouped(two_digits(trial->particles_peak)) + " at most" : ""));
+        line("fields", std::to_string(expected.bytes_per_particle) + " bytes a particle, " + node_bytes + "node");
+    }
+    line("first step", figure(expected.first_step_seconds, 3) + " s, end at " +
+                           shortest_text(prepared.scene.time.end) + " s at most");
+    line("estimated time",
+         time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
+    for (std::size_t i = 0; i < expected.terms.size(); ++i) line(i == 0 ? "terms" : "", expected.terms[i]);
+    const std::string place = result_path(directory);
+    line("result", place + (holds_files(place) ? ", where one is already: --overwrite replaces it" : ""));
+}
+
+}  // namespace
+
+int cmd_check(const Arguments& arguments) {
+    const auto values = parse_arguments(check_form(), arguments);
+    if (!values) return static_cast<int>(ExitCode::done);
+    const int threads = thread_count(*values);
+    RunLog log(false);
+    take_memory_limit(*values, log);
+    SceneReading reading = read_scene((*values)["operand"].as<std::string>(),
+                                      text_options(*values, "set"), materials_directory());
+    // Whether a result that is there already may be replaced is asked of whoever runs the scene.
+    const auto out = text_option(*values, "out");
+    const std::string directory = out.value_or(output_directory(reading.scene));
+    const std::optional<Problem> place_fault = check_result_directory(
+        directory, true, {}, out ? "--out" : reading.where("output.directory"), reading.problems);
+    const Prepared prepared = prepare(reading, place_fault, log);
+    const std::int64_t held = resident_memory();
+    const RunEstimate expected = estimate(prepared.scene, threads);
+    const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
+    const std::int64_t memory = memory_of_run(prepared, held, expected, trial);
+    refuse_run_of(memory, reading, prepared);
+    std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
+    std::printf("\n%s", input_table(prepared, memory).c_str());
+    print_site(prepared.scene);
+    print_run(prepared, expected, trial, threads, directory);
+    std::fflush(stdout);
+    compare_volumes(prepared.release.file_volume_m3, expected.volume, log);
+    warn_of_thin_release(expected, prepared.scene, log);
+    return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <boost/program_options/value_semantic.hpp>
+#include <filesystem>
+#include <iostream>
+#include <utility>
+
+#include "app/commands/command_line.h"
+#include "app/commands/commands.h"
+#include "app/commands/memory_forecast.h"
+#include "app/commands/memory_limit.h"
+#include "app/compare/comparison.h"
+#include "app/compare/ranking.h"
+#include "app/pictures/result_reader.h"
+#include "app/store/kept_files.h"
+#include "app/store/manifest.h"
+#include "app/store/own_files.h"
+#include "app/store/replace_result.h"
+#include "app/text/text_file.h"
+#include "app/text/version.h"
+#include "core/error.h"
+#include "gis/crs.h"
+#include "gis/raster_in.h"
+#include "params/scene_spec.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+CommandForm compare_form() {
+    namespace options = boost::program_options;
+    CommandForm form{
+        "frana compare RESULT_DIR|RASTER... --scar VECTOR... [--deposit FILE] [options]",
+        "Compares simulated depths with what was surveyed, in any CRS: areas, lines of a front, points of a "
+        "tip.\n"
+        "Prints the figures and writes comparison.json, comparison_curve.csv, comparison.tif and "
+        "comparison.png.\nSeveral results or scars give a folder each, and a ranking in ranking.csv.",
+        "RESULT_DIR|RASTER",
+        {},
+        true};
+    form.options.add_options()("scar", options::value<std::vector<std::string>>(),
+                               "surveyed areas, open lines (a front) or points (a tip); repeatable")(
+        "deposit", options::value<std::string>(),
+        "surveyed deposit: polygons, or a raster of elevation after less before")(
+        "threshold", options::value<std::string>(),
+        "depth in metres over which ground counts as covered (default: the result's, else 0.1)")(
+        "out", options::value<std::string>(),
+        "folder for the files (default: RESULT_DIR, or the current folder for a RASTER or a ranking)")(
+        "size", options::value<std::string>(), "WIDTHxHEIGHT of the map in pixels (default: 1600x1200)");
+    return form;
+}
+
+/// A raster of another program: depths on square cells in metres.
+Raster foreign_depth(const std::string& file) {
+    const gis::RasterInfo info = gis::inspect_raster(file, "RESULT_DIR|RASTER");
+    if (!info.crs_wkt.empty() && !gis::is_projected_in_metres(info.crs_wkt)) {
+        throw Error(ErrorKind::input,
+                    Problem{"is not in a projected system in metres, so areas are not known",
+                            "RESULT_DIR|RASTER", file, info.crs_label, "Warp it first, with gdalwarp"});
+    }
+    return gis::read_result_raster(file);
+}
+
+/// What is simulated: a result of frana's or one raster of any program's.
+struct Simulated {
+    ComparisonInput input;
+    MapSource source;
+};
+
+/// For folders and the ranking.
+std::string name_of(const std::string& operand) {
+    if (!fs::is_directory(operand)) return fs::path(operand).stem().string();
+    const fs::path folder = fs::absolute(ResultReader(operand).directory()).lexically_normal();
+    return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+}
+
+Simulated read_simulated(const std::string& operand, const std::optional<double>& threshold) {
+    Simulated simulated;
+    ComparisonInput& input = simulated.input;
+    double usual_threshold = OutputSpec{}.trace_threshold;
+    if (fs::is_directory(operand)) {
+        const ResultReader result(operand);
+        input.depth = result.raster("max_depth");
+        if (result.has("bed.tif") && result.has("release.tif")) {
+            input.bed = result.raster("bed");
+            input.release = result.raster("release");
+        }
+        if (result.has("final_depth.tif")) input.final_depth = result.raster("final_depth");
+        simulated.source = result.map_source();
+        usual_threshold = result.scene_number("scar.threshold",
+                                              result.scene_number("output.trace-threshold", usual_threshold));
+        input.depth_label = result.path("max_depth.tif");
+    } else {
+        input.depth = foreign_depth(operand);
+        simulated.source.title = name_of(operand);
+        simulated.source.foreign = true;
+        simulated.source.crs_label = gis::crs_name(input.depth.grid.crs_wkt);
+        input.depth_label = operand;
+    }
+    input.metadata = {{"PROGRAM", k_program}, {"VERSION", k_version}};
+    input.threshold = threshold.value_or(usual_threshold);
+    return simulated;
+}
+
+Survey read_survey(const std::optional<std::string>& scar, const std::optional<std::string>& deposit,
+                   const GridSpec& grid, RunLog& log) {
+    Survey survey;
+    if (grid.crs_wkt.empty())
+        log.warn("the raster has no CRS: the survey's coordinates are taken as they are");
+    if (scar) add_surveyed(*scar, grid.crs_wkt, "--scar", log, survey);
+    if (deposit) add_deposit(*deposit, grid, "--deposit", log, survey);
+    return survey;
+}
+
+/// One result or raster against one survey, and where the files go.
+struct Pair {
+    std::string operand;
+    std::optional<std::string> scar;
+    std::string name, folder;
+};
+
+std::vector<Pair> pairs_of(const std::vector<std::string>& operands, const std::vector<std::string>& scars,
+                           const std::optional<std::string>& out, Ranking& ranking) {
+    std::vector<std::optional<std::string>> surveyed(scars.begin(), scars.end());
+    if (surveyed.empty()) surveyed.emplace_back();
+    if (operands.size() == 1 && surveyed.size() == 1) {
+        const std::string& only = operands.front();
+        const std::string usual = fs::is_directory(only) ? ResultReader(only).directory() : ".";
+        return {{only, surveyed.front(), "", out.value_or(usual)}};
+    }
+    std::vector<Pair> pairs;
+    for (const std::string& operand : operands) {
+        for (const auto& scar : surveyed) {
+            const std::string name =
+                ranking.folder_for(name_of(operand), scar ? fs::path(*scar).stem().string() : "deposit");
+            pairs.push_back({operand, scar, name, (fs::path(out.value_or(".")) / name).string()});
+        }
+    }
+    return pairs;
+}
+
+std::vector<std::string> files_of(const Pair& pair, const MapStyle& style) {
+    std::vector<std::string> files = comparison_files(pair.folder);
+    for (const std::string& picture : comparison_pictures(style, pair.folder)) files.push_back(picture);
+    return files;
+}
+
+/// Before anything is computed: nothing that is read or that a result is made of is written over.
+void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::string>& deposit,
+                   const std::string& ranking_file) {
+    KeptFiles kept;
+    MapStyle any;
+    any.formats = {"png", "pdf", "tif"};
+    for (const Pair& pair : pairs) {
+        if (fs::is_directory(pair.operand)) {
+            const std::string result = ResultReader(pair.operand).directory();
+            kept.add_result(result, comparison_files(result));
+        }
+    }
+    for (const Pair& pair : pairs) {  // whatever they are called
+        if (!fs::is_directory(pair.operand)) kept.add(pair.operand);
+        kept.add(pair.scar.value_or(""));
+    }
+    kept.add(deposit.value_or(""));
+    Problems problems;
+    for (const Pair& pair : pairs) {
+        const std::vector<std::string> files = files_of(pair, any);
+        kept.check(files, "--out", problems);
+        problems.throw_if_any();  // one reason for each file
+        check_own(pair.folder, files, "--out", {pair.operand}, problems);
+    }
+    if (pairs.size() > 1) {
+        kept.check({ranking_file}, "--out", problems);
+        std::vector<std::string> reads;
+        for (const Pair& pair : pairs) reads.push_back(pair.operand);
+        check_own(fs::path(ranking_file).parent_path().string(), {ranking_file}, "--out", reads, problems);
+    }
+    problems.throw_if_any();
+}
+
+void refuse_too_large(const Simulated& simulated, const std::string& where) {
+    Drawing drawing;
+    drawing.page = simulated.source.style.size;
+    drawing.cells = simulated.input.depth.grid.cell_count();
+    refuse_pictures_of(memory_of_drawing(drawing), where,
+                       std::to_string(drawing.page.width) + "x" + std::to_string(drawing.page.height));
+}
+
+std::string make_folder(const std::string& folder) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) {
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), "--out", folder,
+                                                    "", "Choose another folder"});
+    }
+    return folder;
+}
+
+/// Compares and writes into a folder, which is made only once the figures are there.
+Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog& log) {
+    Comparison comparison = compare_with_survey(simulated.input, log);
+    make_folder(folder);
+    begin_own(folder, comparison.figures ? comparison_files(folder)
+                                         : std::vector<std::string>{comparison_files(folder).front()});
+    if (comparison.figures) begin_own(folder, comparison_pictures(simulated.source.style, folder));
+    write_comparison(comparison, simulated.input, folder);
+    if (comparison.figures) {
+        simulated.source.scar = simulated.input.survey.scar;
+        LayerDrawer drawer(simulated.source);
+        draw_comparison(comparison, drawer, folder);
+    }
+    return comparison;
+}
+
+}  // namespace
+
+int cmd_compare(const Arguments& arguments) {
+    const auto values = parse_arguments(compare_form(), arguments);
+    if (!values) return static_cast<int>(ExitCode::done);
+    const std::vector<std::string> scars = text_options(*values, "scar");
+    const auto deposit = text_option(*values, "deposit");
+    if (scars.empty() && !deposit) {
+        throw Error(ErrorKind::input, Problem{"--scar is missing", "command line", "", "",
+                                              "Name the surveyed outline: --scar VECTOR"});
+    }
+    const auto threshold = threshold_option(*values);
+    const auto size = size_option(*values);
+    const auto out = text_option(*values, "out");
+    const auto operands = text_options(*values, "operand");
+    Ranking ranking;
+    const std::vector<Pair> pairs = pairs_of(operands, scars, out, ranking);
+    const std::string ranking_file = (fs::path(out.value_or(".")) / "ranking.csv").string();
+    check_outputs(pairs, deposit, ranking_file);
+    RunLog log(false);
+    std::string operand;
+    Simulated simulated;
+    for (const Pair& pair : pairs) {
+        if (std::exchange(operand, pair.operand) != pair.operand) simulated = read_simulated(operand, threshold);
+        if (size) simulated.source.style.size = *size;
+        refuse_too_large(simulated, size ? "--size" : "output.map-size");
+        simulated.input.survey = read_survey(pair.scar, deposit, simulated.input.depth.grid, log);
+        const Comparison comparison = compare_into(simulated, pair.folder, log);
+        record_files(files_of(pair, simulated.source.style));
+        if (pair.name.empty()) {
+            std::cout << comparison_json(comparison, simulated.input);
+            return static_cast<int>(ExitCode::done);
+        }
+        ranking.add(pair.name, pair.operand, pair.scar.value_or(deposit.value_or("")), comparison);
+    }
+    begin_own(fs::path(ranking_file).parent_path().string(), {ranking_file});
+    write_text_file(ranking_file, ranking.csv());
+    record_files({ranking_file});
+    std::cout << ranking.csv();
+    return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <boost/program_options/value_semantic.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <string_view>
+
+#include "analysis/convergence.h"
+#include "app/commands/command_line.h"
+#include "app/commands/commands.h"
+#include "app/commands/scene_variants.h"
+#include "app/process/signals.h"
+#include "app/store/error_estimate.h"
+#include "app/store/kept_files.h"
+#include "app/store/manifest.h"
+#include "app/store/own_files.h"
+#include "app/store/replace_result.h"
+#include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "app/text/version.h"
+#include "core/json.h"
+#include "gis/raster_out.h"
+#include "render/chart.h"
+#include "simulation/run_figures.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+CommandForm converge_form() {
+    namespace options = boost::program_options;
+    CommandForm form{
+        "frana converge SCENE.ini [options]",
+        "Runs a scene at several resolutions, the scene's own cells being the finest and each other level "
+        "twice as\ncoarse, and estimates how far the finest is from the truth: convergence.csv, "
+        "convergence.json, convergence.png, uncertainty.tif.",
+        "SCENE.ini",
+        {}};
+    form.options.add_options()("out", options::value<std::string>(),
+                               "folder (default: RESULT_DIR-convergence)")(
+        "levels", options::value<std::string>()->default_value("3"), "number of resolutions, 3 to 6")(
+        "set", options::value<std::vector<std::string>>(),
+        "section.key=value, overrides the scene; repeatable")("threads", options::value<std::string>(),
+                                                              "number of threads (default: all processors)")(
+        "overwrite", "replace an existing convergence study")("quiet,q", "no progress on the terminal");
+    return form;
+}
+
+/// One resolution's figures and cost.
+struct Level {
+    double cell_size = 0;
+    std::int64_t particles = 0, steps = 0;
+    double wall_seconds = 0;
+    RunFigures figures;
+    Raster depth;
+};
+
+Level run_level(const Prepared& prepared, const SceneVariants& variants) {
+    RunResult result = variants.run(prepared.scene);
+    if (!result.troubles.empty()) {
+        throw Error(ErrorKind::numerical,
+                    Problem{std::string("the run at ") + figure(prepared.scene.grid.cell_size) +
+                                " m ended early: " + describe(result.stop_reason),
+                            "convergence", "", "", "Mend the scene until `frana run` completes it"});
+    }
+    Level level;
+    level.cell_size = prepared.scene.grid.cell_size;
+    level.particles = result.particles_peak;
+    level.steps = result.steps;
+    level.wall_seconds = result.engine_seconds;
+    level.figures = run_figures(result, prepared.spec.output.trace_threshold);
+    level.depth = std::move(result.max_depth);
+    return level;
+}
+
+/// Of all figures those whose error is told: the 99 % figures add nothing.
+bool is_told(const RunFigure& figure) {
+    const std::string_view key = figure.key;
+    return key.find("_p99_") == key.npos && key != "final_depth_fraction";
+}
+
+std::vector<RunFigure> told_figures() {
+    std::vector<RunFigure> told;
+    std::copy_if(std::begin(k_run_figures), std::end(k_run_figures), std::back_inserter(told), is_told);
+    return told;
+}
+
+GridConvergence convergence_of(const std::vector<Level>& levels, const RunFigure& figure) {
+    std::vector<Refinement> refinements;
+    for (const Level& level : levels) refinements.push_back({level.cell_size, figure.of(level.figures)});
+    return grid_convergence(refinements);
+}
+
+std::string csv_text(const std::vector<Level>& levels) {
+    std::string text = "cell_size_m,particles,steps,wall_seconds";
+    for (const RunFigure& name : told_figures()) text += std::string(",") + name.key;
+    text += '\n';
+    for (const Level& l : levels) {
+        text += shortest_text(l.cell_size) + ',' + std::to_string(l.particles) + ',' + std::to_string(l.steps) + ',' +
+                shortest_text(l.wall_seconds);
+        for (const RunFigure& name : told_figures()) text += ',' + shortest_text(name.of(l.figures));
+        text += '\n';
+    }
+    return text;
+}
+
+std::string json_text(const std::vector<Level>& levels, const SceneSpec& spec) {
+    JsonWriter json;
+    json.begin_object().text("program", k_program).text("version", k_version).text("scene", spec.file);
+    json.number("finest_cell_size_m", levels.back().cell_size);
+    json.begin_object("figures");
+    for (const RunFigure& name : told_figures()) {
+        const GridConvergence c = convergence_of(levels, name);
+        json.begin_object(name.key)
+            .number("finest", name.of(levels.back().figures))
+            .text("trend", describe(c.trend));
+        if (std::isnan(c.observed_order)) {
+            json.null("observed_order");
+        } else {
+            json.number("observed_order", c.observed_order);
+        }
+        json.number("extrapolated", c.extrapolated).number("estimated_error", c.error);
+        json.number("grid_convergence_index_percent", c.index_percent).end_object();
+    }
+    return json.end_object().end_object().str();
+}
+
+/// The table a person reads, and the sentences kept for later runs.
+std::string table_text(const std::vector<Level>& levels) {
+    char line[160];
+    std::string text =
+        "    cell   particles   steps   engine    depth   99.9 %    velocity     99.9 %        area   run-out\n";
+    for (const Level& l : levels) {
+        std::snprintf(line, sizeof line,
+                      "%6.2f m  %10lld  %6lld  %6.1f s  %5.2f m  %5.2f m  %6.2f m/s %6.2f m/s  %7.0f m2  "
+                      "%6.1f m\n",
+                      l.cell_size,
+                      static_cast<long long>(l.particles), static_cast<long long>(l.steps), l.wall_seconds,
+                      l.figures.depth.greatest, l.figures.depth.p999, l.figures.speed.greatest, l.figures.speed.p999,
+                      l.figures.covered_area, l.figures.run_out);
+        text += line;
+    }
+    return text;
+}
+
+std::string sentences(const std::vector<Level>& levels) {
+    std::string text;
+    for (const RunFigure& name : told_figures()) {
+        const GridConvergence c = convergence_of(levels, name);
+        text += std::string(name.title) + ' ' + figure(name.of(levels.back().figures)) + ' ' + name.unit +
+                ", estimated error " + figure(c.error, 2) + ' ' + name.unit + " (" +
+                figure(c.index_percent, 2) + " %; " + describe(c.trend);
+        if (c.trend == Trend::converging) text += ", order " + figure(c.observed_order, 2);
+        text += ")\n";
+    }
+    return text + "from " + std::to_string(levels.size()) + " resolutions, the finest " +
+           figure(levels.back().cell_size) +
+           " m; discretisation only: data and material are not in it, and where figures do not converge the "
+           "estimate is "
+           "a caution\n";
+}
+
+/// Distance of each level's figures from their extrapolated values, over those, against the cell size.
+render::Image chart_of(const std::vector<Level>& levels) {
+    render::ChartContent content{
+        "Convergence",
+        "distance from the extrapolated value, where a figure converges; from the finest otherwise",
+        "cell size [m]",
+        "relative distance [-]",
+        3,
+        {}};
+    for (const RunFigure& name : told_figures()) {
+        const double limit = convergence_of(levels, name).extrapolated;
+        render::ChartSeries series{"this scene", {0, 90, 181}, render::Marker::circle, render::Stroke::solid, {}};
+        for (const Level& level : levels) {
+            const double distance = std::abs(name.of(level.figures) - limit) / std::abs(limit);
+            if (distance > 0) series.points.push_back({level.cell_size, distance});
+        }
+        content.panels.push_back({name.title, {series}, "no difference between the levels"});
+    }
+    return render::draw_chart(content, 1600, 1100);
+}
+
+int level_count(const boost::program_options::variables_map& values) {
+    constexpr std::int64_t k_least = 3, k_most = 6;
+    const std::string text = values["levels"].as<std::string>();
+    const auto count = integer_from_text(text);
+    if (!count || *count < k_least || *count > k_most) {
+        throw Error(ErrorKind::input,
+                    Problem{"is not a number of resolutions", "--levels", text, "3 to 6", ""});
+    }
+    return static_cast<int>(*count);
+}
+
+constexpr const char *k_uncertainty = "uncertainty.tif", *k_chart = "convergence.png", *k_table = "convergence.csv",
+                     *k_study = "convergence.json";
+
+std::vector<std::string> files_of(const fs::path& folder) {
+    std::vector<std::string> files;
+    for (const char* file : {k_uncertainty, k_chart, k_table, k_study, k_error_estimate_file})
+        files.push_back((folder / file).string());
+    return files;
+}
+
+fs::path make_folder(const std::string& name, bool overwrite, const SceneSpec& spec) {
+    fs::path folder = fs::absolute(name);
+    KeptFiles kept;
+    for (const std::string& file : input_files(spec)) kept.add(file);
+    Problems problems;
+    kept.check(files_of(folder), "--out", problems);
+    problems.throw_if_any();
+    if (fs::exists(folder / k_study) && !overwrite) {
+        throw Error(ErrorKind::input, Problem{"holds a convergence study already", "--out", folder.string(),
+                                              "", "Choose another folder, or add --overwrite"});
+    }
+    check_own(folder.string(), files_of(folder), "--out", {}, problems);
+    problems.throw_if_any();
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) {
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), "--out",
+                                                    folder.string(), "", "Choose another folder"});
+    }
+    return folder;
+}
+
+}  // namespace
+
+int cmd_converge(const Arguments& arguments) {
+    const auto values = parse_arguments(converge_form(), arguments);
+    if (!values) return static_cast<int>(ExitCode::done);
+    const int count = level_count(*values), threads = thread_count(*values);
+    const bool quiet = values->count("quiet") > 0;
+    const std::string file = (*values)["operand"].as<std::string>();
+
+    // Every level is read before any is computed: all faults at once, nothing half done.
+    SceneVariants variants(file, text_options(*values, "set"), threads, quiet);
+    std::vector<Prepared> scenes;
+    scenes.push_back(variants.read({}));
+    const SceneSpec spec = scenes.front().spec;
+    const fs::path folder =
+        make_folder(text_option(*values, "out").value_or(convergence_directory(output_directory(spec))),
+                    values->count("overwrite") > 0, spec);
+    const double finest = scenes.front().scene.grid.cell_size;
+    for (int k = 1; k < count; ++k) {
+        scenes.push_back(variants.read({"terrain.cell-size=" + shortest_text(finest * std::pow(2.0, k))}));
+    }
+
+    catch_stop_signals();
+    std::vector<Level> levels;
+    for (; !scenes.empty(); scenes.pop_back()) {  // the coarsest is the last
+        levels.push_back(run_level(scenes.back(), variants));
+        if (stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
+    }
+
+    begin_own(folder.string(), files_of(folder));
+    std::vector<Raster> depths;
+    for (Level& level : levels) depths.push_back(std::move(level.depth));
+    const std::string told = sentences(levels);
+    gis::write_geotiff((folder / k_uncertainty).string(), field_uncertainty(depths),
+                       {"uncertainty",
+                        "Estimated discretisation error of the maximum depth",
+                        "m",
+                        {{"PROGRAM", k_program}, {"VERSION", k_version}}});
+    render::write_png((folder / k_chart).string(), chart_of(levels));
+    write_text_file((folder / k_table).string(), csv_text(levels));
+    write_error_estimate(folder.string(), spec, told);
+    write_text_file((folder / k_study).string(), json_text(levels, spec));
+    record_files(files_of(folder));
+    std::cout << table_text(levels) << '\n' << told;
+    if (!quiet) std::cerr << "frana: convergence study in " << folder.string() << '\n';
+    return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <boost/program_options/value_semantic.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "app/commands/command_line.h"
+#include "app/commands/commands.h"
+#include "app/commands/memory_forecast.h"
+#include "app/commands/memory_limit.h"
+#include "app/pictures/animation.h"
+#include "app/pictures/charts.h"
+#include "app/pictures/foreign_map.h"
+#include "app/pictures/plates.h"
+#include "app/pictures/result_reader.h"
+#include "app/store/kept_files.h"
+#include "app/store/manifest.h"
+#include "app/store/own_files.h"
+#include "core/error.h"
+#include "gis/picture_in.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+CommandForm render_form() {
+    namespace options = boost::program_options;
+    const auto text = [] { return options::value<std::string>(); };
+    const auto texts = [] { return options::value<std::vector<std::string>>(); };
+    CommandForm form{"frana render RESULT_DIR|RASTER [options]",
+                     "Draws maps and views of a result, or of any program's raster with --dtm, or the frames "
+                     "of a result as a\n"
+                     "film. Nothing is computed anew. Prints the files it wrote. How pictures look comes "
+                     "from the scene's\n"
+                     "output.map-... and output.view-... keys; options take their place.",
+                     "RESULT_DIR|RASTER",
+                     {}};
+    form.options.add_options()("map", texts(),
+                               "raster to draw, for example max_depth; depth@12.5 is the frame nearest to "
+                               "12.5 s, particles@12.5 its particles; "
+                               "repeatable (default: all)")("view", text(), "2d (default) or 3d")(
+        "animation", text(),
+        "write the frames as FILE.mp4 or FILE.gif, or as pictures into FOLDER/, instead of maps; --map "
+        "velocity shows speeds, --map particles the particles")(
+        "beside", text(), "film: another result to show beside, with the same colours")(
+        "fly", "film, 3d: the camera glides along the flow")("charts",
+                                                             "draw the charts of a result instead of maps")(
+        "plates", "draw its plates instead: initial state, snapshots, stresses, profile beside comparison")(
+        "size", text(), k_sizes)(
+        "format", texts(), "png (default), pdf, tif (what is inside the frame, in its place); repeatable")(
+        "legend", text(), "classed (default) or continuous")(
+        "background", text(), "orthophoto or topographic raster instead of the relief")(
+        "attribution", text(), "sources of the data and author, at the foot")(
+        "title", text(), "title of the maps")("camera", text(), k_cameras)(
+        "exaggeration", text(), "factor of heights in views (default: 1)")(
+        "plain", "views: white behind the terrain")("dtm", text(), "terrain under a RASTER")(
+        "unit", text(), "of the values of a RASTER, where the file does not say")(
+        "above", text(), "draw the values of a RASTER above this one only")(
+        "out", text(),
+        "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
+    return form;
+}
+
+using Values = boost::program_options::variables_map;
+
+Problem not_one_of(const std::string& option, const std::string& value, const std::string& choices) {
+    return {"is not one of the choices", "--" + option, value, choices, ""};
+}
+
+/// The style with the options in place of its own; adds what is wrong with them.
+void read_style(const Values& values, MapStyle& style, Problems& problems) {
+    const auto given = [&](const std::string& name) { return text_option(values, name); };
+    try {
+        if (const auto size = size_option(values)) style.size = *size;
+    } catch (const Error& error) {
+        problems.add(error);
+    }
+    if (const auto formats = text_options(values, "format"); !formats.empty()) {
+        for (const std::string& one : formats) {
+            if (one != "png" && one != "pdf" && one != "tif")
+                problems.add(not_one_of("format", one, "png, pdf, tif"));
+        }
+        style.formats = formats;
+    }
+    if (const auto legend = given("legend")) {
+        if (*legend != "classed" && *legend != "continuous")
+            problems.add(not_one_of("legend", *legend, "classed, continuous"));
+        style.continuous = *legend == "continuous";
+    }
+    if (const auto camera = given("camera")) {
+        const auto place = camera_from_text(*camera);
+        if (!place)
+            problems.add({"is not a camera", "--camera", *camera, k_cameras, "Write for example 210,30,1.5"});
+        else
+            style.camera = render::Camera{place->azimuth, place->elevation, place->zoom};
+    }
+    if (const auto factor = given("exaggeration")) {
+        const auto number = number_from_text(*factor);
+        if (!number || *number < 0.1 || *number > 20)
+            problems.add({"is not a factor of heights", "--exaggeration", *factor, "0.1 to 20", ""});
+        style.exaggeration = number.value_or(1);
+    }
+    if (values.count("plain") > 0) style.sky = false;
+    style.background = given("background").value_or(style.background);
+    style.attribution = given("attribution").value_or(style.attribution);
+}
+
+/// What is asked for, as far as it does not depend on the files.
+struct Request {
+    bool view_3d = false, fly = false, charts = false, plates = false;
+    std::optional<std::string> film, beside, out;
+    std::vector<std::string> maps;
+    std::string film_of = "depth";
+};
+
+Request read_request(const Values& values, Problems& problems) {
+    Request request;
+    const std::string view = text_option(values, "view").value_or("2d");
+    if (view != "2d" && view != "3d") problems.add(not_one_of("view", view, "2d, 3d"));
+    request.view_3d = view == "3d";
+    request.fly = values.count("fly") > 0;
+    request.charts = values.count("charts") > 0;
+    request.plates = values.count("plates") > 0;
+    request.film = text_option(values, "animation");
+    request.beside = text_option(values, "beside");
+    request.out = text_option(values, "out");
+    request.maps = text_options(values, "map");
+    const bool pages = request.charts || request.plates;
+    if (pages &&
+        (request.film || request.view_3d || !request.maps.empty() || (request.charts && request.plates))) {
+        problems.add({"goes without --map, --view and --animation, and one at a time",
+                      request.charts ? "--charts" : "--plates", "", "", ""});
+    }
+    if (!request.film) {
+        if (request.beside || request.fly)
+            problems.add(
+                {"makes sense with --animation only", request.fly ? "--fly" : "--beside", "", "", ""});
+        return request;
+    }
+    const std::string ending = fs::path(*request.film).extension().string();
+    if (ending != ".mp4" && ending != ".gif" && !request.film->ends_with('/')) {
+        problems.add(
+            {"is not a film's name", "--animation", *request.film, "FILE.mp4, FILE.gif, FOLDER/", ""});
+    }
+    if (request.fly && (!request.view_3d || request.beside))
+        problems.add({"needs --view 3d and one result", "--fly", "", "", ""});
+    if (!request.maps.empty()) request.film_of = request.maps.front();
+    if (request.maps.size() > 1 ||
+        (request.film_of != "depth" && request.film_of != "velocity" && request.film_of != "particles"))
+        problems.add({"is not what frames hold", "--map", joined(request.maps, ", "),
+                      "depth, velocity, particles", ""});
+    return request;
+}
+
+/// Before anything is drawn or written. `film`: 0 where none is asked for.
+void refuse_too_large(const Values& values, const Request& request, Size page, Size film, std::int64_t cells) {
+    Drawing drawing;
+    drawing.cells = cells;
+    (request.film ? drawing.film : drawing.page) = request.film ? film : page;
+    drawing.views = request.view_3d || request.plates;
+    drawing.maps = !request.view_3d || request.film;
+    const Size size = request.film ? film : page;
+    refuse_pictures_of(memory_of_drawing(drawing), values.count("size") > 0 ? "--size" : "output.map-size",
+                       std::to_string(size.width) + "x" + std::to_string(size.height));
+}
+
+void make_folder(const std::string& folder) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) {
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), folder, "", "",
+                                                    "Check the rights, or choose another folder: --out"});
+    }
+}
+
+/// To the user, and to the result that the files lie in.
+void tell_written(const std::vector<std::string>& files) {
+    record_files(files);
+    for (const std::string& file : files) std::cout << file << '\n';
+}
+
+/// Where pictures or a film go, and what may not go there.
+struct Place {
+    std::string folder;
+    std::string option;              ///< that says it
+    std::vector<std::string> reads;  ///< results that they may go into
+};
+
+/// Makes a place ready for files, before the first is written. Throws Error, with nothing made, where one of
+/// them would take the place of what is not frana's or belongs to another result.
+void prepare_place(const Place& place, const std::vector<std::string>& files, const KeptFiles& kept,
+                   Problems& problems) {
+    kept.check_pictures(files, place.option, problems);
+    problems.throw_if_any();  // one reason for each file
+    check_own(place.folder, files, place.option, place.reads, problems);
+    problems.throw_if_any();
+    make_folder(place.folder);
+    begin_own(place.folder, files);
+}
+
+/// Its folder is the run's own as long as that is under way.
+std::vector<std::string> own_result(const ResultReader& result) {
+    return result.under_way() ? std::vector<std::string>{} : std::vector<std::string>{result.directory()};
+}
+
+void render_film(const ResultReader& result, const MapSource& source, const Request& request, Size size,
+                 KeptFiles& kept) {
+    FilmRequest film{film_source(result, source, request.film_of), {}, request.view_3d, request.fly, size};
+    if (request.beside) {
+        const ResultReader other(*request.beside);
+        MapSource second = other.map_source();
+        second.style = source.style;
+        if (second.crs_label != source.crs_label) {
+            throw Error(ErrorKind::input,
+                        Problem{"has another coordinate reference system than the result", "--beside",
+                                *request.beside, source.crs_label + ", not " + second.crs_label,
+                                "Run one of the scenes with the other's terrain.crs"});
+        }
+        film.second = film_source(other, second, request.film_of);
+        kept.add_result(other.directory());
+    }
+    Problems problems;
+    const std::vector<std::string> files = film_files(*request.film, film.first.frames.size());
+    const fs::path parent = fs::path(*request.film).parent_path();
+    const std::string folder = parent.empty() ? "." : parent.string();
+    prepare_place({folder, "--animation", own_result(result)}, files, kept, problems);
+    if (request.film->ends_with('/')) clear_own(folder, files, is_film_picture);
+    write_animation(film, *request.film);
+    record_files(files);
+    std::cout << *request.film << '\n';
+}
+
+void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d, const Place& place,
+          const KeptFiles& kept) {
+    const auto stem = [&](const MapLayer& layer) {
+        return (fs::path(place.folder) / (layer.name + (view_3d ? "_3d" : ""))).string();
+    };
+    Problems problems;
+    std::vector<std::string> files;
+    for (const MapLayer& layer : layers)
+        for (const std::string& file : picture_files(source.style, stem(layer), !view_3d)) files.push_back(file);
+    prepare_place(place, files, kept, problems);
+    LayerDrawer drawer(source);
+    for (const MapLayer& layer : layers)
+        tell_written(drawer.draw(layer, view_3d, stem(layer)));
+}
+
+/// A picture among a result's rasters would be taken for one of them.
+void check_folder(const ResultReader& result, const Request& request, const MapSource& source, Problems& problems) {
+    const std::vector<std::string>& formats = source.style.formats;
+    if (!request.out || std::find(formats.begin(), formats.end(), "tif") == formats.end()) return;
+    std::error_code ignored;
+    const fs::path folder = fs::weakly_canonical(*request.out, ignored);
+    for (const char* data : {"", "frames"}) {
+        if (fs::weakly_canonical(result.path(data), ignored) / "" == folder / "")
+            problems.add({"holds the result's own rasters: pictures as tif do not go among them", "--out",
+                          *request.out, "", "Leave --out away: RESULT_DIR/maps"});
+    }
+}
+
+/// The run's folder is its own until the end, and holds frames alone.
+void check_request_under_way(const ResultReader& result, const Request& request, Problems& problems) {
+    const std::string& folder = result.directory();
+    if (request.charts || request.plates) {
+        problems.add({"needs a run that has ended", request.charts ? "--charts" : "--plates", "", "",
+                      "This one is under way in " + folder});
+    } else if (!request.film && request.maps.empty()) {
+        problems.add({"is under way: it has its frames only", "RESULT_DIR", folder, "",
+                      "Draw --map depth@SECONDS, --map velocity@SECONDS, or --animation FILE"});
+    } else if (!request.film && !request.out) {
+        problems.add({"is under way: nothing is drawn into its folder", "RESULT_DIR", folder, "",
+                      "Name another folder with --out"});
+    }
+}
+
+void render_result(const Values& values, const Request& request, Problems& problems) {
+    const ResultReader result((values)["operand"].as<std::string>());
+    for (const char* option : {"dtm", "unit", "above"}) {
+        if (values.count(option) > 0)
+            problems.add({"goes with a RASTER, not with a result", std::string("--") + option, "", "", ""});
+    }
+    MapSource source = result.map_source();
+    read_style(values, source.style, problems);
+    source.title = text_option(values, "title").value_or(source.title);
+    const std::string crs = result.grid().crs_wkt;
+    if (result.under_way()) check_request_under_way(result, request, problems);
+    if (!source.style.background.empty()) {
+        try {
+            gis::check_picture(source.style.background, crs, "--background");
+        } catch (const Error& error) {
+            problems.add(error);
+        }
+    }
+    std::vector<MapLayer> layers;
+    if (!request.film && !request.charts && !request.plates) {
+        for (const std::string& name : request.maps.empty() ? result.drawable() : request.maps) {
+            try {
+                layers.push_back(result.map_layer(name));
+            } catch (const Error& error) {
+                problems.add(error);
+            }
+        }
+    }
+    check_folder(result, request, source, problems);
+    problems.throw_if_any();
+    const Size film = values.count("size") > 0 ? source.style.size : film_size(source.style.size);
+    refuse_too_large(values, request, source.style.size, film, result.grid().cell_count());
+    KeptFiles kept;
+    kept.add_result(result.directory());
+    kept.add(source.style.background);
+    if (request.film) {
+        render_film(result, source, request, film, kept);
+    } else if (request.charts || request.plates) {
+        const std::string folder = request.out.value_or(result.path(request.charts ? "charts" : "plates"));
+        const std::vector<std::string> files =
+            request.charts ? chart_files(result, source, folder) : plate_files(source, folder);
+        prepare_place({folder, "--out", own_result(result)}, files, kept, problems);
+        tell_written(request.charts ? draw_charts(result, source, folder, problems)
+                                    : draw_plates(result, source, folder));
+        problems.throw_if_any();
+    } else {
+        draw(source, layers, request.view_3d,
+             {request.out.value_or(result.path("maps")), "--out", own_result(result)}, kept);
+    }
+}
+
+void render_raster(const Values& values, const Request& request, Problems& problems) {
+    const std::string file = values["operand"].as<std::string>();
+    for (const char* option : {"map", "animation", "charts", "plates"}) {
+        if (values.count(option) > 0)
+            problems.add({"goes with a result, not with a raster", std::string("--") + option, "", "", ""});
+    }
+    if (request.view_3d && values.count("dtm") == 0)
+        problems.add({"needs a terrain", "--view", "3d", "", "Name it: --dtm RASTER"});
+    MapStyle style;
+    read_style(values, style, problems);
+    const auto limit = text_option(values, "above");
+    const auto above = limit ? number_from_text(*limit) : std::nullopt;
+    if (limit && !above) problems.add({"is not a number", "--above", *limit, "", ""});
+    problems.throw_if_any();
+    ForeignMap map = read_foreign_map(file, text_option(values, "dtm"), text_option(values, "unit"), above);
+    refuse_too_large(values, request, style.size, {}, map.layer.values.grid.cell_count());
+    map.source.style = style;
+    map.source.title = text_option(values, "title").value_or(map.source.title);
+    if (!style.background.empty())
+        gis::check_picture(style.background, map.layer.values.grid.crs_wkt, "--background");
+    KeptFiles kept;
+    kept.add(file);
+    kept.add(text_option(values, "dtm").value_or(""));
+    kept.add(style.background);
+    draw(map.source, {std::move(map.layer)}, request.view_3d, {request.out.value_or("."), "--out", {file}},
+         kept);
+}
+
+}  // namespace
+
+int cmd_render(const Arguments& arguments) {
+    const auto values = parse_arguments(render_form(), arguments);
+    if (!values) return static_cast<int>(ExitCode::done);
+    Problems problems;
+    const Request request = read_request(*values, problems);
+    if (fs::is_regular_file((*values)["operand"].as<std::string>()))
+        render_raster(*values, request, problems);
+    else
+        render_result(*values, request, problems);
+    return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <boost/program_options/value_semantic.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "app/commands/command_line.h"
+#include "app/commands/commands.h"
+#include "app/commands/memory_limit.h"
+#include "app/commands/progress.h"
+#include "app/input/share_directory.h"
+#include "app/input/thin_release.h"
+#include "app/process/machine_memory.h"
+#include "app/process/signals.h"
+#include "app/publish/complete_result.h"
+#include "app/publish/publish.h"
+#include "app/publish/publish_rasters.h"
+#include "app/store/checkpoints.h"
+#include "app/store/error_estimate.h"
+#include "app/store/interrupted_run.h"
+#include "app/store/provenance.h"
+#include "app/store/result_place.h"
+#include "app/store/scene_identity.h"
+#include "app/text/number_text.h"
+#include "app/text/version.h"
+#include "simulation/scene_origin.h"
+#include "simulation/simulation.h"
+#include "simulation/trouble_watch.h"
+
+namespace frana::app {
+namespace {
+
+CommandForm run_form() {
+    namespace options = boost::program_options;
+    CommandForm form{
+        "frana run SCENE.ini [options]",
+        "Computes a scene and writes the result directory: GeoTIFFs, outlines, maps, animation, series, "
+        "summary,\nand the comparison with a scar where one is given.",
+        "SCENE.ini",
+        {}};
+    form.options.add_options()("out", options::value<std::string>(),
+                               "result directory, from the current folder (overrides output.directory)")(
+        "set", options::value<std::vector<std::string>>(),
+        "section.key=value, overrides the scene; repeatable; paths count from the scene file")(
+        "threads", options::value<std::string>(), "number of threads (default: all processors)")(
+        "overwrite", "replace an existing result")("resume",
+                                                   "go on with a run that was stopped or killed; from the "
+                                                   "start where there is none")(
+        "memory-limit", options::value<std::string>(), "refuse a run that would take more (4GB, 500MB)")(
+        "quiet,q", "no progress, no warnings on the terminal (they are in log.txt)");
+    return form;
+}
+
+ExitCode exit_code(const RunResult& result, const PictureOutcome& pictures) {
+    switch (result.stop_reason) {
+        // The map ends where the terrain does: a script must not take it for a whole one.
+        case StopReason::reached_no_data:
+        case StopReason::non_finite:
+        case StopReason::impossible_speed:
+        case StopReason::volume_drift:
+            return ExitCode::numerical;
+        default:
+            return pictures.failed.empty() ? ExitCode::done : ExitCode::environment;
+    }
+}
+
+RunOptions run_options(int threads, FrameWriter* frames, bool with_particles, ProgressReporter& progress,
+                       Checkpoints& checkpoints, RunLog& log) {
+    RunOptions run_with;
+    run_with.threads = threads;
+    run_with.particles_in_frames = with_particles;
+    if (frames != nullptr) run_with.on_frame = [frames](Frame frame) { frames->add(std::move(frame)); };
+    run_with.on_progress = [&progress](const Progress& now) { progress.show(now); };
+    run_with.on_trouble = [&progress, &log](const Trouble& trouble) {
+        progress.finish();
+        log.warn(describe(trouble) + ": the run stops here");
+    };
+    run_with.stop_requested = [frames] { return stop_signal() != 0 || (frames != nullptr && frames->failed()); };
+    run_with.after_step = [&checkpoints](const Progress& now, const SaveState& state) {
+        checkpoints.after_step(now, state);
+    };
+    return run_with;
+}
+
+// A run that did not come to its end is neither forgotten nor mixed with another.
+void refuse_to_forget(const InterruptedRun& interrupted, const std::string& target, Problems& problems) {
+    if (interrupted.beside().empty()) return;
+    problems.add({"a run of it was interrupted and is kept in " + interrupted.beside(), target, "", "",
+                  "--resume goes on from there; --overwrite starts anew and, in the end, replaces it"});
+}
+
+void tell_of_resuming(const CheckpointFile& from, RunLog& log) {
+    const CheckpointHead& head = from.head();
+    log.continue_from(head.log);
+    log.tell("going on from " + figure(head.time, 6) + " s, step " + std::to_string(head.step) + ": " +
+             from.path());
+    if (head.build != checkpoint_build()) {
+        log.warn("the checkpoint is of another build (" + head.build + "; this is " + checkpoint_build() +
+                 "): the result can differ in rounding from that of a run never interrupted");
+    }
+}
+
+// What can be saved of a run that the disk has stopped is said with the fault.
+[[noreturn]] void explain_trouble(const Error& error, const std::string& folder) {
+    if (error.kind() != ErrorKind::environment) throw error;
+    std::vector<Problem> problems = error.problems();
+    std::error_code failure;
+    const auto space = std::filesystem::space(std::filesystem::path(folder).parent_path(), failure);
+    if (!failure)
+        problems.push_back({"the disk has " + figure(static_cast<double>(space.available) / 1e6, 2) + " MB free",
+                            std::filesystem::path(folder).parent_path().string(), "", "", ""});
+    if (!checkpoints_in(folder).empty())
+        problems.push_back({"the run up to its last checkpoint is kept", folder, "", "",
+                            "When the trouble is over, the same command with --resume goes on from there"});
+    throw Error(error.kind(), problems);
+}
+
+// Frames that the disk would not take before.
+void add_waiting(const CheckpointFile& from, const GridSpec& grid, FrameWriter& frames) {
+    const auto complete = [&](Raster& raster) {
+        StateReader::require(raster.values.size() == static_cast<std::size_t>(grid.cell_count()));
+        raster.grid = grid;
+    };
+    for (Frame frame : from.head().waiting) {
+        complete(frame.depth);
+        complete(frame.velocity);
+        for (NamedRaster& raster : frame.more) complete(raster.values);
+        frames.add(std::move(frame));
+    }
+}
+
+// What a session of a run begins with.
+struct Session {
+    const Prepared& prepared;
+    int threads;
+    bool quiet;
+    double input_seconds, earlier_seconds;
+    const Stopwatch& since_start;
+};
+
+void tell_of_run(const RunResult& result, double end, RunLog& log) {
+    log.tell("computed " + figure(result.simulated_seconds, 4) + " s in " + std::to_string(result.steps) +
+             " steps and " + figure(result.engine_seconds, 3) +
+             " s of wall time: " + describe(result.stop_reason));
+    if (result.exchanges) {
+        log.tell("the flow eroded " + figure(result.volume_eroded, 4) + " m3 and deposited " +
+                 figure(result.volume_deposited, 4) + " m3 in its bed");
+    }
+    if (result.unsupported > 0) {
+        log.note("over convex ground the motion lifted the flow off its bed at " +
+                 std::to_string(result.unsupported) + " nodes times steps; there it had no friction");
+    }
+    if (result.stop_reason == StopReason::requested) {
+        log.warn("the run was stopped at " + figure(result.simulated_seconds, 4) + " s of at most " +
+                 figure(end, 4) + " s: the maps are not complete; the same command with --resume goes on");
+    }
+}
+
+// Computes and writes; the exit code.
+int run_into(const Session& session, CheckpointFile* from, ResultDirectory& directory, RunLog& log) {
+    const Prepared& prepared = session.prepared;
+    const ParticleFormats particles = particle_formats(prepared.spec.output.formats);
+    FrameWriter frames(directory.path("frames"), provenance(prepared), particles,
+                       from != nullptr ? from->head().frame_times : std::vector<double>{},
+                       from != nullptr ? frame_records(*from, directory.path("frames")) : std::vector<FrameRecord>{});
+    const bool wants_frames = prepared.scene.time.frame_interval > 0;
+    if (wants_frames) directory.make_folder("frames");
+    publish_ground(prepared, directory);
+    FrameWriter* const written_frames = wants_frames ? &frames : nullptr;
+    Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared,
+                            written_frames, session.since_start, session.earlier_seconds, log);
+    ProgressReporter progress(session.quiet);
+    RunOptions options = run_options(session.threads, written_frames, particles.any(), progress, checkpoints, log);
+    if (from != nullptr) {
+        options.saved = &from->state();
+        add_waiting(*from, prepared.scene.grid, frames);
+    }
+    const RunResult result = run(prepared.scene, options);
+    progress.finish();
+    frames.require_good();
+    checkpoints.release();
+    tell_of_run(result, prepared.scene.time.end, log);
+
+    const PictureOutcome pictures = publish({prepared, result, session.threads, session.input_seconds,
+                                             session.earlier_seconds, session.since_start},
+                                            directory, frames, log);
+    // Whatever ends with another code than 0 leaves what --resume needs to complete it.
+    const bool stopped = result.stop_reason == StopReason::requested || !pictures.left_out.empty();
+    const int code = stopped ? static_cast<int>(ExitCode::signal) + stop_signal()
+                             : static_cast<int>(exit_code(result, pictures));
+    const bool finished = code == static_cast<int>(ExitCode::done);
+    const std::vector<Problem> of_the_older =
+        directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
+    if (finished) forget_the_way(directory.target(), !prepared.spec.output.frames, log);
+    if (const auto estimate = read_error_estimate(directory.target(), prepared.spec))
+        log.tell("error estimate of `frana converge`:\n" + *estimate);
+    log.tell("result in " + directory.target());
+    if (code != static_cast<int>(ExitCode::done) && !stopped) log.say_why();
+    if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
+    return code;
+}
+
+}  // namespace
+
+int cmd_run(const Arguments& arguments) {
+    const Stopwatch since_start;
+    const auto values = parse_arguments(run_form(), arguments);
+    if (!values) return static_cast<int>(ExitCode::done);
+    const int threads = thread_count(*values);
+    const bool quiet = values->count("quiet") > 0;
+    const bool overwrite = values->count("overwrite") > 0;
+    RunLog log(quiet);
+    take_memory_limit(*values, log);
+
+    SceneReading reading = read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"),
+                                      materials_directory());
+    const auto out = text_option(*values, "out");
+    const std::string place = out.value_or(output_directory(reading.scene)), target = result_path(place);
+    const bool resume = values->count("resume") > 0;
+    const InterruptedRun interrupted(target);
+    const bool is_complete = resume && !overwrite && !interrupted.any() && is_finished(target);
+    std::optional<Problem> place_fault;
+    if (!is_complete)
+        place_fault = check_result_directory(
+            place, overwrite || (resume && interrupted.in_place()), input_files(reading.scene),
+            out ? "--out" : reading.where("output.directory"), reading.problems);
+    if (!resume && !overwrite) refuse_to_forget(interrupted, target, reading.problems);
+    log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
+             std::to_string(threads) + " threads");
+    Prepared prepared = prepare(reading, place_fault, log);
+    if (is_complete) {
+        catch_stop_signals();
+        const bool all_there = complete_result(prepared, target, log);
+        if (!all_there && stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
+        if (!all_there) log.say_why();
+        return static_cast<int>(all_there ? ExitCode::done : ExitCode::environment);
+    }
+    const std::int64_t held = resident_memory();
+    const RunEstimate expected = estimate(prepared.scene, threads);
+    refuse_run_beyond_memory(reading, prepared, held, expected, threads);
+    warn_of_thin_release(expected, prepared.scene, log);
+    const double input_seconds = since_start.seconds();
+    const std::unique_ptr<CheckpointFile> from =
+        resume && interrupted.any() ? interrupted.choose(scene_identity(prepared), log) : nullptr;
+    if (from) {
+        if (from->head().origin) put_origin(prepared.scene, *from->head().origin);
+        tell_of_resuming(*from, log);
+    } else if (resume) {
+        log.tell("there is no checkpoint: starting from the beginning");
+    }
+    const double earlier = from ? from->head().wall_seconds : 0;
+
+    catch_stop_signals();
+    ResultDirectory directory(target, overwrite || (from && interrupted.in_place()),
+                              from ? folder_of(*from, target) : "");
+    if (from) restore_files(*from, directory);
+    try {
+        return run_into({prepared, threads, quiet, input_seconds, earlier, since_start}, from.get(),
+                        directory, log);
+    } catch (const Error& error) {
+        explain_trouble(error, directory.folder());
+    }
+}
+
+}  // namespace frana::app

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/memory_forecast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/pictures/animation.h"
+#include "app/store/frame_store.h"
+
+namespace frana::app {
+namespace {
+
+// All measured, with GDAL 3.6, VTK 9.1 and Mesa 22, on maps of 2000 to 20 000 000 cells and pages of 0.3 to
+// 64 million pixels. Results and what is made of them while files are written and pictures drawn, after the
+// engine is gone.
+constexpr std::int64_t k_result_cell_bytes = 120;
+// Code and tables of what draws; a map's and a view's layers, which stay while more are drawn; relief and
+// mesh.
+constexpr std::int64_t k_picture_bytes = 85'000'000, k_map_pixel_bytes = 52, k_view_pixel_bytes = 34,
+                       k_drawn_cell_bytes = 28;
+// The pictures that an encoder looks back and ahead to; a view's film has two pictures under way.
+constexpr std::int64_t k_film_bytes = 10'000'000, k_film_pixel_bytes = 15;
+// A step's row in memory, while it becomes text, and while charts are drawn of the file's words.
+constexpr std::int64_t k_step_bytes = 180, k_step_text_bytes = 450, k_step_chart_bytes = 1500;
+// Code and tables of what computes and writes.
+constexpr std::int64_t k_computing_bytes = 22'000'000;
+// Frames that wait for the disk hold both quantities, particles eight numbers each, VTK's and GDAL's copies.
+constexpr std::int64_t k_frame_cell_bytes = 40, k_frame_particle_bytes = 330;
+// Particles split where the flow spreads thin; a trial that saw none of it knows no better.
+constexpr double k_unseen_growth = 1.5;
+
+std::int64_t pixels(Size size) {
+    return static_cast<std::int64_t>(size.width) * size.height;
+}
+
+bool draws_maps(const Prepared& prepared) {
+    return prepared.spec.output.maps.front() != "off";
+}
+
+// What publish() draws.
+Drawing drawing_of(const Prepared& prepared) {
+    const OutputSpec& output = prepared.spec.output;
+    const Size page = size_from_text(output.map_size).value_or(Size{});
+    Drawing drawing;
+    drawing.cells = prepared.scene.grid.cell_count();
+    if (draws_maps(prepared) || prepared.scar) drawing.page = page;
+    drawing.views = std::any_of(output.maps.begin(), output.maps.end(), [](const std::string& name) {
+        return name == "on" || name.ends_with("_3d");
+    });
+    drawing.maps = prepared.scar || output.charts ||
+                   !std::all_of(output.maps.begin(), output.maps.end(),
+                                [](const std::string& name) { return name.ends_with("_3d"); });
+    if (output.animation && prepared.scene.time.frame_interval > 0) drawing.film = film_size(page);
+    return drawing;
+}
+
+struct Course {
+    std::int64_t particles = 0;
+    double steps = 0;
+};
+
+std::int64_t memory_of(const Prepared& prepared, std::int64_t held, const RunEstimate& expected,
+                       const Course& course) {
+    const OutputSpec& output = prepared.spec.output;
+    const std::int64_t cells = prepared.scene.grid.cell_count();
+    const auto steps = static_cast<std::int64_t>(std::min(course.steps, 1e12));
+    std::int64_t engine =
+        expected.memory_bytes + steps * k_step_bytes +
+        expected.bytes_of_particles(std::max<std::int64_t>(0, course.particles - expected.particles));
+    if (prepared.scene.time.frame_interval > 0) engine += cells * k_frame_cell_bytes;
+    if (prepared.scene.time.frame_interval > 0 && particle_formats(output.formats).any())
+        engine += course.particles * k_frame_particle_bytes;
+    const std::int64_t results = cells * k_result_cell_bytes;
+    const bool charts = output.charts && draws_maps(prepared);
+    const std::int64_t writing = results + steps * k_step_text_bytes,
+                       drawing = results + memory_of_drawing(drawing_of(prepared)) +
+                                 steps * (charts ? k_step_chart_bytes : k_step_bytes);
+    return held + k_computing_bytes + std::max({engine, writing, drawing});
+}
+
+// Nothing outruns its fall: a step is at least as long as a cell takes at that speed and the waves' on top.
+double most_steps(const Prepared& prepared, const RunEstimate& expected) {
+    const Scene& scene = prepared.scene;
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    for (const double z : scene.terrain.values) {
+        if (std::isnan(z)) continue;
+        least = std::min(least, z);
+        greatest = std::max(greatest, z);
+    }
+    double speed = std::sqrt(2 * scene.numerics.gravity * std::max(0.0, greatest - least));
+    double begun = 0;
+    for (const ReleaseArea& area : scene.release) begun = std::max(begun, area.speed);
+    speed = std::hypot(speed, begun);
+    return scene.time.end / expected.first_step_seconds +
+           scene.time.end * speed / (scene.numerics.cfl * scene.grid.cell_size);
+}
+
+}  // namespace
+
+std::int64_t memory_of_drawing(const Drawing& drawing) {
+    if (pixels(drawing.page) == 0 && pixels(drawing.film) == 0) return 0;
+    const std::int64_t of_pixel =
+        (drawing.maps ? k_map_pixel_bytes : 0) + (drawing.views ? k_view_pixel_bytes : 0);
+    std::int64_t bytes =
+        k_picture_bytes + drawing.cells * k_drawn_cell_bytes + pixels(drawing.page) * of_pixel;
+    if (pixels(drawing.film) > 0)
+        bytes += k_film_bytes + pixels(drawing.film) * (of_pixel + k_film_pixel_bytes);
+    return bytes;
+}
+
+std::int64_t memory_of_run(const Prepared& prepared, std::int64_t held, const RunEstimate& expected,
+                           const std::optional<TimeEstimate>& trial) {
+    Course course;
+    course.steps = most_steps(prepared, expected);
+    if (trial) {
+        course.particles = std::max(trial->particles_peak, expected.particles);
+        course.steps = std::min(course.steps, trial->steps);
+    } else {
+        const double growth = prepared.scene.structured ? 1 : k_unseen_growth;
+        course.particles = static_cast<std::int64_t>(growth * static_cast<double>(expected.particles));
+    }
+    return memory_of(prepared, held, expected, course);
+}
+
+std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t held, const RunEstimate& expected) {
+    // As many as merging leaves in every cell of the map.
+    constexpr std::int64_t k_crowd = 3;
+    const std::int64_t crowded = prepared.scene.structured
+                                     ? 0
+                                     : prepared.scene.grid.cell_count() *
+                                           std::max(4, prepared.scene.numerics.particles_per_cell) * k_crowd;
+    const std::int64_t nodes = prepared.scene.grid.cell_count() * expected.bytes_per_node;
+    return nodes + memory_of(prepared, held, expected,
+                             {std::max(expected.particles, crowded), most_steps(prepared, expected)});
+}
+
+}  // namespace frana::app

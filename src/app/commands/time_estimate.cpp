@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/time_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/process/stopwatch.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+constexpr double k_trial_seconds = 1.5;  // wall, each
+// With fewer cells across, a release flows unlike itself.
+constexpr double k_least_cells = 9;
+// Smaller cells let thin fronts spread farther: particle steps scaled to the same cells, per halving, in the
+// sample and the shared examples.
+constexpr double k_usual_growth = 1.3;
+
+/// What a run on larger cells took, scaled to the scene's own: particles go with the square of the cells,
+/// steps with their side.
+struct Trial {
+    double particle_steps = 0;
+    double steps = 0;
+    double particles_peak = 0;
+    double seconds_per_particle_step = 0;
+    double reached = 0;  ///< simulated time [s]
+    bool cut_short = false;
+};
+
+Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, int threads) {
+    SceneReading coarse = reading;
+    coarse.scene.terrain.cell_size = grid.cell_size * factor;
+    coarse.scene.terrain.bounds = grid.bounds();
+    coarse.scene.scar = {};
+    RunLog silent(true);
+    const Prepared prepared = prepare(coarse, silent);
+    const Stopwatch watch;
+    RunOptions options;
+    options.threads = threads;
+    options.stop_requested = [&] { return watch.seconds() > k_trial_seconds; };
+    const RunResult result = run(prepared.scene, options);
+    Trial trial;
+    trial.reached = result.simulated_seconds;
+    trial.cut_short = result.stop_reason == StopReason::requested;
+    const double steps = static_cast<double>(result.particle_steps), squared = factor * factor;
+    const double rest = trial.cut_short ? prepared.scene.time.end / trial.reached : 1;
+    trial.particle_steps = steps * squared * factor * rest;
+    trial.steps = static_cast<double>(result.steps) * factor * rest;
+    trial.particles_peak = static_cast<double>(result.particles_peak) * squared;
+    trial.seconds_per_particle_step = result.engine_seconds / steps;
+    return trial;
+}
+
+}  // namespace
+
+std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Prepared& prepared,
+                                          const RunEstimate& start, int threads) try {
+    if (prepared.scene.structured) return std::nullopt;  // it counts particle steps
+    const GridSpec& grid = prepared.scene.grid;
+    const bool large = prepared.release.area_m2 >= k_least_cells * 64 * grid.cell_area();
+    const int factor = large ? 4 : 2;
+    const Trial coarse = try_coarse(reading, grid, 2 * factor, threads);
+    const Trial fine = try_coarse(reading, grid, factor, threads);
+    if (!(coarse.particles_peak > 0) || start.particles == 0) return std::nullopt;
+    // Of the two the one that came to its end; how much a halving of the cells adds is known from both.
+    const bool both = !fine.cut_short && !coarse.cut_short;
+    const bool use_fine = both || coarse.cut_short;
+    const Trial& base = use_fine ? fine : coarse;
+    const double growth =
+        both ? std::clamp(fine.particle_steps / coarse.particle_steps, 0.8, 2.0) : k_usual_growth;
+    const double more = std::clamp(fine.particles_peak / coarse.particles_peak, 1.0, 2.0);
+    TimeEstimate estimate;
+    estimate.coarsening = use_fine ? factor : 2 * factor;
+    estimate.trial_end = base.reached;
+    estimate.cut_short = base.cut_short;
+    // Of few particles each is dear (the trial), and so are the first steps (the scene itself).
+    const double start_cost = start.wall_seconds * start.first_step_seconds / reading.scene.time.end /
+                              static_cast<double>(start.particles);
+    estimate.engine_seconds = base.particle_steps * std::pow(growth, std::log2(estimate.coarsening)) *
+                              std::min(start_cost, fine.seconds_per_particle_step);
+    estimate.steps = std::max(fine.steps, coarse.steps);
+    estimate.particles_peak =
+        std::max(start.particles, static_cast<std::int64_t>(base.particles_peak * more));
+    if (!std::isfinite(estimate.engine_seconds)) return std::nullopt;
+    return estimate;
+} catch (const Error&) {
+    return std::nullopt;  // too small a map for larger cells; the scene itself was found good before
+}
+
+}  // namespace frana::app

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "app/input/prepare.h"
+#include "simulation/result.h"
+
+namespace frana::app {
+
+/// What a run will take, from a trial on larger cells.
+struct TimeEstimate {
+    double engine_seconds = 0;
+    std::int64_t particles_peak = 0;
+    double steps = 0;
+    int coarsening = 1;      ///< cells of the trial, in cells of the scene
+    double trial_end = 0;    ///< simulated time of the trial [s]
+    bool cut_short = false;  ///< the trial was stopped before its end, the rest is extrapolated
+};
+
+/// Runs the scene on cells four and eight times as large (two and four for a small release), for a second and
+/// a half of wall time each at most, and carries on from there to its own. Splitting, speeds and coming to
+/// rest are those of the trials: the particle steps of the sample and the shared examples come out within a
+/// factor of two. None where the scene cannot be had on larger cells. `start`: the engine's own look at the
+/// first steps.
+std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Prepared& prepared,
+                                          const RunEstimate& start, int threads);
+
+}  // namespace frana::app

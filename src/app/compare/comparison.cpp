@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/compare/comparison.h"
+
+#include <cmath>
+
+#include "analysis/flow_path.h"
+#include "analysis/runout.h"
+#include "analysis/trace.h"
+#include "app/text/number_text.h"
+#include "core/error.h"
+#include "core/inside_test.h"
+#include "gis/rasterize.h"
+
+namespace frana::app {
+namespace {
+
+std::optional<double> runout_difference(const ComparisonInput& input, const Raster& observed, RunLog& log) {
+    if (!input.bed || !input.release) return std::nullopt;
+    if (!observed.grid.same_cells(input.bed->grid)) {
+        log.warn(
+            "the scar reaches beyond the computed ground, so its run-out is not known: no run-out "
+            "difference");
+        return std::nullopt;
+    }
+    const Runout simulated = runout(*input.bed, *input.release, trace_mask(input.depth, input.threshold));
+    return simulated.horizontal_m - runout(*input.bed, *input.release, observed).horizontal_m;
+}
+
+/// Both run-outs on one path: that of the simulated flow, led on to the farthest of trace and survey.
+std::optional<PathRunout> path_runout(const ComparisonInput& input, const Raster& observed) {
+    if (!input.bed || !input.release || !observed.grid.same_cells(input.bed->grid)) return std::nullopt;
+    const Raster trace = trace_mask(input.depth, input.threshold);
+    if (masked_area(trace) == 0) return std::nullopt;
+    Raster both = observed;
+    for (std::size_t i = 0; i < both.values.size(); ++i)
+        if (trace.values[i] != 0) both.values[i] = 1;
+    const Runout farthest = runout(*input.bed, *input.release, both);
+    Raster depth = input.depth;
+    for (std::size_t i = 0; i < depth.values.size(); ++i) {
+        // Surveyed ground without flow is better than ground that nothing touched.
+        const bool surveyed = observed.values[i] != 0 && !(depth.values[i] > input.threshold);
+        if (surveyed) depth.values[i] = input.threshold;
+    }
+    const Polyline path = flow_path(depth, farthest.top, farthest.tip);
+    return PathRunout{runout_along(path, trace), runout_along(path, observed)};
+}
+
+FrontComparison compare_front(const gis::NamedLine& front, const LineSet& outline, const InsideTest& inside_trace,
+                              double spacing) {
+    FrontComparison result;
+    result.name = front.name;
+    std::vector<double> distances;
+    double inside = 0;
+    const std::vector<Point> samples = LineSet({front.line}).samples(spacing);
+    for (const Point& point : samples) {
+        const bool reached = inside_trace(point);
+        distances.push_back(outline.distance(point) * (reached ? 1 : -1));
+        result.mean_m += distances.back() / static_cast<double>(samples.size());
+        inside += reached;
+    }
+    result.reached_percent = 100 * inside / static_cast<double>(samples.size());
+    result.size = distance_statistics(std::move(distances));
+    return result;
+}
+
+void compare_fronts_and_tips(const ComparisonInput& input, RunLog& log, Comparison& comparison) {
+    const Survey& survey = input.survey;
+    if (survey.fronts.empty() && survey.tips.empty()) return;
+    const MultiPolygon trace = gis::polygonise(trace_mask(input.depth, input.threshold));
+    if (trace.empty()) {
+        log.warn("nothing is deeper than " + figure(input.threshold) + " m, so there is no front to compare");
+        return;
+    }
+    const LineSet outline(trace);
+    const InsideTest inside_trace(trace);
+    for (const gis::NamedLine& front : survey.fronts)
+        comparison.fronts.push_back(compare_front(front, outline, inside_trace, input.depth.grid.cell_size));
+    for (const gis::NamedPoint& tip : survey.tips)
+        comparison.tips.push_back(
+            {tip.name, outline.distance(tip.place) * (inside_trace(tip.place) ? 1 : -1)});
+}
+
+void compare_area(const ComparisonInput& input, const Raster& depth, RunLog& log, Comparison& comparison) {
+    const Raster observed = gis::coverage(input.survey.scar, depth.grid);
+    comparison.figures = compare(depth, observed, input.threshold);
+    comparison.curve = score_curve(depth, observed);
+    comparison.classes = agreement(depth, observed, input.threshold);
+    comparison.runout_difference_m = runout_difference(input, observed, log);
+    comparison.path_runout = path_runout(input, observed);
+    const MultiPolygon trace = gis::polygonise(trace_mask(input.depth, input.threshold));
+    if (!trace.empty()) {
+        comparison.outline =
+            distance_between(LineSet(trace), LineSet(input.survey.scar), input.depth.grid.cell_size);
+    }
+}
+
+void compare_deposits(const ComparisonInput& input, const Bounds& box, RunLog& log, Comparison& comparison) {
+    const Survey& survey = input.survey;
+    if (survey.deposit.empty() && !survey.elevation_change) return;
+    if (!input.final_depth) {
+        log.warn("there is no depth at the end to compare with the surveyed deposit");
+        return;
+    }
+    if (!survey.deposit.empty()) {
+        const Raster depth = padded_to(*input.final_depth, box, k_no_data);
+        comparison.deposit_overlap =
+            compare(depth, gis::coverage(survey.deposit, depth.grid), input.threshold);
+    } else {
+        comparison.deposit_overlap = compare(
+            *input.final_depth, trace_mask(*survey.elevation_change, input.threshold), input.threshold);
+        comparison.deposit_depth =
+            compare_deposit(*input.final_depth, *survey.elevation_change, input.threshold);
+    }
+}
+
+}  // namespace
+
+Comparison compare_with_survey(const ComparisonInput& input, RunLog& log) {
+    Comparison comparison;
+    const Bounds box = input.survey.box().value_or(input.depth.grid.bounds());
+    if (!input.survey.scar.empty()) {
+        const Raster depth = padded_to(input.depth, bounds(input.survey.scar), k_no_data);
+        if (!depth.grid.same_cells(input.depth.grid))
+            log.warn("the scar reaches beyond the computed ground; its part outside counts as missed");
+        compare_area(input, depth, log, comparison);
+    }
+    compare_fronts_and_tips(input, log, comparison);
+    compare_deposits(input, box, log, comparison);
+    return comparison;
+}
+
+std::string comparison_headline(const Comparison& comparison) {
+    std::string text;
+    if (comparison.figures) {
+        text = "area differs from the scar's by " + figure(comparison.figures->area_difference_percent, 3) +
+               " %, Jaccard " + figure(comparison.figures->jaccard, 3);
+    }
+    for (const FrontComparison& front : comparison.fronts)
+        text += (text.empty() ? "" : "; ") + std::string("front ") + front.name + ": " +
+                figure(front.mean_m, 3) + " m on average";
+    for (const TipComparison& tip : comparison.tips)
+        text += (text.empty() ? "" : "; ") + std::string("tip ") + tip.name + ": " +
+                figure(tip.distance_m, 3) + " m";
+    if (comparison.deposit_overlap)
+        text += (text.empty() ? "" : "; ") + std::string("deposit: Jaccard ") +
+                figure(comparison.deposit_overlap->jaccard, 3);
+    return text;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+
+#include "app/compare/comparison.h"
+#include "app/pictures/map_source.h"
+#include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "app/text/version.h"
+#include "core/error.h"
+#include "core/json.h"
+#include "gis/raster_out.h"
+#include "gis/styles.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char *k_figures = "comparison.json", *k_curve = "comparison_curve.csv", *k_raster = "comparison.tif";
+
+std::string picture_stem(const std::string& folder) {
+    return (fs::path(folder) / "comparison").string();
+}
+
+std::string tif_stem(const std::string& folder) {
+    return (fs::path(folder) / "maps" / "comparison").string();
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure)
+        throw Error(ErrorKind::environment,
+                    Problem{"cannot be made: " + failure.message(), folder.string(), "", "", "Check the rights"});
+}
+
+struct ClassText {
+    Agreement kind;
+    const char* label;
+    Rgb colour;
+};
+
+// Bluish green, orange and a dark blue: apart for the colour-blind, and in lightness where colours are not printed.
+constexpr ClassText k_classes[] = {{Agreement::hit, "Hit: simulated and observed", {0, 158, 115}},
+                                   {Agreement::false_alarm, "False alarm: simulated only", {240, 180, 50}},
+                                   {Agreement::miss, "Miss: observed only", {40, 50, 140}}};
+
+/// The names and values of a comparison's figures, in the order of the file.
+std::vector<std::pair<const char*, double>> named(const ComparisonFigures& f) {
+    return {{"observed_area_m2", f.observed_area_m2},
+            {"simulated_area_m2", f.simulated_area_m2},
+            {"area_difference_percent", f.area_difference_percent},
+            {"hit_m2", f.hit_m2},
+            {"false_alarm_m2", f.false_alarm_m2},
+            {"miss_m2", f.miss_m2},
+            {"jaccard", f.jaccard},
+            {"dice", f.dice},
+            {"csi", f.csi},
+            {"true_positive_rate", f.true_positive_rate},
+            {"false_positive_rate", f.false_positive_rate},
+            {"d2pc", f.d2pc},
+            {"auroc", f.auroc}};
+}
+
+void write_figures(JsonWriter& json, const std::optional<ComparisonFigures>& figures) {
+    for (const auto& [name, value] : named(figures.value_or(ComparisonFigures{})))
+        figures ? json.number(name, value) : json.null(name);
+}
+
+void write_distance(JsonWriter& json, const LineDistance& distance) {
+    json.number("mean_m", distance.mean_m)
+        .number("percentile_95_m", distance.percentile_95_m)
+        .number("hausdorff_m", distance.hausdorff_m);
+}
+
+void write_runouts(JsonWriter& json, const Comparison& comparison) {
+    if (comparison.runout_difference_m)
+        json.number("runout_difference_m", *comparison.runout_difference_m);
+    else
+        json.null("runout_difference_m");
+    if (const auto& path = comparison.path_runout) {
+        json.begin_object("runout_along_path").number("simulated_m", path->simulated_m);
+        json.number("observed_m", path->observed_m)
+            .number("difference_m", path->simulated_m - path->observed_m)
+            .end_object();
+    }
+}
+
+void write_fronts(JsonWriter& json, const Comparison& comparison) {
+    if (!comparison.fronts.empty()) {
+        json.begin_array("fronts");
+        for (const FrontComparison& front : comparison.fronts) {
+            json.begin_object().text("name", front.name).number("mean_signed_m", front.mean_m);
+            write_distance(json, front.size);
+            json.number("reached_percent", front.reached_percent).end_object();
+        }
+        json.end_array();
+    }
+    if (!comparison.tips.empty()) {
+        json.begin_array("tips");
+        for (const TipComparison& tip : comparison.tips)
+            json.begin_object().text("name", tip.name).number("distance_m", tip.distance_m).end_object();
+        json.end_array();
+    }
+}
+
+void write_deposit(JsonWriter& json, const Comparison& comparison, const Survey& survey) {
+    if (!comparison.deposit_overlap) return;
+    json.begin_object("deposit").text("observed", survey.deposit_label);
+    write_figures(json, comparison.deposit_overlap);
+    if (const auto& depth = comparison.deposit_depth) {
+        json.begin_object("depth_error").number("area_m2", depth->area_m2);
+        json.number("observed_volume_m3", depth->observed_volume_m3)
+            .number("simulated_volume_m3", depth->simulated_volume_m3)
+            .number("bias_m", depth->bias_m)
+            .number("mean_absolute_error_m", depth->mean_absolute_error_m)
+            .number("rmse_m", depth->rmse_m)
+            .number("correlation", depth->correlation)
+            .end_object();
+    }
+    json.end_object();
+}
+
+}  // namespace
+
+std::string comparison_json(const Comparison& comparison, const ComparisonInput& input) {
+    JsonWriter json;
+    json.begin_object();
+    json.text("program", k_program).text("version", k_version);
+    json.text("simulated", input.depth_label)
+        .text("observed", input.survey.scar.empty() ? input.survey.front_label : input.survey.scar_label);
+    json.number("cell_size", input.depth.grid.cell_size).number("threshold_m", input.threshold);
+    write_figures(json, comparison.figures);
+    write_runouts(json, comparison);
+    if (comparison.outline) {
+        json.begin_object("outline_distance");
+        write_distance(json, *comparison.outline);
+        json.end_object();
+    }
+    write_fronts(json, comparison);
+    write_deposit(json, comparison, input.survey);
+    json.text("negatives", "true negatives are five times the observed area less the false alarms");
+    json.end_object();
+    return json.str();
+}
+
+std::string comparison_curve_csv(const Comparison& comparison) {
+    std::string text = "threshold_m";
+    for (const auto& [name, value] : named({})) text += std::string(",") + name;
+    for (const ComparisonFigures& figures : comparison.curve) {
+        text += "\n" + shortest_text(figures.threshold_m);
+        for (const auto& [name, value] : named(figures)) text += "," + shortest_text(value);
+    }
+    return text + "\n";
+}
+
+void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder) {
+    const fs::path place = folder;
+    write_text_file((place / k_figures).string(), comparison_json(comparison, input));
+    if (!comparison.figures) return;
+    write_text_file((place / k_curve).string(), comparison_curve_csv(comparison));
+    std::vector<gis::ClassEntry> classes;
+    std::vector<gis::ColourStop> stops;
+    for (const ClassText& entry : k_classes) {
+        classes.push_back({static_cast<std::uint8_t>(entry.kind), entry.label, entry.colour});
+        stops.push_back({static_cast<double>(entry.kind), entry.colour, entry.label});
+    }
+    const std::string raster = (place / k_raster).string();
+    gis::write_class_geotiff(
+        raster, comparison.classes, classes,
+        {"comparison", "Simulated trace against the surveyed scar: 1 hit, 2 false alarm, 3 miss", "",
+         input.metadata});
+    gis::write_styles(raster, stops, "", gis::StyleKind::exact);
+}
+
+std::vector<std::string> comparison_files(const std::string& folder) {
+    std::vector<std::string> files;
+    for (const char* name : {k_figures, k_curve, k_raster, "comparison.qml", "comparison.sld"})
+        files.push_back((fs::path(folder) / name).string());
+    return files;
+}
+
+std::vector<std::string> comparison_pictures(const MapStyle& style, const std::string& folder) {
+    return picture_files(style, picture_stem(folder), true, tif_stem(folder));
+}
+
+void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& folder) {
+    const ComparisonFigures& f = *comparison.figures;
+    MapLayer layer;
+    layer.notes_alone = true;
+    layer.notes = {"Deeper than " + figure(f.threshold_m) + " m counts",
+                    "Observed " + grouped(f.observed_area_m2) + " m²",
+                    "Simulated " + grouped(f.simulated_area_m2) + " m²",
+                    "Area difference " + figure(f.area_difference_percent, 3) + " %",
+                    "Hit " + grouped(f.hit_m2) + " m²",
+                    "False alarm " + grouped(f.false_alarm_m2) + " m²",
+                    "Miss " + grouped(f.miss_m2) + " m²",
+                    "Jaccard " + figure(f.jaccard, 3),
+                    "Dice " + figure(f.dice, 3)};
+    if (comparison.outline)
+        layer.notes.push_back("Outlines " + figure(comparison.outline->mean_m, 3) + " m apart");
+    layer.title = "Comparison with the scar";
+    layer.values = comparison.classes;
+    layer.source = std::string(k_raster) + ", band 1";
+    for (const ClassText& entry : k_classes)
+        layer.categories.push_back({static_cast<double>(entry.kind), entry.label, entry.colour});
+    for (const std::string& file : comparison_pictures(drawer.style(), folder))
+        make_folder(fs::path(file).parent_path());
+    drawer.draw(layer, false, picture_stem(folder), tif_stem(folder));
+}
+
+}  // namespace frana::app

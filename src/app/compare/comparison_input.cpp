@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/compare/comparison_input.h"
+
+#include "app/store/provenance.h"
+#include "params/scene_parameters.h"
+
+namespace frana::app {
+
+ComparisonInput surveyed(const Prepared& prepared) {
+    ComparisonInput input;
+    input.survey = prepared.extra.survey;
+    if (prepared.scar) {
+        input.survey.scar = parts_of(prepared.scar->features);
+        input.survey.scar_label = prepared.spec.scar.perimeter.value();
+    }
+    if (input.survey.empty()) return input;
+    input.threshold = scar_threshold(prepared.spec);
+    input.depth_label = "max_depth.tif";
+    input.metadata = provenance(prepared);
+    return input;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/compare/ranking.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "app/text/csv_cell.h"
+#include "app/text/file_stems.h"
+#include "core/json.h"
+
+namespace frana::app {
+namespace {
+
+constexpr double k_unknown = std::numeric_limits<double>::quiet_NaN();
+
+double front_distance(const Comparison& comparison) {
+    double sum = 0;
+    for (const FrontComparison& front : comparison.fronts) sum += front.size.mean_m;
+    for (const TipComparison& tip : comparison.tips) sum += std::abs(tip.distance_m);
+    const std::size_t count = comparison.fronts.size() + comparison.tips.size();
+    return count == 0 ? k_unknown : sum / static_cast<double>(count);
+}
+
+/// Less is better; fronts come after every Jaccard index.
+double disagreement(const Comparison& comparison) {
+    if (comparison.figures) return 1 - comparison.figures->jaccard;
+    const double distance = front_distance(comparison);
+    return std::isnan(distance) ? std::numeric_limits<double>::infinity() : 2 + distance;
+}
+
+}  // namespace
+
+std::string Ranking::folder_for(const std::string& result, const std::string& scar) {
+    const std::string name = shortened_name(result + "_" + scar);
+    std::string folder = name;
+    for (int i = 2; std::find(folders_.begin(), folders_.end(), folder) != folders_.end(); ++i)
+        folder = name + "_" + std::to_string(i);
+    folders_.push_back(folder);
+    return folder;
+}
+
+void Ranking::add(const std::string& folder, const std::string& simulated, const std::string& observed,
+                  const Comparison& comparison) {
+    entries_.push_back({folder, simulated, observed, comparison});
+    entries_.back().comparison.classes = Raster();  // the table needs no cells
+}
+
+std::string Ranking::csv() const {
+    std::vector<const Entry*> order;
+    for (const Entry& entry : entries_) order.push_back(&entry);
+    std::stable_sort(order.begin(), order.end(), [](const Entry* a, const Entry* b) {
+        return disagreement(a->comparison) < disagreement(b->comparison);
+    });
+    std::string text =
+        "rank,folder,simulated,observed,jaccard,dice,area_difference_percent,true_positive_rate,"
+        "false_positive_rate,d2pc,auroc,outline_mean_m,outline_95_m,hausdorff_m,runout_difference_m,"
+        "path_runout_difference_m,front_distance_m,deposit_jaccard,deposit_rmse_m\n";
+    int rank = 0;
+    for (const Entry* entry : order) {
+        const Comparison& c = entry->comparison;
+        text += std::to_string(++rank) + "," + csv_cell(entry->folder) + "," + csv_cell(entry->simulated) +
+                "," + csv_cell(entry->observed);
+        const auto add = [&text](double value) {
+            text += "," + (std::isnan(value) ? "" : shortest_text(value));
+        };
+        const auto add_figure = [&](double ComparisonFigures::*member) {
+            add(c.figures ? (*c.figures).*member : k_unknown);
+        };
+        for (const auto member :
+             {&ComparisonFigures::jaccard, &ComparisonFigures::dice,
+              &ComparisonFigures::area_difference_percent, &ComparisonFigures::true_positive_rate,
+              &ComparisonFigures::false_positive_rate, &ComparisonFigures::d2pc, &ComparisonFigures::auroc})
+            add_figure(member);
+        add(c.outline ? c.outline->mean_m : k_unknown);
+        add(c.outline ? c.outline->percentile_95_m : k_unknown);
+        add(c.outline ? c.outline->hausdorff_m : k_unknown);
+        add(c.runout_difference_m.value_or(k_unknown));
+        add(c.path_runout ? c.path_runout->simulated_m - c.path_runout->observed_m : k_unknown);
+        add(front_distance(c));
+        add(c.deposit_overlap ? c.deposit_overlap->jaccard : k_unknown);
+        add(c.deposit_depth ? c.deposit_depth->rmse_m : k_unknown);
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace frana::app

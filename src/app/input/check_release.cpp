@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/check_release.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "app/text/number_text.h"
+#include "gis/footprint.h"
+#include "gis/rasterize.h"
+
+namespace frana::app {
+namespace {
+
+// Naming a few cells shows where to look; naming all would bury the message.
+constexpr int k_cells_named = 5;
+
+// The largest known ones are some hundred metres thick.
+constexpr double k_most_thickness = 2000;
+// Thinner is no mass; far thinner its volume and its depths are no numbers any more.
+constexpr double k_least_thickness = 1e-6;
+
+/// Count of the covered cells that satisfy a test, and the first few by row, column and coordinates.
+struct CellList {
+    std::int64_t count = 0;
+    std::string text;
+};
+
+CellList cells_where(const Raster& cover, const std::function<bool(std::size_t)>& test) {
+    CellList list;
+    for (std::int64_t row = 0; row < cover.grid.rows; ++row) {
+        for (std::int64_t column = 0; column < cover.grid.columns; ++column) {
+            if (cover.at(row, column) == 0 || !test(cover.index(row, column))) continue;
+            if (++list.count > k_cells_named) continue;
+            const Point centre = cover.grid.cell_centre(row, column);
+            list.text += (list.text.empty() ? "row " : "; row ") + std::to_string(row) + " column " +
+                         std::to_string(column) + " at " + figure(centre.x, 9) + ", " + figure(centre.y, 9);
+        }
+    }
+    if (list.count > k_cells_named) list.text += "; ...";
+    return list;
+}
+
+std::string cells_text(const CellList& list) {
+    return grouped(list.count) + (list.count == 1 ? " cell: " : " cells: ") + list.text;
+}
+
+MultiPolygon all_outlines(const ReleaseInput& release) {
+    MultiPolygon all;
+    for (const ReleaseArea& area : release.areas)
+        all.insert(all.end(), area.outline.begin(), area.outline.end());
+    return all;
+}
+
+/// False where the outlines reach beyond the working grid.
+bool check_extent(const SceneReading& reading, const TerrainInput& ground, const MultiPolygon& outlines,
+                  Problems& problems) {
+    const Bounds box = bounds(outlines), map = ground.terrain.grid.bounds();
+    if (box.west >= map.west && box.east <= map.east && box.south >= map.south && box.north <= map.north)
+        return true;
+    const bool apart =
+        box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north;
+    problems.add({apart ? "lies outside the DTM" : "reaches beyond the DTM",
+                  reading.where(reading.scene.release.perimeter ? "release.perimeter" : "release.thickness"),
+                  extent_text(box), "the working grid's " + extent_text(map) + ", in " + ground.crs_label,
+                  reading.scene.terrain.bounds
+                      ? "Enlarge terrain.bounds, or check the coordinate reference systems of both files"
+                      : "Check the coordinate reference systems of both files, or take a larger DTM"});
+    return false;
+}
+
+void check_ground(const SceneReading& reading, const TerrainInput& ground, const Raster& cover,
+                  Problems& problems) {
+    const CellList holes =
+        cells_where(cover, [&](std::size_t i) { return std::isnan(ground.terrain.values[i]); });
+    if (holes.count == 0) return;
+    problems.add(
+        {"the DTM has no elevation under the release", reading.where("terrain.dtm"), cells_text(holes), "",
+         "Repair the DTM, change the perimeter, or set terrain.nodata-policy = fill to interpolate"});
+}
+
+void check_thickness_raster(const SceneReading& reading, const Raster& thickness, const Raster& cover,
+                            RunLog& log, Problems& problems) {
+    const std::string where = reading.where("release.thickness");
+    const CellList negative = cells_where(cover, [&](std::size_t i) { return thickness.values[i] < 0; });
+    if (negative.count > 0) {
+        problems.add(
+            {"the thickness raster is negative inside the perimeter", where, cells_text(negative),
+             "0 or more",
+             "A raster of after less before has the wrong sign: use difference:PRE,POST or negate it"});
+        return;
+    }
+    const CellList empty = cells_where(cover, [&](std::size_t i) { return std::isnan(thickness.values[i]); });
+    const CellList filled = cells_where(cover, [&](std::size_t i) { return thickness.values[i] > 0; });
+    if (filled.count == 0) {
+        problems.add({"nothing is released: the thickness raster is nowhere positive inside the perimeter",
+                      where, "", "", "Check the raster's place and coordinate reference system"});
+    } else if (empty.count > 0) {
+        log.warn("the thickness raster has no value on part of the perimeter, nothing is released there: " +
+                 cells_text(empty));
+    }
+}
+
+/// Areas whose thickness rasters are to be looked at: a raster file is the same for all, a fitted surface is each area's
+/// own.
+std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, const ReleaseInput& release) {
+    std::vector<const ReleaseArea*> areas;
+    for (const ReleaseArea& area : release.areas) {
+        if (!area.thickness_raster) continue;
+        areas.push_back(&area);
+        if (!reading.scene.release.thickness->fitted()) break;
+    }
+    return areas;
+}
+
+/// More than any landslide is thick: a raster of elevations, nodata that no file declares, a volume in other units.
+void check_greatest(const SceneReading& reading, const ReleaseInput& release, const MultiPolygon& outlines,
+                    const Raster& cover, Problems& problems) {
+    const auto refuse_beyond = [&](double thickness, const std::string& key) {
+        const bool thick = thickness > k_most_thickness;
+        if (!thick && !(thickness > 0 && thickness < k_least_thickness)) return;
+        problems.add({std::string("the release would be ") + (thick ? "thicker" : "thinner") + " than any landslide",
+                      reading.where(key), figure(thickness, 6) + " m",
+                      thick ? "at most " + figure(k_most_thickness) + " m"
+                            : "at least " + figure(k_least_thickness) + " m",
+                      "Check the unit, the sign and the nodata value of what gives it"});
+    };
+    double least = k_most_thickness, greatest = 0, mean = 0;
+    for (const ReleaseArea* release_area : different_rasters(reading, release)) {
+        const std::vector<double>& values = release_area->thickness_raster->values;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (cover.values[i] != 0 && values[i] > greatest) greatest = values[i];
+    }
+    for (const ReleaseArea& release_area : release.areas) {
+        if (!release_area.thickness_raster) {
+            least = std::min(least, release_area.thickness);
+            greatest = std::max(greatest, release_area.thickness);
+        }
+        if (release_area.volume) mean = std::max(mean, *release_area.volume / area(release_area.outline));
+    }
+    const auto& volume = reading.scene.release.volume;
+    if (volume && volume->kind == SourceSpec::Kind::number) mean = std::max(mean, volume->number / area(outlines));
+    refuse_beyond(least < k_least_thickness ? least : greatest, "release.thickness");
+    refuse_beyond(mean, "release.volume");
+}
+
+/// Polygons that overlap release their thickness twice.
+void check_overlap(const ReleaseInput& release, const GridSpec& grid, RunLog& log) {
+    if (release.areas.size() < 2) return;
+    Raster times(grid);
+    for (const ReleaseArea& area : release.areas) {
+        gis::visit_cells(area.outline, grid, gis::Cover::centres,
+                         [&](std::int64_t row, std::int64_t column) { times.at(row, column) += 1; });
+    }
+    const CellList twice = cells_where(times, [&](std::size_t i) { return times.values[i] > 1; });
+    if (twice.count > 0)
+        log.warn("polygons of the perimeter overlap, their thicknesses add up there: " + cells_text(twice));
+}
+
+}  // namespace
+
+void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
+                   RunLog& log, Problems& problems) {
+    const MultiPolygon outlines = all_outlines(release);
+    if (outlines.empty()) {
+        if (problems.empty())
+            problems.add({"nothing is released", reading.where("release.thickness"), "", "",
+                          "Check the thickness raster and its place"});
+        return;
+    }
+    if (!check_extent(reading, ground, outlines, problems)) return;
+    const Raster cover = gis::coverage(outlines, ground.terrain.grid);
+    check_ground(reading, ground, cover, problems);
+    for (const ReleaseArea* area : different_rasters(reading, release))
+        check_thickness_raster(reading, *area->thickness_raster, cover, log, problems);
+    check_greatest(reading, release, outlines, cover, problems);
+    check_overlap(release, ground.terrain.grid, log);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/input/prepare_release.h"
+
+namespace frana::app {
+
+/// Does the release lie on known ground, with a thickness that makes sense? Adds to `problems`: outlines
+/// outside the DTM (both extents named), nodata under the release (cells named), negative or missing
+/// thickness (cells named).
+void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
+                   RunLog& log, Problems& problems);
+
+}  // namespace frana::app

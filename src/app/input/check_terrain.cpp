@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/check_terrain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/terrain_sanity.h"
+#include "app/text/number_text.h"
+#include "core/error.h"
+
+namespace frana::app {
+namespace {
+
+constexpr double k_impossible = 1e5;  // [m]; a unit taken for another is a factor of 100 at most
+constexpr double k_highest = 9000, k_lowest = -500;  // Everest 8849 m; the Dead Sea's shore -440 m
+constexpr double k_steepest_median = 60;             // degrees; of the steepest mountains some 45
+// A single cell of fine models: higher than trees and houses. Of coarse ones a summit may be as steep as 56
+// degrees.
+constexpr double k_needle = 20, k_needle_cells = 1.5;
+
+std::string place(const GridSpec& grid, const Spot& spot) {
+    const Point centre = grid.cell_centre(spot.row, spot.column);
+    return figure(centre.x, 9) + ", " + figure(centre.y, 9) + " (row " + std::to_string(spot.row) +
+           ", column " + std::to_string(spot.column) + ")";
+}
+
+const char* const k_remedy =
+    "If it is no data, set terrain.nodata-value; if the unit is another, terrain.vertical-unit or convert "
+    "the file";
+
+}  // namespace
+
+void check_terrain(const SceneReading& reading, const Raster& terrain, RunLog& log) {
+    const GridSpec& grid = terrain.grid;
+    const double needle = std::max(k_needle, k_needle_cells * grid.cell_size);
+    const TerrainSanity found = terrain_sanity(terrain, needle);
+    const Spot& extreme = found.highest.value > -found.lowest.value ? found.highest : found.lowest;
+    if (std::abs(extreme.value) > k_impossible) {
+        throw Error(ErrorKind::input,
+                    Problem{"holds an elevation that no ground has",
+                            reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm,
+                            figure(extreme.value, 6) + " m at " + place(grid, extreme),
+                            grouped(-k_impossible) + " to " + grouped(k_impossible) + " m", k_remedy});
+    }
+    if (found.highest.value > k_highest)
+        log.warn("DTM: the highest elevation is " + figure(found.highest.value, 6) + " m at " +
+                 place(grid, found.highest) + ", higher than any mountain. " + k_remedy);
+    if (found.lowest.value < k_lowest)
+        log.warn("DTM: the lowest elevation is " + figure(found.lowest.value, 6) + " m at " +
+                 place(grid, found.lowest) + ", lower than any dry ground. " + k_remedy);
+    if (found.median_slope_deg > k_steepest_median)
+        log.warn("DTM: half of the ground is steeper than " + figure(found.median_slope_deg, 3) +
+                 " degrees, as no slope is: elevations and eastings may be in different units. Check "
+                 "terrain.vertical-unit and the coordinate reference system");
+    if (found.needles == 0) return;
+    std::string list;
+    for (const Spot& spot : found.first_needles)
+        list += (list.empty() ? "" : "; ") + figure(spot.value, 4) + " m at " + place(grid, spot);
+    const bool one = found.needles == 1;
+    log.warn(
+        "DTM: " + grouped(found.needles) + (one ? " single cell stands" : " single cells stand") +
+        " more than " + figure(needle) +
+        " m over or under all eight neighbours, where the flow is thrown aside and its speed is wrong: " +
+        list + (found.needles > static_cast<std::int64_t>(found.first_needles.size()) ? "; ..." : "") +
+        ". Repair the DTM there (a mast, a bird, noise, forgotten no data)");
+}
+
+}  // namespace frana::app

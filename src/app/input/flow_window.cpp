@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/flow_window.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "app/input/layer_choice.h"
+#include "app/input/prepare_inflow.h"
+#include "gis/elevation_sample.h"
+#include "gis/lines_in.h"
+#include "gis/marks_in.h"
+#include "params/law_names.h"
+
+namespace frana::app {
+namespace {
+
+constexpr double k_caution = 0.8;          // of the friction: the front runs ahead of the mass it belongs to
+constexpr double k_least_friction = 0.01;  // with less, the energy line bounds nothing
+constexpr int k_samples = 400;             // along each side of what is looked at
+
+Bounds united(const Bounds& a, const Bounds& b) {
+    return {std::min(a.west, b.west), std::min(a.south, b.south), std::max(a.east, b.east),
+            std::max(a.north, b.north)};
+}
+
+Bounds widened(const Bounds& b, double by) {
+    return {b.west - by, b.south - by, b.east + by, b.north + by};
+}
+
+bool holds(const Bounds& outer, const Bounds& inner) {
+    return outer.west < inner.west && outer.south < inner.south && outer.east > inner.east &&
+           outer.north > inner.north;
+}
+
+double distance(const Bounds& box, Point p) {
+    return std::hypot(std::max({box.west - p.x, 0.0, p.x - box.east}),
+                      std::max({box.south - p.y, 0.0, p.y - box.north}));
+}
+
+/// What keeps a file from being read is reported where it is used.
+template <class Read>
+auto if_readable(const Read& read) -> std::optional<decltype(read())> {
+    try {
+        return read();
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+/// Where something comes from, and how high over the ground its energy stands there [m].
+struct Origin {
+    Bounds extent;
+    double head = 0;
+};
+
+/// Height of the mass over the ground [m]; where a file or a volume gives it, more than any landslide's.
+double thickness_bound(const ReleaseSpec& release) {
+    const bool number = release.thickness && release.thickness->kind == ThicknessSpec::Kind::number;
+    return number && !release.volume ? release.thickness->metres : 100;
+}
+
+double velocity_head(double speed, double gravity) {
+    return speed * speed / (2 * gravity);
+}
+
+std::optional<Origin> release_origin(const SceneReading& reading, const std::string& crs) {
+    const ReleaseSpec& release = reading.scene.release;
+    const double gravity = reading.scene.numerics.gravity;
+    Origin origin{{}, thickness_bound(release)};
+    const auto& velocity = release.velocity;
+    if (velocity && velocity->kind == SourceSpec::Kind::number)
+        origin.head += velocity_head(velocity->number, gravity);
+    if (!release.perimeter) {
+        if (!release.thickness || release.thickness->kind != ThicknessSpec::Kind::raster) return std::nullopt;
+        return if_readable([&] {
+            const gis::RasterInfo file =
+                gis::inspect_raster(release.thickness->raster, reading.where("release.thickness"));
+            origin.extent =
+                gis::CrsTransform(crs.empty() ? "" : file.crs_wkt, crs, file.bounds).around(file.bounds);
+            return origin;
+        });
+    }
+    return if_readable([&] {
+        const std::string key = "release.perimeter";
+        const gis::PolygonLayer layer = gis::read_polygons(
+            *release.perimeter, crs, reading.where(key), layer_choice(reading, release.perimeter_layer, key));
+        origin.extent = layer.bounds;
+        if (velocity && velocity->kind == SourceSpec::Kind::attribute) {
+            double fastest = 0;
+            for (const PolygonFeature& feature : layer.features) {
+                const auto value = feature.numbers.find(velocity->name);
+                if (value != feature.numbers.end()) fastest = std::max(fastest, value->second);
+            }
+            origin.head += velocity_head(fastest, gravity);
+        }
+        return origin;
+    });
+}
+
+std::optional<std::vector<Origin>> inflow_origins(const SceneReading& reading, const std::string& crs) {
+    return if_readable([&] {
+        const double gravity = reading.scene.numerics.gravity;
+        std::vector<Origin> origins;
+        const gis::LineInputLayer layer =
+            gis::read_lines(*reading.scene.inflow.line, crs, reading.where("inflow.line"));
+        for (std::size_t i = 0; i < layer.features.size(); ++i) {
+            const Polyline& line = layer.features[i].line;
+            Origin origin{bounds(MultiPolygon{{line, {}}}), 0};
+            const double length = length_of(line);
+            for (const HydrographPoint& point :
+                 read_hydrograph(hydrograph_file(reading, layer.features[i], i + 1),
+                                 reading.where("inflow.hydrograph"), gravity, length)) {
+                if (point.discharge > 0)
+                    origin.head = std::max(origin.head, point.discharge / (length * point.speed) +
+                                                            velocity_head(point.speed, gravity));
+            }
+            origins.push_back(origin);
+        }
+        return origins;
+    });
+}
+
+/// Everything that can move; none where a part of it cannot be placed.
+std::optional<std::vector<Origin>> origins_of(const SceneReading& reading, const std::string& crs) {
+    const SceneSpec& scene = reading.scene;
+    std::vector<Origin> all;
+    if (scene.release.perimeter || scene.release.thickness) {
+        const auto release = release_origin(reading, crs);
+        if (!release) return std::nullopt;
+        all.push_back(*release);
+    }
+    if (scene.inflow.line && scene.inflow.hydrograph) {
+        const auto inflows = inflow_origins(reading, crs);
+        if (!inflows) return std::nullopt;
+        all.insert(all.end(), inflows->begin(), inflows->end());
+    }
+    if (all.empty()) return std::nullopt;
+    return all;
+}
+
+/// Layers that must lie on the working grid, or are compared with what flows on it.
+std::vector<Bounds> layers_to_hold(const SceneReading& reading, const std::string& crs) {
+    const SceneSpec& scene = reading.scene;
+    std::vector<Bounds> boxes;
+    const auto polygons = [&](const std::optional<std::string>& file, const std::string& key,
+                              const LayerSpec& layer = {}) {
+        if (!file) return;
+        const auto box = if_readable([&] {
+            return gis::read_polygons(*file, crs, reading.where(key), layer_choice(reading, layer, key))
+                .bounds;
+        });
+        if (box) boxes.push_back(*box);
+    };
+    const auto marks = [&](const std::optional<std::string>& file, const std::string& key) {
+        if (!file) return;
+        const auto read = if_readable([&] { return gis::read_marks(*file, crs, reading.where(key)); });
+        if (!read) return;
+        for (const gis::NamedPoint& point : read->points)
+            boxes.push_back({point.place.x, point.place.y, point.place.x, point.place.y});
+        for (const gis::NamedLine& line : read->lines) boxes.push_back(bounds(MultiPolygon{{line.line, {}}}));
+    };
+    polygons(scene.scar.perimeter, "scar.perimeter", scene.scar.perimeter_layer);
+    polygons(scene.terrain.obstacles, "terrain.obstacles");
+    polygons(scene.terrain.walls, "terrain.walls");
+    if (scene.zones.beyond_dtm != "clip") polygons(scene.terrain.friction_zones, "terrain.friction-zones");
+    marks(scene.output.gauges, "output.gauges");
+    marks(scene.output.sections, "output.cross-sections");
+    marks(scene.output.profiles, "output.profiles");
+    marks(scene.scar.front, "scar.front");
+    return boxes;
+}
+
+/// The least friction that the energy line may count on; 0 where places differ, and where no law at the bed resists with
+/// it: the structured model's fluid, RAMMS's yield term alone, laws of fluids.
+double sure_friction(const SceneSpec& scene) {
+    const bool by_place =
+        scene.terrain.friction_zones || scene.zones.friction_angle || scene.zones.friction_coefficient;
+    const std::vector<BedLaw> laws = bed_laws_of(scene.material);
+    const bool resists = scene.material.model == "voellmy-bingham" &&
+                         std::any_of(laws.begin(), laws.end(), [](const BedLaw& law) { return law.resists_with_friction; });
+    if (by_place || !resists || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
+    return k_caution * friction_coefficient(scene.material) *
+           (1 - scene.material.pore_pressure_ratio.value_or(0));
+}
+
+}  // namespace
+
+std::optional<Bounds> flow_window(const SceneReading& reading, const gis::RasterInfo& dtm,
+                                  const std::string& working_crs) {
+    const SceneSpec& scene = reading.scene;
+    const double friction = sure_friction(scene);
+    if (friction < k_least_friction) return std::nullopt;
+    std::optional<std::vector<Origin>> origins = origins_of(reading, working_crs);
+    if (!origins) return std::nullopt;
+
+    const auto sample = [&](const Bounds& window) {
+        return gis::sample_elevations(dtm, working_crs, window, k_samples, scene.terrain.vertical_unit,
+                                      scene.terrain.nodata_value);
+    };
+    const gis::CrsTransform to_working(working_crs.empty() ? "" : dtm.crs_wkt, working_crs, dtm.bounds);
+    const Bounds whole = to_working.around(dtm.bounds);
+    const double cell = whole.width() / static_cast<double>(dtm.columns);
+    Bounds needed = origins->front().extent;
+    for (Origin& origin : *origins) {
+        needed = united(needed, origin.extent);
+        double top = -HUGE_VAL;
+        for (const gis::ElevationSample& s : sample(widened(origin.extent, 2 * cell)))
+            top = std::max(top, s.elevation);
+        if (!std::isfinite(top)) return std::nullopt;  // it lies outside the DTM: reported later
+        origin.head += top;                            // now above sea level
+    }
+    for (const Bounds& box : layers_to_hold(reading, working_crs)) needed = united(needed, box);
+
+    Bounds window = widened(needed, std::max(needed.width(), needed.height()));
+    const auto within_reach = [&](const gis::ElevationSample& s) {
+        return std::any_of(origins->begin(), origins->end(), [&](const Origin& origin) {
+            return s.elevation <= origin.head - friction * distance(origin.extent, s.place);
+        });
+    };
+    // Looks farther until what can be reached lies within what was looked at.
+    for (;;) {
+        const double step = std::max(window.width(), window.height()) / k_samples;
+        Bounds reached = needed;
+        for (const gis::ElevationSample& s : sample(window)) {
+            if (within_reach(s)) reached = united(reached, {s.place.x, s.place.y, s.place.x, s.place.y});
+        }
+        reached = widened(reached, 2 * step);
+        if (holds(window, reached) || holds(window, whole)) return reached;
+        window = widened(window, std::max(window.width(), window.height()) / 2);
+    }
+}
+
+}  // namespace frana::app

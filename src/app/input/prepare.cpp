@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/prepare.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/input/layer_choice.h"
+#include "app/input/memory_bound.h"
+#include "app/input/prepare_inflow.h"
+#include "app/input/prepare_material.h"
+#include "app/input/prepare_obstacles.h"
+#include "app/input/prepare_structured.h"
+#include "app/input/prepare_zones.h"
+#include "app/input/transform_report.h"
+#include "app/text/number_text.h"
+#include "core/json.h"
+#include "gis/crs.h"
+#include "params/law_names.h"
+#include "simulation/arrivals.h"
+#include "simulation/scene_origin.h"
+
+namespace frana::app {
+namespace {
+
+Numerics numerics_of(const SceneSpec& spec) {
+    Numerics numerics;
+    const NumericsSpec& words = spec.numerics;
+    numerics.scheme = words.scheme == "paper" ? Scheme::paper : Scheme::standard;
+    if (words.transfer == "pic") numerics.transfer = Transfer::pic;
+    if (words.transfer == "flip") numerics.transfer = Transfer::flip;
+    if (words.transfer == "apic") numerics.transfer = Transfer::apic;
+    numerics.particles_per_cell = static_cast<int>(words.particles_per_cell);
+    numerics.cfl = words.cfl;
+    numerics.well_balanced = well_balanced(words);
+    const std::string correction = slope_correction(words);
+    numerics.slope_correction = correction == "none"      ? SlopeCorrection::none
+                                : correction == "surface" ? SlopeCorrection::surface
+                                                          : SlopeCorrection::normal;
+    numerics.curvature = curvature(words);
+    numerics.boundary = words.boundary == "wall" ? Boundary::wall : Boundary::open;
+    const std::string& policy = spec.terrain.nodata_policy;
+    numerics.nodata = policy == "wall"   ? NodataPolicy::wall
+                      : policy == "fill" ? NodataPolicy::fill
+                                         : NodataPolicy::stop;
+    numerics.gravity = words.gravity;
+    numerics.minimum_depth = words.minimum_depth;
+    return numerics;
+}
+
+std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const TerrainInput* ground,
+                                           RunLog& log, Problems& problems) {
+    if (!reading.scene.scar.perimeter) return std::nullopt;
+    const std::string where = reading.where("scar.perimeter");
+    try {
+        const bool local = reading.scene.terrain.crs == "local";
+        const std::string crs = ground != nullptr ? ground->terrain.grid.crs_wkt
+                                : local           ? std::string()
+                                                  : gis::crs_from_user("EPSG:4326", "");
+        gis::PolygonLayer layer =
+            gis::read_polygons(*reading.scene.scar.perimeter, crs, where,
+                               layer_choice(reading, reading.scene.scar.perimeter_layer, "scar.perimeter"));
+        for (const std::string& warning : layer.warnings) log.warn("scar: " + warning);
+        if (ground != nullptr) {
+            report_transform("scar", layer.transform, ground->terrain.grid.cell_size, log);
+            const Bounds map = ground->terrain.grid.bounds(), box = layer.bounds;
+            if (box.east <= map.west || box.west >= map.east || box.north <= map.south ||
+                box.south >= map.north) {
+                problems.add({"lies outside the DTM", where, extent_text(box),
+                              "the working grid's " + extent_text(map) + ", in " + ground->crs_label,
+                              "Check the coordinate reference systems of both files"});
+            }
+        }
+        return layer;
+    } catch (const Error& error) {
+        problems.add(error);
+        return std::nullopt;
+    }
+}
+
+std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const TerrainInput& ground,
+                                                    const GridSpec& grid) {
+    std::map<std::string, std::string> chosen;
+    chosen["terrain.crs"] = ground.crs_label;
+    chosen["terrain.cell-size"] = shortest_text(grid.cell_size);
+    chosen["terrain.bounds"] = extent_text(grid.bounds());
+    chosen["terrain.resampling"] = ground.resampling_used;
+    if (spec.material.friction_angle || spec.material.friction_coefficient)
+        chosen["material.friction-coefficient"] = shortest_text(friction_coefficient(spec.material));
+    chosen["material.in-plane-stress"] = in_plane_stress(spec.material);
+    chosen["numerics.slope-correction"] = slope_correction(spec.numerics);
+    chosen["numerics.curvature"] = curvature(spec.numerics) ? "on" : "off";
+    chosen["numerics.well-balanced"] = well_balanced(spec.numerics) ? "on" : "off";
+    chosen["time.frame-interval"] = shortest_text(frame_interval(spec));
+    chosen["scar.threshold"] = shortest_text(scar_threshold(spec));
+    return chosen;
+}
+
+/// Every file of a scene, in the order of its sections.
+std::vector<UsedFile> used_files(const SceneSpec& spec, const TerrainInput& ground, const ReleaseInput& release,
+                                 const std::vector<UsedFile>& site, const std::optional<gis::PolygonLayer>& scar,
+                                 const std::vector<UsedFile>& extra) {
+    std::vector<UsedFile> files{
+        used_raster("DTM", ground.file, ground.transform, ground.resampling_used, ground.nodata_cells)};
+    if (release.perimeter)
+        files.push_back(used_polygons("Release perimeter", *spec.release.perimeter, *release.perimeter));
+    for (const RasterUse& use : release.thickness_uses)
+        files.push_back(used_raster("Release thickness", use.file, use.transform, use.resampling, use.nodata_cells));
+    files.insert(files.end(), site.begin(), site.end());
+    if (scar) files.push_back(used_polygons("Scar", *spec.scar.perimeter, *scar));
+    files.insert(files.end(), extra.begin(), extra.end());
+    return files;
+}
+
+/// What only seeding finds: a wall on the release, a velocity without direction, an inflow over ground without data.
+void refuse_what_cannot_start(const Scene& scene) {
+    const bool in_motion = std::any_of(scene.release.begin(), scene.release.end(),
+                                       [](const ReleaseArea& area) { return area.speed > 0; });
+    if (scene.walls || in_motion || !scene.inflows.empty())
+        Arrivals(scene, make_release(scene).later);
+}
+
+}  // namespace
+
+Prepared prepare(const SceneReading& reading, RunLog& log) {
+    Problems problems = reading.problems;
+    std::optional<TerrainInput> ground = prepare_terrain(reading, log, problems);
+    const TerrainInput* known_ground = ground ? &*ground : nullptr;
+    std::vector<UsedFile> site;
+    std::optional<Raster> walls = prepare_obstacles(reading, ground ? &*ground : nullptr, site, log, problems);
+    ReleaseInput release = prepare_release(reading, known_ground, log, problems);
+    std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, site, log, problems);
+    MaterialZones zones = prepare_zones(reading, known_ground, site, log, problems);
+    std::optional<StructuredMaterial> structured =
+        prepare_structured(reading, known_ground, release, walls, site, log, problems);
+    std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, log, problems);
+    ExtraInput extra;
+    if (ground) extra = prepare_extra(reading, ground->terrain.grid, log, problems);
+    problems.throw_if_any();
+
+    Prepared prepared;
+    prepared.spec = reading.scene;
+    prepared.scene.grid = ground->terrain.grid;
+    prepared.scene.terrain = std::exchange(ground->terrain, Raster{});
+    prepared.scene.terrain_contains_release = reading.scene.release.dtm_contains_release;
+    prepared.scene.release = std::exchange(release.areas, {});
+    const auto& volume = reading.scene.release.volume;
+    if (volume && volume->kind == SourceSpec::Kind::number) prepared.scene.release_volume = volume->number;
+    prepared.scene.walls = std::move(walls);
+    if (structured && !inflows.empty()) structured->more_fluid = true;
+    prepared.scene.inflows = std::move(inflows);
+    prepared.scene.zones = std::move(zones);
+    prepared.scene.structured = std::move(structured);
+    prepared.scene.material = material_of(reading.scene.material);
+    prepared.scene.entrainment = entrainment_of(reading.scene.entrainment);
+    prepared.scene.numerics = numerics_of(reading.scene);
+    refuse_unused_zones(reading, prepared.scene, problems);
+    problems.throw_if_any();
+    prepared.scene.time.end = reading.scene.time.end;
+    prepared.scene.time.stop_when_still = reading.scene.time.stop_when_still;
+    prepared.scene.time.stop_energy_share = reading.scene.time.stop_energy_share;
+    prepared.scene.time.stop_moving_share = reading.scene.time.stop_moving_share;
+    prepared.scene.time.moving_speed = reading.scene.time.moving_speed;
+    prepared.scene.time.stop_change = reading.scene.time.stop_change;
+    prepared.scene.time.stop_window = reading.scene.time.stop_window;
+    prepared.scene.time.trace_threshold =
+        std::max(reading.scene.output.trace_threshold, reading.scene.numerics.minimum_depth);
+    prepared.scene.time.frame_interval = frame_interval(reading.scene);
+    place_origin(prepared.scene);
+    refuse_too_much(reading, prepared.scene, release.area_m2);
+    refuse_what_cannot_start(prepared.scene);
+    const GridSpec& grid = prepared.scene.grid;
+    if (!grid.crs_wkt.empty()) {
+        prepared.convergence_deg = gis::meridian_convergence_deg(
+            grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
+    }
+    prepared.resolved = resolved_choices(reading.scene, *ground, grid);
+    prepared.files = used_files(reading.scene, *ground, release, site, scar, extra.files);
+    prepared.ground = std::move(*ground);
+    prepared.release = std::move(release);
+    prepared.scar = std::move(scar);
+    prepared.scene.recording = std::exchange(extra.recording, {});
+    prepared.extra = std::move(extra);
+    return prepared;
+}
+
+Prepared prepare(const SceneReading& reading, const std::optional<Problem>& place, RunLog& log) {
+    if (!place) return prepare(reading, log);
+    try {
+        (void)prepare(reading, log);
+    } catch (const Error& error) {
+        std::vector<Problem> all = error.problems();
+        all.push_back(*place);
+        throw Error(error.kind(), all);
+    }
+    throw Error(ErrorKind::environment, *place);
+}
+
+}  // namespace frana::app

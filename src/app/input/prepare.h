@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/input/prepare_release.h"
+#include "app/input/prepare_terrain.h"
+#include "app/input/survey_input.h"
+#include "app/input/used_file.h"
+#include "simulation/scene.h"
+
+namespace frana::app {
+
+/// Everything read from files, checked and on the working grid.
+struct Prepared {
+    Scene scene;
+    SceneSpec spec;        ///< as written, for the echo
+    TerrainInput ground;   ///< its raster has moved into the scene
+    ReleaseInput release;  ///< its areas have moved into the scene
+    std::optional<gis::PolygonLayer> scar;
+    ExtraInput extra;             ///< its recording has moved into the scene
+    std::vector<UsedFile> files;  ///< everything that was read
+    double convergence_deg = 0;  ///< true north from grid north at the grid's centre, clockwise
+    std::map<std::string, std::string> resolved;  ///< what frana chose for keys left to it
+};
+
+/// From the words of a scene to the scene itself. Throws Error(input) with every fault found in keys and
+/// files.
+Prepared prepare(const SceneReading& reading, RunLog& log);
+
+/// The same where the result's place may not allow it (check_result_directory()): that is told beside all
+/// other faults, and alone it is an Error(environment).
+Prepared prepare(const SceneReading& reading, const std::optional<Problem>& place, RunLog& log);
+
+}  // namespace frana::app

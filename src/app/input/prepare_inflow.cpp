@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/prepare_inflow.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+
+#include "app/input/layer_values.h"
+#include "app/input/transform_report.h"
+#include "app/text/number_text.h"
+#include "core/json.h"
+#include "gis/lines_in.h"
+#include "gis/table_in.h"
+#include "params/absolute_path.h"
+#include "params/read_scene.h"
+#include "params/value_text.h"
+
+namespace frana::app {
+namespace {
+
+/// The place of a column: its name alone, or followed by a unit.
+std::optional<std::size_t> column_of(const gis::Table& table, const std::string& name) {
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        std::string head = trimmed(table.columns[i]);
+        std::transform(head.begin(), head.end(), head.begin(), [](unsigned char c) { return std::tolower(c); });
+        const std::size_t end = head.find_first_of("_ ([");
+        if (head.substr(0, end) == name) return i;
+    }
+    return std::nullopt;
+}
+
+// Of seconds, cubic metres, cubic metres a second and metres a second: more than any flood, and sums stay numbers.
+constexpr double k_greatest = 1e12;
+
+struct Row {
+    double time = 0, amount = 0, speed = 0;
+};
+
+struct Columns {
+    std::size_t time = 0, amount = 0;
+    std::optional<std::size_t> speed;
+    bool cumulative = false;
+};
+
+Columns columns_of(const gis::Table& table, const std::string& place) {
+    Problems problems;
+    const auto time = column_of(table, "time"), discharge = column_of(table, "discharge"),
+               volume = column_of(table, "volume");
+    const std::string names = joined(table.columns, ", ");
+    if (!time) problems.add({"the hydrograph has no column time", place, names, "", "Name the columns in line 1"});
+    if (!discharge && !volume)
+        problems.add({"the hydrograph has neither a column discharge nor volume", place, names, "",
+                      "Name the columns in line 1"});
+    if (discharge && volume)
+        problems.add({"the hydrograph has a discharge and a volume", place, names, "", "Keep one of the two"});
+    problems.throw_if_any();
+    return {*time, discharge ? *discharge : *volume, column_of(table, "velocity"), volume.has_value()};
+}
+
+std::vector<Row> rows_of(const gis::Table& table, const Columns& columns, const std::string& place) {
+    Problems problems;
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const std::string line = "line " + std::to_string(i + 2);
+        const auto number = [&](std::size_t column) {
+            const std::string text = trimmed(table.rows[i][column]);
+            const auto value = number_from_text(text);
+            if (!value)
+                problems.add({line + ", column " + table.columns[column] + " is not a number", place, text, "",
+                              "Write decimals after a point"});
+            else if (*value < 0 || *value > k_greatest)
+                problems.add({line + ", column " + table.columns[column] + " is out of range", place, text,
+                              "0 to " + shortest_text(k_greatest), "Correct the file"});
+            return value.value_or(0);
+        };
+        Row row{number(columns.time), number(columns.amount), columns.speed ? number(*columns.speed) : 0};
+        if (!rows.empty() && !(row.time > rows.back().time))
+            problems.add({line + ": the times do not rise", place, shortest_text(row.time) + " s",
+                          "after " + shortest_text(rows.back().time) + " s", "Sort the rows by time"});
+        if (!rows.empty() && columns.cumulative && row.amount < rows.back().amount)
+            problems.add({line + ": the volume falls", place, shortest_text(row.amount) + " m3",
+                          "at least " + shortest_text(rows.back().amount) + " m3",
+                          "Give the volume since the start, or name the column discharge"});
+        rows.push_back(row);
+    }
+    if (problems.empty() && rows.size() < 2)
+        problems.add({"the hydrograph has fewer than two rows", place, "", "", "Give its start and its end"});
+    problems.throw_if_any();
+    return rows;
+}
+
+}  // namespace
+
+double length_of(const Polyline& line) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        sum += std::hypot(line[i + 1].x - line[i].x, line[i + 1].y - line[i].y);
+    return sum;
+}
+
+std::string hydrograph_file(const SceneReading& reading, const gis::LineInput& feature, std::size_t number) {
+    const std::string& given = *reading.scene.inflow.hydrograph;
+    const std::string k_attribute = "attribute:";
+    if (given.rfind(k_attribute, 0) != 0) return given;
+    const std::string column = trimmed(given.substr(k_attribute.size()));
+    const auto found = feature.texts.find(column);
+    if (found == feature.texts.end()) {
+        throw Error(ErrorKind::input, Problem{"line " + std::to_string(number) + " has no attribute " + column,
+                                              reading.where("inflow.hydrograph"), "", "", "Name one of its columns"});
+    }
+    const std::size_t slash = reading.scene.file.find_last_of('/');
+    return absolute_path(found->second, reading.scene.file.substr(0, slash));
+}
+
+std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std::string& where, double gravity,
+                                             double line_length) {
+    const std::string place = where + ": " + file;
+    const gis::Table table = gis::read_table(file, where);
+    const Columns columns = columns_of(table, place);
+    const std::vector<Row> rows = rows_of(table, columns, place);
+    std::vector<HydrographPoint> points;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!columns.cumulative) {
+            points.push_back({rows[i].time, rows[i].amount, rows[i].speed});
+        } else if (i > 0) {  // steady between two readings
+            const double discharge = (rows[i].amount - rows[i - 1].amount) / (rows[i].time - rows[i - 1].time);
+            points.push_back({rows[i - 1].time, discharge, rows[i - 1].speed});
+            points.push_back({rows[i].time, discharge, rows[i].speed});
+        }
+    }
+    bool flows = false;
+    for (HydrographPoint& point : points) {
+        flows = flows || point.discharge > 0;
+        if (!columns.speed) point.speed = std::cbrt(gravity * point.discharge / line_length);
+        if (point.discharge > 0 && !(point.speed > 0)) {
+            throw Error(ErrorKind::input, Problem{"the hydrograph has a discharge without velocity", place,
+                                                  "at " + shortest_text(point.time) + " s", "greater than 0 m/s",
+                                                  "Correct it, or leave the column out for the critical speed"});
+        }
+    }
+    if (!flows) {
+        throw Error(ErrorKind::input,
+                    Problem{"the hydrograph brings nothing", place, "", "", "Give a discharge above zero"});
+    }
+    return points;
+}
+
+std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground,
+                                   std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+    std::vector<Inflow> inflows;
+    const InflowSpec& spec = reading.scene.inflow;
+    if (!spec.line || !spec.hydrograph) return inflows;
+    try {
+        const gis::LineInputLayer layer =
+            gis::read_lines(*spec.line, target_crs(reading, ground), reading.where("inflow.line"));
+        log.note("inflow " + *spec.line + ": " + std::to_string(layer.features.size()) + " lines in " +
+                 layer.crs_label);
+        files.push_back(used_lines("Inflow line", *spec.line, layer));
+        if (ground != nullptr)
+            report_transform("inflow line", layer.transform, ground->terrain.grid.cell_size, log);
+        if (layer.features.size() > 1 && spec.hydrograph->rfind("attribute:", 0) != 0) {
+            problems.add({"the layer holds several lines for one hydrograph", reading.where("inflow.line"),
+                          std::to_string(layer.features.size()) + " lines", "1",
+                          "Give each line its own: inflow.hydrograph = attribute:NAME"});
+            return inflows;
+        }
+        for (std::size_t i = 0; i < layer.features.size(); ++i) {
+            const gis::LineInput& feature = layer.features[i];
+            Inflow inflow;
+            inflow.line = feature.line;
+            UsedFile hydrograph;
+            hydrograph.role = "Hydrograph";
+            if (spec.direction) inflow.azimuth = *spec.direction * std::numbers::pi / 180;
+            const double length = ground != nullptr ? length_of(feature.line) : 1;
+            try {
+                hydrograph.path = hydrograph_file(reading, feature, i + 1);
+                inflow.hydrograph = read_hydrograph(hydrograph.path, reading.where("inflow.hydrograph"),
+                                                    reading.scene.numerics.gravity, length);
+            } catch (const Error& error) {
+                problems.add(error);
+                continue;
+            }
+            if (ground == nullptr) continue;
+            const Bounds box = bounds(MultiPolygon{{feature.line, {}}});
+            if (!lies_on_ground(reading, "inflow.line", box, *ground, false, problems)) continue;
+            log.note("line " + std::to_string(i + 1) + ": " + figure(length, 4) + " m, from " +
+                     shortest_text(inflow.hydrograph.front().time) + " s to " +
+                     shortest_text(inflow.hydrograph.back().time) + " s");
+            hydrograph.content = "from " + shortest_text(inflow.hydrograph.front().time) + "\nto " +
+                                 shortest_text(inflow.hydrograph.back().time) + " s";
+            files.push_back(std::move(hydrograph));
+            inflows.push_back(std::move(inflow));
+        }
+    } catch (const Error& error) {
+        problems.add(error);
+    }
+    return inflows;
+}
+
+}  // namespace frana::app

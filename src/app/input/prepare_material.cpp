@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/prepare_material.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "params/law_names.h"
+
+namespace frana::app {
+namespace {
+
+void set(double& target, const std::optional<double>& value, double unit = 1) {
+    if (value) target = *value * unit;
+}
+
+void set_tangent(double& target, const std::optional<double>& angle_deg) {
+    if (angle_deg) target = std::tan(*angle_deg * std::numbers::pi / 180);
+}
+
+/// The number, where a property is the same everywhere.
+std::optional<double> constant(const std::optional<SourceSpec>& source) {
+    if (!source || source->kind != SourceSpec::Kind::number) return std::nullopt;
+    return source->number;
+}
+
+BedTerm term_of(const std::string& word) {
+    static const std::map<std::string, BedTerm> terms{{"coulomb", BedTerm::coulomb},
+                                                      {"turbulence", BedTerm::turbulence},
+                                                      {"cohesion", BedTerm::cohesion},
+                                                      {"ramms-yield", BedTerm::ramms_yield},
+                                                      {"bingham", BedTerm::bingham},
+                                                      {"herschel-bulkley", BedTerm::herschel_bulkley},
+                                                      {"obrien-julien", BedTerm::obrien_julien},
+                                                      {"manning", BedTerm::manning},
+                                                      {"chezy", BedTerm::chezy},
+                                                      {"pouliquen-forterre", BedTerm::pouliquen_forterre}};
+    return terms.at(word);
+}
+
+}  // namespace
+
+Material material_of(const MaterialSpec& spec) {
+    Material material;
+    material.bed_friction.clear();
+    for (const std::string& word : bed_friction_terms(spec)) material.bed_friction.push_back(term_of(word));
+    const std::string stress = in_plane_stress(spec);
+    material.plane_stress = stress == "bingham"          ? PlaneStressLaw::bingham
+                            : stress == "earth-pressure" ? PlaneStressLaw::earth_pressure
+                                                         : PlaneStressLaw::none;
+    material.density = spec.density;
+    material.friction_coefficient = friction_coefficient(spec);
+    set(material.turbulence, spec.turbulence);
+    material.surface_pressure = spec.surface_pressure;
+    material.viscosity = spec.viscosity;
+    material.yield_stress = spec.yield_stress;
+    material.yield_regularisation = spec.yield_regularisation;
+    material.exact_yield_ratio = spec.yield_ratio == "exact";
+    set(material.cohesion, spec.cohesion);
+    set(material.ramms_yield_stress, spec.ramms_yield_stress);
+    set(material.consistency, spec.consistency);
+    set(material.flow_index, spec.flow_index);
+    set(material.laminar_resistance, spec.laminar_resistance);
+    set(material.manning, spec.manning);
+    set(material.chezy, spec.chezy);
+    set_tangent(material.fast_friction_coefficient, spec.fast_friction_angle);
+    set(material.friction_length, spec.friction_length);
+    set(material.friction_beta, spec.friction_beta);
+    set(material.pore_pressure_ratio, spec.pore_pressure_ratio);
+    set(material.pore_dissipation_time, spec.pore_dissipation_time);
+    set_tangent(material.internal_friction_coefficient, spec.internal_friction_angle);
+    return material;
+}
+
+std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
+    if (spec.material.model != "structured") return std::nullopt;
+    const StructuredSpec& s = spec.structured;
+    StructuredMaterial m;
+    m.solids = s.phases == "solids-and-fluid";
+    m.fluid_density = s.fluid_density;
+    m.fluid_viscosity = s.fluid_viscosity;
+    m.viscosity_growth = s.viscosity_growth;
+    m.velocity_shape = s.velocity_shape;
+    m.mobility = s.mobility;
+    m.solids_shape = s.solids_shape;
+    m.manning = s.manning;
+    m.dry_depth = s.dry_depth;
+    m.spread_evenly = s.placement == "r2";
+    set(m.solid_fraction, constant(s.solid_fraction));
+    set(m.confined_share, constant(s.confined_share));
+    set(m.grain_density, constant(s.grain_density));
+    set(m.grain_diameter, constant(s.grain_diameter));
+    set(m.cohesion, constant(s.cohesion));
+    set_tangent(m.friction, constant(s.internal_friction_angle));
+    set_tangent(m.bed_friction, constant(s.bed_friction_angle ? s.bed_friction_angle : s.internal_friction_angle));
+    m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
+    m.young_modulus = s.young_modulus;
+    m.bulk_modulus = s.bulk_modulus;
+    m.critical_strain = s.critical_strain;
+    m.damage_by_distortion = s.damage == "equivalent-plastic";
+    m.earth_pressure = s.earth_pressure == "active"           ? StructuredMaterial::EarthPressure::active
+                       : s.earth_pressure == "active-passive" ? StructuredMaterial::EarthPressure::passive
+                                                              : StructuredMaterial::EarthPressure::hydrostatic;
+    m.pore_pressure_share = s.pore_pressure_share;
+    m.drag_exponent = s.drag_exponent > 1 ? 2 : 1;
+    m.richardson_zaki = s.richardson_zaki;
+    set(m.smoothing_velocity, s.smoothing_velocity);
+    set(m.block_size, s.block_size);
+    set(m.sound_speed, s.sound_speed);
+    using VirtualMass = StructuredMaterial::VirtualMass;
+    m.virtual_mass = s.virtual_mass == "none"             ? VirtualMass::none
+                     : s.virtual_mass == "pudasaini-2019" ? VirtualMass::pudasaini_2019
+                                                          : VirtualMass::pudasaini_2012;
+    m.linear_viscosity = s.linear_viscosity;
+    m.quadratic_viscosity = s.quadratic_viscosity;
+    m.artificial_stress = s.artificial_stress;
+    return m;
+}
+
+Entrainment entrainment_of(const EntrainmentSpec& spec) {
+    Entrainment e;
+    e.erosion = spec.erosion == "shear-stress" ? ErosionLaw::shear_stress
+                : spec.erosion == "growth"     ? ErosionLaw::growth
+                : spec.erosion == "mechanical" ? ErosionLaw::mechanical
+                                               : ErosionLaw::none;
+    e.deposition = spec.deposition;
+    set(e.erodible_depth, spec.erodible_depth);
+    set(e.erosion_rate, spec.erosion_rate);
+    set(e.critical_shear, spec.critical_shear);
+    set(e.potential_depth, spec.potential_depth, 1e-3);
+    set(e.growth_rate, spec.growth_rate);
+    set_tangent(e.bed_friction_coefficient, spec.bed_friction_angle);
+    set(e.bed_cohesion, spec.bed_cohesion);
+    set(e.bed_pore_pressure_ratio, spec.bed_pore_pressure_ratio);
+    set(e.velocity_ratio, spec.velocity_ratio);
+    set(e.deposition_rate, spec.deposition_rate);
+    set(e.deposition_shear, spec.deposition_shear);
+    return e;
+}
+
+}  // namespace frana::app

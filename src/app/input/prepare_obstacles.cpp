@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/prepare_obstacles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/input/layer_values.h"
+#include "app/input/transform_report.h"
+#include "app/text/number_text.h"
+#include "core/counted_texts.h"
+#include "gis/footprint.h"
+#include "gis/vector_in.h"
+
+namespace frana::app {
+namespace {
+
+// A footprint on the grid this much larger than drawn is worth a warning.
+constexpr double k_widened = 1.5;
+
+std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const std::string& key,
+                                            const std::string& file, const TerrainInput* ground,
+                                            std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+    gis::PolygonLayer layer = gis::read_polygons(file, target_crs(reading, ground), reading.where(key));
+    log.note(key + " " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
+    for (const std::string& warning : layer.warnings) log.warn(key + ": " + warning);
+    files.push_back(used_polygons(key == "terrain.walls" ? "Walls" : "Obstacles", file, layer));
+    if (ground != nullptr) report_transform(key, layer.transform, ground->terrain.grid.cell_size, log);
+    if (ground == nullptr || !lies_on_ground(reading, key, layer.bounds, *ground, false, problems))
+        return std::nullopt;
+    return layer;
+}
+
+/// Sets every cell of a feature to at least `value`; says how much larger the footprint became where it is thin.
+void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, const std::string& key,
+           Raster& raster, CountedTexts& warnings, Problems& problems, const std::string& where) {
+    const MultiPolygon& parts = layer.features[feature].parts;
+    std::int64_t cells = 0;
+    gis::visit_cells(parts, raster.grid, gis::Cover::closed, [&](std::int64_t row, std::int64_t column) {
+        ++cells;
+        raster.at(row, column) = std::max(raster.at(row, column), value);
+    });
+    const std::string name = "feature " + std::to_string(feature + 1) + " of " + layer.layer_name;
+    const double footprint = static_cast<double>(cells) * raster.grid.cell_area(), drawn = area(parts);
+    if (cells == 0) {
+        problems.add({name + " covers no cell", where, grouped(drawn) + " m2", "", "Choose smaller cells"});
+    } else if (footprint > k_widened * drawn) {
+        warnings.add("narrow", key + ": " + name + " is narrower than the cells: it covers " + grouped(footprint) +
+                                   " m2 of the working grid, drawn are " + grouped(drawn) +
+                                   " m2; choose smaller cells");
+    }
+}
+
+void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector<UsedFile>& files, RunLog& log,
+                  Problems& problems) {
+    const TerrainSpec& spec = reading.scene.terrain;
+    const std::string key = "terrain.obstacles";
+    const auto layer = read_layer(reading, key, *spec.obstacles, ground, files, log, problems);
+    if (!layer || !spec.obstacle_height) return;
+    Raster height(ground->terrain.grid);
+    CountedTexts warnings;
+    for (std::size_t f = 0; f < layer->features.size(); ++f) {
+        const auto metres = value_of(reading, "terrain.obstacle-height", *spec.obstacle_height, *layer, f, problems);
+        if (metres) stamp(*layer, f, *metres, key, height, warnings, problems, reading.where(key));
+    }
+    for (const std::string& warning : warnings.told()) log.warn(warning);
+    double most = 0;
+    std::int64_t raised = 0;
+    for (std::size_t i = 0; i < height.values.size(); ++i) {
+        ground->terrain.values[i] += height.values[i];
+        most = std::max(most, height.values[i]);
+        raised += height.values[i] > 0;
+    }
+    log.note("obstacles raise " + grouped(raised) + " cells of the bed by up to " + figure(most, 4) + " m");
+}
+
+}  // namespace
+
+std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInput* ground,
+                                        std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+    const TerrainSpec& spec = reading.scene.terrain;
+    std::optional<Raster> walls;
+    try {
+        if (spec.obstacles) raise_ground(reading, ground, files, log, problems);
+    } catch (const Error& error) {
+        problems.add(error);
+    }
+    try {
+        if (!spec.walls) return walls;
+        const std::string key = "terrain.walls";
+        const auto layer = read_layer(reading, key, *spec.walls, ground, files, log, problems);
+        if (!layer) return walls;
+        walls.emplace(ground->terrain.grid);
+        CountedTexts warnings;
+        for (std::size_t f = 0; f < layer->features.size(); ++f)
+            stamp(*layer, f, 1, key, *walls, warnings, problems, reading.where(key));
+        for (const std::string& warning : warnings.told()) log.warn(warning);
+        log.note("walls stand on " +
+                 grouped(std::count(walls->values.begin(), walls->values.end(), 1.0)) + " cells");
+    } catch (const Error& error) {
+        problems.add(error);
+    }
+    return walls;
+}
+
+}  // namespace frana::app

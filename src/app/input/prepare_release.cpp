@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/prepare_release.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/input/check_release.h"
+#include "app/input/layer_choice.h"
+#include "app/input/layer_values.h"
+#include "app/input/release_areas.h"
+#include "app/input/thickness_volume.h"
+#include "app/input/transform_report.h"
+#include "app/text/number_text.h"
+#include "core/json.h"
+#include "gis/crs.h"
+#include "gis/rasterize.h"
+
+namespace frana::app {
+namespace {
+
+using Kind = ThicknessSpec::Kind;
+
+/// Depth of solids and fluid together; keeps the solids' share. One that is missing counts as none; callers
+/// have seen to it that none is negative.
+Raster sum_of_phases(const Raster& solids, const Raster& fluid, ReleaseInput& release) {
+    Raster sum(solids.grid, k_no_data), share(solids.grid, k_no_data);
+    for (std::size_t i = 0; i < sum.values.size(); ++i) {
+        const double s = solids.values[i] > 0 ? solids.values[i] : 0,
+                     f = fluid.values[i] > 0 ? fluid.values[i] : 0;
+        if (!(s + f > 0)) continue;
+        sum.values[i] = s + f;
+        share.values[i] = s / (s + f);
+    }
+    release.solid_fraction = std::move(share);
+    return sum;
+}
+
+/// The thickness raster on the working grid: the file itself, the sum of two, or the positive part of before
+/// less after or of the ground less the slip surface.
+std::optional<Raster> thickness_raster(const SceneReading& reading, const ThicknessSpec& spec,
+                                       const TerrainInput* ground, ReleaseInput& release, RunLog& log,
+                                       Problems& problems) {
+    const std::string where = reading.where("release.thickness");
+    // A thickness has its own unit; the others hold elevations.
+    const bool elevations = spec.kind != Kind::raster && spec.kind != Kind::phases;
+    const std::string unit = elevations ? reading.scene.terrain.vertical_unit : "auto";
+    const std::optional<double> nodata = elevations ? reading.scene.terrain.nodata_value : std::nullopt;
+    std::vector<std::string> files{spec.raster};
+    if (!spec.post.empty()) files.push_back(spec.post);
+    std::vector<Raster> rasters;
+    for (const std::string& file : files) {
+        try {
+            gis::RasterInfo info = gis::inspect_raster(file, where);
+            if (reading.scene.release.thickness_crs) {
+                info.crs_wkt = gis::crs_from_user(*reading.scene.release.thickness_crs,
+                                                  reading.where("release.thickness-crs"));
+                info.crs_label = gis::crs_name(info.crs_wkt);
+            }
+            if (ground == nullptr) continue;
+            const bool local = ground->terrain.grid.crs_wkt.empty();
+            if (!local && info.crs_wkt.empty()) {
+                problems.add({"has no coordinate reference system", where, file, "",
+                              "Say which one it is in with release.thickness-crs = EPSG:..."});
+                continue;
+            }
+            gis::RasterRead read = gis::read_raster_on(file, ground->terrain.grid, info.crs_wkt,
+                                                       gis::Resampling::automatic, unit, nodata, where);
+            for (const std::string& warning : read.warnings) log.warn("thickness: " + warning);
+            report_transform("thickness " + file, read.transform, ground->terrain.grid.cell_size, log);
+            log.note("thickness " + file + ": resampling " + read.resampling_used);
+            release.thickness_uses.push_back({info, read.transform, read.resampling_used, read.nodata_cells});
+            rasters.push_back(std::move(read.raster));
+        } catch (const Error& error) {
+            problems.add(error);
+        }
+    }
+    if (rasters.size() != files.size()) return std::nullopt;
+    if (spec.kind == Kind::raster) return std::move(rasters.front());
+    if (spec.kind == Kind::phases) {
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            const double least = *std::min_element(
+                rasters[i].values.begin(), rasters[i].values.end(),
+                [](double a, double b) { return (std::isnan(a) ? 0 : a) < (std::isnan(b) ? 0 : b); });
+            if (!(least < 0)) continue;
+            problems.add({"a depth is negative", where, files[i] + ": " + shortest_text(least) + " m",
+                          "0 or more", "Correct the raster"});
+            return std::nullopt;
+        }
+        return sum_of_phases(rasters[0], rasters[1], release);
+    }
+    const Raster& above = spec.kind == Kind::difference ? rasters[0] : ground->terrain;
+    const Raster& below = spec.kind == Kind::difference ? rasters[1] : rasters[0];
+    Raster thickness(above.grid);
+    for (std::size_t i = 0; i < thickness.values.size(); ++i) {
+        const double lowered = above.values[i] - below.values[i];
+        thickness.values[i] = std::isnan(lowered) ? k_no_data : std::max(lowered, 0.0);
+    }
+    return thickness;
+}
+
+void read_perimeter(const SceneReading& reading, const TerrainInput* ground, RunLog& log, Problems& problems,
+                    ReleaseInput& release) {
+    if (!reading.scene.release.perimeter) return;
+    try {
+        release.perimeter = gis::read_polygons(
+            *reading.scene.release.perimeter, target_crs(reading, ground), reading.where("release.perimeter"),
+            layer_choice(reading, reading.scene.release.perimeter_layer, "release.perimeter"));
+    } catch (const Error& error) {
+        problems.add(error);
+        return;
+    }
+    const gis::PolygonLayer& layer = *release.perimeter;
+    log.note("perimeter " + *reading.scene.release.perimeter + ": " + std::to_string(layer.features.size()) +
+             " features in " + (layer.crs_label.empty() ? "plain metres" : layer.crs_label));
+    for (const std::string& warning : layer.warnings) log.warn("perimeter: " + warning);
+    if (ground != nullptr)
+        report_transform("perimeter", layer.transform, ground->terrain.grid.cell_size, log);
+}
+
+}  // namespace
+
+ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* ground, RunLog& log,
+                             Problems& problems) {
+    ReleaseInput release;
+    read_perimeter(reading, ground, log, problems, release);
+    if (!reading.scene.release.thickness) return release;  // reported when the scene was read
+    const ThicknessSpec& spec = *reading.scene.release.thickness;
+    if (spec.by_raster()) {
+        std::optional<Raster> thickness = thickness_raster(reading, spec, ground, release, log, problems);
+        if (!thickness || (reading.scene.release.perimeter && !release.perimeter)) return release;
+        if (release.perimeter) {
+            release.areas = areas_of_raster(reading, *release.perimeter, *thickness, problems);
+        } else {
+            Raster positive(thickness->grid);
+            for (std::size_t i = 0; i < positive.values.size(); ++i)
+                positive.values[i] = thickness->values[i] > 0;
+            ReleaseArea area;
+            area.outline = gis::polygonise(positive);
+            area.thickness_raster = std::move(thickness);
+            set_details(reading, nullptr, 0, area, problems);
+            release.areas.push_back(std::move(area));
+        }
+    } else if (release.perimeter && spec.fitted()) {
+        if (ground == nullptr || !lies_on_ground(reading, "release.perimeter", release.perimeter->bounds,
+                                                 *ground, false, problems))
+            return release;
+        release.areas =
+            areas_above_slip_surfaces(reading, *release.perimeter, ground->terrain, log, problems);
+    } else if (release.perimeter) {
+        release.areas = areas_by_feature(reading, *release.perimeter, problems);
+    }
+    for (const ReleaseArea& area : release.areas) release.area_m2 += frana::area(area.outline);
+    if (ground != nullptr) {
+        check_release(reading, *ground, release, log, problems);
+        // Interpolated at the rim, a raster would lose volume; what the file holds is what is released.
+        if (problems.empty() && spec.kind == Kind::raster && !reading.scene.release.volume)
+            match_file_volume(release, ground->terrain.grid);
+    }
+    return release;
+}
+
+}  // namespace frana::app

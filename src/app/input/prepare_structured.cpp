@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/prepare_structured.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/input/layer_values.h"
+#include "app/input/prepare_material.h"
+#include "app/input/prepare_zones.h"
+#include "app/input/transform_report.h"
+#include "app/text/number_text.h"
+#include "gis/footprint.h"
+#include "gis/rasterize.h"
+
+namespace frana::app {
+namespace {
+
+using Kind = SourceSpec::Kind;
+
+/// One property of [structured] that may differ from place to place.
+struct Property {
+    std::string key;
+    const std::optional<SourceSpec>* source;
+    std::optional<Raster>* target;
+    bool degrees = false;  ///< an angle, of which the tangent is kept
+};
+
+std::vector<Property> properties(const StructuredSpec& spec, StructuredMaterial& m) {
+    const auto& bed_friction =
+        spec.bed_friction_angle ? spec.bed_friction_angle : spec.internal_friction_angle;
+    const char* bed_key =
+        spec.bed_friction_angle ? "structured.bed-friction-angle" : "structured.internal-friction-angle";
+    std::vector<Property> list{
+        {"structured.initial-fluid-depth", &spec.initial_fluid_depth, &m.initial_fluid}};
+    if (!m.solids) return list;
+    StructuredZones& zones = m.zones;
+    const std::vector<Property> of_solids{
+        {"structured.solid-fraction", &spec.solid_fraction, &zones.solid_fraction},
+        {"structured.confined-share", &spec.confined_share, &zones.confined_share},
+        {"structured.grain-density", &spec.grain_density, &zones.grain_density},
+        {"structured.grain-diameter", &spec.grain_diameter, &zones.grain_diameter},
+        {"structured.cohesion", &spec.cohesion, &zones.cohesion},
+        {"structured.internal-friction-angle", &spec.internal_friction_angle, &zones.friction, true},
+        {bed_key, &bed_friction, &zones.bed_friction, true}};
+    list.insert(list.end(), of_solids.begin(), of_solids.end());
+    return list;
+}
+
+bool has_kind(const Property& property, Kind kind) {
+    return *property.source && (*property.source)->kind == kind;
+}
+
+/// Cells that only the rim of an outline touches take the value of a neighbour inside.
+void widen(Raster& raster) {
+    const Raster before = raster;
+    const GridSpec& grid = raster.grid;
+    for (std::int64_t row = 0; row < grid.rows; ++row) {
+        for (std::int64_t column = 0; column < grid.columns; ++column) {
+            if (before.has_data(row, column)) continue;
+            for (const auto& [dr, dc] :
+                 {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}}) {
+                const std::int64_t r = row + dr, c = column + dc;
+                if (r < 0 || c < 0 || r >= grid.rows || c >= grid.columns || !before.has_data(r, c)) continue;
+                raster.at(row, column) = before.at(r, c);
+                break;
+            }
+        }
+    }
+}
+
+void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid,
+          const Property& property, Problems& problems) {
+    Raster raster(grid, k_no_data);
+    for (std::size_t f = 0; f < layer.features.size(); ++f) {
+        const auto value = value_of(reading, property.key, **property.source, layer, f, problems);
+        if (!value) return;
+        gis::visit_cells(layer.features[f].parts, grid, gis::Cover::closed,
+                         [&](std::int64_t row, std::int64_t column) { raster.at(row, column) = *value; });
+    }
+    if (property.key != "structured.initial-fluid-depth") widen(raster);
+    *property.target = std::move(raster);
+}
+
+/// The polygons that attribute:NAME speaks of; null, with a problem told, where there are none.
+const gis::PolygonLayer* polygons(const SceneReading& reading, const TerrainInput* ground,
+                                  const ReleaseInput& release, const Property& asking,
+                                  std::optional<gis::PolygonLayer>& own, std::vector<UsedFile>& files,
+                                  RunLog& log, Problems& problems) {
+    const auto& file = reading.scene.structured.zones;
+    if (!file) {
+        if (release.perimeter) return &*release.perimeter;
+        if (!reading.scene.release.perimeter)
+            problems.add({"names a column, but the scene has no polygons", reading.where(asking.key),
+                          text_of(**asking.source), "", "Set structured.zones or release.perimeter"});
+        return nullptr;
+    }
+    const std::string key = "structured.zones";
+    own = gis::read_polygons(*file, target_crs(reading, ground), reading.where(key));
+    for (const std::string& warning : own->warnings) log.warn(key + ": " + warning);
+    files.push_back(used_polygons("Zones", *file, *own));
+    if (ground == nullptr) return nullptr;
+    report_transform(key, own->transform, ground->terrain.grid.cell_size, log);
+    return lies_on_ground(reading, key, own->bounds, *ground, true, problems) ? &*own : nullptr;
+}
+
+/// A property that is nowhere the same must be known wherever something is released.
+void check_cover(const SceneReading& reading, const ReleaseInput& release, const Property& property,
+                 const std::optional<Raster>& solid_fraction, Problems& problems) {
+    const Raster& raster = **property.target;
+    std::int64_t missing = 0;
+    Point first;
+    for (const ReleaseArea& area : release.areas) {
+        gis::visit_cells(
+            area.outline, raster.grid, gis::Cover::centres, [&](std::int64_t row, std::int64_t column) {
+                const std::size_t i = raster.index(row, column);
+                const bool empty = area.thickness_raster && !(area.thickness_raster->values[i] > 0);
+                const bool no_solids = solid_fraction && solid_fraction->values[i] == 0;
+                if (empty || no_solids || !std::isnan(raster.values[i])) return;
+                if (missing++ == 0) first = raster.grid.cell_centre(row, column);
+            });
+    }
+    if (missing == 0) return;
+    problems.add({"has no value on part of the release", reading.where(property.key),
+                  grouped(missing) + " cells, the first at " + figure(first.x, 9) + ", " + figure(first.y, 9),
+                  "", "Let the polygons or the raster cover all of it"});
+}
+
+/// Where fluid can lie, and how deep.
+void bound_initial_fluid(const std::optional<SourceSpec>& source, const Raster& terrain,
+                         const std::optional<Raster>& walls, StructuredMaterial& m) {
+    if (source && source->kind == Kind::number && source->number > 0)
+        m.initial_fluid = Raster(terrain.grid, source->number);
+    if (!m.initial_fluid) return;
+    for (std::size_t i = 0; i < terrain.values.size(); ++i)
+        if (std::isnan(terrain.values[i]) || (walls && walls->values[i] == 1))
+            m.initial_fluid->values[i] = k_no_data;
+    m.more_fluid = true;
+}
+
+}  // namespace
+
+std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading, const TerrainInput* ground,
+                                                     const ReleaseInput& release,
+                                                     const std::optional<Raster>& walls,
+                                                     std::vector<UsedFile>& files, RunLog& log,
+                                                     Problems& problems) {
+    std::optional<StructuredMaterial> material = structured_of(reading.scene);
+    if (!material) return material;
+    const StructuredSpec& spec = reading.scene.structured;
+    std::vector<Property> list = properties(spec, *material);
+    const gis::PolygonLayer* layer = nullptr;
+    std::optional<gis::PolygonLayer> own;
+    const auto asking = std::find_if(list.begin(), list.end(),
+                                     [](const Property& p) { return has_kind(p, Kind::attribute); });
+    try {
+        if (asking != list.end()) {
+            layer = polygons(reading, ground, release, *asking, own, files, log, problems);
+        } else if (spec.zones) {
+            problems.add({"is given, but no key of the section names a column of it",
+                          reading.where("structured.zones"), *spec.zones, "",
+                          "Write for example structured.cohesion = attribute:NAME, or remove it"});
+        }
+    } catch (const Error& error) {
+        problems.add(error);
+    }
+    for (Property& property : list) {
+        try {
+            if (has_kind(property, Kind::attribute) && layer != nullptr && ground != nullptr)
+                burn(reading, *layer, ground->terrain.grid, property, problems);
+            if (has_kind(property, Kind::raster))
+                *property.target = read_zone_raster(reading, ground, property.key, (*property.source)->name,
+                                                    "", files, log, problems);
+        } catch (const Error& error) {
+            problems.add(error);
+        }
+    }
+    if (material->solids && release.solid_fraction) material->zones.solid_fraction = release.solid_fraction;
+    if (ground == nullptr) return material;
+    for (const Property& property : list)
+        if (property.target != &material->initial_fluid && *property.target && *property.source &&
+            (*property.source)->kind != Kind::number)
+            check_cover(reading, release, property, release.solid_fraction, problems);
+    for (const Property& property : list)
+        if (property.degrees && *property.target)
+            for (double& value : (*property.target)->values) value = std::tan(value * std::numbers::pi / 180);
+    bound_initial_fluid(spec.initial_fluid_depth, ground->terrain, walls, *material);
+    return material;
+}
+
+}  // namespace frana::app

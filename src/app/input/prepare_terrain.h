@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/text/run_log.h"
+#include "core/raster.h"
+#include "gis/raster_in.h"
+#include "params/read_scene.h"
+
+namespace frana::app {
+
+/// The ground on the working grid, and what was done to it.
+struct TerrainInput {
+    gis::RasterInfo file;   ///< as the DTM file says; its CRS replaced by terrain.dtm-crs where that is given
+    Raster terrain;         ///< on the working grid, whose CRS it carries; NaN: no data
+    std::string crs_label;  ///< of the working CRS; "local" without one
+    std::string resampling_used;
+    gis::TransformInfo transform;
+    std::int64_t nodata_cells = 0;
+    std::int64_t filled_cells = 0;
+};
+
+/// Reads the DTM onto the working grid. Adds every fault to `problems`; none is returned when the ground is
+/// not known.
+std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog& log, Problems& problems);
+
+}  // namespace frana::app

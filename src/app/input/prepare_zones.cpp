@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/prepare_zones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "app/input/layer_values.h"
+#include "app/input/transform_report.h"
+#include "app/text/number_text.h"
+#include "gis/footprint.h"
+#include "gis/raster_in.h"
+#include "gis/vector_in.h"
+#include "params/law_names.h"
+
+namespace frana::app {
+namespace {
+
+/// One quantity that zones may give, and under which names a column is taken for it when no key names one.
+struct Quantity {
+    std::string key;
+    std::optional<SourceSpec> source;
+    std::optional<Raster> MaterialZones::*target;
+    bool degrees;  ///< an angle, of which the tangent is kept
+    std::vector<std::string> columns;
+};
+
+std::vector<Quantity> quantities(const ZonesSpec& spec) {
+    using Zones = MaterialZones;
+    return {
+        {"zones.friction-angle", spec.friction_angle, &Zones::friction_coefficient, true,
+         {"friction_angle", "phi"}},
+        {"zones.friction-coefficient", spec.friction_coefficient, &Zones::friction_coefficient, false,
+         {"friction_coefficient", "mu"}},
+        {"zones.turbulence", spec.turbulence, &Zones::turbulence, false, {"turbulence", "xi"}},
+        {"zones.cohesion", spec.cohesion, &Zones::cohesion, false, {"cohesion"}},
+        {"zones.erodible-depth", spec.erodible_depth, &Zones::erodible_depth, false, {"erodible_depth"}},
+    };
+}
+
+bool by_attribute(const Quantity& quantity) {
+    return quantity.source && quantity.source->kind == SourceSpec::Kind::attribute;
+}
+
+/// Where no key names a column, columns with a customary name are used; a shapefile cuts names after ten letters.
+void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, std::vector<Quantity>& list,
+                  RunLog& log, Problems& problems) {
+    if (std::any_of(list.begin(), list.end(), by_attribute)) return;
+    const auto& numbers = layer.features.front().numbers;
+    std::string known, expected;
+    for (const auto& number : numbers) known += (known.empty() ? "" : ", ") + number.first;
+    bool any = false;
+    for (Quantity& quantity : list) {
+        for (const std::string& column : quantity.columns) {
+            expected += (expected.empty() ? "" : ", ") + column;
+            for (const std::string& name : {column, column.substr(0, 10)}) {
+                if (numbers.count(name) == 0 || quantity.source) continue;
+                quantity.source = SourceSpec{SourceSpec::Kind::attribute, 0, name};
+                log.note("zones: column " + name + " taken for " + quantity.key);
+                any = true;
+            }
+        }
+    }
+    if (!any) {
+        problems.add({"no column of the zones is known to frana", reading.where("terrain.friction-zones"),
+                      known.empty() ? "no numeric column" : known, expected,
+                      "Name one, for example zones.friction-angle = attribute:NAME"});
+    } else if (list[0].source && list[1].source) {
+        problems.add({"the zones have a friction angle and a friction coefficient",
+                      reading.where("terrain.friction-zones"), list[0].source->name + ", " + list[1].source->name, "",
+                      "Name the one that counts in zones.friction-angle or zones.friction-coefficient"});
+    }
+}
+
+double converted(double value, bool degrees) {
+    return degrees ? std::tan(value * std::numbers::pi / 180) : value;
+}
+
+std::string share_text(std::int64_t cells, const GridSpec& grid) {
+    return grouped(static_cast<double>(cells) * grid.cell_area()) + " m2, " +
+           figure(100.0 * static_cast<double>(cells) / static_cast<double>(grid.cell_count()), 3) +
+           " % of the working grid";
+}
+
+/// Cells in no zone that are shut in by zones.
+std::int64_t enclosed_gaps(const std::vector<int>& times, const GridSpec& grid) {
+    std::vector<char> open(times.size(), 0);
+    std::vector<std::size_t> stack;
+    const auto enter = [&](std::int64_t row, std::int64_t column) {
+        if (row < 0 || column < 0 || row >= grid.rows || column >= grid.columns) return;
+        const auto i = static_cast<std::size_t>(row * grid.columns + column);
+        if (times[i] > 0 || open[i]) return;
+        open[i] = 1;
+        stack.push_back(i);
+    };
+    for (std::int64_t row = 0; row < grid.rows; ++row) {
+        enter(row, 0);
+        enter(row, grid.columns - 1);
+    }
+    for (std::int64_t column = 0; column < grid.columns; ++column) {
+        enter(0, column);
+        enter(grid.rows - 1, column);
+    }
+    while (!stack.empty()) {
+        const auto i = static_cast<std::int64_t>(stack.back());
+        stack.pop_back();
+        for (const auto& [dr, dc] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
+            enter(i / grid.columns + dr, i % grid.columns + dc);
+    }
+    std::int64_t shut_in = 0;
+    for (std::size_t i = 0; i < times.size(); ++i) shut_in += times[i] == 0 && !open[i];
+    return shut_in;
+}
+
+void report_cover(const std::vector<int>& times, const GridSpec& grid, RunLog& log) {
+    std::int64_t twice = 0, never = 0;
+    for (const int n : times) {
+        twice += n > 1;
+        never += n == 0;
+    }
+    if (twice > 0)
+        log.warn("zones overlap on " + share_text(twice, grid) +
+                 ": the one that comes later in the layer counts there");
+    if (const std::int64_t gaps = enclosed_gaps(times, grid); gaps > 0)
+        log.warn("the zones leave gaps between them on " + share_text(gaps, grid) +
+                 ": the material's own values hold there");
+    if (never > 0) log.note("outside all zones, with the material's own values: " + share_text(never, grid));
+}
+
+void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid,
+          const std::vector<Quantity>& list, MaterialZones& zones, RunLog& log, Problems& problems) {
+    std::vector<int> times(static_cast<std::size_t>(grid.cell_count()), 0);
+    for (std::size_t f = 0; f < layer.features.size(); ++f) {
+        std::vector<std::pair<Raster*, double>> values;
+        for (const Quantity& quantity : list) {
+            if (!by_attribute(quantity)) continue;
+            const auto value = value_of(reading, quantity.key, *quantity.source, layer, f, problems);
+            if (!value) continue;
+            std::optional<Raster>& raster = zones.*quantity.target;
+            if (!raster) raster.emplace(grid, k_no_data);
+            values.emplace_back(&*raster, converted(*value, quantity.degrees));
+        }
+        gis::visit_cells(layer.features[f].parts, grid, gis::Cover::centres,
+                         [&](std::int64_t row, std::int64_t column) {
+                             ++times[static_cast<std::size_t>(row * grid.columns + column)];
+                             for (const auto& [raster, value] : values) raster->at(row, column) = value;
+                         });
+    }
+    report_cover(times, grid, log);
+}
+
+void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground, std::vector<Quantity>& list,
+                        MaterialZones& zones, std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+    const std::string key = "terrain.friction-zones", file = *reading.scene.terrain.friction_zones;
+    const gis::PolygonLayer layer = gis::read_polygons(file, target_crs(reading, ground), reading.where(key));
+    log.note("zones " + file + ": " + std::to_string(layer.features.size()) + " features in " + layer.crs_label);
+    for (const std::string& warning : layer.warnings) log.warn("zones: " + warning);
+    files.push_back(used_polygons("Zones", file, layer));
+    name_columns(reading, layer, list, log, problems);
+    if (ground == nullptr) return;
+    report_transform("zones", layer.transform, ground->terrain.grid.cell_size, log);
+    if (lies_on_ground(reading, key, layer.bounds, *ground, reading.scene.zones.beyond_dtm == "clip", problems))
+        burn(reading, layer, ground->terrain.grid, list, zones, log, problems);
+}
+
+/// RAMMS's yield term would be negative.
+void refuse_large_friction(const SceneReading& reading, const Scene& scene, Problems& problems) {
+    if (!scene.zones.friction_coefficient || !scene.material.has(BedTerm::ramms_yield)) return;
+    double greatest = 0;
+    for (const double value : scene.zones.friction_coefficient->values)
+        if (value > greatest) greatest = value;
+    if (greatest <= 1) return;
+    problems.add({"the zones' friction is too large for the law ramms-yield", reading.where("terrain.friction-zones"),
+                  figure(greatest), "0 to 1 (an angle of 45 degrees)", "Its term (1 - mu) N_0 would be negative"});
+}
+
+}  // namespace
+
+std::optional<Raster> read_zone_raster(const SceneReading& reading, const TerrainInput* ground, const std::string& key,
+                                       const std::string& file, const std::string& elsewhere,
+                                       std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+    const std::string where = reading.where(key);
+    const gis::RasterInfo info = gis::inspect_raster(file, where);
+    if (ground == nullptr) return std::nullopt;
+    const GridSpec& grid = ground->terrain.grid;
+    if (!grid.crs_wkt.empty() && info.crs_wkt.empty()) {
+        problems.add({"has no coordinate reference system", where, file, "",
+                      "Write one into the file, for example with gdal_edit.py -a_srs EPSG:..."});
+        return std::nullopt;
+    }
+    gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic, "metre");
+    for (const std::string& warning : read.warnings) log.warn(key + ": " + warning);
+    report_transform(key, read.transform, grid.cell_size, log);
+    files.push_back(used_raster("Zones: " + key, info, read.transform, read.resampling_used, read.nodata_cells));
+    if (read.nodata_cells >= grid.cell_count()) {
+        problems.add({"has no value anywhere on the working grid", where, file, "",
+                      "Check its place and coordinate reference system"});
+        return std::nullopt;
+    }
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    for (const double value : read.raster.values) {
+        if (std::isnan(value)) continue;
+        least = std::min(least, value);
+        greatest = std::max(greatest, value);
+    }
+    if (!within_limits(reading, key, least, "the raster's least value", problems) ||
+        !within_limits(reading, key, greatest, "the raster's greatest value", problems))
+        return std::nullopt;
+    if (read.nodata_cells > 0 && !elsewhere.empty())
+        log.warn(key + " has no value on " + share_text(read.nodata_cells, grid) + ": " + elsewhere);
+    return std::move(read.raster);
+}
+
+MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files,
+                            RunLog& log, Problems& problems) {
+    MaterialZones zones;
+    std::vector<Quantity> list = quantities(reading.scene.zones);
+    try {
+        if (reading.scene.terrain.friction_zones)
+            read_polygon_zones(reading, ground, list, zones, files, log, problems);
+    } catch (const Error& error) {
+        problems.add(error);
+    }
+    for (const Quantity& quantity : list) {
+        if (!quantity.source || quantity.source->kind != SourceSpec::Kind::raster) continue;
+        try {
+            std::optional<Raster> raster =
+                read_zone_raster(reading, ground, quantity.key, quantity.source->name,
+                                 "the material's own holds there", files, log, problems);
+            if (!raster) continue;
+            for (double& value : raster->values) value = converted(value, quantity.degrees);
+            zones.*quantity.target = std::move(raster);
+        } catch (const Error& error) {
+            problems.add(error);
+        }
+    }
+    return zones;
+}
+
+void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Problems& problems) {
+    const std::vector<BedLaw> laws = bed_laws_of(reading.scene.material);
+    const auto refuse = [&](const std::optional<Raster>& zones, bool read, const std::string& what,
+                            const std::string& remedy) {
+        if (!zones || read) return;
+        problems.add({"the zones give " + what + ", which the scene's laws do not use",
+                      reading.where("terrain.friction-zones"), "", "", remedy});
+    };
+    const auto refuse_unread = [&](const std::optional<Raster>& zones, bool BedLaw::*reads, const std::string& what) {
+        std::string readers;
+        for (const BedLaw& law : bed_laws())
+            if (law.*reads) readers += (readers.empty() ? "" : " or ") + law.word;
+        refuse(zones, std::any_of(laws.begin(), laws.end(), [&](const BedLaw& law) { return law.*reads; }), what,
+               "Add " + readers + " to material.bed-friction, or remove the zones");
+    };
+    refuse_unread(scene.zones.friction_coefficient, &BedLaw::reads_friction, "friction");
+    refuse_unread(scene.zones.turbulence, &BedLaw::reads_turbulence, "turbulence");
+    refuse_unread(scene.zones.cohesion, &BedLaw::reads_cohesion, "cohesion");
+    refuse(scene.zones.erodible_depth, scene.entrainment.erosion != ErosionLaw::none, "an erodible depth",
+           "Choose a law of erosion, or remove the zones");
+    refuse_large_friction(reading, scene, problems);
+}
+
+}  // namespace frana::app

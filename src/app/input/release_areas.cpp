@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/release_areas.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "analysis/slip_surface.h"
+#include "app/input/layer_values.h"
+#include "app/text/number_text.h"
+#include "core/json.h"
+
+namespace frana::app {
+namespace {
+
+using Kind = ThicknessSpec::Kind;
+
+std::string name_of(const gis::PolygonLayer& layer, std::size_t feature) {
+    return "feature " + std::to_string(feature + 1) + " of " + layer.layer_name;
+}
+
+bool by_attribute(const std::optional<SourceSpec>& source) {
+    return source && source->kind == SourceSpec::Kind::attribute;
+}
+
+std::optional<SlipShape> shape_of(const ReleaseSpec& spec) {
+    if (spec.slip_shape == "ellipsoid") return SlipShape::ellipsoid;
+    if (spec.slip_shape == "base-level") return SlipShape::base_level;
+    return std::nullopt;
+}
+
+/// The factor by which depths as the square roots of the areas give a volume in all.
+double common_factor(const std::vector<SlipSurface>& surfaces, const gis::PolygonLayer& layer, double volume) {
+    const auto total = [&](double factor) {
+        double sum = 0;
+        for (std::size_t i = 0; i < surfaces.size(); ++i)
+            sum += surfaces[i].volume(factor * std::sqrt(area(layer.features[i].parts)));
+        return sum;
+    };
+    double low = 0, high = 1e-3;
+    while (total(high) < volume && high < 1e6) high *= 2;
+    while (high - low > 1e-9 * high) {
+        const double middle = 0.5 * (low + high);
+        (total(middle) < volume ? low : high) = middle;
+    }
+    return high;
+}
+
+}  // namespace
+
+void set_details(const SceneReading& reading, const gis::PolygonLayer* layer, std::size_t feature, ReleaseArea& area,
+                 Problems& problems) {
+    const ReleaseSpec& spec = reading.scene.release;
+    area.normal_to_bed = spec.thickness_direction == "normal";
+    const auto value = [&](const std::string& key, const std::optional<SourceSpec>& source) -> std::optional<double> {
+        if (!source) return std::nullopt;
+        if (layer == nullptr) return source->number;
+        return value_of(reading, key, *source, *layer, feature, problems);
+    };
+    area.start = value("release.start", spec.start).value_or(0);
+    area.speed = value("release.velocity", spec.velocity).value_or(0);
+    if (const auto degrees = value("release.direction", spec.direction))
+        area.azimuth = *degrees * std::numbers::pi / 180;
+    if (by_attribute(spec.volume)) area.volume = value("release.volume", spec.volume);
+}
+
+std::vector<ReleaseArea> areas_by_feature(const SceneReading& reading, const gis::PolygonLayer& layer,
+                                          Problems& problems) {
+    const ThicknessSpec& spec = *reading.scene.release.thickness;
+    const std::string where = reading.where("release.thickness");
+    std::vector<ReleaseArea> areas;
+    for (std::size_t i = 0; i < layer.features.size(); ++i) {
+        ReleaseArea area;
+        area.outline = layer.features[i].parts;
+        area.thickness = spec.metres;
+        if (spec.kind == Kind::attribute) {
+            const SourceSpec source{SourceSpec::Kind::attribute, 0, spec.attribute};
+            const auto thickness = value_of(reading, "release.thickness", source, layer, i, problems);
+            if (!thickness) continue;
+            area.thickness = *thickness;
+            if (!(area.thickness > 0) || !std::isfinite(area.thickness)) {
+                problems.add({name_of(layer, i) + " has a thickness that is not positive", where,
+                              shortest_text(area.thickness) + " m", "greater than 0",
+                              "Correct the attribute " + spec.attribute});
+                continue;
+            }
+        }
+        set_details(reading, &layer, i, area, problems);
+        areas.push_back(std::move(area));
+    }
+    return areas;
+}
+
+std::vector<ReleaseArea> areas_of_raster(const SceneReading& reading, const gis::PolygonLayer& layer,
+                                         const Raster& thickness, Problems& problems) {
+    std::vector<ReleaseArea> areas;
+    const ReleaseSpec& spec = reading.scene.release;
+    if (layer.overlap) {
+        if (by_attribute(spec.start) || by_attribute(spec.velocity) || by_attribute(spec.direction) ||
+            by_attribute(spec.volume)) {
+            problems.add({"polygons overlap that share a thickness raster and have attributes of their own",
+                          reading.where("release.perimeter"), "", "", "Draw them apart"});
+            return areas;
+        }
+        ReleaseArea area;
+        for (const PolygonFeature& feature : layer.features)
+            area.outline.insert(area.outline.end(), feature.parts.begin(), feature.parts.end());
+        areas.push_back(std::move(area));
+        set_details(reading, nullptr, 0, areas.back(), problems);
+    } else {
+        for (std::size_t i = 0; i < layer.features.size(); ++i) {
+            ReleaseArea area;
+            area.outline = layer.features[i].parts;
+            set_details(reading, &layer, i, area, problems);
+            areas.push_back(std::move(area));
+        }
+    }
+    for (ReleaseArea& area : areas) area.thickness_raster = thickness;
+    return areas;
+}
+
+std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, const gis::PolygonLayer& layer,
+                                                   const Raster& ground, RunLog& log, Problems& problems) {
+    const ReleaseSpec& spec = reading.scene.release;
+    std::vector<ReleaseArea> areas;
+    std::vector<SlipSurface> surfaces;
+    for (std::size_t i = 0; i < layer.features.size(); ++i) {
+        try {
+            surfaces.emplace_back(ground, layer.features[i].parts, shape_of(spec));
+        } catch (const Error& error) {
+            Problem problem = error.problems().front();
+            problem.what = name_of(layer, i) + ": " + problem.what;
+            problem.where = reading.where(problem.where);
+            problems.add(problem);
+        }
+    }
+    if (surfaces.size() != layer.features.size()) return areas;
+    const bool shared = spec.volume && !by_attribute(spec.volume);
+    const double factor = shared ? common_factor(surfaces, layer, spec.volume->number) : 0;
+    for (std::size_t i = 0; i < layer.features.size(); ++i) {
+        ReleaseArea area;
+        area.outline = layer.features[i].parts;
+        set_details(reading, &layer, i, area, problems);
+        std::optional<double> depth;
+        if (spec.slip_depth) depth = value_of(reading, "release.slip-depth", *spec.slip_depth, layer, i, problems);
+        if (area.volume) depth = surfaces[i].depth_for(*area.volume);
+        if (shared) depth = factor * std::sqrt(frana::area(area.outline));
+        if (!depth) continue;
+        area.thickness_raster = surfaces[i].thickness(*depth);
+        log.note("slip surface under " + name_of(layer, i) + ": " +
+                 (surfaces[i].shape() == SlipShape::ellipsoid ? "ellipsoid" : "sloping local base level") + ", " +
+                 figure(*depth, 4) + " m deep");
+        areas.push_back(std::move(area));
+    }
+    return areas;
+}
+
+}  // namespace frana::app

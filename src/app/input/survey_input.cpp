@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/survey_input.h"
+
+#include "gis/picture_in.h"
+
+#include <algorithm>
+
+#include "app/text/number_text.h"
+#include "core/json.h"
+
+namespace frana::app {
+namespace {
+
+bool inside(const GridSpec& grid, Point place) {
+    const Bounds box = grid.bounds();
+    return place.x >= box.west && place.x <= box.east && place.y >= box.south && place.y <= box.north;
+}
+
+std::string place_text(const std::string& name, Point place) {
+    return name + " at " + shortest_text(place.x) + ", " + shortest_text(place.y);
+}
+
+void require_inside(const std::string& name, const Polyline& places, const GridSpec& grid,
+                    const std::string& where, Problems& problems) {
+    for (const Point& place : places) {
+        if (inside(grid, place)) continue;
+        problems.add({"lies outside the working grid", where, place_text(name, place),
+                      extent_text(grid.bounds()), "Move it, or take a larger DTM or terrain.bounds"});
+        return;
+    }
+}
+
+/// Reads one key's marks, if it is set; faults go to `problems`.
+std::optional<gis::Marks> marks_of(const std::optional<std::string>& file, const std::string& key,
+                                   const SceneReading& reading, const GridSpec& grid, Problems& problems) {
+    if (!file) return std::nullopt;
+    try {
+        return gis::read_marks(*file, grid.crs_wkt, reading.where(key));
+    } catch (const Error& error) {
+        problems.add(error);
+        return std::nullopt;
+    }
+}
+
+/// The lines of a key that wants lines.
+std::vector<gis::NamedLine> lines_of(const std::optional<gis::Marks>& marks, const std::string& file,
+                                     const std::string& where, const GridSpec& grid, Problems& problems) {
+    if (!marks) return {};
+    if (marks->lines.empty() || !marks->points.empty() || marks->polygons > 0)
+        problems.add({"is not a layer of lines", where, file, "lines of two points or more", "Draw lines"});
+    for (const gis::NamedLine& line : marks->lines)
+        require_inside("line " + line.name, line.line, grid, where, problems);
+    return marks->lines;
+}
+
+std::vector<Gauge> gauges_of(const std::optional<gis::Marks>& marks, const std::string& file,
+                             const std::string& where, const GridSpec& grid, Problems& problems) {
+    std::vector<Gauge> gauges;
+    if (!marks) return gauges;
+    if (marks->points.empty() || !marks->lines.empty() || marks->polygons > 0)
+        problems.add({"is not a layer of points", where, file, "points", "Draw points"});
+    for (const gis::NamedPoint& point : marks->points) {
+        require_inside("gauge " + point.name, {point.place}, grid, where, problems);
+        gauges.push_back({point.name, point.place});
+    }
+    return gauges;
+}
+
+/// Names are how rows are told apart.
+template <class Named>
+void require_different_names(const std::vector<Named>& list, const std::string& where, Problems& problems) {
+    std::vector<std::string> names;
+    for (const Named& one : list) names.push_back(one.name);
+    std::sort(names.begin(), names.end());
+    const auto twice = std::adjacent_find(names.begin(), names.end());
+    if (twice != names.end())
+        problems.add({"two features have one name", where, *twice, "", "Give each a name of its own"});
+}
+
+}  // namespace
+
+std::optional<Bounds> Survey::box() const {
+    std::optional<Bounds> all;
+    const auto include = [&all](Point p) {
+        if (!all) all = Bounds{p.x, p.y, p.x, p.y};
+        *all = {std::min(all->west, p.x), std::min(all->south, p.y), std::max(all->east, p.x),
+                std::max(all->north, p.y)};
+    };
+    for (const auto* area : {&scar, &deposit})
+        for (const Polygon& polygon : *area)
+            for (const Point& point : polygon.outer) include(point);
+    for (const gis::NamedPoint& tip : tips) include(tip.place);
+    return all;
+}
+
+MultiPolygon parts_of(const std::vector<PolygonFeature>& features) {
+    MultiPolygon all;
+    for (const PolygonFeature& feature : features)
+        all.insert(all.end(), feature.parts.begin(), feature.parts.end());
+    return all;
+}
+
+void add_surveyed(const std::string& file, const std::string& crs_wkt, const std::string& where, RunLog& log,
+                  Survey& survey) {
+    gis::Marks marks = gis::read_marks(file, crs_wkt, where);
+    const auto closed = [](const gis::NamedLine& line) {
+        return line.line.size() > 3 && line.line.front().x == line.line.back().x &&
+               line.line.front().y == line.line.back().y;
+    };
+    const auto areas = marks.polygons + std::count_if(marks.lines.begin(), marks.lines.end(), closed);
+    if (areas > 0) {
+        const gis::PolygonLayer layer = gis::read_polygons(file, crs_wkt, where);
+        for (const std::string& warning : layer.warnings) log.warn("scar: " + warning);
+        const MultiPolygon parts = parts_of(layer.features);
+        survey.scar.insert(survey.scar.end(), parts.begin(), parts.end());
+        survey.scar_label = file;
+        return;
+    }
+    survey.fronts.insert(survey.fronts.end(), marks.lines.begin(), marks.lines.end());
+    survey.tips.insert(survey.tips.end(), marks.points.begin(), marks.points.end());
+    survey.front_label = file;
+}
+
+UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::string& where, RunLog& log,
+                     Survey& survey) {
+    survey.deposit_label = file;
+    std::optional<gis::RasterInfo> info;
+    try {
+        info = gis::inspect_raster(file, where);
+    } catch (const Error&) {
+        info.reset();  // polygons, then
+    }
+    if (!info) {
+        const gis::PolygonLayer layer = gis::read_polygons(file, grid.crs_wkt, where);
+        for (const std::string& warning : layer.warnings) log.warn("deposit: " + warning);
+        survey.deposit = parts_of(layer.features);
+        return used_polygons("Surveyed deposit", file, layer);
+    }
+    gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic);
+    for (const std::string& warning : read.warnings) log.warn("deposit: " + warning);
+    log.note("elevation change brought onto the grid: " + read.resampling_used);
+    survey.elevation_change = std::move(read.raster);
+    return used_raster("Surveyed elevation change", *info, read.transform, read.resampling_used, read.nodata_cells);
+}
+
+ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunLog& log, Problems& problems) {
+    const OutputSpec& output = reading.scene.output;
+    ExtraInput extra;
+    const auto keep = [&](const std::string& what, const std::optional<std::string>& file,
+                          const std::optional<gis::Marks>& marks) {
+        if (marks) extra.files.push_back(used_marks(what, *file, *marks));
+    };
+    const std::string gauges_key = "output.gauges", sections_key = "output.cross-sections",
+                      profiles_key = "output.profiles", front_key = "scar.front",
+                      deposit_key = "scar.deposit";
+
+    const auto gauges = marks_of(output.gauges, gauges_key, reading, grid, problems);
+    keep("Gauges", output.gauges, gauges);
+    extra.recording.gauges =
+        gauges_of(gauges, output.gauges.value_or(""), reading.where(gauges_key), grid, problems);
+    require_different_names(extra.recording.gauges, reading.where(gauges_key), problems);
+
+    const auto sections = marks_of(output.sections, sections_key, reading, grid, problems);
+    keep("Cross-sections", output.sections, sections);
+    for (gis::NamedLine& line :
+         lines_of(sections, output.sections.value_or(""), reading.where(sections_key), grid, problems))
+        extra.recording.sections.push_back({line.name, std::move(line.line)});
+    require_different_names(extra.recording.sections, reading.where(sections_key), problems);
+
+    const auto profiles = marks_of(output.profiles, profiles_key, reading, grid, problems);
+    keep("Profiles", output.profiles, profiles);
+    extra.profiles =
+        lines_of(profiles, output.profiles.value_or(""), reading.where(profiles_key), grid, problems);
+    require_different_names(extra.profiles, reading.where(profiles_key), problems);
+
+    extra.recording.interval = output.sample_interval.value_or(0);
+    // Depth times speed and the energy head are followed for the schemes that ask for them.
+    const HazardSpec& hazard = reading.scene.hazard;
+    extra.recording.intensity =
+        hazard.scheme == "swiss-flood" || hazard.scheme == "austrian-torrent" || !hazard.flux_limits.empty();
+    const auto attempt = [&](const auto& read) {
+        try {
+            read();
+        } catch (const Error& error) {
+            problems.add(error);
+        }
+    };
+    if (const auto& picture = output.map_background) {
+        attempt([&] { gis::check_picture(*picture, grid.crs_wkt, reading.where("output.map-background")); });
+    }
+    if (const auto& front = reading.scene.scar.front) {
+        attempt([&] {
+            const gis::Marks marks = gis::read_marks(*front, grid.crs_wkt, reading.where(front_key));
+            extra.files.push_back(used_marks("Surveyed front", *front, marks));
+            add_surveyed(*front, grid.crs_wkt, reading.where(front_key), log, extra.survey);
+            if (!extra.survey.scar.empty()) {
+                problems.add({"is an area", reading.where(front_key), *front, "open lines or points",
+                              "Give areas as scar.perimeter"});
+            }
+        });
+    }
+    if (const auto& deposit = reading.scene.scar.deposit)
+        attempt([&] {
+            extra.files.push_back(add_deposit(*deposit, grid, reading.where(deposit_key), log, extra.survey));
+        });
+    return extra;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/input/used_file.h"
+#include "app/text/run_log.h"
+#include "core/error.h"
+#include "gis/marks_in.h"
+#include "gis/raster_in.h"
+#include "gis/vector_in.h"
+#include "params/read_scene.h"
+#include "simulation/scene.h"
+
+namespace frana::app {
+
+/// What was surveyed of an event, in the CRS of the result: any part may be missing.
+struct Survey {
+    MultiPolygon scar;
+    std::string scar_label;
+    std::vector<gis::NamedLine> fronts;
+    std::vector<gis::NamedPoint> tips;
+    std::string front_label;
+    MultiPolygon deposit;
+    std::optional<Raster> elevation_change;  ///< after less before [m], on the result's grid
+    std::string deposit_label;
+
+    [[nodiscard]] bool empty() const noexcept {
+        return scar.empty() && fronts.empty() && tips.empty() && deposit.empty() && !elevation_change;
+    }
+    /// The areas that must lie on the grid of a comparison.
+    [[nodiscard]] std::optional<Bounds> box() const;
+};
+
+/// Adds a file to a survey by what it holds: polygons (or closed lines) are a scar, open lines a front,
+/// points tips. Throws Error(input).
+void add_surveyed(const std::string& file, const std::string& crs_wkt, const std::string& where, RunLog& log,
+                  Survey& survey);
+
+/// Adds a deposit: polygons, or a raster of elevation change. Throws Error(input).
+UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::string& where, RunLog& log,
+                 Survey& survey);
+
+/// The parts of all features of a layer.
+MultiPolygon parts_of(const std::vector<PolygonFeature>& features);
+
+/// What a run records and compares beyond its release, from the keys output.gauges, cross-sections, profiles
+/// and scar.front, deposit.
+struct ExtraInput {
+    Recording recording;
+    std::vector<gis::NamedLine> profiles;
+    Survey survey;  ///< without the scar, which is read with the release
+    std::vector<UsedFile> files;
+};
+
+/// Reads them for a working grid. Adds every fault to `problems`, among them places outside the grid.
+ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunLog& log, Problems& problems);
+
+}  // namespace frana::app

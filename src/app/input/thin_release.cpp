@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/thin_release.h"
+
+#include "app/text/number_text.h"
+#include "core/json.h"
+
+namespace frana::app {
+
+void warn_of_thin_release(const RunEstimate& expected, const Scene& scene, RunLog& log) {
+    const auto warn = [&](double share, const char* key, double depth, const std::string& then) {
+        if (share <= k_thin_share) return;
+        log.warn(figure(100 * share, 2) + " % of the release is thinner than " + key + " = " +
+                 shortest_text(depth) + " m: " + then);
+    };
+    warn(expected.thin_share, "numerics.minimum-depth", scene.numerics.minimum_depth,
+         "maps and figures do not show it; set the key to about a hundredth of the flow's usual depth");
+    if (scene.time.trace_threshold > scene.numerics.minimum_depth)
+        warn(expected.untraced_share, "output.trace-threshold", scene.time.trace_threshold,
+             "outlines, covered area and run-out do not count it; set the key to about a tenth of the flow's "
+             "usual depth");
+}
+
+}  // namespace frana::app

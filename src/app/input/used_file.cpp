@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/input/used_file.h"
+
+#include "app/text/number_text.h"
+#include "core/json.h"
+#include "gis/crs.h"
+
+namespace frana::app {
+namespace {
+
+UsedFile positioned(const std::string& role, const std::string& path, const std::string& crs_wkt,
+                    const std::string& crs_label, const Bounds& bounds, const gis::TransformInfo& transform) {
+    UsedFile file;
+    file.role = role;
+    file.path = path;
+    file.crs_label = crs_wkt.empty() ? "none" : crs_label;
+    file.bounds = bounds;
+    file.degrees = !crs_wkt.empty() && gis::longitude_turn(crs_wkt) > 0;
+    file.transform = transform;
+    return file;
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+    return count == 0 ? "" : std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+UsedFile used_raster(const std::string& role, const gis::RasterInfo& from,
+                     const gis::TransformInfo& transform, const std::string& resampling,
+                     std::int64_t nodata_cells) {
+    UsedFile file = positioned(role, from.path, from.crs_wkt, from.crs_label, from.bounds, transform);
+    file.content = grouped(from.columns) + " x " + grouped(from.rows) + " of\n" + figure(from.cell_x, 6) +
+                   " x " + figure(from.cell_y, 6) + (file.degrees ? " degrees" : "") + "\n" + from.data_type +
+                   " in " + from.vertical_unit + (from.vertical_unit_stated ? "" : " (assumed)") +
+                   (from.rotated ? "\nrotated" : "");
+    file.nodata = grouped(nodata_cells) + "\n" + (from.has_nodata ? figure(from.nodata, 9) : "none declared");
+    file.resampling = resampling;
+    return file;
+}
+
+UsedFile used_polygons(const std::string& role, const std::string& path, const gis::PolygonLayer& layer) {
+    UsedFile file = positioned(role, path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
+    file.layer = layer.layer_name;
+    double area_m2 = 0;
+    for (const PolygonFeature& feature : layer.features) area_m2 += area(feature.parts);
+    file.content = counted(layer.features.size(), "polygon") + "\n" + grouped(area_m2) + " m2";
+    return file;
+}
+
+UsedFile used_lines(const std::string& role, const std::string& path, const gis::LineInputLayer& layer) {
+    UsedFile file = positioned(role, path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
+    file.content = counted(layer.features.size(), "line");
+    return file;
+}
+
+UsedFile used_marks(const std::string& role, const std::string& path, const gis::Marks& marks) {
+    UsedFile file = positioned(role, path, marks.crs_wkt, marks.crs_label, marks.own_bounds, marks.transform);
+    const std::string lines = counted(marks.lines.size(), "line"),
+                      points = counted(marks.points.size(), "point");
+    file.content = lines + (lines.empty() || points.empty() ? "" : "\n") + points;
+    return file;
+}
+
+}  // namespace frana::app

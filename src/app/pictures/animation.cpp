@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pictures/animation.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <type_traits>
+
+#include "analysis/trace.h"
+#include "app/pictures/particle_dots.h"
+#include "app/pictures/require_cells.h"
+#include "app/text/number_text.h"
+#include "gis/raster_in.h"
+#include "render/animation.h"
+#include "render/movie.h"
+#include "render/raster_window.h"
+
+namespace frana::app {
+namespace {
+
+constexpr double k_film_seconds = 8;  // about: neither stutters nor flies
+constexpr double k_playback = 25;     // frames a second
+
+/// As many decimals as tell frames apart, at least one.
+int time_decimals(const std::vector<StoredFrame>& frames) {
+    double gap = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < frames.size(); ++i) gap = std::min(gap, frames[i].time - frames[i - 1].time);
+    return gap > 0 && gap < 1 ? std::min(6, 1 + static_cast<int>(std::ceil(-std::log10(gap)))) : 1;
+}
+
+std::string time_text(double seconds, int decimals) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "t = %.*f s", decimals, seconds);
+    return text.data();
+}
+
+std::string picture_name(std::size_t frame) {
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "frame_%04zu.png", frame);
+    return name.data();
+}
+
+/// A film file, or a folder of pictures.
+class FilmOut {
+  public:
+    FilmOut(const std::string& path, Size size, std::size_t frames) : path_(path) {
+        if (path.ends_with('/')) return;
+        // A GIF says how long each picture stays; H.264 players want an even pace.
+        const bool gif = path.ends_with(".gif");
+        const double pace = std::clamp(static_cast<double>(frames) / k_film_seconds, 4.0, k_playback);
+        repeats_ = gif ? 1 : std::max(1, static_cast<int>(std::lround(k_playback / pace)));
+        movie_ =
+            std::make_unique<render::MovieWriter>(path, size.width, size.height, gif ? pace : k_playback);
+        seconds_ = static_cast<double>(frames) * repeats_ / (gif ? pace : k_playback);
+    }
+    [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< of playback; 0: a folder
+    void add(const render::Image& image) {
+        if (!movie_) {
+            render::write_png(path_ + picture_name(count_++), image);
+            return;
+        }
+        movie_->add(image, repeats_);
+    }
+    void finish() {
+        if (movie_) movie_->finish();
+    }
+
+  private:
+    std::string path_;
+    std::unique_ptr<render::MovieWriter> movie_;
+    int repeats_ = 1;
+    std::size_t count_ = 0;
+    double seconds_ = 0;
+};
+
+const std::string& file_of(const StoredFrame& frame, const std::string& quantity) {
+    return quantity == "velocity" ? frame.velocity_file : frame.depth_file;
+}
+
+/// The picture of a frame, of its particles or its raster.
+template <class Animator>
+render::Image draw_frame(Animator& animator, const StoredFrame& frame, const FilmSource& of) {
+    const std::string time = time_text(frame.time, time_decimals(of.frames));
+    if (of.quantity == "particles") return animator.frame(read_particle_dots(frame.particle_file), time);
+    const std::string& file = file_of(frame, of.quantity);
+    const Raster values = gis::read_result_raster(file);
+    require_cells(values.grid, file, of.layer.values.grid, of.layer_file);
+    return animator.frame(values, time);
+}
+
+/// The frame nearest to a time: those of two runs lie a step apart where the same times were asked for.
+const StoredFrame& frame_at(const std::vector<StoredFrame>& frames, double time) {
+    return *std::min_element(frames.begin(), frames.end(), [&](const StoredFrame& a, const StoredFrame& b) {
+        return std::abs(a.time - time) < std::abs(b.time - time);
+    });
+}
+
+std::string pace_words(const FilmSource& film, double seconds) {
+    const double simulated = film.frames.back().time - film.frames.front().time;
+    if (!(seconds > 0) || !(simulated > 0)) return {};
+    return "1 s of film: " + figure(simulated / seconds, 2) + " s";
+}
+
+/// A picture of the film's layer at its size, with its pace: a MapSpec or a ViewSpec.
+template <class Spec>
+Spec film_spec(const FilmSource& film, Size size, double seconds) {
+    Spec spec;
+    if constexpr (std::is_same_v<Spec, render::MapSpec>)
+        spec = map_spec(film.source, film.layer);
+    else
+        spec = view_spec(film.source, film.layer);
+    spec.width = size.width;
+    spec.height = size.height;
+    if (const std::string words = pace_words(film, seconds); !words.empty()) spec.side_notes.push_back(words);
+    return spec;
+}
+
+/// One scale and one ground for two results.
+void share(render::MapSpec& a, render::MapSpec& b, const MapLayer& greater) {
+    a.classes = b.classes = greater.classes;
+    const auto left = render::data_bounds(*a.layer), right = render::data_bounds(*b.layer);
+    if (!left || !right) return;
+    Bounds both{std::min(left->west, right->west), std::min(left->south, right->south),
+                std::max(left->east, right->east), std::max(left->north, right->north)};
+    const double margin = 0.14 * std::max(both.width(), both.height());
+    both = {both.west - margin, both.south - margin, both.east + margin, both.north + margin};
+    a.window = b.window = both;
+}
+
+void share(render::ViewSpec& a, render::ViewSpec& b, const MapLayer& greater) {
+    a.classes = b.classes = greater.classes;
+    render::ViewLayout layout;
+    render::draw_view(a, &layout);
+    a.camera = b.camera = layout.camera;
+}
+
+void beside(render::Image& page, const render::Image& part, int left) {
+    for (int row = 0; row < part.height; ++row)
+        std::copy_n(part.pixel(0, row), 3 * static_cast<std::size_t>(part.width), page.pixel(left, row));
+}
+
+template <class Animator, class Spec>
+bool film(const FilmRequest& request, const std::string& path) {
+    const std::vector<StoredFrame>& frames = request.first.frames;
+    FilmOut out(path, request.size, frames.size());
+    const Size half{request.second ? request.size.width / 2 : request.size.width, request.size.height};
+    Spec left = film_spec<Spec>(request.first, half, out.seconds());
+    std::optional<Animator> right;
+    if (request.second) {
+        Spec other =
+            film_spec<Spec>(*request.second, {request.size.width - half.width, half.height}, out.seconds());
+        const bool first_greater =
+            maximum(request.first.layer.values) >= maximum(request.second->layer.values);
+        share(left, other, first_greater ? request.first.layer : request.second->layer);
+        right.emplace(other);
+    }
+    Animator animator(left);
+    [[maybe_unused]] double along = 0;  // from the flight's start to its end
+    for (const StoredFrame& frame : frames) {
+        if (request.stop_requested && request.stop_requested()) return false;
+        if constexpr (std::is_same_v<Animator, render::ViewAnimator>) {
+            if (request.fly) animator.fly(along);
+            along += 1 / static_cast<double>(std::max<std::size_t>(1, frames.size() - 1));
+        }
+        const render::Image picture = draw_frame(animator, frame, request.first);
+        if (!right) {
+            out.add(picture);
+            continue;
+        }
+        render::Image page(request.size.width, request.size.height);
+        beside(page, picture, 0);
+        const StoredFrame& other = frame_at(request.second->frames, frame.time);
+        beside(page, draw_frame(*right, other, *request.second), half.width);
+        out.add(page);
+    }
+    out.finish();
+    return true;
+}
+
+}  // namespace
+
+Size film_size(Size map) {
+    constexpr int k_widest = 1280;
+    if (map.width <= k_widest) return map;
+    return {k_widest, std::max(480, map.height * k_widest / map.width)};
+}
+
+std::vector<std::string> film_files(const std::string& path, std::size_t frames) {
+    if (!path.ends_with('/')) return {path};
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < frames; ++i) files.push_back(path + picture_name(i));
+    return files;
+}
+
+bool is_film_picture(const std::string& name) {
+    return ::fnmatch("frame_*.png", name.c_str(), 0) == 0;
+}
+
+FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {
+    const bool particles = quantity == "particles";
+    const std::string colours = particles ? "velocity" : quantity;
+    FilmSource film{source, result.greatest(colours), result.path("max_" + colours + ".tif"), result.frames(), quantity};
+    film.layer.title = particles             ? "Speed of particles"
+                       : quantity == "depth" ? "Flow depth"
+                                             : "Flow velocity";
+    film.layer.source = "frames/" + quantity + (particles ? "_*.gpkg, speed_ms" : "_*.tif, band 1");
+    return film;
+}
+
+bool write_animation(const FilmRequest& request, const std::string& path) {
+    return request.view_3d ? film<render::ViewAnimator, render::ViewSpec>(request, path)
+                           : film<render::MapAnimator, render::MapSpec>(request, path);
+}
+
+}  // namespace frana::app

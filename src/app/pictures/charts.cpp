@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pictures/charts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "app/text/csv_cell.h"
+#include "app/text/file_stems.h"
+#include "core/error.h"
+#include "core/utf8.h"
+#include "gis/table_in.h"
+#include "params/value_text.h"
+
+namespace frana::app {
+namespace {
+
+using render::Stroke;
+
+// Okabe and Ito's colours, safe for the colour-blind, the dark ones first.
+constexpr Rgb k_blue{0, 114, 178}, k_vermilion{213, 94, 0}, k_green{0, 158, 115}, k_purple{160, 80, 130},
+    k_ground{90, 70, 50};
+constexpr Rgb k_colours[] = {k_blue, k_vermilion, k_green, k_purple, k_ground, {86, 180, 233}, {230, 159, 0}};
+constexpr Stroke k_strokes[] = {Stroke::solid, Stroke::dashed, Stroke::dotted, Stroke::dash_dot};
+constexpr std::size_t k_most_curves = std::size(k_colours) * std::size(k_strokes);  // that look unequal
+constexpr std::size_t k_longest_name = 40;                                          // letters, in the key
+
+/// A table of a result: texts and numbers by column.
+class Columns {
+  public:
+    explicit Columns(const std::string& path) : path_(path), table_(gis::read_table(path, "RESULT_DIR")) {}
+
+    [[nodiscard]] std::size_t rows() const { return table_.rows.size(); }
+    [[nodiscard]] const std::string& text(std::size_t row, const std::string& name) const {
+        return table_.rows[row][index(name)];
+    }
+    /// NaN for an empty cell and for what is not finite. Throws Error(input) for a word.
+    [[nodiscard]] std::vector<double> numbers(const std::string& name) const {
+        const std::size_t column = index(name);
+        std::vector<double> values;
+        for (const auto& row : table_.rows) {
+            const std::string& cell = row[column];
+            const auto number = number_from_text(cell);
+            if (!number && !cell.empty() && cell != "nan" && cell != "inf" && cell != "-inf") {
+                throw Error(ErrorKind::input, Problem{"is no number in the column " + name, path_,
+                                                      elided(valid_utf8(cell), 80), "", "The file is damaged"});
+            }
+            values.push_back(number.value_or(k_no_data));
+        }
+        return values;
+    }
+    [[nodiscard]] bool has(const std::string& name) const {
+        return std::find(table_.columns.begin(), table_.columns.end(), name) != table_.columns.end();
+    }
+
+  private:
+    [[nodiscard]] std::size_t index(const std::string& name) const {
+        const auto found = std::find(table_.columns.begin(), table_.columns.end(), name);
+        if (found == table_.columns.end())
+            throw Error(ErrorKind::input,
+                        Problem{"has no column " + name, path_, elided(valid_utf8(joined(table_.columns, ",")), 80), "",
+                                "The file is not a run's, or damaged"});
+        return static_cast<std::size_t>(found - table_.columns.begin());
+    }
+
+    std::string path_;
+    gis::Table table_;
+};
+
+std::vector<Point> joined_points(const std::vector<double>& x, const std::vector<double>& y) {
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
+    return points;
+}
+
+/// Each kind of row of a table, in the order of first appearance.
+std::vector<std::string> kinds_of(const Columns& table, const std::string& column) {
+    std::vector<std::string> kinds;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const std::string& kind = table.text(row, column);
+        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+    }
+    return kinds;
+}
+
+render::CurveChart page(const MapSource& source, const std::string& what, const std::string& file) {
+    const std::string by = page_attribution(source);
+    return {page_title(source, what), source.subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), 1, {}};
+}
+
+/// `line` as it stands in the table.
+NamedChart profile_chart(const Columns& table, const std::string& line, const std::string& stem,
+                         const MapSource& source) {
+    const std::vector<double> distance = table.numbers("distance_m"), bed = table.numbers("bed_m");
+    const auto column = [&](const std::string& name) {
+        std::vector<double> values = table.numbers(name);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (table.text(i, "line") != line) values[i] = k_no_data;
+        return values;
+    };
+    const auto on_line = [&](const std::vector<double>& values) {
+        std::vector<Point> points;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (table.text(i, "line") == line) points.push_back({distance[i], values[i]});
+        return points;
+    };
+    const auto surface = [&](const std::string& name) {
+        std::vector<double> values = column(name);
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = values[i] > 0 ? bed[i] + values[i] : k_no_data;
+        return on_line(values);
+    };
+    std::vector<double> foot;
+    for (const Point p : on_line(bed)) foot.push_back(p.y);
+    const std::string metres = "distance along the line [m]";
+    render::CurvePanel relief{"Surfaces", metres, "elevation [m]", {}};
+    relief.curves = {{"final surface", k_vermilion, surface("final_depth"), 2, Stroke::solid, foot},
+                     {"initial surface", k_green, surface("release_m"), 2, Stroke::dotted},
+                     {"bed plus maximum depth", k_blue, surface("max_depth"), 2, Stroke::dashed},
+                     {"bed", k_ground, on_line(bed), 2.4}};
+    relief.share = 1.5;
+    render::CurvePanel depths{"Depths, vertical", metres, "depth [m]", {}, true};
+    depths.curves = {{"maximum", k_blue, on_line(column("max_depth")), 2, Stroke::dashed},
+                     {"released", k_green, on_line(column("release_m")), 2, Stroke::dotted},
+                     {"at the end", k_vermilion, on_line(column("final_depth")), 2}};
+    render::CurvePanel speeds{"Greatest speed, along the bed", metres, "speed [m/s]", {}, true};
+    speeds.curves = {{"maximum", k_blue, on_line(column("max_velocity")), 2}};
+    const std::string name = elided(text_of_cell(line), k_longest_name);
+    render::CurveChart chart = page(source, "profile along " + name, "profiles.csv");
+    chart.panels = {relief, depths, speeds};
+    return {"profile_" + stem, chart};
+}
+
+NamedChart series_chart(const Columns& table, const MapSource& source) {
+    const std::vector<double> time = table.numbers("time_s");
+    const auto curve = [&](const std::string& name, const std::string& label, Rgb colour, double factor = 1,
+                           Stroke stroke = Stroke::solid) {
+        std::vector<double> values = table.numbers(name);
+        for (double& value : values) value *= factor;
+        return render::Curve{label, colour, joined_points(time, values), 2.2, stroke};
+    };
+    const std::string seconds = "time [s]";
+    render::CurveChart chart = page(source, "course of the flow", "timeseries.csv");
+    chart.across = 2;
+    chart.panels = {
+        {"Greatest speed",
+         seconds,
+         "speed [m/s]",
+         {curve("max_speed_ms", "along the bed", k_vermilion)},
+         true},
+        {"Greatest depth", seconds, "depth [m]", {curve("max_depth_m", "vertical", k_blue)}, true},
+        {"Front", seconds, "distance [m]", {curve("front_distance_m", "farthest particle", k_purple)}, true},
+        {"Covered area",
+         seconds,
+         "area [1000 m\u00B2]",
+         {curve("covered_area_m2", "at the time", k_green, 1e-3)},
+         true},
+        {"Kinetic energy",
+         seconds,
+         "energy [GJ]",
+         {curve("kinetic_energy_j", "in map view", k_vermilion, 1e-9)},
+         true},
+        {"Volume",
+         seconds,
+         "volume [1000 m\u00B3]",
+         {curve("volume_m3", "inside", k_blue, 1e-3),
+          curve("volume_left_m3", "left the ground", k_vermilion, 1e-3, Stroke::dashed)},
+         true}};
+    return {"timeseries", chart};
+}
+
+NamedChart scores_chart(const Columns& table, const ResultReader& result, const MapSource& source) {
+    const std::vector<double> threshold = table.numbers("threshold_m");
+    const auto curve = [&](const std::string& name, const std::string& label, std::size_t colour, Stroke stroke) {
+        return render::Curve{label, k_colours[colour], joined_points(threshold, table.numbers(name)), 2.4, stroke};
+    };
+    render::CurvePanel scores{"Scores", "depth threshold [m]", "score [-]", {}, true};
+    scores.curves = {curve("jaccard", "Jaccard", 0, Stroke::solid), curve("dice", "Dice", 1, Stroke::dash_dot),
+                     curve("true_positive_rate", "hit rate", 2, Stroke::dashed),
+                     curve("false_positive_rate", "false alarm rate", 3, Stroke::dotted)};
+    render::CurvePanel areas{"Area difference", "depth threshold [m]", "difference [%]", {}, true};
+    areas.curves = {curve("area_difference_percent", "|simulated \u2212 observed| / observed", 0, Stroke::solid)};
+    for (render::CurvePanel* panel : {&scores, &areas}) {
+        panel->log_x = true;
+        panel->mark_x = result.scene_number("scar.threshold", result.scene_number("output.trace-threshold", 0.1));
+    }
+    scores.share = 1.6;
+    render::CurveChart chart = page(source, "scores over the depth threshold", "comparison_curve.csv");
+    chart.subtitle = "dashed: the threshold of the comparison";
+    chart.panels = {scores, areas};
+    return {"scores", chart};
+}
+
+/// One panel a quantity, one curve a place.
+NamedChart places_chart(const Columns& table, const std::string& place, const MapSource& source,
+                        const std::string& title, const std::string& file,
+                        const std::vector<std::array<std::string, 3>>& quantities) {
+    const std::vector<double> time = table.numbers("time_s");
+    render::CurveChart chart = page(source, title, file + ".csv");
+    std::vector<std::string> kinds = kinds_of(table, place);
+    if (kinds.size() > k_most_curves) {
+        chart.subtitle = "the first " + std::to_string(k_most_curves) + " of " + std::to_string(kinds.size()) +
+                         "; all are in " + file + ".csv";
+        kinds.resize(k_most_curves);
+    }
+    for (const auto& [column, name, label] : quantities) {
+        const std::vector<double> values = table.numbers(column);
+        render::CurvePanel panel{name, "time [s]", label, {}, true};
+        for (const std::string& kind : kinds) {
+            const Rgb colour = k_colours[panel.curves.size() % std::size(k_colours)];
+            render::Curve curve{elided(text_of_cell(kind), k_longest_name), colour, {}};
+            curve.stroke = k_strokes[panel.curves.size() % std::size(k_strokes)];
+            for (std::size_t i = 0; i < values.size(); ++i)
+                if (table.text(i, place) == kind) curve.points.push_back({time[i], values[i]});
+            panel.curves.push_back(std::move(curve));
+        }
+        chart.panels.push_back(std::move(panel));
+    }
+    return {file, chart};
+}
+
+/// Whether a table has more than its header. Throws Error(input) where it has not even that, or is cut off.
+bool has_rows(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string header, first;
+    const bool named = std::getline(file, header) && !header.empty();
+    const bool any = static_cast<bool>(std::getline(file, first));
+    file.clear();
+    file.seekg(-1, std::ios::end);
+    if (!named || file.get() != '\n')
+        throw Error(ErrorKind::input, Problem{named ? "is cut off in the middle of a row" : "has no header", path, "",
+                                              "", "The file is damaged"});
+    return any;
+}
+
+}  // namespace
+
+std::vector<NamedChart> result_charts(const ResultReader& result, const MapSource& source, Problems& problems) {
+    std::vector<NamedChart> charts;
+    const auto table = [&](const std::string& name, const auto& draw) {
+        if (!result.has(name)) return;
+        try {
+            // Without a row nothing flowed, or no line was found.
+            if (has_rows(result.path(name))) draw(Columns(result.path(name)));
+        } catch (const Error& error) {
+            problems.add(error);
+        }
+    };
+    table("profiles.csv", [&](const Columns& columns) {
+        const std::vector<std::string> lines = kinds_of(columns, "line");
+        std::vector<std::string> names;
+        for (const std::string& line : lines) names.push_back(text_of_cell(line));
+        const std::vector<std::string> stems = file_stems(names);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            charts.push_back(profile_chart(columns, lines[i], stems[i], source));
+    });
+    table("timeseries.csv", [&](const Columns& columns) { charts.push_back(series_chart(columns, source)); });
+    table("gauges.csv", [&](const Columns& columns) {
+        charts.push_back(places_chart(
+            columns, "gauge", source, "gauges", "gauges",
+            {{"depth_m", "Depth, vertical", "depth [m]"}, {"speed_ms", "Speed, along the bed", "speed [m/s]"}}));
+    });
+    table("sections.csv", [&](const Columns& columns) {
+        charts.push_back(places_chart(columns, "section", source, "cross-sections", "sections",
+                                      {{"discharge_m3s", "Discharge", "discharge [m\u00B3/s]"},
+                                       {"volume_m3", "Volume passed", "volume [m\u00B3]"}}));
+    });
+    table("comparison_curve.csv",
+          [&](const Columns& columns) { charts.push_back(scores_chart(columns, result, source)); });
+    return charts;
+}
+
+std::vector<std::string> chart_files(const ResultReader& result, const MapSource& source, const std::string& folder) {
+    std::vector<std::string> files;
+    Problems drawn_later;  // and told then
+    for (const NamedChart& one : result_charts(result, source, drawn_later)) {
+        const auto more =
+            picture_files(source.style, (std::filesystem::path(folder) / one.name).string(), false);
+        files.insert(files.end(), more.begin(), more.end());
+    }
+    return files;
+}
+
+std::vector<std::string> draw_charts(const ResultReader& result, const MapSource& source, const std::string& folder,
+                                     Problems& problems) {
+    std::vector<std::string> files;
+    const Size size = source.style.size;
+    for (const NamedChart& one : result_charts(result, source, problems)) {
+        try {
+            for (const std::string& file :
+                 write_plain_picture(render::draw_curves(one.chart, size.width, size.height), source.style,
+                                     one.chart.title, (std::filesystem::path(folder) / one.name).string()))
+                files.push_back(file);
+        } catch (const Error& error) {
+            for (Problem problem : error.problems()) {
+                problem.where += (problem.where.empty() ? "" : ", ") + ("chart " + one.name);
+                problems.add(Error(error.kind(), problem));
+            }
+        }
+    }
+    return files;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pictures/map_layer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "analysis/trace.h"
+#include "app/store/layers.h"
+#include "app/text/number_text.h"
+#include "core/error.h"
+#include "gis/raster_in.h"
+#include "gis/raster_text.h"
+#include "params/value_text.h"
+
+namespace frana::app {
+namespace {
+
+/// Files of a result that are not in the list of layers, and frames.
+struct Known {
+    const char *name, *title, *palette;
+    bool progressive;
+};
+constexpr Known k_known[] = {{"depth", "Flow depth", "depth", true},
+                             {"velocity", "Flow velocity", "velocity", false},
+                             {"release", "Thickness released", "depth", true},
+                             {"max_flux", "Maximum flux", "velocity", true},
+                             {"max_head", "Maximum energy head", "velocity", true},
+                             {"uncertainty", "Estimated error of the maximum depth", "velocity", true},
+                             {"hazard", "Intensity", "depth", false},
+                             {"comparison", "Comparison with the survey", "depth", false}};
+
+/// Title and colours of a file whose name is known; false where it is not.
+bool set_known(const std::string& name, MapLayer& layer) {
+    const double most = maximum(layer.values);
+    for (const Layer& one : all_layers()) {
+        if (one.name != name) continue;
+        layer.title = one.title;
+        layer.palette = one.palette;
+        layer.classes = layer_classes(one, most);
+        return true;
+    }
+    for (const Known& one : k_known) {
+        if (one.name != name) continue;
+        layer.title = one.title;
+        layer.palette = one.palette;
+        Layer bounds;
+        bounds.progressive = one.progressive;
+        layer.classes = layer_classes(bounds, most);
+        return true;
+    }
+    return false;
+}
+
+std::string usual_palette(const std::string& unit) {
+    if (unit == "s" || unit == "min" || unit == "h") return "time";
+    return unit.empty() || unit == "m" ? "depth" : "velocity";
+}
+
+/// "max_depth: Maximum flow depth [m]" without what stands before and behind.
+std::string bare_description(std::string text) {
+    const auto colon = text.find(": ");
+    if (colon != std::string::npos) text.erase(0, colon + 2);
+    const auto bracket = text.rfind(" [");
+    return bracket == std::string::npos ? text : text.substr(0, bracket);
+}
+
+}  // namespace
+
+MapLayer read_map_layer(const std::string& path, bool foreign) {
+    const gis::RasterText text = gis::read_raster_text(path);
+    MapLayer layer;
+    layer.values = gis::read_result_raster(path);
+    if (foreign && text.classes.empty()) {
+        for (double& value : layer.values.values)
+            if (value == 0) value = k_no_data;
+    }
+    const std::filesystem::path file(path);
+    layer.name = file.stem().string();
+    layer.unit = text.unit;
+    layer.source = file.filename().string() + ", band 1";
+    if (const auto time = text.metadata.find("TIME_S"); time != text.metadata.end())
+        layer.time = number_from_text(time->second);
+    // A frame is named after its raster and its number: depth_0012.
+    std::string kind = layer.name;
+    if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
+    if (foreign || !set_known(kind, layer)) {
+        layer.title = bare_description(text.description);
+        if (layer.title.empty()) layer.title = layer.name;
+        layer.palette = usual_palette(layer.unit);
+    }
+    if (!text.classes.empty()) {
+        layer.classes.clear();
+        for (const gis::NamedClass& one : text.classes)
+            layer.categories.push_back({static_cast<double>(one.value), one.label, one.colour});
+        layer.notes = class_areas(layer);
+        if (kind == "hazard")  // a map travels without its log
+            layer.notes.insert(layer.notes.begin(), {"Intensity of one scenario,", "not a degree of danger"});
+    }
+    return layer;
+}
+
+MapLayer read_greatest_layer(const std::vector<std::string>& paths) {
+    MapLayer layer = read_map_layer(paths.front());
+    for (std::size_t i = 1; i < paths.size(); ++i) {
+        const Raster more = gis::read_result_raster(paths[i]);
+        if (!more.grid.same_cells(layer.values.grid))
+            throw Error(ErrorKind::input, Problem{"has other cells than " + paths.front(), paths[i], "", "", ""});
+        for (std::size_t cell = 0; cell < more.values.size(); ++cell)
+            layer.values.values[cell] = std::fmax(layer.values.values[cell], more.values[cell]);  // a number before nodata
+    }
+    set_known(layer.name.substr(0, layer.name.find_last_of('_')), layer);
+    layer.time.reset();
+    return layer;
+}
+
+std::vector<std::string> class_areas(const MapLayer& layer) {
+    std::vector<std::string> lines;
+    for (const render::ClassLabel& one : layer.categories) {
+        const auto cells = std::count(layer.values.values.begin(), layer.values.values.end(), one.value);
+        const std::string name = one.label.substr(0, one.label.find(':'));
+        lines.push_back(name + " " + grouped(static_cast<double>(cells) * layer.values.grid.cell_area()) + " m²");
+    }
+    return lines;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pictures/map_source.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "app/text/number_text.h"
+#include "app/text/version.h"
+#include "core/error.h"
+#include "core/utf8.h"
+#include "gis/crs.h"
+#include "gis/crs_transform.h"
+#include "gis/picture_in.h"
+#include "gis/picture_out.h"
+
+namespace frana::app {
+namespace {
+
+// Release and scar must be told apart from each other and from every palette: black dashes, bright cyan; a dark red
+// on classes, whose colours are as bright.
+constexpr Rgb k_release_colour{20, 20, 20};
+constexpr Rgb k_scar_colour{0, 160, 220};
+constexpr Rgb k_scar_on_classes{120, 0, 80};
+
+std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) {
+    std::vector<render::Outline> outlines = source.marks;
+    if (!source.release.empty()) outlines.push_back({"Release", source.release, k_release_colour, 2.5, true});
+    if (!source.scar.empty()) {
+        outlines.push_back(
+            {"Surveyed scar", source.scar, classes ? k_scar_on_classes : k_scar_colour, 3, false});
+    }
+    return outlines;
+}
+
+std::string attribution(const MapSource& source) {
+    const std::string own =
+        std::string(source.foreign ? "Drawn with " : "Simulated with ") + k_program + " " + k_version;
+    const std::string by = page_attribution(source);
+    return by.empty() ? own : own + "; " + by;
+}
+
+std::string time_words(double seconds) {
+    return "t = " + figure(seconds, 6) + " s";
+}
+
+/// Map and view have the same furniture.
+template <class Spec>
+Spec furnished(const MapSource& source, const MapLayer& layer) {
+    Spec spec;
+    spec.title = page_title(source, layer.title);
+    spec.subtitle = layer.time ? time_words(*layer.time) : source.subtitle;
+    if (layer.time && !source.subtitle.empty()) spec.subtitle += ", " + source.subtitle;
+    spec.legend_title = layer.title;
+    spec.unit = layer.unit;
+    spec.attribution = attribution(source);
+    spec.source = layer.source;
+    if (layer.time) spec.source += ", " + time_words(*layer.time);
+    spec.palette = layer.palette;
+    spec.classes = layer.classes;
+    spec.categories = layer.categories;
+    spec.continuous = source.style.continuous && layer.categories.empty();
+    if (source.terrain.grid.columns > 0) spec.terrain = &source.terrain;
+    if (layer.dots)
+        spec.dots = &*layer.dots;
+    else
+        spec.layer = &layer.values;
+    spec.extent = source.extent.grid.columns > 0 ? &source.extent : layer.dots ? &layer.values : nullptr;
+    spec.outlines = outlines_of(source, !layer.categories.empty());
+    if (!layer.notes_alone) spec.side_notes = source.notes;
+    spec.side_notes.insert(spec.side_notes.end(), layer.notes.begin(), layer.notes.end());
+    spec.convergence_deg = source.convergence_deg;
+    spec.crs_label = source.crs_label;
+    spec.width = source.style.size.width;
+    spec.height = source.style.size.height;
+    if (!source.style.background.empty()) {
+        spec.background = [path = source.style.background, crs = layer.values.grid.crs_wkt](
+                              const Bounds& box, int width, int height) {
+            return render::LayerImage{width, height, gis::warp_picture(path, crs, box, width, height)};
+        };
+    }
+    return spec;
+}
+
+gis::PicturePixels pixels(const render::Image& image) {
+    return {image.width, image.height, image.rgb};
+}
+
+/// The page as if the map went on to its rim.
+Bounds ground_of_page(const render::MapLayout& layout) {
+    const double metre = layout.metres_per_pixel;
+    return {layout.window.west - layout.map.left * metre,
+            layout.window.south - (layout.page.bottom - layout.map.bottom) * metre,
+            layout.window.east + (layout.page.right - layout.map.right) * metre,
+            layout.window.north + layout.map.top * metre};
+}
+
+/// What lies inside the map's frame.
+render::Image face_of(const render::Image& page, const render::PageBox& map) {
+    const int left = static_cast<int>(map.left), top = static_cast<int>(map.top);
+    render::Image face(static_cast<int>(map.width()), static_cast<int>(map.height()));
+    for (int row = 0; row < face.height; ++row)
+        std::copy_n(page.pixel(left, top + row), 3 * face.width, face.pixel(0, row));
+    return face;
+}
+
+}  // namespace
+
+std::string page_title(const MapSource& source, const std::string& shown) {
+    constexpr std::size_t k_longest = 120;  // letters: two lines on a small page
+    return elided(valid_utf8(source.title), k_longest) + ": " + shown;
+}
+
+std::string page_attribution(const MapSource& source) {
+    constexpr std::size_t k_longest = 400;
+    return elided(valid_utf8(source.style.attribution), k_longest);
+}
+
+std::string map_subtitle(const MapFacts& facts) {
+    const std::string model =
+        facts.model.empty()           ? "Model unknown"
+        : facts.model == "structured" ? "Structured model"
+                                      : "Voellmy-Bingham, scheme " + facts.scheme;
+    return model + ", " + figure(facts.simulated_seconds, 3) + " s simulated";
+}
+
+std::vector<std::string> map_notes(const MapFacts& facts) {
+    std::vector<std::string> notes{
+        "Volume " + grouped(facts.volume) + " m³",
+        "Covered " + grouped(facts.covered_area) + " m²",
+        "(deeper than " + figure(facts.threshold, 3) + " m)",
+        "Run-out " + grouped(facts.run_out.horizontal_m) + " m",
+        "Drop " + grouped(facts.run_out.drop_m) + " m",
+        "Angle of reach " + figure(facts.run_out.reach_angle_deg, 3) + "°",
+    };
+    // A map that is not the whole story says so itself: it travels without its log.
+    if (facts.last_speed > k_moving_speed) notes.emplace_back("Still moving at the end");
+    if (facts.volume_left > 0) notes.push_back(grouped(facts.volume_left) + " m³ left the map");
+    return notes;
+}
+
+render::MapSpec map_spec(const MapSource& source, const MapLayer& layer) {
+    render::MapSpec spec = furnished<render::MapSpec>(source, layer);
+    spec.inset = true;
+    spec.longitude_latitude = source.longitude_latitude;
+    return spec;
+}
+
+std::function<Point(Point)> longitude_latitude(const std::string& crs_wkt) {
+    if (crs_wkt.empty()) return {};
+    const auto transform =
+        std::make_shared<const gis::CrsTransform>(crs_wkt, gis::crs_from_user("EPSG:4326", "EPSG:4326"));
+    return [transform](Point map) { return (*transform)(map); };
+}
+
+render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer) {
+    if (source.terrain.grid.columns == 0)
+        throw Error(ErrorKind::input, Problem{"is missing in the result, and a view needs a terrain", "dtm.tif", "", "",
+                                              "Bring it back, or draw maps"});
+    render::ViewSpec spec = furnished<render::ViewSpec>(source, layer);
+    spec.vertical_exaggeration = source.style.exaggeration;
+    spec.camera = source.style.camera;
+    spec.sky = source.style.sky;
+    std::erase_if(spec.outlines,
+                  [](const render::Outline& one) { return one.polygons.empty() && one.lines.empty(); });
+    const std::string& name = layer.name;
+    if (name == "max_depth" || name == "final_depth" || name == "release" || name.starts_with("depth_"))
+        spec.thickness = spec.layer;  // the surface of what flowed
+    return spec;
+}
+
+std::vector<std::string> picture_files(const MapStyle& style, const std::string& stem, bool lies_on_ground,
+                                       const std::string& tif_stem) {
+    std::vector<std::string> files;
+    for (const std::string& format : style.formats) {
+        const bool is_tif = format == "tif";
+        if (lies_on_ground || !is_tif) files.push_back((is_tif && !tif_stem.empty() ? tif_stem : stem) + "." + format);
+    }
+    return files;
+}
+
+std::vector<std::string> write_plain_picture(const render::Image& image, const MapStyle& style,
+                                             const std::string& title, const std::string& stem) {
+    const std::vector<std::string> files = picture_files(style, stem, false);
+    for (const std::string& file : files) {
+        if (file.ends_with(".png")) {
+            render::write_png(file, image, style.size.dots_per_inch);
+        } else {
+            gis::write_picture_pdf(file, pixels(image), style.size.dots_per_inch, std::nullopt, title);
+        }
+    }
+    return files;
+}
+
+std::vector<std::string> LayerDrawer::draw_map(const MapLayer& layer, const std::vector<std::string>& files) {
+    const render::MapSpec spec = map_spec(source_, layer);
+    render::MapLayout layout;
+    const render::Image image = maps_.draw(spec, &layout);
+    const std::string& crs = layer.values.grid.crs_wkt;
+    for (const std::string& file : files) {
+        if (file.ends_with(".png")) {
+            render::write_png(file, image, source_.style.size.dots_per_inch);
+        } else if (file.ends_with(".pdf")) {
+            gis::write_picture_pdf(file, pixels(image), source_.style.size.dots_per_inch,
+                                   gis::PicturePlace{ground_of_page(layout), layout.window, crs}, spec.title);
+        } else {
+            const render::Image face = face_of(image, layout.map);
+            gis::write_picture_geotiff(
+                file, pixels(face), layout.window, crs,
+                {{"TITLE", spec.title}, {"SOURCE", spec.source}, {"ATTRIBUTION", spec.attribution}});
+        }
+    }
+    return files;
+}
+
+std::vector<std::string> LayerDrawer::draw(const MapLayer& layer, bool view_3d, const std::string& stem,
+                                           const std::string& tif_stem) {
+    const std::string for_page = page_picture(stem);
+    if (!view_3d) {
+        std::vector<std::string> files = picture_files(source_.style, stem, true, tif_stem);
+        if (!for_page.empty()) files.push_back(for_page);
+        return draw_map(layer, files);
+    }
+    const render::ViewSpec spec = view_spec(source_, layer);
+    const render::Image view = views_.draw(spec);
+    if (!for_page.empty()) render::write_png(for_page, view, source_.style.size.dots_per_inch);
+    return write_plain_picture(view, source_.style, spec.title, stem);
+}
+
+std::string LayerDrawer::page_picture(const std::string& stem) const {
+    if (page_folder_.empty()) return {};
+    return page_folder_ + "/" + std::filesystem::path(stem).filename().string() + ".png";
+}
+
+}  // namespace frana::app

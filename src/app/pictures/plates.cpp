@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pictures/plates.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "analysis/trace.h"
+#include "app/pictures/charts.h"
+#include "app/store/layers.h"
+#include "app/text/number_text.h"
+#include "core/error.h"
+#include "core/json.h"
+#include "params/value_text.h"
+#include "render/plate.h"
+
+namespace frana::app {
+namespace {
+
+constexpr const char *k_initial_state = "initial_state", *k_snapshots = "snapshots", *k_stresses = "stresses",
+                     *k_comparison = "comparison";
+
+/// A map with what a plate says once for all left out.
+render::Image lean_map(const MapSource& source, const MapLayer& layer, const std::string& subtitle, int width,
+                       int height) {
+    render::MapSpec spec = map_spec(source, layer);
+    spec.title.clear();
+    spec.subtitle = subtitle;
+    spec.attribution.clear();
+    spec.crs_label.clear();
+    spec.side_notes = layer.notes;
+    spec.inset = false;
+    spec.longitude_latitude = nullptr;
+    spec.width = width;
+    spec.height = height;
+    return render::draw_map(spec);
+}
+
+render::Image lean_view(const MapSource& source, const MapLayer& layer, const std::string& subtitle, int width,
+                        int height) {
+    render::ViewSpec spec = view_spec(source, layer);
+    spec.title.clear();
+    spec.subtitle = subtitle;
+    spec.attribution.clear();
+    spec.crs_label.clear();
+    spec.side_notes.clear();
+    spec.width = width;
+    spec.height = height;
+    return render::draw_view(spec);
+}
+
+/// Four times from soon after the start to the end.
+std::vector<double> snapshot_times(const std::vector<StoredFrame>& frames) {
+    const double last = frames.back().time;
+    std::vector<double> times;
+    for (const double share : {0.1, 0.3, 0.6, 1.0}) times.push_back(share * last);
+    return times;
+}
+
+struct Snapshots {
+    std::vector<MapLayer> depths;
+    std::string name, title, subtitle;
+};
+
+render::Plate plate_of(const Snapshots& snapshots, const MapSource& source) {
+    render::Plate plate{page_title(source, snapshots.title), snapshots.subtitle, source.crs_label, 2, {}};
+    for (const MapLayer& layer : snapshots.depths) {
+        plate.parts.push_back([&](int width, int height) {
+            return lean_map(source, layer, "t = " + figure(layer.time.value_or(0), 4) + " s", width, height);
+        });
+    }
+    return plate;
+}
+
+/// Hydrostatic: the weight of the vertical column on the map's square metre.
+MapLayer normal_stress(const MapLayer& depth, double density, double gravity, double greatest_depth) {
+    MapLayer layer = depth;
+    const double kilopascal = density * gravity / 1000;
+    for (double& value : layer.values.values) value *= kilopascal;
+    layer.title = "Normal stress";
+    layer.unit = "kPa";
+    layer.palette = "velocity";
+    Layer bounds;
+    bounds.progressive = false;
+    layer.classes = layer_classes(bounds, greatest_depth * kilopascal);
+    return layer;
+}
+
+/// Density [kg/m3] and gravity [m/s2] of the run; none for a mixture, whose density differs from place to place. Throws
+/// Error(input) where the result does not tell them.
+std::optional<std::pair<double, double>> column_weight(const ResultReader& result) {
+    if (result.scene_value("material.model") == "structured") return std::nullopt;
+    const auto number = [&](const std::string& key) {
+        const auto text = result.scene_value(key);
+        if (const auto value = text ? number_from_text(*text) : std::nullopt) return *value;
+        throw Error(ErrorKind::input,
+                    Problem{"does not tell " + key + ", which the normal stress on the bed needs",
+                            result.path("scene.ini"), text.value_or(""), "", "The file is not a run's, or damaged"});
+    };
+    return std::pair{number("material.density"), number("numerics.gravity")};
+}
+
+/// The plate; its parts are small, and say what they lack without knowing of what they are part.
+render::Image draw(const render::Plate& plate, const std::string& name, Size size) {
+    try {
+        return render::draw_plate(plate, size.width, size.height);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::input) throw;
+        throw Error(ErrorKind::input,
+                    Problem{"cannot be drawn: " + std::string(error.what()), "plate " + name,
+                            std::to_string(size.width) + "x" + std::to_string(size.height), "",
+                            "Four parts share the page; draw it larger, for example with --size 1600x1200"});
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> plate_files(const MapSource& source, const std::string& folder) {
+    std::vector<std::string> files;
+    for (const char* name : {k_initial_state, k_snapshots, k_stresses, k_comparison}) {
+        const auto more = picture_files(source.style, (std::filesystem::path(folder) / name).string(), false);
+        files.insert(files.end(), more.begin(), more.end());
+    }
+    return files;
+}
+
+std::vector<std::string> draw_plates(const ResultReader& result, const MapSource& source, const std::string& folder) {
+    std::vector<std::string> files;
+    const Size size = source.style.size;
+    const auto write = [&](const std::string& name, const render::Plate& plate) {
+        const render::Image image = draw(plate, name, size);
+        for (const std::string& file : write_plain_picture(image, source.style, plate.title,
+                                                           (std::filesystem::path(folder) / name).string()))
+            files.push_back(file);
+    };
+
+    Snapshots depths{{}, "snapshots", "snapshots of the depth", source.subtitle};
+    for (const double time : snapshot_times(result.frames()))
+        depths.depths.push_back(result.map_layer("depth@" + shortest_text(time)));
+
+    MapLayer start = result.map_layer("depth@0");
+    start.classes = depths.depths.front().classes;
+    write(k_initial_state, {page_title(source, "initial state"),
+                            source.subtitle,
+                            source.crs_label,
+                            2,
+                            {[&](int w, int h) { return lean_map(source, start, "thickness on the map", w, h); },
+                             [&](int w, int h) { return lean_view(source, start, "from before the slope", w, h); }}});
+    write(k_snapshots, plate_of(depths, source));
+
+    if (const auto weight = column_weight(result)) {
+        const auto [density, gravity] = *weight;
+        double greatest = maximum(start.values);
+        for (const MapLayer& layer : depths.depths) greatest = std::max(greatest, maximum(layer.values));
+        Snapshots stresses{{}, "stresses", "normal stress on the bed",
+                           "hydrostatic: density " + figure(density) + " kg/m\u00B3 times gravity " + figure(gravity) +
+                               " m/s\u00B2 times vertical depth"};
+        for (const MapLayer& layer : depths.depths)
+            stresses.depths.push_back(normal_stress(layer, density, gravity, greatest));
+        write(k_stresses, plate_of(stresses, source));
+    }
+
+    if (!result.has("comparison.tif")) return files;
+    MapLayer comparison = result.map_layer("comparison");
+    Problems problems;
+    const std::vector<NamedChart> charts = result_charts(result, source, problems);
+    problems.throw_if_any();
+    render::Plate last{
+        page_title(source, "profile and comparison with the scar"), source.subtitle, source.crs_label, 2, {}};
+    if (!charts.empty() && charts.front().name.starts_with("profile")) {
+        last.parts.push_back([&](int w, int h) {
+            render::CurveChart chart = charts.front().chart;
+            chart.title = "";
+            chart.subtitle = "longitudinal profile along the flow path";
+            return render::draw_curves(chart, w, h);
+        });
+    }
+    last.parts.push_back(
+        [&](int w, int h) { return lean_map(source, comparison, "hits, false alarms, misses", w, h); });
+    write(k_comparison, last);
+    return files;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pictures/result_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "analysis/trace.h"
+#include "app/pictures/particle_dots.h"
+#include "app/pictures/require_cells.h"
+#include "app/store/error_estimate.h"
+#include "app/store/layers.h"
+#include "app/store/result_files.h"
+#include "app/store/series_ends.h"
+#include "app/store/unfinished_results.h"
+#include "app/text/number_text.h"
+#include "app/text/version.h"
+#include "core/error.h"
+#include "core/json.h"
+#include "gis/crs.h"
+#include "gis/marks_in.h"
+#include "gis/raster_in.h"
+#include "gis/vector_in.h"
+#include "params/ini_file.h"
+#include "params/scene_spec.h"
+#include "params/value_text.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The scores that a comparison's map shows, from the file that frana wrote. Throws Error(input) where it is cut off.
+void add_figures(const std::string& path, std::vector<std::string>& notes) {
+    std::ifstream file(path);
+    const std::string text = trimmed({std::istreambuf_iterator<char>(file), {}});
+    if (!text.starts_with('{') || !text.ends_with('}'))
+        throw Error(ErrorKind::input, Problem{"is not whole", path, "", "", "Compare anew: frana compare"});
+    const auto add = [&](const std::string& key, const std::string& before, const std::string& after) {
+        const auto place = text.find("\"" + key + "\":");  // the first is that of the area
+        if (place == std::string::npos) return;
+        const auto from = text.find(':', place) + 1;
+        const auto value =
+            number_from_text(trimmed(text.substr(from, text.find_first_of(",}", from) - from)));
+        if (value) notes.push_back(before + " " + figure(*value, 3) + after);
+    };
+    add("threshold_m", "Threshold", " m");
+    add("area_difference_percent", "Area difference", " %");
+    add("jaccard", "Jaccard", "");
+    add("dice", "Dice", "");
+}
+
+Error newer(const std::string& file, std::int64_t format, std::int64_t known) {
+    return {ErrorKind::input,
+            Problem{"was written by a newer frana than this one", file, "format " + std::to_string(format),
+                    "up to " + std::to_string(known), "Update frana"}};
+}
+
+// Results that tell no format are older than formats.
+void refuse_newer_summary(const std::string& path) {
+    std::ifstream file(path);
+    const std::string text{std::istreambuf_iterator<char>(file), {}}, key = "\"format\":";
+    const auto place = text.find(key);
+    if (place == std::string::npos) return;
+    const auto from = place + key.size();
+    const auto format = integer_from_text(trimmed(text.substr(from, text.find_first_of(",}", from) - from)));
+    if (format && *format > k_result_format) throw newer(path, *format, k_result_format);
+}
+
+/// Rasters of a user's own beside a run's may lie as they like.
+bool is_ours(const std::string& name) {
+    for (const Layer& layer : all_layers())
+        if (layer.name == name) return true;
+    return name == "release" || name == "comparison" || name == "hazard";
+}
+
+/// Gives cells without a value those of another raster of the same grid, where they are more than nothing.
+void include(Raster& extent, const Raster& more) {
+    for (std::size_t i = 0; i < extent.values.size(); ++i)
+        if (std::isnan(extent.values[i]) && more.values[i] > 0) extent.values[i] = more.values[i];
+}
+
+}  // namespace
+
+ResultReader::ResultReader(std::string directory) : directory_(std::move(directory)) {
+    while (directory_.size() > 1 && directory_.back() == '/') directory_.pop_back();
+    if (!fs::exists(directory_)) {
+        if (const auto unfinished = unfinished_results(directory_); !unfinished.empty())
+            directory_ = unfinished.front();
+    }
+    if (!fs::is_directory(directory_))
+        throw Error(ErrorKind::input,
+                    Problem{"is not a folder", "RESULT_DIR", directory_, "", "Name a result directory"});
+    refuse_newer_summary(path("summary.json"));
+    if (const auto format = integer_from_text(scene_value("scene.format").value_or("1"));
+        format && *format > k_scene_format)
+        throw newer(path("scene.ini"), *format, k_scene_format);
+    if (under_way()) return;
+    for (const Layer& layer : result_layers())
+        if (has(layer.name + ".tif")) return;
+    throw Error(ErrorKind::input, Problem{"holds no result: not one of its rasters is there", "RESULT_DIR",
+                                          directory_, "a directory that `frana run` wrote",
+                                          has("dtm.tif") ? "Its run has just begun; wait for the first frame" : ""});
+}
+
+std::string ResultReader::path(const std::string& name) const {
+    return (fs::path(directory_) / name).string();
+}
+
+bool ResultReader::has(const std::string& name) const {
+    return fs::exists(path(name));
+}
+
+void ResultReader::require(const std::string& name) const {
+    if (!has(name)) throw Error(ErrorKind::input, Problem{"is missing in the result", path(name), "", "", ""});
+}
+
+Raster ResultReader::raster(const std::string& name) const {
+    require(name + ".tif");
+    return gis::read_result_raster(path(name + ".tif"));
+}
+
+Raster ResultReader::raster_on(const GridSpec& grid, const std::string& name) const {
+    Raster read = raster(name);
+    require_cells(read.grid, path(name + ".tif"), grid, path(grid_raster() + ".tif"));
+    return read;
+}
+
+std::optional<std::string> ResultReader::scene_value(const std::string& key) const {
+    if (!has("scene.ini")) return std::nullopt;
+    for (const IniEntry& entry : read_ini(path("scene.ini")))
+        if (entry.name == key) return entry.value;
+    return std::nullopt;
+}
+
+double ResultReader::scene_number(const std::string& key, double otherwise) const {
+    const auto text = scene_value(key);
+    return text ? number_from_text(*text).value_or(otherwise) : otherwise;
+}
+
+MultiPolygon ResultReader::outline(const std::string& layer, const std::string& crs_wkt) const {
+    MultiPolygon all;
+    const std::string file = path("extent.gpkg");
+    // A result without a scar has no such layer.
+    if (!has("extent.gpkg") || !gis::holds_layer(file, layer, "RESULT_DIR")) return all;
+    for (const PolygonFeature& feature : gis::read_polygons(file + "|layer=" + layer, crs_wkt, "RESULT_DIR").features)
+        all.insert(all.end(), feature.parts.begin(), feature.parts.end());
+    return all;
+}
+
+MapFacts ResultReader::facts(const Raster& max_depth, const Raster& release) const {
+    MapFacts facts;
+    facts.model = scene_value("material.model").value_or("");
+    facts.scheme = scene_value("numerics.scheme").value_or("unknown");
+    facts.threshold = scene_number("output.trace-threshold", OutputSpec{}.trace_threshold);
+    const SeriesEnds ends = read_series_ends(path("timeseries.csv"));
+    facts.simulated_seconds = ends.simulated_seconds;
+    facts.volume = ends.volume;
+    facts.volume_left = ends.volume_left;
+    facts.last_speed = ends.last_speed;
+    const Raster trace = trace_mask(max_depth, facts.threshold);
+    facts.covered_area = masked_area(trace);
+    facts.run_out = runout(raster_on(max_depth.grid, "bed"), release, trace);
+    return facts;
+}
+
+const GridSpec& ResultReader::grid() const {
+    if (!grid_) grid_ = raster(grid_raster()).grid;
+    return *grid_;
+}
+
+std::string ResultReader::grid_raster() const {
+    return under_way() ? "dtm" : drawable().front();
+}
+
+const std::vector<StoredFrame>& ResultReader::frames() const {
+    if (frames_.empty()) frames_ = stored_frames(path("frames"));
+    return frames_;
+}
+
+const MapLayer& ResultReader::greatest(const std::string& quantity) const {
+    const auto known = greatest_.find(quantity);
+    if (known != greatest_.end()) return known->second;
+    if (!under_way()) {
+        require("max_" + quantity + ".tif");
+        return greatest_.emplace(quantity, map_layer("max_" + quantity)).first->second;
+    }
+    std::vector<std::string> files;
+    for (const StoredFrame& frame : frames())
+        files.push_back(quantity == "velocity" ? frame.velocity_file : frame.depth_file);
+    return greatest_.emplace(quantity, read_greatest_layer(files)).first->second;
+}
+
+MapLayer ResultReader::particle_layer(const StoredFrame& frame) const {
+    MapLayer layer = greatest("velocity");  // its colours: maps of different times compare
+    layer.dots = read_particle_dots(frame.particle_file);
+    layer.name = "particles_t" + figure(frame.time, 6);
+    layer.title = "Speed of particles";
+    layer.time = frame.time;
+    layer.source = "frames/" + fs::path(frame.particle_file).filename().string() + ", speed_ms";
+    layer.notes.push_back(grouped(static_cast<double>(layer.dots->dots.size())) + " particles");
+    return layer;
+}
+
+MapLayer ResultReader::map_layer(const std::string& name) const {
+    const auto at = name.find('@');
+    const std::string kind = name.substr(0, at);
+    if (at != std::string::npos && (kind == "depth" || kind == "velocity" || kind == "particles")) {
+        const auto time = number_from_text(name.substr(at + 1));
+        if (!time)
+            throw Error(ErrorKind::input, Problem{"names no time", "--map", name, kind + "@SECONDS", ""});
+        const std::vector<StoredFrame>& all = frames();
+        const auto nearest = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+            return std::abs(a.time - *time) < std::abs(b.time - *time);
+        });
+        if (kind == "particles") return particle_layer(*nearest);
+        const std::string& file = kind == "depth" ? nearest->depth_file : nearest->velocity_file;
+        MapLayer layer = read_map_layer(file);
+        require_cells(layer.values.grid, file, grid(), path(grid_raster() + ".tif"));
+        layer.source.insert(0, "frames/");
+        layer.name = kind + "_t" + figure(nearest->time, 6);
+        // The greatest values over time give the colours, so that maps of different times compare.
+        if (under_way() || has("max_" + kind + ".tif")) layer.classes = greatest(kind).classes;
+        return layer;
+    }
+    if (has(name + ".tif")) {
+        MapLayer layer = read_map_layer(path(name + ".tif"));
+        if (is_ours(name)) require_cells(layer.values.grid, path(name + ".tif"), grid(), path(grid_raster() + ".tif"));
+        if (name == "comparison" && has("comparison.json")) add_figures(path("comparison.json"), layer.notes);
+        return layer;
+    }
+    const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
+    if (name == "uncertainty" && fs::exists(study)) return read_map_layer(study);
+    std::string known = joined(drawable(), ", ");
+    if (has("frames/frames.csv")) known += ", depth@SECONDS, velocity@SECONDS, particles@SECONDS";
+    throw Error(ErrorKind::input, Problem{"is not a raster of this result", "map", name, known, ""});
+}
+
+std::vector<std::string> ResultReader::drawable() const {
+    std::vector<std::string> names;
+    for (const Layer& layer : all_layers())
+        if (has(layer.name + ".tif")) names.push_back(layer.name);
+    std::vector<std::string> others;
+    for (const auto& entry : fs::directory_iterator(directory_)) {
+        const std::string name = entry.path().stem().string();
+        const bool listed = std::find(names.begin(), names.end(), name) != names.end();
+        const ResultFile* const known = known_file(entry.path().filename().string());
+        const bool is_ours =
+            known != nullptr && known->kind == FileKind::raster;  // a user's, or one kept, is not
+        if (is_ours && entry.path().extension() == ".tif" && name != "dtm" && name != "bed" && !listed)
+            others.push_back(name);
+    }
+    std::sort(others.begin(), others.end());
+    names.insert(names.end(), others.begin(), others.end());
+    return names;
+}
+
+MapStyle ResultReader::style() const {
+    MapStyle style;
+    if (const auto size = size_from_text(scene_value("output.map-size").value_or(""))) style.size = *size;
+    if (const auto formats = scene_value("output.map-formats")) style.formats = words_of(*formats);
+    style.continuous = scene_value("output.map-legend") == "continuous";
+    style.background = scene_value("output.map-background").value_or("");
+    style.attribution = scene_value("output.map-attribution").value_or("");
+    style.exaggeration = scene_number("output.view-exaggeration", style.exaggeration);
+    style.sky = scene_value("output.view-background") != "plain";
+    if (const auto camera = camera_from_text(scene_value("output.view-camera").value_or("")))
+        style.camera = render::Camera{camera->azimuth, camera->elevation, camera->zoom};
+    return style;
+}
+
+/// Places and lines that the run knew; what has moved away since is left out.
+std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) const {
+    constexpr Rgb k_zones{110, 70, 20}, k_obstacles{90, 90, 90}, k_lines{70, 50, 120}, k_gauges{150, 0, 60};
+    std::vector<render::Outline> all;
+    const auto attempt = [](const auto& read) {
+        try {
+            read();
+        } catch (const Error&) {
+            return;
+        }
+    };
+    const auto areas = [&](const std::string& key, const std::string& label, Rgb colour, bool is_dashed) {
+        const auto file = scene_value(key);
+        if (!file) return;
+        attempt([&] {
+            render::Outline outline{label, {}, colour, 1.8, is_dashed};
+            for (const PolygonFeature& one : gis::read_polygons(*file, crs_wkt, key).features)
+                outline.polygons.insert(outline.polygons.end(), one.parts.begin(), one.parts.end());
+            all.push_back(std::move(outline));
+        });
+    };
+    const auto lines = [&](const std::string& file, const std::string& label, Rgb colour, bool is_dashed) {
+        render::Outline outline{label, {}, colour, 2, is_dashed};
+        for (const gis::NamedLine& line : gis::read_marks(file, crs_wkt, label).lines)
+            if (line.name != "flow path") outline.lines.push_back(line.line);
+        if (!outline.lines.empty()) all.push_back(std::move(outline));
+    };
+    // What the run itself wrote has not moved away.
+    const auto written = [&](const std::string& file, const std::string& layer) {
+        return has(file) && gis::holds_layer(path(file), layer, "RESULT_DIR");
+    };
+    areas("terrain.friction-zones", "Friction zones", k_zones, true);
+    areas("terrain.obstacles", "Obstacles", k_obstacles, false);
+    if (const auto walls = scene_value("terrain.walls"))
+        attempt([&] { lines(*walls, "Walls", k_obstacles, false); });
+    areas("terrain.walls", "Walls", k_obstacles, false);  // whichever they are
+    if (written("profiles.gpkg", "lines"))
+        lines(path("profiles.gpkg") + "|layer=lines", "Profiles", k_lines, true);
+    if (written("gauges.gpkg", "sections"))
+        lines(path("gauges.gpkg") + "|layer=sections", "Cross-sections", k_lines, false);
+    if (written("gauges.gpkg", "gauges")) {
+        render::Outline outline{"Gauges", {}, k_gauges, 2, false};
+        for (const gis::NamedPoint& one :
+             gis::read_marks(path("gauges.gpkg") + "|layer=gauges", crs_wkt, "gauges").points)
+            outline.places.push_back({one.name, one.place});
+        all.push_back(std::move(outline));
+    }
+    return all;
+}
+
+MapSource ResultReader::map_source() const {
+    MapSource source;
+    source.title =
+        scene_value("output.title").value_or(fs::absolute(directory_).lexically_normal().filename().string());
+    const GridSpec grid = this->grid();
+    source.crs_label = gis::crs_name(grid.crs_wkt);
+    source.convergence_deg = gis::meridian_convergence_deg(
+        grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
+    if (has("dtm.tif")) source.terrain = raster_on(grid, "dtm");
+    source.release = outline("release", grid.crs_wkt);
+    source.scar = outline("scar", grid.crs_wkt);
+    source.marks = marks(grid.crs_wkt);
+    source.style = style();
+    source.longitude_latitude = longitude_latitude(grid.crs_wkt);
+    if (under_way()) {
+        source.subtitle = "run under way, " + figure(frames().back().time, 3) + " s simulated so far";
+        source.extent = greatest("depth").values;
+    }
+    if (!has("max_depth.tif") || !has("release.tif")) return source;
+    const Raster release = raster_on(grid, "release");
+    Raster max_depth = raster_on(grid, "max_depth");
+    if (has("timeseries.csv") && has("bed.tif")) {
+        const MapFacts known = facts(max_depth, release);
+        source.subtitle = map_subtitle(known);
+        source.notes = map_notes(known);
+    }
+    source.extent = std::move(max_depth);
+    include(source.extent, release);
+    if (has("comparison.tif")) include(source.extent, raster_on(grid, "comparison"));
+    return source;
+}
+
+}  // namespace frana::app

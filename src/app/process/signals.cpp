@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/process/signals.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <initializer_list>
+
+namespace frana::app {
+namespace {
+
+// The only variable of the program outside functions: a signal handler can reach nothing else.
+volatile std::sig_atomic_t received = 0;
+
+extern "C" void take_note(int signal_number) {
+    if (received == 0) received = signal_number;
+    // Whichever comes next ends the program; what is ignored stays so.
+    for (const int each : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(each, SIG_DFL) == SIG_IGN) std::signal(each, SIG_IGN);
+}
+
+}  // namespace
+
+void ignore_file_signals() {
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+void fill_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        // The lowest free number is given out, which is this one.
+        if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", stream == STDIN_FILENO ? O_RDONLY : O_WRONLY) != stream)
+            std::abort();
+    }
+}
+
+void catch_stop_signals() {
+    std::signal(SIGINT, take_note);
+    std::signal(SIGTERM, take_note);
+    // What was started with nohup outlives its terminal.
+    if (std::signal(SIGHUP, take_note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+}
+
+int stop_signal() noexcept {
+    return received;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/complete_result.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/compare/comparison_input.h"
+#include "app/pictures/result_reader.h"
+#include "app/publish/publish_pictures.h"
+#include "app/store/checkpoints.h"
+#include "app/store/manifest.h"
+#include "app/store/replace_result.h"
+#include "app/store/result_directory.h"
+#include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
+#include "core/error.h"
+#include "params/value_text.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_same_scene(const Prepared& prepared, const std::string& directory) {
+    const auto then = result_identity(directory);
+    const std::string here = scene_identity(prepared);
+    if (then == here) return;
+    const std::string remedy = "Choose another folder with --out, or add --overwrite";
+    if (!then)
+        throw Error(ErrorKind::input, Problem{"holds a result already, of a frana that did not tell of what scene", directory,
+                                              "", "", remedy});
+    throw Error(ErrorKind::input, Problem{"holds the finished result of another scene: " +
+                                              joined(identity_differences(here, *then), "; "),
+                                          directory, "", "", remedy});
+}
+
+// As it was, from the files.
+std::optional<Comparison> comparison_of(const Prepared& prepared, const std::string& directory, RunLog& log) {
+    const ResultReader result(directory);
+    if (!result.has("comparison.tif")) return std::nullopt;
+    ComparisonInput input = surveyed(prepared);
+    input.depth = result.raster("max_depth");
+    input.bed = result.raster("bed");
+    input.release = result.raster("release");
+    input.final_depth = result.raster("final_depth");
+    return compare_with_survey(input, log);
+}
+
+// The files that only a run writes, and that have gone; pictures are drawn anew.
+std::vector<std::string> missing_files(const Manifest& manifest, const std::string& directory) {
+    std::vector<std::string> missing;
+    for (const auto& [name, mark] : manifest.files) {
+        const ResultFile* const file = known_file(name);
+        const bool wanted = file != nullptr && file->kind != FileKind::picture &&
+                            file->kind != FileKind::film && file->kind != FileKind::working;
+        if (wanted && !fs::exists(fs::path(directory) / name)) missing.push_back(name);
+    }
+    return missing;
+}
+
+bool is_drawn(const std::string& name) {
+    const ResultFile* const file = known_file(name);
+    return file != nullptr && (file->kind == FileKind::picture || file->kind == FileKind::film);
+}
+
+// Of what is there. A GIS writes into a GeoPackage that it only shows: of such a file no more is asked than
+// its length.
+bool is_changed(const std::string& path, const FileMark& listed) {
+    std::error_code failure;
+    const std::uintmax_t bytes = fs::file_size(path, failure);
+    if (failure) return true;
+    if (path.ends_with(".gpkg")) return bytes < listed.bytes;
+    return bytes != listed.bytes || mark_of(path) != listed;
+}
+
+// The files that are there, but are not as the run wrote them; styles are the user's to change.
+std::vector<std::string> changed_files_of(const Manifest& manifest, const std::string& directory,
+                                          bool drawn) {
+    std::vector<std::string> changed;
+    for (const auto& [name, mark] : manifest.files) {
+        const ResultFile* const file = known_file(name);
+        if (file == nullptr || file->kind == FileKind::style || file->kind == FileKind::working) continue;
+        const std::string path = (fs::path(directory) / name).string();
+        if (is_drawn(name) == drawn && fs::exists(path) && is_changed(path, mark)) changed.push_back(name);
+    }
+    return changed;
+}
+
+std::string told(const std::vector<std::string>& names) {
+    constexpr std::size_t k_told = 20;
+    std::vector<std::string> some(names.begin(), names.begin() + std::min(k_told, names.size()));
+    if (names.size() > some.size())
+        some.push_back("and " + std::to_string(names.size() - some.size()) + " more");
+    return joined(some, ", ");
+}
+
+void require_all(const std::vector<std::string>& missing, const std::vector<std::string>& changed,
+                 const std::string& directory) {
+    const std::string remedy = "Bring them back, or compute the scene anew with --overwrite";
+    Problems problems;
+    if (!missing.empty())
+        problems.add({"files of the result are missing, which only a run can write: " + told(missing),
+                      directory, "", "", remedy});
+    if (!changed.empty())
+        problems.add({"files of the result are not as the run wrote them: " + told(changed), directory, "",
+                      "", remedy});
+    problems.throw_if_any();
+}
+
+// Nobody can tell then what should be there.
+Manifest require_list(const std::string& directory) {
+    if (auto manifest = read_manifest(directory)) return std::move(*manifest);
+    throw Error(
+        ErrorKind::input,
+        Problem{
+            "the result's list of files is missing or cannot be read, so that nobody can tell whether it is "
+            "whole",
+            (fs::path(directory) / k_manifest_file).string(), "", "",
+            "Bring it back, or compute the scene anew with --overwrite, which keeps this result under "
+            "another name"});
+}
+
+}  // namespace
+
+bool is_finished(const std::string& directory) {
+    const auto manifest = read_manifest(directory);
+    if (!manifest && !is_unlisted_result(directory)) return false;
+    return manifest && manifest->finished ? *manifest->finished : checkpoints_in(directory).empty();
+}
+
+bool complete_result(const Prepared& prepared, const std::string& directory, RunLog& log) {
+    require_same_scene(prepared, directory);
+    const std::vector<Problem> of_the_older = clear_place_of(directory, "", log);
+    const Manifest manifest = require_list(directory);
+    const std::vector<std::string> missing = missing_files(manifest, directory),
+                                   changed = changed_files_of(manifest, directory, false);
+    const bool only_report = missing == std::vector<std::string>{"report.html"};
+    if (!only_report || !changed.empty()) require_all(missing, changed, directory);
+    std::vector<std::string> ruined;  // or the user's own: they keep another name, and are drawn anew
+    for (const std::string& name : changed_files_of(manifest, directory, true))
+        ruined.push_back((fs::path(directory) / name).string());
+    keep_changed_files(ruined);
+    const auto comparison = comparison_of(prepared, directory, log);
+    const PictureOutcome pictures = draw_pictures({prepared.spec, directory, comparison, true}, log);
+    record_files(pictures.files);
+    if (pictures.complete()) {
+        record_finished(directory);
+        forget_the_way(directory, !prepared.spec.output.frames, log);  // a run was killed while it did
+    }
+    if (pictures.complete() && pictures.drawn.empty() && missing.empty()) {
+        log.tell("the result is complete: " + directory);
+    } else if (!pictures.drawn.empty()) {
+        log.tell("drew what was missing in " + directory + ": " + joined(pictures.drawn, ", "));
+    }
+    require_all(missing, {}, directory);
+    if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
+    return pictures.complete();
+}
+
+}  // namespace frana::app

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/publish.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/trace.h"
+#include "app/compare/comparison.h"
+#include "app/compare/comparison_input.h"
+#include "app/input/thickness_volume.h"
+#include "app/input/thin_release.h"
+#include "app/publish/publish_exchange.h"
+#include "app/publish/publish_hazard.h"
+#include "app/publish/publish_pictures.h"
+#include "app/publish/publish_rasters.h"
+#include "app/publish/publish_series.h"
+#include "app/publish/report.h"
+#include "app/publish/timeseries.h"
+#include "app/store/layers.h"
+#include "app/store/provenance.h"
+#include "app/store/scene_identity.h"
+#include "app/text/number_text.h"
+#include "app/text/text_file.h"
+#include "app/text/version.h"
+#include "core/json.h"
+#include "params/scene_parameters.h"
+#include "simulation/run_figures.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+constexpr double k_moving_volume = 0.01;  // that may move when the time is over, however thin, without a word
+constexpr double k_shown_share = 0.05;  // by which a raster's volume may miss the flow's without a word
+
+ComparisonInput comparison_input(const Finished& run) {
+    ComparisonInput input = surveyed(run.prepared);
+    if (input.survey.empty()) return input;
+    input.depth = run.result.max_depth;
+    input.bed = run.result.bed;
+    input.release = run.result.release;
+    input.final_depth = run.result.final_depth;
+    return input;
+}
+
+double released_volume(const RunResult& result) {
+    double sum = 0;
+    for (const ReleasedArea& area : result.released) sum += area.volume;
+    return sum;
+}
+
+void note_volumes(const RunResult& result, RunLog& log) {
+    for (std::size_t i = 0; i < result.released.size(); ++i) {
+        const ReleasedArea& area = result.released[i];
+        std::string text = "release area " + std::to_string(i + 1) + ": " + grouped(area.volume) + " m3 from " +
+                           grouped(area.area) + " m2";
+        if (area.start > 0) text += ", at " + shortest_text(area.start) + " s";
+        if (!area.failed) {
+            log.warn(text + ": not before the run ended");
+        } else {
+            log.note(text);
+        }
+    }
+    if (result.volume_inflow > 0) log.note("flowed in through lines: " + grouped(result.volume_inflow) + " m3");
+}
+
+std::string percent(double share) {
+    return figure(100 * share, 2) + " %";
+}
+
+/// Summed over the window: what moves on and on changes place more than once.
+std::string volume_that_moved(double share) {
+    if (share <= 1) return percent(share) + " of the volume changed place";
+    return "all of the volume changed place, " + figure(share, 2) + " times over";
+}
+
+/// Time ran out: what moves, and how fast the figures that people use still grow.
+void warn_of_motion(const Finished& run, RunLog& log) {
+    const RunResult& result = run.result;
+    if (result.stop_reason != StopReason::end_time || result.series.size() < 2) return;
+    const bool moves = result.series.back().max_speed > k_moving_speed || result.moving_share > k_moving_volume;
+    if (!moves) return;
+    std::string text = "the flow still moves when time.end is reached: " + percent(result.moving_share) +
+                       " of its volume faster than " + figure(run.prepared.scene.time.moving_speed) + " m/s";
+    // The series tells the speed of what maps show.
+    if (const double fastest = result.series.back().max_speed; fastest > 0)
+        text += ", the fastest at " + figure(fastest, 3) + " m/s";
+    if (result.settling) {
+        const Settling& s = *result.settling;
+        text += "; in its last " + figure(s.window, 2) + " s it came " + figure(s.runout, 3) +
+                " m farther, the area grew by " + percent(s.area) + " and " + volume_that_moved(s.deposit);
+    }
+    log.warn(text + ". Final depth and run-out are not those of the deposit: raise time.end");
+}
+
+/// What maps do not show.
+void warn_of_thin_flow(const Finished& run, RunLog& log) {
+    const RunResult& result = run.result;
+    if (result.thin_share < k_thin_share) return;
+    const double minimum = run.prepared.scene.numerics.minimum_depth;
+    const bool seen = std::any_of(result.max_depth.values.begin(), result.max_depth.values.end(),
+                                  [](double depth) { return depth > 0; });
+    log.warn((seen ? "at one time " + percent(result.thin_share) + " of the flow was thinner than"
+                   : std::string("the maps are empty: the flow was nowhere as deep as")) +
+             " numerics.minimum-depth = " + shortest_text(minimum) +
+             " m, and is not on the maps there nor in areas, speeds and run-out: set numerics.minimum-depth to about a "
+             "hundredth of the flow's usual depth");
+}
+
+/// What outlines and run-out do not show though maps do.
+void warn_of_empty_trace(const Finished& run, RunLog& log) {
+    const double threshold = run.prepared.spec.output.trace_threshold,
+                 deepest = maximum(run.result.max_depth);
+    if (!(deepest > 0) || deepest > threshold) return;
+    log.warn(
+        "the flow was nowhere deeper than output.trace-threshold = " + shortest_text(threshold) + " m, but " +
+        figure(deepest, 3) +
+        " m: trace, deposit and covered area are empty, run-out is 0 and a comparison finds nothing. Set "
+        "output.trace-threshold to about a tenth of the flow's usual depth");
+}
+
+void warn_of_trouble(const Finished& run, RunLog& log) {
+    const RunResult& result = run.result;
+    compare_volumes(run.prepared.release.file_volume_m3, released_volume(result), log);
+    note_volumes(result, log);
+    for (const std::string& note : result.notes) log.note("engine: " + note);
+    if (result.stop_reason == StopReason::reached_no_data) {
+        log.warn(
+            "the run ended because the flow reached ground without elevation: the map is not complete; take "
+            "a larger "
+            "DTM, or set terrain.nodata-policy to wall or fill");
+    }
+    if (!result.hard_events.none())
+        log.warn("the computation met events that a good run does not have; see hard_events in summary.json");
+    warn_of_motion(run, log);
+    warn_of_thin_flow(run, log);
+    warn_of_empty_trace(run, log);
+    const double shown = shown_volume(result);
+    if (std::abs(shown - result.volume_final) > k_shown_share * result.volume_final) {
+        log.warn("the depths of final_depth.tif add up to " + grouped(shown) + " m3, the flow holds " +
+                 grouped(result.volume_final) +
+                 " m3: where particles crowd, in gullies narrower than a few cells, depths are shown too small. Choose "
+                 "smaller cells, or take deposit volumes from summary.json");
+    }
+    if (result.volume_left > 0) {
+        log.warn(
+            grouped(result.volume_left) + " m3 left the computed ground (" +
+            figure(100 * result.volume_left / result.volume_entered, 2) +
+            " % of all that came in): the map does not show how far it runs; take a larger DTM or terrain.bounds");
+    }
+}
+
+/// The comparison with what was surveyed, if anything was. A survey that cannot be compared does not cost the
+/// run: it is a warning.
+std::optional<Comparison> publish_comparison(const Finished& run, const ResultDirectory& directory,
+                                             RunLog& log) {
+    const ComparisonInput input = comparison_input(run);
+    if (input.survey.empty()) return std::nullopt;
+    try {
+        Comparison comparison = compare_with_survey(input, log);
+        write_comparison(comparison, input, directory.path(""));
+        const std::string headline = comparison_headline(comparison);
+        if (!headline.empty()) log.tell(headline);
+        return comparison;
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::input) throw;
+        log.warn(std::string("the survey could not be compared: ") + error.what());
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log) {
+    const Stopwatch output_watch;
+    const Prepared& prepared = run.prepared;
+    const RunResult& result = run.result;
+    warn_of_trouble(run, log);
+
+    const Raster trace = trace_mask(result.max_depth, prepared.spec.output.trace_threshold);
+    SummaryFacts facts;
+    facts.spec = prepared.spec;
+    facts.crs_label = prepared.ground.crs_label;
+    facts.threads = run.threads;
+    facts.run_out = runout(result.bed, result.release, trace);
+    facts.covered_area_m2 = masked_area(trace);
+    facts.high = high_figures(result, trace);
+
+    publish_rasters(prepared, result, directory);
+    publish_outlines(prepared, result, facts.run_out, directory);
+    publish_series(prepared, result, directory);
+    publish_profiles(prepared, result, facts.run_out, directory);
+    facts.hazard = publish_hazard(prepared, result, directory);
+    publish_avaframe(prepared, result, directory);
+    write_text_file(directory.path("timeseries.csv"), timeseries_csv(result.series));
+    if (frames.count() > 0) frames.finish();
+    publish_frame_stacks(prepared, directory);
+    const std::optional<Comparison> comparison = publish_comparison(run, directory, log);
+    facts.wall.output = output_watch.seconds() + frames.seconds();
+
+    const Stopwatch render_watch;
+    const PictureOutcome pictures = draw_pictures({prepared.spec, directory.path(""), comparison, false}, log);
+    facts.wall.render = render_watch.seconds();
+
+    facts.wall.input = run.input_seconds;
+    facts.wall.engine = result.engine_seconds;
+    facts.wall.total = run.earlier_seconds + run.since_start.seconds();
+    facts.peak_memory_bytes = peak_memory_bytes();
+    facts.warnings = log.warnings();
+    facts.data_identity = data_identity(prepared);
+    if (prepared.spec.output.report)
+        write_report({prepared, result, facts, comparison, facts.hazard}, directory);
+    write_text_file(directory.path("summary.json"), summary_json(result, facts));
+    log.note("wrote summary.json");
+    write_text_file(directory.path("log.txt"), log.text());
+    return pictures;
+}
+
+}  // namespace frana::app

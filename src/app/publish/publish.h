@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/input/prepare.h"
+#include "app/publish/publish_pictures.h"
+#include "app/publish/summary.h"
+#include "app/store/frame_store.h"
+#include "app/store/result_directory.h"
+#include "simulation/result.h"
+
+namespace frana::app {
+
+/// Everything a finished run leaves behind.
+struct Finished {
+    const Prepared& prepared;
+    const RunResult& result;
+    int threads = 1;
+    double input_seconds = 0;
+    double earlier_seconds = 0;  ///< wall time of the sessions that this one continues
+    const Stopwatch& since_start;
+};
+
+/// Writes the files of a result: rasters with styles, outlines, maps, animation, comparison, series, summary,
+/// scene, log; the summary and the log last, as they tell of all the rest. A map or film that cannot be drawn
+/// does not cost the numbers: it is a warning, and the answer tells of it. Throws Error(environment) when a file
+/// cannot be written.
+PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log);
+
+}  // namespace frana::app

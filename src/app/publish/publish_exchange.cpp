@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/publish_exchange.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/store/provenance.h"
+#include "app/text/file_stems.h"
+#include "gis/frames_out.h"
+#include "gis/raster_in.h"
+#include "gis/raster_out.h"
+
+namespace frana::app {
+namespace {
+
+bool has_format(const SceneSpec& spec, const char* format) {
+    const std::vector<std::string>& formats = spec.output.formats;
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+}
+
+/// Difference quotient from the neighbours that there are; NaN without any.
+double gradient(double before, double here, double after, double cell_size) {
+    if (!std::isnan(before) && !std::isnan(after)) return (after - before) / (2 * cell_size);
+    if (!std::isnan(after)) return (after - here) / cell_size;
+    return (here - before) / cell_size;
+}
+
+/// Zero where there is ground but no flow, as AvaFrame's own files have it.
+Raster filled(const Raster& values, const Raster& terrain) {
+    Raster raster = values;
+    for (std::size_t i = 0; i < raster.values.size(); ++i)
+        if (std::isnan(raster.values[i]) && !std::isnan(terrain.values[i])) raster.values[i] = 0;
+    return raster;
+}
+
+}  // namespace
+
+Raster normal_thickness(const Raster& depth, const Raster& bed) {
+    const GridSpec& grid = depth.grid;
+    Raster normal(grid, k_no_data);
+    const auto bed_at = [&](std::int64_t row, std::int64_t column) {
+        const bool outside = row < 0 || column < 0 || row >= grid.rows || column >= grid.columns;
+        return outside ? k_no_data : bed.at(row, column);
+    };
+    for (std::int64_t row = 0; row < grid.rows; ++row) {
+        for (std::int64_t column = 0; column < grid.columns; ++column) {
+            if (!depth.has_data(row, column)) continue;
+            const double here = bed_at(row, column);
+            const double east =
+                gradient(bed_at(row, column - 1), here, bed_at(row, column + 1), grid.cell_size);
+            const double north =
+                gradient(bed_at(row + 1, column), here, bed_at(row - 1, column), grid.cell_size);
+            normal.at(row, column) = depth.at(row, column) / std::sqrt(1 + east * east + north * north);
+        }
+    }
+    return normal;
+}
+
+std::string avaframe_name(const std::string& scene, const std::string& hash) {
+    std::string release = shortened_name(scene), digits;
+    std::replace(release.begin(), release.end(), '_', '-');
+    for (const char c : hash)
+        if (c != '-' && digits.size() < 10) digits += c;
+    return release + "_" + digits + "_C_null_dfa";
+}
+
+void publish_avaframe(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
+    if (prepared.spec.output.names != "avaframe") return;
+    directory.make_folder("peakFiles");
+    const auto origin = provenance(prepared);
+    const std::string name = "peakFiles/" + avaframe_name(scene_name(prepared.spec), origin.at("SCENE_HASH"));
+    const auto write = [&](const std::string& kind, const Raster& values, const std::string& text,
+                           const std::string& unit) {
+        const Raster raster = filled(values, prepared.scene.terrain);
+        if (has_format(prepared.spec, "ascii"))
+            gis::write_ascii_grid(directory.path(name + "_" + kind + ".asc"), raster);
+        else
+            gis::write_geotiff(directory.path(name + "_" + kind + ".tif"), raster,
+                               {kind, text, unit, origin});
+    };
+    write("ppr", result.max_pressure, "Peak pressure", "kPa");
+    write("pft", normal_thickness(result.max_depth, result.bed), "Peak flow thickness, normal to the slope",
+          "m");
+    write("pfv", result.max_velocity, "Peak flow velocity", "m/s");
+}
+
+void publish_frame_stacks(const Prepared& prepared, const ResultDirectory& directory) {
+    for (const auto& [word, file, format] : {std::tuple{"netcdf", "frames.nc", gis::StackFormat::netcdf},
+                                             std::tuple{"zarr", "frames.zarr", gis::StackFormat::zarr}}) {
+        if (!has_format(prepared.spec, word)) continue;
+        const std::vector<StoredFrame> frames = stored_frames(directory.path("frames"));
+        std::vector<double> times;
+        for (const StoredFrame& frame : frames) times.push_back(frame.time);
+        gis::FrameStack stack(directory.path(file), format, prepared.scene.grid, times, provenance(prepared));
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            stack.add(i, gis::read_result_raster(frames[i].depth_file),
+                      gis::read_result_raster(frames[i].velocity_file));
+        }
+        stack.close();
+    }
+}
+
+}  // namespace frana::app

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/publish_hazard.h"
+
+#include "app/store/provenance.h"
+#include "gis/raster_out.h"
+#include "gis/rasterize.h"
+#include "gis/styles.h"
+#include "gis/vector_out.h"
+
+namespace frana::app {
+namespace {
+
+Raster mask_of(const Raster& classes, int value) {
+    Raster mask(classes.grid);
+    for (std::size_t i = 0; i < mask.values.size(); ++i) mask.values[i] = classes.values[i] == value ? 1 : 0;
+    return mask;
+}
+
+void write_raster(const Raster& classes, const HazardScheme& scheme, const std::string& path,
+                  std::map<std::string, std::string> metadata) {
+    std::vector<gis::ClassEntry> entries;
+    std::vector<gis::ColourStop> stops;
+    for (const HazardClass& kind : scheme.classes) {
+        entries.push_back({static_cast<std::uint8_t>(kind.value), kind.label, kind.colour});
+        stops.push_back({static_cast<double>(kind.value), kind.colour, kind.label});
+    }
+    metadata["HAZARD_SCHEME"] = scheme.name;
+    metadata["HAZARD_SOURCE"] = scheme.source;
+    gis::write_class_geotiff(path, classes, entries,
+                             {"hazard", "Intensity after " + scheme.name, "", std::move(metadata)});
+    gis::write_styles(path, stops, "", gis::StyleKind::exact);
+}
+
+std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& scheme,
+                                    const std::string& path, const std::string& crs_wkt) {
+    gis::OutlineLayer zones{"hazard_zones", {}};
+    std::vector<gis::ColourStop> stops;
+    std::vector<HazardArea> areas;
+    for (const HazardClass& kind : scheme.classes) {
+        stops.push_back({static_cast<double>(kind.value), kind.colour, kind.label});
+        PolygonFeature feature;
+        feature.parts = gis::polygonise(mask_of(classes, kind.value));
+        areas.push_back({kind, area(feature.parts)});
+        if (feature.parts.empty()) continue;
+        feature.numbers["class"] = kind.value;
+        feature.texts = {{"label", kind.label}, {"scheme", scheme.name}};
+        zones.features.push_back(std::move(feature));
+    }
+    gis::write_outlines(path, crs_wkt, {zones});
+    gis::write_polygon_styles(path, "class", stops);
+    return areas;
+}
+
+}  // namespace
+
+std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult& result,
+                                       const ResultDirectory& directory) {
+    const HazardSpec& spec = prepared.spec.hazard;
+    if (!spec.scheme) return {};
+    const std::map<std::string, std::string> origin = provenance(prepared);
+    if (!result.max_flux.values.empty()) {
+        gis::write_geotiff(
+            directory.path("max_flux.tif"), result.max_flux,
+            {"max_flux", "Maximum over time of depth times speed at one moment", "m2/s", origin});
+        gis::write_geotiff(directory.path("max_head.tif"), result.max_head,
+                           {"max_head", "Maximum over time of depth plus v2/2g at one moment", "m", origin});
+    }
+    const HazardScheme scheme = hazard_scheme(
+        *spec.scheme, {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
+    // A scheme that does not look at flux or head has none recorded; depth stands in, unread.
+    const bool recorded = !result.max_flux.values.empty();
+    const Raster classes = hazard_classes(
+        scheme, {result.max_depth, result.max_velocity, recorded ? result.max_flux : result.max_depth,
+                 recorded ? result.max_head : result.max_depth, result.max_pressure, result.final_depth});
+    write_raster(classes, scheme, directory.path("hazard.tif"), origin);
+    return write_zones(classes, scheme, directory.path("hazard_zones.gpkg"), prepared.scene.grid.crs_wkt);
+}
+
+}  // namespace frana::app

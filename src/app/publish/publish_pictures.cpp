@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/publish_pictures.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/pictures/animation.h"
+#include "app/pictures/charts.h"
+#include "app/pictures/result_reader.h"
+#include "app/process/signals.h"
+#include "app/store/layers.h"
+#include "app/store/provenance.h"
+#include "app/store/result_files.h"
+#include "core/error.h"
+#include "params/scene_parameters.h"
+#include "params/value_text.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string title_of(const SceneSpec& spec) {
+    return spec.output.title.value_or(scene_name(spec));
+}
+
+/// What was written is what is drawn.
+MapSource map_source(const ResultReader& written, const SceneSpec& spec) {
+    MapSource source = written.map_source();
+    source.title = title_of(spec);  // the folder has not its name yet
+    return source;
+}
+
+void make_folder(const std::string& folder) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure)
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), folder, "", "",
+                                                    "Check the place's rights and free space"});
+}
+
+/// Draws one thing after the other.
+class Drawings {
+  public:
+    Drawings(bool only_missing, RunLog& log) : only_missing_(only_missing), log_(log) {}
+
+    /// @param files that it becomes
+    /// @param draw false where it was stopped on the way
+    template <class Draw>
+    void attempt(const std::string& what, const std::vector<std::string>& files, const Draw& draw) {
+        const auto is_there = [](const std::string& file) { return fs::exists(file); };
+        if (only_missing_ && std::all_of(files.begin(), files.end(), is_there)) return;
+        try {
+            if (stop_signal() != 0 || !draw()) {
+                outcome_.left_out.push_back(what);
+                return;
+            }
+            outcome_.drawn.push_back(what);
+            outcome_.files.insert(outcome_.files.end(), files.begin(), files.end());
+            log_.note("drew " + what);
+        } catch (const Error& error) {
+            log_.warn(what + " could not be drawn: " + error.what());
+            outcome_.failed.push_back(what);
+        }
+    }
+    [[nodiscard]] PictureOutcome outcome() const {
+        if (!outcome_.left_out.empty())
+            log_.warn("left out because of the signal: " + joined(outcome_.left_out, ", ") +
+                      "; the same command with --resume draws them");
+        return outcome_;
+    }
+
+  private:
+    bool only_missing_;
+    RunLog& log_;
+    PictureOutcome outcome_;
+};
+
+/// "max_depth", "max_depth_3d" and so on, as the scene asks.
+std::vector<std::string> map_choice(const std::vector<std::string>& asked, const ResultReader& written) {
+    const bool all = asked.front() == "on";
+    std::vector<std::string> names = all ? map_names() : asked;
+    const auto add = [&](const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    if (all) {
+        for (const Layer& layer : all_layers()) add(layer.name);
+    }
+    if (written.has("hazard.tif")) add("hazard");  // a scheme of classes asks for its map
+    return names;
+}
+
+void draw_maps(const std::vector<std::string>& asked, const ResultReader& written, LayerDrawer& drawer,
+               Drawings& drawings) {
+    if (asked.front() == "off") return;
+    const std::string ending = "_3d";
+    for (const std::string& name : map_choice(asked, written)) {
+        const bool view_3d = name.ends_with(ending);
+        const std::string layer = view_3d ? name.substr(0, name.size() - ending.size()) : name;
+        if (asked.front() == "on" && !written.has(layer + ".tif")) continue;
+        const std::string stem = written.path("maps/" + name);
+        drawings.attempt("maps/" + name, picture_files(drawer.style(), stem, !view_3d), [&] {
+            make_folder(written.path("maps"));
+            drawer.draw(written.map_layer(layer), view_3d, stem);
+            return true;
+        });
+    }
+}
+
+void draw_all_charts(const ResultReader& written, const MapSource& source, Drawings& drawings) {
+    const std::string folder = written.path("charts");
+    std::vector<std::string> files;
+    try {
+        files = chart_files(written, source, folder);
+    } catch (const Error&) {
+        files.emplace_back();  // drawing them says why
+    }
+    drawings.attempt("charts", files, [&] {
+        make_folder(folder);
+        Problems problems;
+        draw_charts(written, source, folder, problems);
+        problems.throw_if_any();
+        return true;
+    });
+}
+
+void draw_film(const ResultReader& written, const MapSource& source, Drawings& drawings) {
+    const std::string path = written.path("animation.mp4");
+    if (!written.has("frames/frames.csv") || written.frames().empty()) return;
+    drawings.attempt("animation.mp4", {path}, [&] {
+        FilmRequest film{film_source(written, source, "depth"), {}, false, false, film_size(source.style.size)};
+        film.stop_requested = [] { return stop_signal() != 0; };
+        return write_animation(film, path);
+    });
+}
+
+}  // namespace
+
+PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
+    const OutputSpec& output = request.spec.output;
+    Drawings drawings(request.only_missing, log);
+    const ResultReader written(request.folder);
+    const MapSource source = map_source(written, request.spec);
+    LayerDrawer drawer(source);
+    const std::vector<std::string>& formats = drawer.style().formats;
+    if (output.report && !request.only_missing &&
+        std::find(formats.begin(), formats.end(), "png") == formats.end()) {
+        const std::string folder = written.path(k_page_folder);
+        make_folder(folder);
+        drawer.draw_for_page_too(folder);
+    }
+    draw_maps(output.maps, written, drawer, drawings);
+    if (request.comparison && request.comparison->figures) {
+        drawings.attempt("comparison", comparison_pictures(source.style, written.directory()), [&] {
+            draw_comparison(*request.comparison, drawer, written.directory());
+            return true;
+        });
+    }
+    if (output.charts && output.maps.front() != "off") draw_all_charts(written, source, drawings);
+    if (output.animation) draw_film(written, source, drawings);
+    return drawings.outcome();
+}
+
+}  // namespace frana::app

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/publish_rasters.h"
+
+#include "analysis/high_values.h"
+#include "analysis/trace.h"
+#include "app/store/layers.h"
+#include "app/store/provenance.h"
+#include "app/text/text_file.h"
+#include "core/colour.h"
+#include "core/json.h"
+#include "gis/raster_out.h"
+#include "gis/rasterize.h"
+#include "gis/styles.h"
+#include "gis/vector_out.h"
+
+namespace frana::app {
+namespace {
+
+void write(const ResultDirectory& directory, const std::string& name, const Raster& raster,
+           const std::string& description, const std::string& unit,
+           const std::map<std::string, std::string>& origin) {
+    gis::write_geotiff(directory.path(name + ".tif"), raster, {name, description, unit, origin});
+}
+
+PolygonFeature feature(MultiPolygon parts, double threshold) {
+    PolygonFeature result;
+    result.parts = std::move(parts);
+    if (threshold > 0) result.numbers["threshold_m"] = threshold;
+    return result;
+}
+
+/// One layer with one feature, or an empty layer where there is no ground to outline.
+gis::OutlineLayer outline(const std::string& name, const Raster& depth, double threshold,
+                          const RunResult& result, const Runout& run_out) {
+    const Raster mask = trace_mask(depth, threshold);
+    MultiPolygon parts = gis::polygonise(mask);
+    if (parts.empty()) return {name, {}};
+    PolygonFeature area = feature(std::move(parts), threshold);
+    double volume = 0;
+    for (std::size_t i = 0; i < mask.values.size(); ++i)
+        if (mask.values[i] != 0) volume += depth.values[i] * result.bed.grid.cell_area();
+    area.numbers["volume_m3"] = volume;
+    const HighValues high = high_values(depth, mask);
+    area.numbers["max_depth_m"] = high.greatest;
+    area.numbers["max_depth_p999_m"] = high.p999;
+    area.numbers["runout_m"] = run_out.horizontal_m;
+    area.numbers["drop_m"] = run_out.drop_m;
+    area.numbers["reach_angle_deg"] = run_out.reach_angle_deg;
+    return {name, {area}};
+}
+
+}  // namespace
+
+void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
+    const std::map<std::string, std::string> origin = provenance(prepared);
+    for (const Layer& layer : all_layers()) {
+        const Raster* found = find_layer(result, layer);
+        if (found == nullptr) continue;
+        const Raster& raster = *found;
+        write(directory, layer.name, raster, layer.description, layer.unit, origin);
+        gis::write_styles(
+            directory.path(layer.name + ".tif"),
+            gis::class_stops(palette(layer.palette), layer_classes(layer, maximum(raster)), layer.unit),
+            layer.unit, gis::StyleKind::classed);
+    }
+    write(directory, "bed", result.bed, "Bed that was slid over", "m", origin);
+    write(directory, "release", result.release, "Thickness released, vertical", "m", origin);
+    gis::write_styles(directory.path("release.tif"),
+                      gis::class_stops(palette("depth"),
+                                       layer_classes(layer_named("max_depth"), maximum(result.release)), "m"),
+                      "m", gis::StyleKind::classed);
+}
+
+void publish_ground(const Prepared& prepared, const ResultDirectory& directory) {
+    write(directory, "dtm", prepared.scene.terrain, "Terrain on the working grid", "m", provenance(prepared));
+    gis::OutlineLayer release{"release", {}};
+    for (const ReleaseArea& area : prepared.scene.release) release.features.push_back(feature(area.outline, 0));
+    std::vector<gis::OutlineLayer> layers{std::move(release)};
+    if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
+    gis::write_outlines(directory.path("extent.gpkg"), prepared.scene.grid.crs_wkt, layers);
+    write_text_file(directory.path("scene.ini"), echoed_scene(prepared));
+}
+
+void publish_outlines(const Prepared& prepared, const RunResult& result, const Runout& run_out,
+                      const ResultDirectory& directory) {
+    std::vector<gis::OutlineLayer> layers{{"release", {}}};
+    for (std::size_t i = 0; i < prepared.scene.release.size(); ++i) {
+        const ReleaseArea& area = prepared.scene.release[i];
+        const ReleasedArea& released = result.released[i];
+        PolygonFeature release = feature(area.outline, 0);
+        if (!area.thickness_raster) release.numbers["thickness_m"] = area.thickness * released.scaled;
+        release.numbers["volume_m3"] = released.volume;
+        release.numbers["start_s"] = released.start;
+        layers[0].features.push_back(std::move(release));
+    }
+    const double threshold = prepared.spec.output.trace_threshold;
+    layers.push_back(outline("trace", result.max_depth, threshold, result, run_out));
+    layers.push_back(outline("deposit", result.final_depth, threshold, result,
+                             runout(result.bed, result.release, trace_mask(result.final_depth, threshold))));
+    for (PolygonFeature& trace : layers[1].features) {
+        // What passed over the trace is what was released; depths of different moments do not add up.
+        trace.numbers["volume_m3"] = result.volume_initial;
+        const HighValues speed = high_values(result.max_velocity, trace_mask(result.max_depth, threshold));
+        trace.numbers["max_velocity_ms"] = speed.greatest;
+        trace.numbers["max_velocity_p999_ms"] = speed.p999;
+    }
+    if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
+    gis::write_outlines(directory.path("extent.gpkg"), prepared.scene.grid.crs_wkt, layers);
+}
+
+}  // namespace frana::app

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/publish_series.h"
+
+#include "analysis/flow_path.h"
+#include "app/store/layers.h"
+#include "app/text/csv_cell.h"
+#include "app/text/text_file.h"
+#include "core/json.h"
+#include "gis/vector_out.h"
+
+namespace frana::app {
+namespace {
+
+const std::string k_flow_path = "flow path";
+
+/// What a profile shows besides the layers of the result.
+struct Column {
+    std::string name;
+    const Raster* raster;
+};
+
+std::vector<Column> columns_of(const RunResult& result) {
+    std::vector<Column> columns{{"bed_m", &result.bed}, {"release_m", &result.release}};
+    for (const Layer& layer : result_layers()) columns.push_back({layer.name, &(result.*layer.values)});
+    return columns;
+}
+
+std::vector<gis::NamedLine> profile_lines(const Prepared& prepared, const RunResult& result,
+                                          const Runout& run_out) {
+    std::vector<gis::NamedLine> lines;
+    if (run_out.horizontal_m > 0)
+        lines.push_back({k_flow_path, flow_path(result.max_depth, run_out.top, run_out.tip)});
+    lines.insert(lines.end(), prepared.extra.profiles.begin(), prepared.extra.profiles.end());
+    return lines;
+}
+
+void add_numbers(std::string& text, std::initializer_list<double> numbers) {
+    for (const double number : numbers) text += "," + shortest_text(number);
+}
+
+}  // namespace
+
+std::string gauges_csv(const std::vector<GaugeRow>& rows, const std::vector<Gauge>& gauges) {
+    std::string text = "time_s,gauge,depth_m,speed_ms\n";
+    for (const GaugeRow& row : rows) {
+        text += shortest_text(row.time) + "," + csv_cell(gauges[row.gauge].name);
+        add_numbers(text, {row.depth, row.speed});
+        text += '\n';
+    }
+    return text;
+}
+
+std::string sections_csv(const std::vector<SectionRow>& rows, const std::vector<CrossSection>& sections) {
+    std::string text = "time_s,section,discharge_m3s,volume_m3,wetted_width_m,max_depth_m,max_speed_ms\n";
+    for (const SectionRow& row : rows) {
+        text += shortest_text(row.time) + "," + csv_cell(sections[row.section].name);
+        add_numbers(text, {row.discharge, row.volume, row.wetted_width, row.max_depth, row.max_speed});
+        text += '\n';
+    }
+    return text;
+}
+
+void publish_series(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
+    const Recording& recording = prepared.scene.recording;
+    if (!recording.gauges.empty())
+        write_text_file(directory.path("gauges.csv"), gauges_csv(result.gauges, recording.gauges));
+    if (!recording.sections.empty())
+        write_text_file(directory.path("sections.csv"), sections_csv(result.sections, recording.sections));
+    if (recording.gauges.empty() && recording.sections.empty()) return;
+    gis::LineLayer lines{"sections", {}};
+    gis::PointLayer points{"gauges", {}};
+    for (const CrossSection& section : recording.sections)
+        lines.features.push_back({section.line, {}, {{"name", section.name}}});
+    for (const Gauge& gauge : recording.gauges)
+        points.features.push_back({gauge.place, {}, {{"name", gauge.name}}});
+    gis::write_lines_and_points(directory.path("gauges.gpkg"), prepared.scene.grid.crs_wkt, {lines},
+                                {points});
+}
+
+void publish_profiles(const Prepared& prepared, const RunResult& result, const Runout& run_out,
+                      const ResultDirectory& directory) {
+    const std::vector<Column> columns = columns_of(result);
+    gis::LineLayer lines{"lines", {}};
+    gis::PointLayer points{"stations", {}};
+    std::string text = "line,distance_m,x,y";
+    for (const Column& column : columns) text += "," + column.name;
+    text += '\n';
+    for (const gis::NamedLine& line : profile_lines(prepared, result, run_out)) {
+        lines.features.push_back({line.line, {}, {{"name", line.name}}});
+        for (const Station& station : stations(line.line, prepared.scene.grid.cell_size)) {
+            gis::PointFeature point{station.place, {{"distance_m", station.distance}}, {{"name", line.name}}};
+            text += csv_cell(line.name);
+            add_numbers(text, {station.distance, station.place.x, station.place.y});
+            for (const Column& column : columns) {
+                const double value = cell_value(*column.raster, station.place);
+                point.numbers[column.name] = value;
+                text += "," + (std::isnan(value) ? "" : shortest_text(value));
+            }
+            text += '\n';
+            points.features.push_back(std::move(point));
+        }
+    }
+    write_text_file(directory.path("profiles.csv"), text);
+    gis::write_lines_and_points(directory.path("profiles.gpkg"), prepared.scene.grid.crs_wkt, {lines},
+                                {points});
+}
+
+}  // namespace frana::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/compare/comparison.h"
+#include "app/publish/publish.h"
+#include "app/publish/publish_hazard.h"
+#include "app/publish/summary.h"
+
+namespace frana::app {
+
+/// What a report tells, beside the pictures that lie in the result directory already.
+struct ReportInput {
+    const Prepared& prepared;
+    const RunResult& result;
+    const SummaryFacts& facts;
+    const std::optional<Comparison>& comparison;
+    const std::vector<HazardArea>& hazard;
+};
+
+/// report.html: one file that needs no other, for the screen and for paper. The maps are those of `maps/` and
+/// comparison.png, embedded one after the other as they are written. Throws Error(environment).
+void write_report(const ReportInput& input, const ResultDirectory& directory);
+
+/// Bytes in the base64 alphabet (RFC 4648), for data URLs.
+std::string base64(const std::string& bytes);
+
+}  // namespace frana::app

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/publish/report_tables.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "app/input/transform_report.h"
+#include "app/publish/svg_chart.h"
+#include "app/text/number_text.h"
+#include "params/scene_parameters.h"
+#include "params/write_scene.h"
+#include "simulation/simulation.h"
+
+namespace frana::app {
+namespace {
+
+/// A table of two columns and more; cells are text, numbers set to the right.
+class Table {
+  public:
+    explicit Table(const std::vector<std::string>& heads = {}) {
+        if (heads.empty()) return;
+        rows_ += "<tr>";
+        for (const std::string& head : heads) rows_ += "<th>" + html_escaped(head) + "</th>";
+        rows_ += "</tr>\n";
+    }
+    Table& row(const std::vector<std::string>& cells, const std::string& kind = {}) {
+        rows_ += kind.empty() ? "<tr>" : "<tr class=\"" + kind + "\">";
+        for (const std::string& cell : cells) rows_ += "<td>" + html_escaped(cell) + "</td>";
+        rows_ += "</tr>\n";
+        return *this;
+    }
+    Table& number(const std::string& name, const std::string& value, const std::string& unit) {
+        rows_ += "<tr><td>" + html_escaped(name) + "</td><td class=\"n\">" + html_escaped(value) +
+                 "</td><td>" + html_escaped(unit) + "</td></tr>\n";
+        return *this;
+    }
+    Table& raw(const std::string& html) {
+        rows_ += html;
+        return *this;
+    }
+    [[nodiscard]] std::string html(const std::string& kind = {}) const {
+        return (kind.empty() ? "<table>\n" : "<table class=\"" + kind + "\">\n") + rows_ + "</table>\n";
+    }
+
+  private:
+    std::string rows_;
+};
+
+/// Three rows for each raster of maxima. Where nothing is deeper than the threshold there is no area to speak of.
+void add_high_figures(Table& table, const HighFigures& high) {
+    for (std::size_t i = 0; i < high.size(); ++i) {
+        const HighFigure& what = k_high_figures[i];
+        const auto row = [&](const std::string& name, double value) {
+            table.number(name + what.title, std::isnan(value) ? "–" : figure(value, 4), what.unit);
+        };
+        row("Greatest ", std::isnan(high[i].greatest) ? 0 : high[i].greatest);
+        row("99.9 % of the area stay under: ", high[i].p999);
+        row("99 % of the area stay under: ", high[i].p99);
+    }
+}
+
+std::string signed_figure(double value) {
+    return (value > 0 ? "+" : "") + figure(value, 3);
+}
+
+std::string hex(Rgb colour) {
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", colour.r, colour.g, colour.b);
+    return text;
+}
+
+void add_figures(Table& table, const ComparisonFigures& f) {
+    table.number("Depth that counts as covered", figure(f.threshold_m), "m")
+        .number("Observed area", grouped(f.observed_area_m2), "m²")
+        .number("Simulated area", grouped(f.simulated_area_m2), "m²")
+        .number("Area difference |simulated − observed| / observed", figure(f.area_difference_percent, 3),
+                "%")
+        .number("Hit", grouped(f.hit_m2), "m²")
+        .number("False alarm", grouped(f.false_alarm_m2), "m²")
+        .number("Miss", grouped(f.miss_m2), "m²")
+        .number("Jaccard index (critical success index), best 1", figure(f.jaccard, 3), "")
+        .number("Dice coefficient, best 1", figure(f.dice, 3), "")
+        .number("True positive rate, best 1", figure(f.true_positive_rate, 3), "")
+        .number("False positive rate, best 0", figure(f.false_positive_rate, 3), "")
+        .number("Distance to perfect classification, best 0", figure(f.d2pc, 3), "")
+        .number("Area under the ROC curve, best 1", figure(f.auroc, 3), "");
+}
+
+std::string curve_chart(const std::vector<ComparisonFigures>& curve) {
+    SvgSeries jaccard{"Jaccard", "#0072b2", {}, {}}, hit{"true positive rate", "#009e73", {}, {}},
+        alarm{"false positive rate", "#d55e00", {}, {}};
+    for (const ComparisonFigures& f : curve) {
+        for (SvgSeries* series : {&jaccard, &hit, &alarm}) series->x.push_back(f.threshold_m);
+        jaccard.y.push_back(f.jaccard);
+        hit.y.push_back(f.true_positive_rate);
+        alarm.y.push_back(f.false_positive_rate);
+    }
+    return svg_chart({"depth threshold [m]", "score", {jaccard, hit, alarm}, true});
+}
+
+std::string operation(const gis::TransformInfo& transform) {
+    const std::string text = transform_text(transform);
+    return text == "none" ? "none needed" : text + "; accuracy " + accuracy_text(transform);
+}
+
+}  // namespace
+
+std::string results_table(const ReportInput& input) {
+    const RunResult& r = input.result;
+    const SummaryFacts& f = input.facts;
+    Table table;
+    add_high_figures(table, f.high);
+    table.number("Area deeper than " + figure(input.prepared.spec.output.trace_threshold) + " m at any time",
+                grouped(f.covered_area_m2), "m²")
+        .number("Run-out, straight in map view", grouped(f.run_out.horizontal_m), "m")
+        .number("Drop", grouped(f.run_out.drop_m), "m")
+        .number("Angle of reach", figure(f.run_out.reach_angle_deg, 3), "°")
+        .number("Simulated time (" + std::string(describe(r.stop_reason)) + ")",
+                figure(r.simulated_seconds, 4), "s");
+    return table.html() +
+           "<p class=\"small\">The greatest value is that of a single cell; those of 99.9 % and 99 % are over the area "
+           "deeper than " +
+           html_escaped(figure(input.prepared.spec.output.trace_threshold)) +
+           " m, at the greatest of all times in each cell.</p>\n";
+}
+
+std::string budget_table(const RunResult& r) {
+    Table table;
+    table.number("Released, at the start and later", grouped(r.volume_entered - r.volume_inflow), "m³");
+    if (r.volume_inflow > 0) table.number("Flowed in", grouped(r.volume_inflow), "m³");
+    if (r.exchanges)
+        table.number("Eroded from the bed", grouped(r.volume_eroded), "m³")
+            .number("Deposited on the bed", grouped(r.volume_deposited), "m³");
+    return table.number("Inside at the end", grouped(r.volume_final), "m³")
+        .number("Left the computed ground", grouped(r.volume_left), "m³")
+        .number("Error of the budget", figure(relative_volume_error(r), 2), "of all that came in")
+        .html();
+}
+
+std::string numerics_table(const ReportInput& input) {
+    const RunResult& r = input.result;
+    const GridSpec& grid = input.prepared.scene.grid;
+    const HardEvents& e = r.hard_events;
+    std::string terms;
+    for (const std::string& term : r.terms) terms += (terms.empty() ? "" : "; ") + term;
+    return Table()
+               .number("Cells", grouped(grid.columns) + " × " + grouped(grid.rows),
+                       "of " + figure(grid.cell_size) + " m")
+               .number("Particles: start, end, peak",
+                       grouped(r.particles_initial) + ", " + grouped(r.particles_final) + ", " +
+                           grouped(r.particles_peak),
+                       "")
+               .number("Time steps", grouped(r.steps), "")
+               .number("Non-finite particles", grouped(e.non_finite), "0 in a good run")
+               .number("Depths clamped", grouped(e.depth_clamped), "0 in a good run")
+               .number("Particles over ground without elevation", grouped(e.entered_no_data),
+                       "0 in a good run")
+               .number("Speeds above what the fall allows", grouped(e.impossible_speed), "0 in a good run")
+               .number("Steps after which the volume was off", grouped(e.volume_drift), "0 in a good run")
+               .html() +
+           "<p class=\"small\">Computed: " + html_escaped(terms) + "</p>\n";
+}
+
+std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas) {
+    Table table({"class", "", "area [m²]"});
+    for (const HazardArea& area : areas) {
+        table.raw("<tr><td>" + std::to_string(area.kind.value) +
+                  "</td><td><span class=\"swatch\" style=\"background:" + hex(area.kind.colour) +
+                  "\"></span> " + html_escaped(area.kind.label) + "</td><td class=\"n\">" +
+                  grouped(area.area_m2) + "</td></tr>\n");
+    }
+    return "<p>Scheme " + html_escaped(*spec.hazard.scheme) +
+           ". This is the intensity of one scenario; a degree of danger also asks how often it "
+           "happens.</p>\n" +
+           table.html();
+}
+
+std::string series_charts(const ReportInput& input) {
+    SvgSeries front{"", "#0072b2", {}, {}}, speed{"", "#d55e00", {}, {}}, depth{"", "#009e73", {}, {}};
+    for (const SeriesRow& row : input.result.series) {
+        for (SvgSeries* series : {&front, &speed, &depth}) series->x.push_back(row.time);
+        front.y.push_back(row.front_distance);
+        speed.y.push_back(row.max_speed);
+        depth.y.push_back(row.max_depth);
+    }
+    std::string charts = svg_chart({"time [s]", "front from the release [m]", {front}, false}) +
+                         svg_chart({"time [s]", "greatest speed [m/s]", {speed}, false}) +
+                         svg_chart({"time [s]", "greatest depth [m]", {depth}, false});
+    static constexpr const char* k_colours[] = {"#0072b2", "#d55e00", "#009e73",
+                                                "#cc79a7", "#e69f00", "#56b4e9"};
+    const auto colour = [](std::size_t i) { return k_colours[i % std::size(k_colours)]; };
+    const Recording& recording = input.prepared.scene.recording;
+    std::vector<SvgSeries> gauges, sections;
+    for (const Gauge& gauge : recording.gauges) gauges.push_back({gauge.name, colour(gauges.size()), {}, {}});
+    for (const CrossSection& section : recording.sections)
+        sections.push_back({section.name, colour(sections.size()), {}, {}});
+    for (const GaugeRow& row : input.result.gauges) {
+        gauges[row.gauge].x.push_back(row.time);
+        gauges[row.gauge].y.push_back(row.depth);
+    }
+    for (const SectionRow& row : input.result.sections) {
+        sections[row.section].x.push_back(row.time);
+        sections[row.section].y.push_back(row.discharge);
+    }
+    if (!gauges.empty()) charts += "<h3>Gauges</h3>\n" + svg_chart({"time [s]", "depth [m]", gauges, false});
+    if (!sections.empty())
+        charts += "<h3>Cross-sections</h3>\n" + svg_chart({"time [s]", "discharge [m³/s]", sections, false});
+    return charts;
+}
+
+std::string comparison_tables(const Comparison& c) {
+    Table table;
+    if (c.figures) add_figures(table, *c.figures);
+    if (c.outline) {
+        table.number("Distance of the outlines, mean", figure(c.outline->mean_m, 3), "m")
+            .number("Distance of the outlines, 95 %", figure(c.outline->percentile_95_m, 3), "m")
+            .number("Distance of the outlines, greatest (Hausdorff)", figure(c.outline->hausdorff_m, 3), "m");
+    }
+    if (c.runout_difference_m)
+        table.number("Run-out, simulated less observed, straight", signed_figure(*c.runout_difference_m),
+                     "m");
+    if (c.path_runout) {
+        table.number("Run-out along the flow path, simulated", grouped(c.path_runout->simulated_m), "m")
+            .number("Run-out along the flow path, observed", grouped(c.path_runout->observed_m), "m");
+    }
+    for (const FrontComparison& front : c.fronts) {
+        table
+            .number("Front " + front.name + ": mean distance, + beyond, − short", signed_figure(front.mean_m),
+                    "m")
+            .number("Front " + front.name + ": reached", figure(front.reached_percent, 3), "% of its length");
+    }
+    for (const TipComparison& tip : c.tips)
+        table.number("Tip " + tip.name + ": distance, + beyond, − short", signed_figure(tip.distance_m), "m");
+    std::string html = table.html();
+    if (!c.curve.empty()) html += "<h3>Scores over the depth threshold</h3>\n" + curve_chart(c.curve);
+    if (c.deposit_overlap) {
+        Table deposit;
+        add_figures(deposit, *c.deposit_overlap);
+        if (const auto& d = c.deposit_depth) {
+            deposit.number("Volume of the deposit, observed", grouped(d->observed_volume_m3), "m³")
+                .number("Volume of the deposit, simulated", grouped(d->simulated_volume_m3), "m³")
+                .number("Mean error of depth", signed_figure(d->bias_m), "m")
+                .number("Mean absolute error of depth", figure(d->mean_absolute_error_m, 3), "m")
+                .number("Root mean square error of depth", figure(d->rmse_m, 3), "m")
+                .number("Correlation of the depths", figure(d->correlation, 3), "");
+        }
+        html += "<h3>Deposit</h3>\n" + deposit.html();
+    }
+    return html;
+}
+
+std::string inputs_table(const Prepared& p) {
+    Table table({"input", "file", "content", "CRS", "operation to the working CRS"});
+    for (const UsedFile& file : p.files) {
+        table.row({file.role + (file.resampling.empty() ? "" : " (" + file.resampling + ")"), file.path,
+                   file.content, file.crs_label, file.crs_label.empty() ? "" : operation(file.transform)});
+    }
+    return "<p>Working CRS: " + html_escaped(p.ground.crs_label) + "; extent " +
+           html_escaped(extent_text(p.scene.grid.bounds())) + "; " + grouped(p.ground.nodata_cells) +
+           " cells without elevation" +
+           (p.ground.filled_cells > 0 ? ", " + grouped(p.ground.filled_cells) + " filled" : "") + ".</p>\n" +
+           table.html();
+}
+
+std::string parameters_table(const Prepared& p) {
+    Table table({"key", "value", "unit", "origin", "meaning"});
+    for (const Parameter& parameter : scene_parameters()) {
+        const std::string name = parameter.name();
+        const Origin origin = p.spec.origin_of(name);
+        std::string value = parameter.write(p.spec).value_or("");
+        if (value.empty()) value = "(" + parameter.absent + ")";
+        const auto chosen = p.resolved.find(name);
+        if (chosen != p.resolved.end() && chosen->second != value) value += " → " + chosen->second;
+        table.row({name, value, parameter.unit, describe(origin), parameter.meaning},
+                  origin == Origin::default_value ? "" : "given");
+    }
+    return table.html("keys");
+}
+
+}  // namespace frana::app

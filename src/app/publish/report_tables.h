@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/publish/report.h"
+
+namespace frana::app {
+
+// The parts of report.html as HTML tables and charts.
+
+std::string results_table(const ReportInput& input);
+std::string budget_table(const RunResult& result);
+std::string numerics_table(const ReportInput& input);
+std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas);
+std::string series_charts(const ReportInput& input);
+std::string comparison_tables(const Comparison& comparison);
+/// Every file that was read, with its CRS, the coordinate operation and its accuracy.
+std::string inputs_table(const Prepared& prepared);
+/// Every key of the scene: value, unit, origin, and what was chosen where that was left to frana.
+std::string parameters_table(const Prepared& prepared);
+
+}  // namespace frana::app

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/checkpoints.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "app/store/scene_identity.h"
+#include "app/text/number_text.h"
+#include "core/error.h"
+#include "core/folder_entries.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t k_kept = 2;
+constexpr const char *k_beginning = "step_", *k_ending = ".frana";
+
+// So many digits that names sort as steps do.
+std::string file_name(std::int64_t step) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%015lld", static_cast<long long>(step));
+    return std::string(k_beginning) + digits + k_ending;
+}
+
+// Not those above it: a result's folder that somebody took away stays away.
+void make_folder(const std::string& folder) {
+    std::error_code failure;
+    fs::create_directory(folder, failure);
+    if (failure) throw Error(ErrorKind::environment, Problem{"cannot be made", folder, failure.message(), "", ""});
+}
+
+}  // namespace
+
+std::vector<std::string> checkpoints_in(const std::string& directory) {
+    std::vector<std::string> files;
+    for (const fs::directory_entry& entry : folder_entries(fs::path(directory) / k_checkpoint_folder)) {
+        const std::string name = entry.path().filename().string();
+        if (name.size() == file_name(0).size() && name.starts_with(k_beginning) && name.ends_with(k_ending))
+            files.push_back(entry.path().string());
+    }
+    std::sort(files.rbegin(), files.rend());
+    return files;
+}
+
+Checkpoints::Checkpoints(std::string directory, double interval, const Prepared& prepared,
+                         FrameWriter* frames, const Stopwatch& since_start, double earlier, RunLog& log)
+    : directory_(std::move(directory)),
+      folder_((fs::path(directory_) / k_checkpoint_folder).string()),
+      interval_(interval),
+      prepared_(prepared),
+      frames_(frames),
+      since_start_(since_start),
+      earlier_(earlier),
+      log_(log),
+      space_((fs::path(folder_) / "reserve").string()) {}
+
+void Checkpoints::after_step(const Progress& now, const SaveState& state) {
+    if (now.last || (interval_ > 0 && since_last_.seconds() >= interval_)) {
+        save(now, state);
+    } else if (interval_ > 0 && session_.seconds() >= next_look_) {
+        set_space_aside(now, state);
+    }
+}
+
+CheckpointHead Checkpoints::head(const Progress& now) {
+    if (identity_.empty()) identity_ = scene_identity(prepared_);
+    const GridSpec& grid = prepared_.scene.grid;
+    return {checkpoint_build(), identity_, now.step, now.time, now.end, earlier_ + since_start_.seconds(), {}, {},
+            log_.lines(), OriginCell{grid.origin_column, grid.origin_row}, {}};
+}
+
+void Checkpoints::save(const Progress& now, const SaveState& state) {
+    const Stopwatch watch;
+    try {
+        make_folder(folder_);
+        log_.note("checkpoint at " + figure(now.time, 6) + " s, step " + std::to_string(now.step));
+        CheckpointHead described = head(now);
+        if (frames_ != nullptr) {
+            described.waiting = frames_->settle();
+            described.frame_times = frames_->times();
+            described.frame_times.resize(described.frame_times.size() - described.waiting.size());
+            described.frame_records = frames_->records();
+        }
+        const std::string path = (fs::path(folder_) / file_name(now.step)).string();
+        const std::uint64_t bytes = write_checkpoint(path, std::move(described), state, space_);
+        log_.note("checkpoint of " + figure(static_cast<double>(bytes) / 1e6, 3) + " MB written in " +
+                  figure(watch.seconds(), 2) + " s");
+        const std::vector<std::string> all = checkpoints_in(directory_);
+        std::error_code ignored;
+        for (std::size_t i = k_kept; i < all.size(); ++i) fs::remove(all[i], ignored);
+    } catch (const Error& error) {
+        warn_once(error);
+    }
+    since_last_ = Stopwatch();
+    next_look_ = 0;
+}
+
+// Looks come at growing distances: the flow has not grown by half since the last one, and all together take next to
+// nothing.
+void Checkpoints::set_space_aside(const Progress& now, const SaveState& state) {
+    constexpr double k_growth = 1.5, k_share_of_time = 0.2, k_longest = 10, k_times_cost = 50;
+    constexpr std::uint64_t k_least = 1'000'000;
+    const double begun = session_.seconds();
+    try {
+        make_folder(folder_);
+        const std::uint64_t needed = checkpoint_bytes(head(now), state) +
+                                     (frames_ != nullptr ? frames_->most_bytes_waiting() : 0);
+        const auto wanted = static_cast<std::uint64_t>(k_growth * static_cast<double>(needed)) + k_least;
+        if (space_.bytes() < needed + needed / 4 && !space_.grow(wanted) && !space_.grow(needed))
+            throw Error(ErrorKind::environment,
+                        Problem{"the disk has no room to spare for a checkpoint of " +
+                                    figure(static_cast<double>(needed) / 1e6, 3) + " MB",
+                                folder_, std::strerror(errno), "", "Make room: the run goes on meanwhile"});
+    } catch (const Error& error) {
+        warn_once(error);
+    }
+    const double ended = session_.seconds();
+    next_look_ = ended + std::max(k_times_cost * (ended - begun), std::min(k_longest, k_share_of_time * ended));
+}
+
+void Checkpoints::warn_once(const Error& error) {
+    if (error.kind() != ErrorKind::environment) throw error;
+    if (!std::exchange(warned_, true)) log_.warn(error.what());
+}
+
+}  // namespace frana::app

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/frame_store.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "app/process/stopwatch.h"
+#include "app/store/layers.h"
+#include "app/text/text_file.h"
+#include "core/error.h"
+#include "core/json.h"
+#include "core/sync_path.h"
+#include "core/utf8.h"
+#include "gis/points_out.h"
+#include "gis/raster_out.h"
+#include "params/value_text.h"
+#include "render/vtk_points.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string list_file(const std::string& folder) {
+    return (fs::path(folder) / "frames.csv").string();
+}
+
+gis::BandText band_text(const std::string& what) {
+    if (what == k_depth_file.what) return {what, "Flow depth at one instant, vertical", "m", {}};
+    if (what == k_velocity_file.what) return {what, "Flow speed at one instant, along the bed", "m/s", {}};
+    const Layer layer = layer_named(what);
+    return {what, layer.title + " at one instant", layer.unit, {}};
+}
+
+const Raster& raster_of(const Frame& frame, const std::string& what) {
+    if (what == k_depth_file.what) return frame.depth;
+    if (what == k_velocity_file.what) return frame.velocity;
+    return std::find_if(frame.more.begin(), frame.more.end(), [&](const NamedRaster& one) { return one.name == what; })
+        ->values;
+}
+
+// As a checkpoint holds it: rasters in single precision, points in double.
+std::uint64_t bytes_of(const Frame& frame) {
+    constexpr std::uint64_t k_names = 1000;
+    const std::uint64_t rasters = 2 + frame.more.size(), columns = 2 + frame.particles.columns.size();
+    return k_names + rasters * frame.depth.values.size() * sizeof(float) +
+           columns * frame.particles.places.size() * sizeof(double);
+}
+
+}  // namespace
+
+FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata,
+                         ParticleFormats particles, std::vector<double> times, std::vector<FrameRecord> records)
+    : folder_(std::move(folder)),
+      metadata_(std::move(metadata)),
+      particles_(particles),
+      times_(std::move(times)),
+      settled_(times_.size()),
+      records_(std::move(records)),
+      thread_([this] { serve(); }) {}
+
+FrameWriter::~FrameWriter() {
+    {
+        const std::lock_guard lock(mutex_);
+        closed_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void FrameWriter::add(Frame frame) {
+    const Stopwatch watch;
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return failure_ || waiting_.size() < k_most_waiting; });
+    const double time = frame.time;
+    largest_ = std::max(largest_, bytes_of(frame));
+    waiting_.push_back({times_.size(), std::move(frame)});
+    times_.push_back(time);
+    lock.unlock();
+    changed_.notify_all();
+    seconds_ += watch.seconds();
+}
+
+std::vector<FrameRecord> FrameWriter::write(const Job& job) const {
+    std::vector<FrameRecord> records;
+    for (const FrameFile& file : frame_files(job.frame, particles_)) {
+        write(file, job);
+        records.push_back(record_of(frame_path(folder_, file, job.index)));
+    }
+    return records;
+}
+
+void FrameWriter::write(const FrameFile& file, const Job& job) const {
+    const std::string path = frame_path(folder_, file, job.index);
+    const Frame& frame = job.frame;
+    const PointTable& table = frame.particles;
+    if (file.ending == k_particle_table.ending) {
+        gis::write_points(path, frame.depth.grid.crs_wkt, "particles", table);
+    } else if (file.ending == k_particle_cloud.ending) {
+        std::vector<double> heights(table.places.size());
+        const std::vector<double>*bed = table.find("bed_m"), *depth = table.find("depth_m");
+        for (std::size_t p = 0; p < heights.size(); ++p) heights[p] = (*bed)[p] + (*depth)[p];
+        render::write_vtk_points(path, table, heights, frame.time);
+    } else {
+        gis::BandText text = band_text(file.what);
+        text.metadata = metadata_;
+        text.metadata["TIME_S"] = shortest_text(frame.time);
+        gis::write_geotiff(path, raster_of(frame, file.what), text);
+    }
+}
+
+// ParaView's list of files and their times.
+void FrameWriter::list_particles(const std::vector<double>& times) const {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const fs::path file = frame_path(folder_, k_particle_cloud, i);
+        text += "    <DataSet timestep=\"" + shortest_text(times[i]) + "\" file=\"" +
+                file.filename().string() + "\"/>\n";
+    }
+    write_text_file((fs::path(folder_) / "particles.pvd").string(), text + "  </Collection>\n</VTKFile>\n");
+}
+
+void FrameWriter::list(const std::vector<double>& times) const {
+    std::string text = "index,time_s\n";
+    for (std::size_t i = 0; i < times.size(); ++i)
+        text += std::to_string(i) + "," + shortest_text(times[i]) + "\n";
+    write_text_file(list_file(folder_), text);
+    if (particles_.vtp) list_particles(times);
+}
+
+void FrameWriter::serve() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [&] { return closed_ || !waiting_.empty(); });
+        if (waiting_.empty()) return;
+        const Job& job = waiting_.front();  // a deque's elements stay where they are
+        const auto end = times_.begin() + static_cast<std::ptrdiff_t>(job.index) + 1;
+        const std::vector<double> times(times_.begin(), end);
+        lock.unlock();
+        std::exception_ptr failure;
+        std::vector<FrameRecord> written;
+        try {
+            written = write(job);
+            list(times);  // who looks in on the run finds what is whole
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        lock.lock();
+        if (failure) {
+            failure_ = failure;
+            failed_ = true;
+        } else {
+            records_.insert(records_.end(), written.begin(), written.end());
+            waiting_.pop_front();
+        }
+        changed_.notify_all();
+        if (failure) return;
+    }
+}
+
+void FrameWriter::require_good() {
+    const std::lock_guard lock(mutex_);
+    if (failure_) std::rethrow_exception(failure_);
+}
+
+void FrameWriter::wait_until_written(std::unique_lock<std::mutex>& lock) {
+    changed_.wait(lock, [&] { return failure_ || waiting_.empty(); });
+}
+
+std::vector<FrameRecord> FrameWriter::records() const {
+    const std::lock_guard lock(mutex_);
+    return records_;
+}
+
+std::uint64_t FrameWriter::most_bytes_waiting() const {
+    return (k_most_waiting + 1) * largest_;
+}
+
+std::vector<Frame> FrameWriter::settle() {
+    std::unique_lock lock(mutex_);
+    wait_until_written(lock);
+    std::vector<Frame> left;
+    for (const Job& job : waiting_) left.push_back(job.frame);
+    if (settled_ + left.size() == times_.size()) return left;
+    sync_path(folder_);  // each file is on the disk before it has its name
+    settled_ = times_.size() - left.size();
+    return left;
+}
+
+void FrameWriter::finish() {
+    {
+        std::unique_lock lock(mutex_);
+        wait_until_written(lock);
+    }
+    require_good();
+    list(times_);
+}
+
+std::vector<StoredFrame> stored_frames(const std::string& folder) {
+    std::ifstream file(list_file(folder));
+    if (!file) {
+        throw Error(ErrorKind::input, Problem{"the result has no frames", list_file(folder), "", "",
+                                              "Run the scene with output.frames = on"});
+    }
+    constexpr std::size_t k_shown = 80;  // characters of a broken line
+    std::vector<StoredFrame> frames;
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        const auto words = words_of(trimmed(line));
+        const auto time = words.size() == 2 ? number_from_text(words[1]) : std::nullopt;
+        const bool next = time && integer_from_text(words[0]) == static_cast<std::int64_t>(frames.size());
+        if (!next || file.eof() || (!frames.empty() && *time < frames.back().time)) {
+            throw Error(ErrorKind::input,
+                        Problem{"is no list of frames: a line is not the next index and a time not before the last",
+                                list_file(folder), elided(valid_utf8(line), k_shown), "index,time_s",
+                                "The file is damaged"});
+        }
+        const auto path = [&](const FrameFile& what) { return frame_path(folder, what, frames.size()); };
+        frames.push_back({*time, path(k_depth_file), path(k_velocity_file), path(k_particle_table)});
+    }
+    if (frames.empty())
+        throw Error(ErrorKind::input, Problem{"lists no frames", list_file(folder), "", "",
+                                              "A run lists each as soon as it is whole; a finished one without any "
+                                              "was damaged"});
+    return frames;
+}
+
+}  // namespace frana::app

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/interrupted_run.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include "app/store/checkpoints.h"
+#include "app/store/frame_files.h"
+#include "app/store/manifest.h"
+#include "app/store/result_files.h"
+#include "app/store/scene_identity.h"
+#include "app/store/unfinished_results.h"
+#include "core/error.h"
+#include "params/value_text.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path result_of(const std::string& checkpoint) {
+    return fs::path(checkpoint).parent_path().parent_path();
+}
+
+// Why a checkpoint cannot be gone on from; empty: it can.
+std::string hindrance(const CheckpointFile& checkpoint, const std::string& identity) {
+    const CheckpointHead& head = checkpoint.head();
+    if (head.scene != identity)
+        return "is of another scene: " + joined(identity_differences(identity, head.scene), "; ");
+    const std::string frames = (result_of(checkpoint.path()) / "frames").string();
+    const std::string fault = frame_fault(frames, head.frame_times.size(), head.frame_records);
+    return fault.empty() ? "" : "counts on a frame that " + fault;
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::error_code& failure) {
+    throw Error(ErrorKind::environment,
+                Problem{"an interrupted run's files cannot be taken over: " + failure.message(),
+                        path.string(), "", "", "Check the disk's space and the rights"});
+}
+
+// The same file under a second name, where the file system knows that; else a copy.
+void link(const fs::path& from, const fs::path& to) {
+    std::error_code failure;
+    fs::create_hard_link(from, to, failure);
+    if (failure) fs::copy_file(from, to, fs::copy_options::overwrite_existing, failure);
+    if (failure) fail(from, failure);
+}
+
+// Removes what frana wrote into a folder in the making and is wanted no more; a file of somebody else's
+// stays.
+void remove_unwanted(const fs::path& root, const std::string& folder,
+                     const std::function<bool(const std::string&)>& is_wanted) {
+    std::error_code failure;
+    std::vector<fs::path> files, folders;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / folder, failure)) {
+        const std::string name = entry.path().lexically_relative(root).generic_string();
+        if (is_wanted(entry.path().filename().string())) continue;
+        if (fs::is_directory(entry.symlink_status(failure))) {
+            remove_unwanted(root, name, [](const std::string&) { return false; });
+            folders.push_back(entry.path());
+        } else if (known_file(name) != nullptr) {
+            files.push_back(entry.path());
+        }
+    }
+    for (const fs::path& file : files) {
+        fs::remove(file, failure);
+        if (failure) fail(file, failure);
+    }
+    for (const fs::path& empty : folders) fs::remove(empty, failure);  // where they are
+}
+
+}  // namespace
+
+InterruptedRun::InterruptedRun(const std::string& directory) {
+    std::vector<std::string> folders = left_results(directory);
+    const std::optional<Manifest> manifest = read_manifest(directory);
+    if (!manifest || !manifest->finished.value_or(false)) folders.push_back(directory);
+    for (const std::string& folder : folders) {
+        const std::vector<std::string> found = checkpoints_in(folder);
+        if (found.empty()) continue;
+        checkpoints_.insert(checkpoints_.end(), found.begin(), found.end());
+        if (folder == directory) {
+            in_place_ = true;
+        } else {
+            beside_ = folder;
+        }
+    }
+    // Of two at the same step the one in a folder of its own comes first: nothing need be linked.
+    std::stable_sort(checkpoints_.begin(), checkpoints_.end(),
+                     [](const std::string& a, const std::string& b) {
+                         return fs::path(a).filename() > fs::path(b).filename();
+                     });
+}
+
+std::unique_ptr<CheckpointFile> InterruptedRun::choose(const std::string& identity, RunLog& log) const {
+    if (checkpoints_.empty()) return nullptr;
+    std::vector<Problem> reasons;
+    for (const std::string& path : checkpoints_) {
+        try {
+            auto checkpoint = std::make_unique<CheckpointFile>(path);
+            const std::string why = hindrance(*checkpoint, identity);
+            if (why.empty()) {
+                for (const Problem& reason : reasons) log.warn("checkpoint not used: " + describe(reason));
+                return checkpoint;
+            }
+            reasons.push_back({why, path, "", "", ""});
+        } catch (const Error& error) {
+            reasons.push_back(error.problems().front());
+        }
+    }
+    reasons.push_back({"no checkpoint can be gone on from", "--resume", "", "",
+                       "Run the scene as it was, or from its start: --overwrite without --resume"});
+    throw Error(ErrorKind::input, reasons);
+}
+
+std::string folder_of(const CheckpointFile& checkpoint, const std::string& directory) {
+    const fs::path folder = result_of(checkpoint.path());
+    return folder == fs::path(directory) || !is_being_built(folder.string()) ? "" : folder.string();
+}
+
+void restore_files(const CheckpointFile& checkpoint, const ResultDirectory& directory) {
+    const fs::path from = result_of(checkpoint.path()), to = directory.path("");
+    const std::string name = fs::path(checkpoint.path()).filename().string();
+    const std::size_t frames = checkpoint.head().frame_times.size();
+    const auto is_earlier_frame = [&](const std::string& file) {
+        const auto index = frame_index(file);
+        return index && *index < frames;
+    };
+    if (fs::path(directory.folder()) == from) {
+        remove_unwanted(to, "", [](const std::string& file) {
+            return file == k_checkpoint_folder || file == "frames" || file == k_building_file;
+        });
+        remove_unwanted(to, k_checkpoint_folder, [&](const std::string& file) {
+            return file <= name && file.find(".partial") == std::string::npos;
+        });
+        remove_unwanted(to, "frames", is_earlier_frame);
+        return;
+    }
+    directory.make_folder(k_checkpoint_folder);
+    directory.make_folder("frames");
+    for (const std::string& file : names_of_frames((from / "frames").string(), frames))
+        link(from / "frames" / file, to / "frames" / file);
+    link(checkpoint.path(), to / k_checkpoint_folder / name);
+}
+
+std::vector<FrameRecord> frame_records(const CheckpointFile& checkpoint, const std::string& folder) {
+    const CheckpointHead& head = checkpoint.head();
+    if (!head.frame_records.empty()) return head.frame_records;
+    std::vector<FrameRecord> records;
+    for (const std::string& name : names_of_frames(folder, head.frame_times.size()))
+        records.push_back(record_of((fs::path(folder) / name).string()));
+    return records;
+}
+
+}  // namespace frana::app

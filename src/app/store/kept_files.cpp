@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/kept_files.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+
+#include "gis/picture_out.h"
+#include "params/ini_file.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::pair<std::uint64_t, std::uint64_t>> place_of(const std::string& path) {
+    struct stat found {};
+    if (::stat(path.c_str(), &found) != 0 || !S_ISREG(found.st_mode)) return std::nullopt;
+    return std::pair{static_cast<std::uint64_t>(found.st_dev), static_cast<std::uint64_t>(found.st_ino)};
+}
+
+bool is_drawn(const fs::path& file, const fs::path& folder) {
+    const fs::path inside = file.lexically_relative(folder);
+    for (const char* name : {"maps", "charts", "plates"})
+        if (*inside.begin() == name) return true;
+    const std::array<std::string, 4> pictures{".png", ".pdf", ".mp4", ".gif"};
+    return std::find(pictures.begin(), pictures.end(), file.extension().string()) != pictures.end();
+}
+
+}  // namespace
+
+std::vector<std::string> spellings(const std::string& source) {
+    std::vector<std::string> all{source, source.substr(0, source.find('|'))};
+    for (std::size_t from = 0; from < source.size();) {
+        const std::size_t to = std::min(source.find_first_of(":\"|?,", from), source.size());
+        all.push_back(source.substr(from, to - from));
+        from = to + 1;
+    }
+    const std::string archive = "/vsi";
+    for (std::size_t i = 0, count = all.size(); i < count; ++i) {
+        if (!all[i].starts_with(archive)) continue;
+        fs::path inner = all[i].substr(std::min(all[i].find('/', archive.size()), all[i].size()));
+        for (; inner.has_relative_path(); inner = inner.parent_path()) {
+            all.push_back(inner.string());                           // "/vsizip//folder/file.zip/part"
+            all.push_back(inner.string().substr(1));  // "/vsizip/file.zip/part" from the current folder
+        }
+    }
+    return all;
+}
+
+void KeptFiles::add(const std::string& source) {
+    for (const std::string& path : spellings(source))
+        if (const auto place = place_of(path)) files_.insert(*place);
+}
+
+void KeptFiles::add_result(const std::string& folder, const std::vector<std::string>& but) {
+    std::error_code failure;
+    const auto is_written_anew = [&](const fs::path& path) {
+        return std::any_of(but.begin(), but.end(), [&](const std::string& one) {
+            return fs::path(one).lexically_normal() == path.lexically_normal();
+        });
+    };
+    for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
+         entry.increment(failure)) {
+        const auto place = place_of(entry->path().string());
+        if (place && !is_drawn(entry->path(), folder) && !is_written_anew(entry->path())) files_.insert(*place);
+    }
+    const fs::path scene = fs::path(folder) / "scene.ini";
+    if (!fs::exists(scene, failure)) return;
+    for (const IniEntry& entry : read_ini(scene.string())) add(entry.value);
+}
+
+bool KeptFiles::has(const std::string& path) const {
+    const auto place = place_of(path);
+    return place && files_.count(*place) > 0;
+}
+
+void KeptFiles::check(const std::vector<std::string>& outputs, const std::string& where, Problems& problems) const {
+    for (const std::string& path : outputs)
+        if (has(path))
+            problems.add({"would be written over: it is read here, or belongs to a result", where, path, "",
+                          "Choose another folder with --out"});
+}
+
+void KeptFiles::check_pictures(const std::vector<std::string>& outputs, const std::string& where,
+                               Problems& problems) const {
+    check(outputs, where, problems);
+    for (const std::string& path : outputs) {
+        if (path.ends_with(".tif") && place_of(path) && !has(path) && !gis::is_drawn_geotiff(path))
+            problems.add({"is there already and is no picture that frana drew", where, path, "",
+                          "Choose another folder with --out"});
+    }
+}
+
+}  // namespace frana::app

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/manifest.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "app/store/result_files.h"
+#include "app/text/version.h"
+#include "core/error.h"
+#include "core/file_aside.h"
+#include "core/json.h"
+#include "core/read_blocks.h"
+#include "core/sync_path.h"
+#include "core/system_remedy.h"
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Tree = boost::property_tree::ptree;
+
+constexpr const char* k_checksum = "xxh128";
+
+[[noreturn]] void fail(const std::string& what, const std::string& path, int reason) {
+    throw Error(ErrorKind::environment,
+                Problem{what + ": " + std::strerror(reason), path, "", "", system_remedy(reason)});
+}
+
+std::string now_utc() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    ::gmtime_r(&now, &parts);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return text;
+}
+
+// What is not there for this program is none; what the disk does not give is a fault.
+bool is_not_there(int reason) {
+    return reason == ENOENT || reason == ENOTDIR || reason == EISDIR || reason == EACCES || reason == EPERM ||
+           reason == ELOOP || reason == ENAMETOOLONG || reason == EINVAL;
+}
+
+std::optional<Tree> read_tree(const fs::path& path) {
+    std::string text;
+    const int reason = read_blocks(path.string(), [&](std::string_view bytes) { text += bytes; });
+    if (is_not_there(reason)) return std::nullopt;
+    if (reason != 0) fail("cannot be read", path.string(), reason);
+    Tree tree;
+    try {
+        std::istringstream stream(text);
+        boost::property_tree::read_json(stream, tree);
+    } catch (const boost::property_tree::json_parser_error&) {
+        return std::nullopt;
+    }
+    return tree;
+}
+
+/// Holds a result's manifest while it is read, changed and written: the folder itself is locked.
+class ManifestLock {
+  public:
+    explicit ManifestLock(const std::string& folder)
+        : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        if (descriptor_ < 0) fail("cannot be opened", folder, errno);
+        while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+        }
+    }
+    ~ManifestLock() { ::close(descriptor_); }
+    ManifestLock(const ManifestLock&) = delete;
+    ManifestLock& operator=(const ManifestLock&) = delete;
+
+  private:
+    int descriptor_;
+};
+
+/// The nearest folder above a file that is a result; empty: none.
+fs::path result_around(const fs::path& file) {
+    for (fs::path folder = file.parent_path();; folder = folder.parent_path()) {
+        if (is_listed_result(folder.string())) return folder;
+        if (!folder.has_relative_path()) return {};
+    }
+}
+
+/// Of these files those that are there and lie in results, by result.
+std::map<fs::path, std::vector<fs::path>> by_result(const std::vector<std::string>& paths) {
+    std::map<fs::path, fs::path> results;  // by folder
+    std::map<fs::path, std::vector<fs::path>> found;
+    for (const std::string& path : paths) {
+        std::error_code failure;
+        const fs::path file = fs::canonical(path, failure);
+        if (failure || !fs::is_regular_file(file, failure)) continue;
+        const auto [known, is_new] = results.try_emplace(file.parent_path());
+        if (is_new) known->second = result_around(file);
+        if (!known->second.empty()) found[known->second].push_back(file);
+    }
+    return found;
+}
+
+}  // namespace
+
+std::string escaped_name(const std::string& name) {
+    std::string text;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte > 0x20 && byte < 0x7f && c != '%') {
+            text += c;
+        } else {
+            char code[4];
+            std::snprintf(code, sizeof code, "%%%02X", byte);
+            text += code;
+        }
+    }
+    return text;
+}
+
+std::string unescaped_name(const std::string& text) {
+    std::string name;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '%' && i + 2 < text.size()) {
+            name += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
+            i += 2;
+        } else {
+            name += text[i];
+        }
+    }
+    return name;
+}
+
+FileMark mark_of(const std::string& path) {
+    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(),
+                                                                                &XXH3_freeState);
+    XXH3_128bits_reset(state.get());
+    FileMark mark;
+    const int reason = read_blocks(path, [&](std::string_view bytes) {
+        XXH3_128bits_update(state.get(), bytes.data(), bytes.size());
+        mark.bytes += bytes.size();
+    });
+    if (reason != 0) fail("cannot be read", path, reason);
+    const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
+    char text[33];
+    std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                  static_cast<unsigned long long>(hash.low64));
+    mark.checksum = text;
+    return mark;
+}
+
+FileMark mark_on_disk(const std::string& path) {
+    if (const int reason = sync_path(path); reason != 0) fail("cannot be brought to the disk", path, reason);
+    return mark_of(path);
+}
+
+std::optional<Manifest> read_manifest(const std::string& folder) {
+    const std::optional<Tree> tree = read_tree(fs::path(folder) / k_manifest_file);
+    if (!tree || tree->get<std::string>("program", "") != k_program || tree->get<long>("format", 0) < 1 ||
+        tree->get<long>("format", 0) > k_manifest_format)
+        return std::nullopt;
+    Manifest manifest;
+    manifest.scene_hash = tree->get<std::string>("scene_hash", "");
+    manifest.simulated_seconds = tree->get<double>("simulated_seconds", 0);
+    if (const auto finished = tree->get_optional<bool>("finished")) manifest.finished = *finished;
+    const auto files = tree->get_child_optional("files");
+    if (!files) return std::nullopt;
+    try {
+        for (const auto& [key, entry] : *files)
+            manifest.files[unescaped_name(entry.get<std::string>("name"))] = {
+                entry.get<std::uint64_t>("bytes"), entry.get<std::string>(k_checksum)};
+    } catch (const std::exception&) {
+        return std::nullopt;
+    }
+    return manifest;
+}
+
+void write_manifest(const std::string& folder, const Manifest& manifest) {
+    JsonWriter json;
+    json.begin_object().text("program", k_program).text("version", k_version);
+    json.integer("format", k_manifest_format).text("written", now_utc());
+    json.text("scene_hash", manifest.scene_hash).number("simulated_seconds", manifest.simulated_seconds);
+    if (manifest.finished) json.boolean("finished", *manifest.finished);
+    json.begin_array("files");
+    for (const auto& [name, mark] : manifest.files) {
+        json.begin_object()
+            .text("name", escaped_name(name))
+            .integer("bytes", static_cast<std::int64_t>(mark.bytes));
+        json.text(k_checksum, mark.checksum).end_object();
+    }
+    json.end_array().end_object();
+    write_file((fs::path(folder) / k_manifest_file).string(), json.str(), Sync::yes);
+    if (const int reason = sync_path(folder); reason != 0)
+        fail("cannot be brought to the disk", folder, reason);
+}
+
+bool is_listed_result(const std::string& folder) {
+    return read_manifest(folder).has_value();
+}
+
+bool is_unlisted_result(const std::string& folder) {
+    std::error_code failure;
+    if (is_listed_result(folder) || !fs::exists(fs::path(folder) / "scene.ini", failure)) return false;
+    const std::optional<Tree> summary = read_tree(fs::path(folder) / "summary.json");
+    return summary && summary->get<std::string>("program", "") == k_program;
+}
+
+void record_files(const std::vector<std::string>& paths) {
+    for (const auto& [result, files] : by_result(paths)) {
+        const ManifestLock lock(result.string());
+        std::optional<Manifest> manifest = read_manifest(result.string());
+        if (!manifest) continue;
+        for (const fs::path& file : files)
+            manifest->files[file.lexically_relative(result).generic_string()] = mark_on_disk(file.string());
+        std::set<fs::path> folders;
+        for (const fs::path& file : files) folders.insert(file.parent_path());
+        for (const fs::path& folder : folders) sync_path(folder.string());
+        write_manifest(result.string(), *manifest);
+    }
+}
+
+std::vector<std::string> changed_files(const std::vector<std::string>& paths) {
+    std::vector<std::string> changed;
+    for (const auto& [result, files] : by_result(paths)) {
+        const std::optional<Manifest> manifest = read_manifest(result.string());
+        if (!manifest) continue;
+        for (const fs::path& file : files) {
+            const auto listed = manifest->files.find(file.lexically_relative(result).generic_string());
+            if (listed == manifest->files.end() || mark_of(file.string()) != listed->second)
+                changed.push_back(file.string());
+        }
+    }
+    return changed;
+}
+
+void forget_files(const std::string& folder, const std::vector<std::string>& names) {
+    const ManifestLock lock(folder);
+    std::optional<Manifest> manifest = read_manifest(folder);
+    if (!manifest) return;
+    std::size_t forgotten = 0;
+    for (const std::string& name : names) forgotten += manifest->files.erase(name);
+    if (forgotten > 0) write_manifest(folder, *manifest);
+}
+
+void record_finished(const std::string& folder) {
+    const ManifestLock lock(folder);
+    std::optional<Manifest> manifest = read_manifest(folder);
+    if (!manifest || manifest->finished.value_or(false)) return;
+    manifest->finished = true;
+    write_manifest(folder, *manifest);
+}
+
+}  // namespace frana::app

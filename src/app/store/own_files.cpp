@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/own_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "app/store/manifest.h"
+#include "app/store/replace_result.h"
+#include "app/store/result_files.h"
+#include "app/store/unfinished_results.h"
+#include "core/system_remedy.h"
+#include "params/value_text.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool lists_files(const fs::path& folder) {
+    return is_listed_result(folder.string());
+}
+
+// Of a run, finished or under way; comparisons and studies list their files too, but are of no scene.
+bool is_result(const fs::path& folder) {
+    const std::optional<Manifest> manifest = read_manifest(folder.string());
+    if (manifest && !manifest->scene_hash.empty()) return true;
+    return is_being_built(folder.string()) || (!manifest && is_unlisted_result(folder.string()));
+}
+
+/// The nearest folder, at a path or above it, that is of a kind; the path need not be there yet.
+template <class Kind>
+std::optional<fs::path> around(const std::string& path, const Kind& kind) {
+    std::error_code failure;
+    fs::path folder = fs::weakly_canonical(fs::absolute(path.empty() ? "." : path), failure);
+    if (!folder.has_filename()) folder = folder.parent_path();  // "folder/"
+    for (;; folder = folder.parent_path()) {
+        if (kind(folder)) return folder;
+        if (!folder.has_relative_path()) return std::nullopt;
+    }
+}
+
+void check_another_result(const std::string& folder, const std::string& where,
+                          const std::vector<std::string>& reads, Problems& problems) {
+    const auto result = around(folder, is_result);
+    const auto is_it = [&](const std::string& read) { return around(read, is_result) == result; };
+    if (!result || std::any_of(reads.begin(), reads.end(), is_it)) return;
+    const std::string read = reads.empty() ? "" : "; what is read is " + joined(reads, ", ");
+    problems.add(
+        {"lies in another result, " + result->string() + ", whose files would no longer be its own" + read,
+         where, folder, "", "Choose a place outside of it"});
+}
+
+}  // namespace
+
+void check_own(const std::string& folder, const std::vector<std::string>& files, const std::string& where,
+               const std::vector<std::string>& reads, Problems& problems) {
+    check_another_result(folder, where, reads, problems);
+    if (around(folder, lists_files)) return;  // what was changed since is kept when it is written anew
+    std::error_code failure;
+    const std::string list = (fs::path(folder) / k_manifest_file).string();
+    const std::string remedy =
+        "Choose another folder with " + where +
+        ", or move the file away; a study of an older frana, which kept no list of its "
+        "files, has to go as a whole";
+    if (fs::exists(list, failure))
+        problems.add({"is there already and is not frana's list of files", where, list, "", remedy});
+    // Results of a frana that did not list files have only its names to go by.
+    const auto unlisted = around(folder, is_result);
+    const fs::path real = fs::weakly_canonical(folder.empty() ? "." : folder, failure);
+    for (const std::string& file : files) {
+        const fs::path inside = real / fs::path(file).lexically_relative(folder.empty() ? "." : folder);
+        const bool known =
+            unlisted &&
+            known_file(inside.lexically_normal().lexically_relative(*unlisted).generic_string()) != nullptr;
+        if (!known && fs::exists(fs::symlink_status(file, failure)))
+            problems.add({"is there already, and frana did not write it", where, file, "", remedy});
+    }
+}
+
+void begin_own(const std::string& folder, const std::vector<std::string>& files) {
+    if (!around(folder, lists_files) && !around(folder, is_result)) write_manifest(folder, {});
+    keep_changed_files(files);
+}
+
+void clear_own(const std::string& folder, const std::vector<std::string>& files,
+               const std::function<bool(const std::string& name)>& belongs) {
+    const auto home = around(folder, lists_files);
+    const auto manifest = home ? read_manifest(home->string()) : std::nullopt;
+    if (!manifest) return;
+    const fs::path real = fs::canonical(folder);
+    std::vector<std::string> gone;
+    for (const auto& [name, mark] : manifest->files) {
+        const fs::path file = *home / name;
+        const auto is_it = [&](const std::string& one) {
+            return fs::path(one).filename() == file.filename();
+        };
+        if (file.parent_path() != real || !belongs(file.filename().string()) ||
+            std::any_of(files.begin(), files.end(), is_it))
+            continue;
+        std::error_code failure;
+        if (!fs::is_regular_file(fs::symlink_status(file, failure)) || mark_of(file.string()) != mark)
+            continue;
+        fs::remove(file, failure);
+        if (failure)
+            throw Error(ErrorKind::environment,
+                        Problem{"is of an earlier, longer series and cannot be removed: " + failure.message(),
+                                file.string(), "", "", system_remedy(failure.value())});
+        gone.push_back(name);
+    }
+    forget_files(home->string(), gone);
+}
+
+}  // namespace frana::app

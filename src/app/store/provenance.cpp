@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/provenance.h"
+
+#include "app/text/text_hash.h"
+#include "app/text/version.h"
+#include "core/utf8.h"
+#include "params/write_scene.h"
+
+namespace frana::app {
+
+std::string echoed_scene(const Prepared& prepared) {
+    SceneSpec spec = prepared.spec;
+    // The echo lies in another folder: what was derived from the scene file's own name must be written out.
+    spec.output.title = spec.output.title.value_or(scene_name(spec));
+    // The directory holds this result now; a repetition goes to its own unless told otherwise.
+    spec.output.directory.reset();
+    return scene_text(spec, prepared.resolved);
+}
+
+std::map<std::string, std::string> provenance(const Prepared& prepared) {
+    return {{"PROGRAM", k_program},
+            {"VERSION", k_version},
+            {"SCENE", valid_utf8(scene_name(prepared.spec))},
+            {"SCENE_HASH", text_hash(echoed_scene(prepared))},
+            {"TIFFTAG_SOFTWARE", std::string(k_program) + " " + k_version}};
+}
+
+}  // namespace frana::app

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/result_directory.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "app/store/checkpoints.h"
+#include "app/store/manifest.h"
+#include "app/store/replace_result.h"
+#include "app/store/result_files.h"
+#include "app/store/result_place.h"
+#include "app/store/unfinished_results.h"
+#include "app/text/text_file.h"
+#include "core/folder_entries.h"
+#include "core/sync_path.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& what, const std::string& path, const std::string& reason) {
+    throw Error(ErrorKind::environment,
+                Problem{what + ": " + reason, path, "", "", "Check the place's rights and free space"});
+}
+
+/// Lists every file below a folder in which a result was built that is frana's, and brings each to the disk.
+void list_files(const fs::path& result, const fs::path& folder, Manifest& manifest) {
+    for (const fs::directory_entry& entry : folder_entries(folder)) {
+        const fs::file_status status = entry.symlink_status();
+        if (fs::is_directory(status)) list_files(result, entry.path(), manifest);
+        if (!fs::is_regular_file(status)) continue;
+        const std::string name = entry.path().lexically_relative(result).generic_string();
+        if (name != k_manifest_file && name != k_building_file && known_file(name) != nullptr)
+            manifest.files[name] = mark_on_disk(entry.path().string());
+    }
+    sync_path(folder.string());
+}
+
+Manifest manifest_of(const fs::path& folder, const ResultFacts& facts) {
+    Manifest manifest{facts.scene_hash, facts.simulated_seconds, facts.finished, {}};
+    list_files(folder, folder, manifest);
+    return manifest;
+}
+
+}  // namespace
+
+ResultDirectory::ResultDirectory(const std::string& directory, bool overwrite, const std::string& left)
+    : directory_(result_path(directory)), aside_(left), overwrite_(overwrite), made_(left.empty()) {
+    if (made_) {
+        make_sibling();
+    } else {
+        // Another run's look at it takes a moment.
+        for (int tries = 0; lock_ < 0 && tries < 10; ++tries) {
+            if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            lock_ = lock_folder(aside_, false);
+        }
+        if (lock_ < 0) refuse();
+    }
+    if (another_run_builds(directory_, aside_)) refuse();
+}
+
+void ResultDirectory::make_sibling() {
+    std::error_code failure;
+    fs::create_directories(fs::path(directory_).parent_path(), failure);
+    if (failure) fail("cannot be made", fs::path(directory_).parent_path().string(), failure.message());
+    std::string name = directory_ + k_building + "XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr)
+        fail("no folder can be made beside it", directory_, std::strerror(errno));
+    aside_ = name;
+    // mkdtemp keeps others out; a result is as readable as the one before it, or as any folder of the user's.
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    struct stat older {};
+    const bool is_there = ::stat(directory_.c_str(), &older) == 0;
+    fs::permissions(aside_, static_cast<fs::perms>(is_there ? older.st_mode & 07777 : 0777 & ~mask), failure);
+    lock_ = lock_folder(aside_, true);  // another run's look at it takes a moment
+    try {
+        note_building(aside_, directory_);
+    } catch (const Error&) {
+        ::rmdir(aside_.c_str());
+        if (lock_ >= 0) ::close(lock_);
+        throw;
+    }
+}
+
+// From the constructor: the destructor does not come.
+void ResultDirectory::refuse() {
+    if (made_) remove_unfinished(aside_);
+    if (lock_ >= 0) ::close(lock_);
+    throw Error(ErrorKind::input, Problem{"another run is writing this result now", directory_, "", "",
+                                          "Wait for it, or choose another folder with --out"});
+}
+
+ResultDirectory::~ResultDirectory() {
+    try {
+        if (!published_ && checkpoints_in(aside_).empty()) remove_unfinished(aside_);
+    } catch (const Error&) {
+        published_ = true;  // what cannot be looked at stays for the next run
+    }
+    if (lock_ >= 0) ::close(lock_);
+}
+
+std::string ResultDirectory::path(const std::string& name) const {
+    return (fs::path(aside_) / name).string();
+}
+
+void ResultDirectory::make_folder(const std::string& name) const {
+    std::error_code failure;
+    fs::create_directories(path(name), failure);
+    if (failure) fail("cannot be made", path(name), failure.message());
+}
+
+std::vector<Problem> ResultDirectory::publish(const ResultFacts& facts, RunLog& log) {
+    write_manifest(aside_, manifest_of(aside_, facts));
+    const bool replaces = holds_files(directory_);
+    if (replaces && !overwrite_)  // somebody else was faster; what was computed is not thrown away
+        keep_beside("another result has appeared there meanwhile", "");
+    if (replaces) {
+        try {
+            note_replaced(directory_, fs::path(aside_).filename().string());
+        } catch (const Error&) {  // only a kill in the next moments would miss it
+        }
+    }
+    // The two change places in one go: at no moment is there none.
+    const bool exchanged =
+        replaces && ::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0;
+    if (!exchanged) take_place_in_steps(replaces);  // a file system that cannot, or nothing there
+    published_ = true;
+    std::error_code ignored;
+    fs::remove(fs::path(directory_) / k_building_file, ignored);
+    sync_path(fs::path(directory_).parent_path().string());
+    ::close(std::exchange(lock_, -1));  // who writes to the manifest from now on takes it
+    return tidy_up(replaces, log);
+}
+
+void ResultDirectory::take_place_in_steps(bool replaces) {
+    const std::string waiting = aside_ + ".old";
+    std::error_code failure, ignored;
+    if (replaces) {
+        fs::rename(directory_, waiting, failure);
+        if (failure) keep_beside("the older result cannot be moved away", failure.message());
+    }
+    fs::rename(aside_, directory_, failure);
+    if (failure) {
+        if (replaces) fs::rename(waiting, directory_, ignored);
+        keep_beside("the result cannot take its name", failure.message());
+    }
+    if (replaces) fs::rename(waiting, aside_, ignored);
+}
+
+void ResultDirectory::keep_beside(const std::string& what, const std::string& reason) {
+    const std::string kept = directory_ + ".kept-" + aside_.substr(aside_.rfind('-') + 1);
+    std::error_code failure, ignored;
+    fs::rename(aside_, kept, failure);
+    if (!failure) fs::remove(fs::path(kept) / k_building_file, ignored);
+    fs::remove(fs::path(directory_) / k_replaced_file, ignored);
+    published_ = true;
+    fail(what, directory_,
+         (reason.empty() ? "" : reason + "; ") + "the new one is kept in " + (failure ? aside_ : kept));
+}
+
+std::vector<Problem> ResultDirectory::tidy_up(bool replaces, RunLog& log) {
+    const std::size_t lines = log.lines().size();
+    const std::vector<Problem> problems = clear_place_of(directory_, replaces ? aside_ : "", log);
+    if (log.lines().size() > lines) {
+        write_text_file(final_path("log.txt"), log.text());
+        record_files({final_path("log.txt")});
+    }
+    return problems;
+}
+
+std::string ResultDirectory::final_path(const std::string& name) const {
+    return (fs::path(directory_) / name).string();
+}
+
+namespace {
+
+// What killed programs had in the making in a finished result.
+void remove_leftovers(const fs::path& result, const fs::path& folder) {
+    for (const fs::directory_entry& entry : folder_entries(folder)) {
+        std::error_code ignored;
+        const fs::file_status status = entry.symlink_status(ignored);
+        if (fs::is_directory(status)) remove_leftovers(result, entry.path());
+        if (fs::is_regular_file(status) &&
+            is_leftover(entry.path().lexically_relative(result).generic_string()))
+            fs::remove(entry.path(), ignored);
+    }
+}
+
+}  // namespace
+
+std::vector<Problem> clear_place_of(const std::string& result, const std::string& replaced, RunLog& log) {
+    std::vector<Problem> problems;
+    std::vector<std::string> older = replaced_results(result);
+    if (!replaced.empty() && std::find(older.begin(), older.end(), replaced) == older.end())
+        older.push_back(replaced);
+    for (const std::string& folder : older) {
+        const int mine = lock_folder(folder, false);
+        if (mine < 0 && errno == EWOULDBLOCK) continue;  // another run is at it
+        const std::vector<Problem> more = replace_result(folder, result, log);
+        problems.insert(problems.end(), more.begin(), more.end());
+        if (mine >= 0) ::close(mine);
+    }
+    for (const std::string& folder : left_results(result)) {
+        if (!remove_unfinished(folder))
+            log.tell("a run that was killed has left " + folder +
+                     "; it holds more than frana wrote there, and stays");
+    }
+    remove_empty_siblings(result);
+    remove_note_of_building(result);
+    return problems;
+}
+
+void forget_the_way(const std::string& result, bool frames, RunLog& log) {
+    const std::optional<Manifest> manifest = read_manifest(result);
+    if (!manifest) return;
+    std::vector<std::string> folders{k_checkpoint_folder, k_page_folder}, gone;
+    if (frames) folders.emplace_back("frames");
+    std::error_code failure, ignored;
+    for (const std::string& folder : folders) {
+        for (const auto& [name, mark] : manifest->files) {
+            if (!name.starts_with(folder + "/")) continue;
+            fs::remove(fs::path(result) / name, failure);
+            if (failure) {
+                log.warn((fs::path(result) / name).string() + " is no longer needed and cannot be removed: " +
+                         failure.message() + "; --resume tries again");
+            } else {
+                gone.push_back(name);
+            }
+        }
+        fs::remove(fs::path(result) / folder, ignored);  // unless the user has files there
+    }
+    forget_files(result, gone);
+    remove_leftovers(result, result);
+}
+
+}  // namespace frana::app

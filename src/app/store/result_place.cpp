@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/result_place.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+
+#include "app/store/checkpoints.h"
+#include "app/store/kept_files.h"
+#include "app/store/manifest.h"
+#include "app/store/result_files.h"
+#include "app/store/unfinished_results.h"
+
+namespace frana::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* k_choose = "Choose another result directory with --out";
+
+/// The folders above it as they really are, its own name as it was given. Trailing slashes would hide that
+/// name.
+fs::path clean(const fs::path& directory) {
+    fs::path path = fs::absolute(directory);
+    while (!path.has_filename() && path.has_relative_path()) path = path.parent_path();
+    std::error_code failure;
+    const fs::path name = path.filename();
+    const bool is_named = name != "." && name != "..";
+    const fs::path real = fs::weakly_canonical(is_named ? path.parent_path() : path, failure);
+    if (failure) return path.lexically_normal();
+    return is_named ? real / name : real;
+}
+
+/// The nearest folder above that is there already.
+fs::path existing_parent(fs::path path) {
+    std::error_code ignored;
+    do path = path.parent_path();
+    while (!fs::exists(path, ignored) && path.has_relative_path());
+    return path;
+}
+
+bool is_inside(const fs::path& path, const fs::path& directory) {
+    const fs::path relative = path.lexically_relative(directory);
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+/// What is mounted somewhere cannot be renamed, nor anything to its name.
+bool is_mount_point(const fs::path& path) {
+    struct statx facts {};
+    if (::statx(AT_FDCWD, path.c_str(), 0, STATX_BASIC_STATS, &facts) == 0 &&
+        (facts.stx_attributes_mask & STATX_ATTR_MOUNT_ROOT) != 0)
+        return (facts.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
+    struct stat own {
+    }, above{};  // a kernel before 5.8
+    return ::stat(path.c_str(), &own) == 0 && ::stat(path.parent_path().c_str(), &above) == 0 &&
+           own.st_dev != above.st_dev;
+}
+
+/// In such a folder (/tmp) a name belongs to its owner alone.
+bool is_kept_by_its_owner(const fs::path& path) {
+    struct stat own {
+    }, above{};
+    if (::geteuid() == 0 || ::stat(path.c_str(), &own) != 0 ||
+        ::stat(path.parent_path().c_str(), &above) != 0)
+        return false;
+    return (above.st_mode & S_ISVTX) != 0 && own.st_uid != ::geteuid() && above.st_uid != ::geteuid();
+}
+
+/// Of a result, which is built beside its place under a longer name.
+long longest_name(const fs::path& path) {
+    const long most = ::pathconf(existing_parent(path).c_str(), _PC_NAME_MAX);
+    return (most > 0 ? most : 255) -
+           static_cast<long>(std::string(k_building).size() + 6 + std::string(".old").size());
+}
+
+/// What the rights or the disk do not allow; none where the folder can be made, or replaced.
+std::optional<std::string> refusal(const fs::path& path) {
+    const fs::path parent = existing_parent(path);
+    if (::faccessat(AT_FDCWD, parent.c_str(), W_OK | X_OK, AT_EACCESS) != 0) return std::strerror(errno);
+    if (::faccessat(AT_FDCWD, path.c_str(), F_OK, AT_EACCESS) != 0) return std::nullopt;
+    if (::faccessat(AT_FDCWD, path.c_str(), R_OK | W_OK | X_OK, AT_EACCESS) != 0)
+        return std::string("the folder that is there may not be changed: ") + std::strerror(errno);
+    if (is_kept_by_its_owner(path))
+        return "the folder that is there is another user's, and only its owner may rename it";
+    return std::nullopt;
+}
+
+/// What is wrong with a symbolic link; none where there is no link, or it can be followed.
+std::optional<Problem> broken_link(const std::string& directory, const fs::path& path,
+                                   const std::string& where) {
+    std::error_code failure;
+    if (fs::is_symlink(path, failure))
+        return Problem{"is a symbolic link that leads back to itself", where, path.string(), "", k_choose};
+    const fs::path named = clean(directory);
+    if (path == named || !fs::is_symlink(named, failure) || fs::exists(path.parent_path(), failure))
+        return {};
+    return Problem{
+        "is a symbolic link to a place that is not there", where, named.string() + " -> " + path.string(), "",
+        "Connect the disk or make the folder it points into, or choose another result directory with --out"};
+}
+
+/// What of the older result goes, or moves, must not be read while it does.
+bool would_be_replaced(const fs::path& input, const fs::path& result,
+                       const std::optional<Manifest>& manifest) {
+    if (!is_inside(input, result)) return false;
+    const std::string name = input.lexically_relative(result).generic_string();
+    if (name == "scene.ini") return false;  // read before anything is written, and written again
+    return !manifest || manifest->files.count(name) > 0 || known_file(name) != nullptr;
+}
+
+void check_older(const fs::path& path, bool overwrite, const std::vector<std::string>& inputs,
+                 const std::string& where, Problems& problems) {
+    const std::optional<Manifest> manifest = read_manifest(path.string());
+    if (!manifest && !is_unlisted_result(path.string())) {
+        problems.add({"is a folder with other files in it, not a result; it is never overwritten", where,
+                      path.string(), "", "Choose an empty or new folder with --out"});
+    } else if (!overwrite) {
+        problems.add(
+            {"holds a result already", where, path.string(), "",
+             (manifest && manifest->finished.value_or(false)) || checkpoints_in(path.string()).empty()
+                 ? "Choose another folder with --out, or add --overwrite"
+                 : "It was stopped before its end: --resume goes on, --overwrite starts anew"});
+    }
+    for (const std::string& input : inputs) {
+        const std::vector<std::string> places = spellings(input);
+        if (std::any_of(places.begin(), places.end(), [&](const std::string& place) {
+                std::error_code failure;
+                const fs::path real = fs::weakly_canonical(place, failure);
+                return !failure && fs::exists(real, failure) && would_be_replaced(real, path, manifest);
+            }))
+            problems.add({"would be replaced by the result while it is read", where, input, "", k_choose});
+    }
+}
+
+}  // namespace
+
+std::string result_path(const std::string& directory) {
+    constexpr int k_most_links = 40;  // as the system has it
+    fs::path path = clean(directory);
+    for (int links = 0; links < k_most_links; ++links) {
+        std::error_code failure;
+        if (!fs::is_symlink(path, failure)) break;
+        const fs::path to = fs::read_symlink(path, failure);
+        if (failure) break;
+        path = clean(path.parent_path() / to);
+    }
+    return path.string();
+}
+
+bool holds_files(const std::string& folder) {
+    std::error_code failure;
+    if (!fs::is_directory(folder, failure)) return false;
+    const bool is_empty = fs::is_empty(folder, failure);
+    return failure || !is_empty;
+}
+
+std::optional<Problem> check_result_directory(const std::string& directory, bool overwrite,
+                                              const std::vector<std::string>& inputs,
+                                              const std::string& where, Problems& problems) {
+    const fs::path path = result_path(directory);
+    if (const auto problem = broken_link(directory, path, where)) {
+        problems.add(*problem);
+        return {};
+    }
+    std::error_code failure;
+    if (fs::exists(path, failure) && !fs::is_directory(path, failure)) {
+        problems.add(
+            {"is a file, not a folder", where, path.string(), "", "Choose another result directory"});
+        return {};
+    }
+    if (fs::is_directory(path, failure) && is_mount_point(path)) {
+        problems.add(
+            {"is a mount point (a disk or a container's volume), which no result can take the place of",
+             where, path.string(), "", "Choose a folder in it: --out " + (path / "result").string()});
+        return {};
+    }
+    if (const long most = longest_name(path); static_cast<long>(path.filename().string().size()) > most)
+        problems.add({"has too long a name", where, path.filename().string(),
+                      "at most " + std::to_string(most) + " bytes here", "Choose a shorter one with --out"});
+    if (holds_files(path.string())) check_older(path, overwrite, inputs, where, problems);
+    const fs::path parent = existing_parent(path);
+    if (!fs::is_directory(parent, failure)) {
+        problems.add({"cannot be written: " + parent.string() + " is not a folder", where, path.string(), "",
+                      k_choose});
+    } else if (const auto reason = refusal(path)) {
+        return Problem{"cannot be written: " + *reason, where, path.string(), "", k_choose};
+    }
+    return {};
+}
+
+}  // namespace frana::app

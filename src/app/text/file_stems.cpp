@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/text/file_stems.h"
+
+#include <map>
+
+#include "app/text/text_hash.h"
+
+namespace frana::app {
+namespace {
+
+std::string with_hash(const std::string& stem, const std::string& name) {
+    return stem + "_" + text_hash(name).substr(0, 8);
+}
+
+// By hand: the locale has no say in names of files.
+bool is_plain(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+}
+
+std::string plain(std::string name) {
+    for (char& c : name)
+        if (!is_plain(c)) c = '_';
+    return name;
+}
+
+std::string small_letters(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+}  // namespace
+
+std::string shortened_name(const std::string& name, std::size_t most) {
+    constexpr std::size_t k_hash = 9;  // with the line before it
+    if (name.size() <= most) return name;
+    std::size_t cut = most - k_hash;
+    while (cut > 0 && (static_cast<unsigned char>(name[cut]) & 0xC0) == 0x80) --cut;  // no half letters
+    return with_hash(name.substr(0, cut), name);
+}
+
+std::vector<std::string> file_stems(const std::vector<std::string>& names) {
+    std::map<std::string, int> all, unchanged;  // how many share a stem, and how many of them are it
+    for (const std::string& name : names) {
+        const std::string stem = plain(name), key = small_letters(stem);
+        ++all[key];
+        if (stem == name) ++unchanged[key];
+    }
+    std::vector<std::string> stems;
+    for (const std::string& name : names) {
+        const std::string stem = plain(name), key = small_letters(stem);
+        const bool alone = all[key] == 1 || (stem == name && unchanged[key] == 1);
+        stems.push_back(alone ? shortened_name(stem) : with_hash(shortened_name(stem), name));
+    }
+    return stems;
+}
+
+}  // namespace frana::app

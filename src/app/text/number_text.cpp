@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/text/number_text.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace frana::app {
+
+std::string figure(double value, int digits) {
+    if (value == 0) return "0";
+    char text[64];
+    const double size = std::abs(value);
+    // From what rounds to as many digits before the point.
+    if (size >= std::pow(10.0, digits) - 0.5 && size < 1e15)
+        std::snprintf(text, sizeof text, "%.0f", value);
+    else
+        std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
+std::string grouped(std::int64_t value) {
+    const std::string digits = std::to_string(value);
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        const std::size_t left = digits.size() - i;
+        if (i > 0 && left % 3 == 0 && digits[i - 1] != '-') text += ' ';
+        text += digits[i];
+    }
+    return text;
+}
+
+std::string grouped(double value) {
+    if (std::abs(value) < 10) return figure(value, 2);  // of a flume, not of a hillside
+    return std::isfinite(value) && std::abs(value) < 9e18
+               ? grouped(static_cast<std::int64_t>(std::llround(value)))
+               : figure(value);
+}
+
+std::string bytes_text(double bytes) {
+    const char* const units[] = {"B", "kB", "MB", "GB", "TB"};
+    int unit = 0;
+    while (bytes >= 1000 && unit < 4) {
+        bytes /= 1000;
+        ++unit;
+    }
+    return figure(bytes, 3) + " " + units[unit];
+}
+
+std::string extent_text(const Bounds& bounds, bool degrees) {
+    char text[200];
+    const int decimals = degrees ? 7 : 2;
+    std::snprintf(text, sizeof text, "west %.*f, south %.*f, east %.*f, north %.*f", decimals, bounds.west,
+                  decimals, bounds.south, decimals, bounds.east, decimals, bounds.north);
+    return text;
+}
+
+}  // namespace frana::app

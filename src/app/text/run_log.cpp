@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/text/run_log.h"
+
+#include <cstdio>
+#include <iostream>
+
+#include "core/utf8.h"
+
+namespace frana::app {
+
+void RunLog::note(const std::string& text) {
+    char stamp[32];
+    std::snprintf(stamp, sizeof stamp, "%9.2f s  ", since_start_.seconds());
+    lines_.push_back(stamp + text);
+}
+
+void RunLog::warn(const std::string& text) {
+    note("WARNING: " + text);
+    warnings_.push_back(text);
+    if (!quiet_) std::cerr << "frana: warning: " << text << '\n';
+}
+
+void RunLog::tell(const std::string& text) {
+    note(text);
+    if (!quiet_) std::cerr << "frana: " << text << '\n';
+}
+
+void RunLog::say_why() const {
+    if (!quiet_) return;
+    for (const std::string& text : warnings_) std::cerr << "frana: warning: " << text << '\n';
+}
+
+void RunLog::continue_from(const std::vector<std::string>& earlier) {
+    lines_.insert(lines_.begin(), earlier.begin(), earlier.end());
+}
+
+std::string RunLog::text() const {
+    std::string all;
+    for (const std::string& line : lines_) {
+        all += valid_utf8(line);
+        all += '\n';
+    }
+    return all;
+}
+
+}  // namespace frana::app
