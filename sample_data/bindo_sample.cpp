@@ -7,9 +7,9 @@
 #include <map>
 
 #include "core/raster.h"
-#include "gis/crs.h"
-#include "gis/crs_transform.h"
-#include "gis/raster_out.h"
+#include "gis/crs/crs.h"
+#include "gis/crs/crs_transform.h"
+#include "gis/raster/raster_out.h"
 #include "sample_data/bindo_landslide.h"
 #include "sample_data/bindo_terrain.h"
 #include "sample_data/shapefile.h"

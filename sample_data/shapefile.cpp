@@ -5,7 +5,7 @@
 #include <ogrsf_frmts.h>
 
 #include "core/error.h"
-#include "gis/gdal_session.h"
+#include "gis/access/gdal_session.h"
 
 namespace frana::sample {
 

@@ -11,7 +11,7 @@
 #include "core/file_aside.h"
 #include "core/json.h"
 #include "core/raster.h"
-#include "gis/raster_out.h"
+#include "gis/raster/raster_out.h"
 
 namespace frana::sample {
 namespace {

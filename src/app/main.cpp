@@ -19,7 +19,7 @@
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/system_remedy.h"
-#include "gis/network.h"
+#include "gis/access/network.h"
 #include "params/nearest_name.h"
 
 namespace frana::app {

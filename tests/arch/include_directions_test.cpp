@@ -29,7 +29,7 @@ const std::map<std::string, std::set<std::string>> k_may_include{
       "gis", "render"}},
 };
 
-/// "src/mpm/shape.h" -> "mpm", "gis/crs.h" -> "gis".
+/// "src/mpm/shape.h" -> "mpm", "gis/crs/crs.h" -> "gis".
 std::string room_of(const std::string& path) {
     const std::string rest = path.rfind("src/", 0) == 0 ? path.substr(4) : path;
     return rest.substr(0, rest.find('/'));

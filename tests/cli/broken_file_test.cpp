@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "gis/gdal_session.h"
+#include "gis/access/gdal_session.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

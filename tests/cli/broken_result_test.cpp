@@ -5,8 +5,8 @@
 #include <map>
 #include <optional>
 
-#include "gis/raster_in.h"
-#include "gis/raster_out.h"
+#include "gis/raster/raster_in.h"
+#include "gis/raster/raster_out.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "gis/raster_in.h"
-#include "gis/raster_text.h"
+#include "gis/raster/raster_in.h"
+#include "gis/raster/raster_text.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

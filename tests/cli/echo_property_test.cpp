@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "../properties/random_scene.h"
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

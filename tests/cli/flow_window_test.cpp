@@ -3,7 +3,7 @@
 #include "app/input/flow_window.h"
 
 #include "app/input/share_directory.h"
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 #include "params/law_names.h"
 #include "tiny_scene.h"
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "gis/gdal_session.h"
-#include "gis/raster_in.h"
+#include "gis/access/gdal_session.h"
+#include "gis/raster/raster_in.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

@@ -13,8 +13,8 @@
 #include "../gis/cog_check.h"
 #include "app/text/number_text.h"
 #include "app/text/text_hash.h"
-#include "gis/gdal_session.h"
-#include "gis/raster_in.h"
+#include "gis/access/gdal_session.h"
+#include "gis/raster/raster_in.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

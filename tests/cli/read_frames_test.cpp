@@ -8,7 +8,7 @@
 
 #include "app/store/frame_store.h"
 #include "core/json.h"
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

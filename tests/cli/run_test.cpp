@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 #include "same_result.h"
 #include "tiny_scene.h"
 

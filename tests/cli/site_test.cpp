@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The structured model through the program: fluid alone.
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

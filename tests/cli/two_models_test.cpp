@@ -3,7 +3,7 @@
 #include <cstring>
 #include <map>
 
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

@@ -2,7 +2,7 @@
 // Rasters. First byte: t GeoTIFF, a ASCII grid.
 #include <cmath>
 
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 #include "harness.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

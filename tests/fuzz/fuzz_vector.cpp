@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "gis/crs.h"
-#include "gis/vector_in.h"
+#include "gis/crs/crs.h"
+#include "gis/vector/vector_in.h"
 #include "harness.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

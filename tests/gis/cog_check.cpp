@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "files.h"
-#include "gis/gdal_session.h"
+#include "gis/access/gdal_session.h"
 
 namespace frana::gis::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/crs.h"
+#include "gis/crs/crs.h"
 
 #include <gtest/gtest.h>
 

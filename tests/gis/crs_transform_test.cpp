@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/crs_transform.h"
+#include "gis/crs/crs_transform.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "files.h"
-#include "gis/crs.h"
+#include "gis/crs/crs.h"
 
 namespace frana::gis {
 namespace {

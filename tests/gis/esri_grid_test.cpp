@@ -11,8 +11,8 @@
 #include <string>
 
 #include "files.h"
-#include "gis/crs.h"
-#include "gis/raster_in.h"
+#include "gis/crs/crs.h"
+#include "gis/raster/raster_in.h"
 
 namespace frana::gis {
 namespace {

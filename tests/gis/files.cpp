@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "gis/gdal_session.h"
+#include "gis/access/gdal_session.h"
 
 namespace frana::gis::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/frames_out.h"
+#include "gis/raster/frames_out.h"
 
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 #include <filesystem>
 
 #include "files.h"
-#include "gis/crs.h"
-#include "gis/gdal_session.h"
+#include "gis/access/gdal_session.h"
+#include "gis/crs/crs.h"
 
 namespace frana::gis {
 namespace {

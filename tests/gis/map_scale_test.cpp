@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/map_scale.h"
+#include "gis/crs/map_scale.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "gis/crs.h"
+#include "gis/crs/crs.h"
 
 namespace frana::gis {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/marks_in.h"
+#include "gis/vector/marks_in.h"
 
 #include <gtest/gtest.h>
 
 #include "files.h"
-#include "gis/crs.h"
+#include "gis/crs/crs.h"
 
 namespace frana::gis {
 namespace {

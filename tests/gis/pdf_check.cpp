@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "files.h"
-#include "gis/gdal_session.h"
+#include "gis/access/gdal_session.h"
 
 namespace frana::gis::test {
 namespace {

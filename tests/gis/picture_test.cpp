@@ -9,13 +9,13 @@
 #include <cmath>
 
 #include "files.h"
-#include "gis/crs.h"
-#include "gis/crs_transform.h"
-#include "gis/memory_dataset.h"
-#include "gis/picture_in.h"
-#include "gis/picture_out.h"
-#include "gis/raster_out.h"
-#include "gis/raster_text.h"
+#include "gis/access/memory_dataset.h"
+#include "gis/crs/crs.h"
+#include "gis/crs/crs_transform.h"
+#include "gis/raster/picture_in.h"
+#include "gis/raster/picture_out.h"
+#include "gis/raster/raster_out.h"
+#include "gis/raster/raster_text.h"
 #include "pdf_check.h"
 
 namespace frana::gis {

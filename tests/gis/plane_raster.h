@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "files.h"
-#include "gis/crs.h"
+#include "gis/crs/crs.h"
 
 namespace frana::gis::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/points_out.h"
+#include "gis/vector/points_out.h"
 
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "files.h"
-#include "gis/crs.h"
+#include "gis/crs/crs.h"
 
 namespace frana::gis {
 namespace {

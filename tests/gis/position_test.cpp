@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "files.h"
-#include "gis/crs.h"
-#include "gis/raster_in.h"
-#include "gis/rasterize.h"
-#include "gis/vector_in.h"
+#include "gis/crs/crs.h"
+#include "gis/raster/raster_in.h"
+#include "gis/raster/rasterize.h"
+#include "gis/vector/vector_in.h"
 
 namespace frana::gis {
 namespace {

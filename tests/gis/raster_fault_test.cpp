@@ -17,8 +17,8 @@
 
 #include "core/error.h"
 #include "files.h"
-#include "gis/raster_in.h"
-#include "gis/raster_out.h"
+#include "gis/raster/raster_in.h"
+#include "gis/raster/raster_out.h"
 
 namespace frana::gis {
 namespace {

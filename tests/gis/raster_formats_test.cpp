@@ -12,10 +12,10 @@
 #include <functional>
 
 #include "files.h"
-#include "gis/crs.h"
-#include "gis/crs_transform.h"
-#include "gis/gdal_session.h"
-#include "gis/raster_in.h"
+#include "gis/access/gdal_session.h"
+#include "gis/crs/crs.h"
+#include "gis/crs/crs_transform.h"
+#include "gis/raster/raster_in.h"
 
 namespace frana::gis {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <limits>
 
 #include "files.h"
-#include "gis/crs.h"
-#include "gis/crs_transform.h"
-#include "gis/gdal_session.h"
+#include "gis/access/gdal_session.h"
+#include "gis/crs/crs.h"
+#include "gis/crs/crs_transform.h"
 #include "plane_raster.h"
 
 namespace frana::gis {

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "files.h"
-#include "gis/crs.h"
-#include "gis/gdal_session.h"
-#include "gis/raster_in.h"
+#include "gis/access/gdal_session.h"
+#include "gis/crs/crs.h"
+#include "gis/raster/raster_in.h"
 #include "plane_raster.h"
 
 namespace frana::gis {

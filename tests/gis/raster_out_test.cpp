@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/raster_out.h"
+#include "gis/raster/raster_out.h"
 
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
@@ -12,9 +12,9 @@
 
 #include "cog_check.h"
 #include "files.h"
-#include "gis/crs.h"
-#include "gis/gdal_session.h"
-#include "gis/raster_in.h"
+#include "gis/access/gdal_session.h"
+#include "gis/crs/crs.h"
+#include "gis/raster/raster_in.h"
 
 namespace frana::gis {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/rasterize.h"
+#include "gis/raster/rasterize.h"
 
 #include <gtest/gtest.h>
 

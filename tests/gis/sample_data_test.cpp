@@ -7,9 +7,9 @@
 #include <string>
 
 #include "files.h"
-#include "gis/crs.h"
-#include "gis/raster_in.h"
-#include "gis/vector_in.h"
+#include "gis/crs/crs.h"
+#include "gis/raster/raster_in.h"
+#include "gis/vector/vector_in.h"
 #include "sample_data/bindo_landslide.h"
 #include "sample_data/bindo_sample.h"
 #include "sample_data/structured_samples.h"

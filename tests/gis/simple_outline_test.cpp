@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/simple_outline.h"
+#include "gis/vector/simple_outline.h"
 
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
@@ -9,8 +9,8 @@
 #include <numbers>
 #include <random>
 
-#include "gis/gdal_session.h"
-#include "gis/polygon_geometry.h"
+#include "gis/access/gdal_session.h"
+#include "gis/vector/polygon_geometry.h"
 
 namespace frana::gis {
 namespace {

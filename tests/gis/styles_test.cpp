@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/styles.h"
+#include "gis/raster/styles.h"
 
 #include <gtest/gtest.h>
 

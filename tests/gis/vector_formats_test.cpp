@@ -8,10 +8,10 @@
 #include <map>
 
 #include "files.h"
-#include "gis/crs.h"
-#include "gis/gdal_session.h"
-#include "gis/vector_in.h"
-#include "gis/vector_source.h"
+#include "gis/access/gdal_session.h"
+#include "gis/crs/crs.h"
+#include "gis/vector/vector_in.h"
+#include "gis/vector/vector_source.h"
 
 namespace frana::gis {
 namespace {

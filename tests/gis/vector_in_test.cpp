@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/vector_in.h"
+#include "gis/vector/vector_in.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "files.h"
-#include "gis/crs.h"
+#include "gis/crs/crs.h"
 
 namespace frana::gis {
 namespace {

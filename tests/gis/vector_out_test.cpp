@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/vector_out.h"
+#include "gis/vector/vector_out.h"
 
 #include <gtest/gtest.h>
 
 #include "files.h"
-#include "gis/crs.h"
-#include "gis/vector_in.h"
+#include "gis/crs/crs.h"
+#include "gis/vector/vector_in.h"
 
 namespace frana::gis {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gis/working_grid.h"
+#include "gis/raster/working_grid.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "files.h"
-#include "gis/crs.h"
+#include "gis/crs/crs.h"
 
 namespace frana::gis {
 namespace {

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <string>
 
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 
 namespace frana {
 namespace {

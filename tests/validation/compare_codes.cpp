@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "analysis/trace.h"
-#include "gis/crs.h"
-#include "gis/raster_in.h"
-#include "gis/rasterize.h"
+#include "gis/crs/crs.h"
+#include "gis/raster/raster_in.h"
+#include "gis/raster/rasterize.h"
 #include "render/map2d.h"
 
 namespace frana {

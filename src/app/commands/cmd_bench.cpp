@@ -17,7 +17,7 @@
 #include "bench/stability.h"
 #include "bench/time_to_error.h"
 #include "core/error.h"
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 #include "render/image.h"
 
 namespace frana::app {

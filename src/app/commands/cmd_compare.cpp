@@ -18,8 +18,8 @@
 #include "app/text/text_file.h"
 #include "app/text/version.h"
 #include "core/error.h"
-#include "gis/crs.h"
-#include "gis/raster_in.h"
+#include "gis/crs/crs.h"
+#include "gis/raster/raster_in.h"
 #include "params/scene_spec.h"
 
 namespace frana::app {

@@ -22,7 +22,7 @@
 #include "app/text/text_file.h"
 #include "app/text/version.h"
 #include "core/json.h"
-#include "gis/raster_out.h"
+#include "gis/raster/raster_out.h"
 #include "render/chart.h"
 #include "simulation/run_figures.h"
 #include "simulation/simulation.h"

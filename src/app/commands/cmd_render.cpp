@@ -17,7 +17,7 @@
 #include "app/store/manifest.h"
 #include "app/store/own_files.h"
 #include "core/error.h"
-#include "gis/picture_in.h"
+#include "gis/raster/picture_in.h"
 
 namespace frana::app {
 namespace {

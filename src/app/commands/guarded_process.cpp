@@ -19,7 +19,7 @@
 #include "app/text/number_text.h"
 #include "core/error.h"
 #include "core/json.h"
-#include "gis/time_limit.h"
+#include "gis/access/time_limit.h"
 #include "params/value_text.h"
 
 namespace frana::app {

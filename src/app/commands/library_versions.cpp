@@ -3,7 +3,7 @@
 
 #include <boost/version.hpp>
 
-#include "gis/versions.h"
+#include "gis/access/versions.h"
 #include "render/versions.h"
 
 namespace frana::app {

@@ -9,7 +9,7 @@
 #include "app/text/number_text.h"
 #include "core/error.h"
 #include "core/inside_test.h"
-#include "gis/rasterize.h"
+#include "gis/raster/rasterize.h"
 
 namespace frana::app {
 namespace {

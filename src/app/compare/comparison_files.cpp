@@ -8,8 +8,8 @@
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/json.h"
-#include "gis/raster_out.h"
-#include "gis/styles.h"
+#include "gis/raster/raster_out.h"
+#include "gis/raster/styles.h"
 
 namespace frana::app {
 namespace {

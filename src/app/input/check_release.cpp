@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/text/number_text.h"
-#include "gis/footprint.h"
-#include "gis/rasterize.h"
+#include "gis/raster/footprint.h"
+#include "gis/raster/rasterize.h"
 
 namespace frana::app {
 namespace {

@@ -2,8 +2,8 @@
 #include "app/input/choose_crs.h"
 
 #include "app/text/number_text.h"
-#include "gis/crs.h"
-#include "gis/map_scale.h"
+#include "gis/crs/crs.h"
+#include "gis/crs/map_scale.h"
 
 namespace frana::app {
 namespace {

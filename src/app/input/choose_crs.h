@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/text/run_log.h"
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 #include "params/read_scene.h"
 
 namespace frana::app {

@@ -7,9 +7,9 @@
 
 #include "app/input/layer_choice.h"
 #include "app/input/prepare_inflow.h"
-#include "gis/elevation_sample.h"
-#include "gis/lines_in.h"
-#include "gis/marks_in.h"
+#include "gis/raster/elevation_sample.h"
+#include "gis/vector/lines_in.h"
+#include "gis/vector/marks_in.h"
 #include "params/law_names.h"
 
 namespace frana::app {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/input/layer_choice.h"
 
-#include "gis/crs.h"
+#include "gis/crs/crs.h"
 
 namespace frana::app {
 

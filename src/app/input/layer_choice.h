@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "gis/vector_in.h"
+#include "gis/vector/vector_in.h"
 #include "params/read_scene.h"
 
 namespace frana::app {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/input/prepare_terrain.h"
-#include "gis/vector_in.h"
+#include "gis/vector/vector_in.h"
 
 namespace frana::app {
 

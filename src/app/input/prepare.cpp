@@ -14,7 +14,7 @@
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
 #include "core/json.h"
-#include "gis/crs.h"
+#include "gis/crs/crs.h"
 #include "params/law_names.h"
 #include "simulation/arrivals.h"
 #include "simulation/scene_origin.h"

@@ -8,8 +8,8 @@
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
 #include "core/counted_texts.h"
-#include "gis/footprint.h"
-#include "gis/vector_in.h"
+#include "gis/raster/footprint.h"
+#include "gis/vector/vector_in.h"
 
 namespace frana::app {
 namespace {

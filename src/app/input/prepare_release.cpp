@@ -12,8 +12,8 @@
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
 #include "core/json.h"
-#include "gis/crs.h"
-#include "gis/rasterize.h"
+#include "gis/crs/crs.h"
+#include "gis/raster/rasterize.h"
 
 namespace frana::app {
 namespace {

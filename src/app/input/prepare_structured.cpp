@@ -10,8 +10,8 @@
 #include "app/input/prepare_zones.h"
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
-#include "gis/footprint.h"
-#include "gis/rasterize.h"
+#include "gis/raster/footprint.h"
+#include "gis/raster/rasterize.h"
 
 namespace frana::app {
 namespace {

@@ -10,9 +10,9 @@
 #include "app/input/layer_values.h"
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
-#include "gis/footprint.h"
-#include "gis/raster_in.h"
-#include "gis/vector_in.h"
+#include "gis/raster/footprint.h"
+#include "gis/raster/raster_in.h"
+#include "gis/vector/vector_in.h"
 #include "params/law_names.h"
 
 namespace frana::app {

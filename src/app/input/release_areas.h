@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/input/prepare_terrain.h"
-#include "gis/vector_in.h"
+#include "gis/vector/vector_in.h"
 #include "simulation/scene.h"
 
 namespace frana::app {

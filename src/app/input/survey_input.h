@@ -8,9 +8,9 @@
 #include "app/input/used_file.h"
 #include "app/text/run_log.h"
 #include "core/error.h"
-#include "gis/marks_in.h"
-#include "gis/raster_in.h"
-#include "gis/vector_in.h"
+#include "gis/raster/raster_in.h"
+#include "gis/vector/marks_in.h"
+#include "gis/vector/vector_in.h"
 #include "params/read_scene.h"
 #include "simulation/scene.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/text/number_text.h"
-#include "gis/crs.h"
-#include "gis/raster_in.h"
+#include "gis/crs/crs.h"
+#include "gis/raster/raster_in.h"
 #include "particles/seeding.h"
 
 namespace frana::app {

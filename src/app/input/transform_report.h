@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/text/run_log.h"
-#include "gis/crs_transform.h"
+#include "gis/crs/crs_transform.h"
 
 namespace frana::app {
 

@@ -3,7 +3,7 @@
 
 #include "app/text/number_text.h"
 #include "core/json.h"
-#include "gis/crs.h"
+#include "gis/crs/crs.h"
 
 namespace frana::app {
 namespace {

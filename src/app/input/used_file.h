@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <string>
 
-#include "gis/lines_in.h"
-#include "gis/marks_in.h"
-#include "gis/raster_in.h"
-#include "gis/vector_in.h"
+#include "gis/raster/raster_in.h"
+#include "gis/vector/lines_in.h"
+#include "gis/vector/marks_in.h"
+#include "gis/vector/vector_in.h"
 
 namespace frana::app {
 

@@ -15,7 +15,7 @@
 #include "app/pictures/particle_dots.h"
 #include "app/pictures/require_cells.h"
 #include "app/text/number_text.h"
-#include "gis/raster_in.h"
+#include "gis/raster/raster_in.h"
 #include "render/animation.h"
 #include "render/movie.h"
 #include "render/raster_window.h"

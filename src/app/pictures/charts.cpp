@@ -11,7 +11,7 @@
 #include "app/text/file_stems.h"
 #include "core/error.h"
 #include "core/utf8.h"
-#include "gis/table_in.h"
+#include "gis/access/table_in.h"
 #include "params/value_text.h"
 
 namespace frana::app {

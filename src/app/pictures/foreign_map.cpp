@@ -5,8 +5,8 @@
 
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "gis/crs.h"
-#include "gis/raster_in.h"
+#include "gis/crs/crs.h"
+#include "gis/raster/raster_in.h"
 
 namespace frana::app {
 namespace {

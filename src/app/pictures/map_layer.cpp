@@ -9,8 +9,8 @@
 #include "app/store/layers.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "gis/raster_in.h"
-#include "gis/raster_text.h"
+#include "gis/raster/raster_in.h"
+#include "gis/raster/raster_text.h"
 #include "params/value_text.h"
 
 namespace frana::app {

@@ -9,10 +9,10 @@
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/utf8.h"
-#include "gis/crs.h"
-#include "gis/crs_transform.h"
-#include "gis/picture_in.h"
-#include "gis/picture_out.h"
+#include "gis/crs/crs.h"
+#include "gis/crs/crs_transform.h"
+#include "gis/raster/picture_in.h"
+#include "gis/raster/picture_out.h"
 
 namespace frana::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "core/error.h"
-#include "gis/particles_in.h"
+#include "gis/vector/particles_in.h"
 
 namespace frana::app {
 

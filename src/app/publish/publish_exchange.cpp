@@ -6,9 +6,9 @@
 
 #include "app/store/provenance.h"
 #include "app/text/file_stems.h"
-#include "gis/frames_out.h"
-#include "gis/raster_in.h"
-#include "gis/raster_out.h"
+#include "gis/raster/frames_out.h"
+#include "gis/raster/raster_in.h"
+#include "gis/raster/raster_out.h"
 
 namespace frana::app {
 namespace {

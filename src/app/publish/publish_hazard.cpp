@@ -2,10 +2,10 @@
 #include "app/publish/publish_hazard.h"
 
 #include "app/store/provenance.h"
-#include "gis/raster_out.h"
-#include "gis/rasterize.h"
-#include "gis/styles.h"
-#include "gis/vector_out.h"
+#include "gis/raster/raster_out.h"
+#include "gis/raster/rasterize.h"
+#include "gis/raster/styles.h"
+#include "gis/vector/vector_out.h"
 
 namespace frana::app {
 namespace {

@@ -8,10 +8,10 @@
 #include "app/text/text_file.h"
 #include "core/colour.h"
 #include "core/json.h"
-#include "gis/raster_out.h"
-#include "gis/rasterize.h"
-#include "gis/styles.h"
-#include "gis/vector_out.h"
+#include "gis/raster/raster_out.h"
+#include "gis/raster/rasterize.h"
+#include "gis/raster/styles.h"
+#include "gis/vector/vector_out.h"
 
 namespace frana::app {
 namespace {

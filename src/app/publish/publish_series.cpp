@@ -6,7 +6,7 @@
 #include "app/text/csv_cell.h"
 #include "app/text/text_file.h"
 #include "core/json.h"
-#include "gis/vector_out.h"
+#include "gis/vector/vector_out.h"
 
 namespace frana::app {
 namespace {

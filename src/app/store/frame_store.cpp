@@ -12,8 +12,8 @@
 #include "core/json.h"
 #include "core/sync_path.h"
 #include "core/utf8.h"
-#include "gis/points_out.h"
-#include "gis/raster_out.h"
+#include "gis/raster/raster_out.h"
+#include "gis/vector/points_out.h"
 #include "params/value_text.h"
 #include "render/vtk_points.h"
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "gis/picture_out.h"
+#include "gis/raster/picture_out.h"
 #include "params/ini_file.h"
 
 namespace frana::app {

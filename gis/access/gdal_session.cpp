@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/access/gdal_session.h"
+
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <gdal.h>
+#include <ogr_srs_api.h>
+#include <sys/resource.h>
+
+#include <mutex>
+#include <utility>
+
+#include "gis/access/local_files.h"
+#include "gis/access/network.h"
+
+namespace frana::gis {
+namespace {
+
+void CPL_STDCALL keep(CPLErr kind, CPLErrorNum, const char* message) {
+    if (kind != CE_Warning && kind != CE_Failure && kind != CE_Fatal) return;
+    static_cast<GdalSession*>(CPLGetErrorHandlerUserData())->take(kind != CE_Warning, message);
+}
+
+/// Users set these for work of their own; a file that somebody sent must not profit by it.
+constexpr std::pair<const char*, const char*> k_settings[] = {
+    {"GDAL_VRT_ENABLE_PYTHON", "NO"},             // a VRT's pixel functions are programs
+    {"OGR_SQLITE_LOAD_EXTENSIONS", ""},           // SQLite's extensions are programs
+    {"GML_SKIP_RESOLVE_ELEMS", "ALL"},            // GML's references are followed anywhere, and a file written
+    {"SHAPE_RESTORE_SHX", "NO"},                  // writes beside the shapefile
+    {"CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO"},     // writes beside the archive
+};
+
+/// Drivers that start a program (GPSBabel) or write a database beside the file (VFK).
+constexpr const char* k_drivers[] = {"GPSBabel", "VFK"};
+
+bool mapping_is_limited() {
+    rlimit space{};
+    return ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
+}
+
+void shut_other_doors() {
+    for (const auto& [name, value] : k_settings) CPLSetConfigOption(name, value);
+    for (const char* name : k_drivers) {
+        GDALDriverH const driver = GDALGetDriverByName(name);
+        if (driver == nullptr) continue;
+        GDALDeregisterDriver(driver);
+        GDALDestroyDriver(driver);
+    }
+    // A map must not depend on what a server answers, whatever PROJ_NETWORK says.
+    OSRSetPROJEnableNetwork(FALSE);
+}
+
+}  // namespace
+
+GdalSession::GdalSession() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        GDALAllRegister();
+        shut_other_doors();
+        guard_local_files();
+        if (!network_allowed()) shut_network();
+        // Tiles are unpacked and warped side by side; the values are the same. Who set it otherwise meant it.
+        // GDAL waits for ever for a thread that it was not given for want of memory to map.
+        if (CPLGetConfigOption("GDAL_NUM_THREADS", nullptr) == nullptr)
+            CPLSetConfigOption("GDAL_NUM_THREADS", mapping_is_limited() ? "1" : "ALL_CPUS");
+    });
+    CPLPushErrorHandlerEx(keep, this);
+}
+
+GdalSession::~GdalSession() {
+    CPLPopErrorHandler();
+}
+
+void GdalSession::take(bool is_error, const char* message) {
+    messages_.emplace_back(message);
+    if (is_error) last_error_ = message;
+}
+
+std::string GdalSession::last_message() const {
+    if (failed()) return last_error_;
+    return messages_.empty() ? std::string() : messages_.back();
+}
+
+void GdalSession::forget() {
+    messages_.clear();
+    last_error_.clear();
+}
+
+ThreadOption::ThreadOption(std::string key, const char* value) : key_(std::move(key)) {
+    if (const char* before = CPLGetThreadLocalConfigOption(key_.c_str(), nullptr)) before_ = before;
+    CPLSetThreadLocalConfigOption(key_.c_str(), value);
+}
+
+ThreadOption::~ThreadOption() {
+    CPLSetThreadLocalConfigOption(key_.c_str(), before_ ? before_->c_str() : nullptr);
+}
+
+}  // namespace frana::gis

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/access/json_members.h"
+
+#include <algorithm>
+
+namespace frana::gis {
+namespace {
+
+constexpr std::size_t k_longest = 65536;  // of a key or value that is kept
+constexpr std::size_t k_most = 100;
+
+}  // namespace
+
+void JsonMembers::read(const char* bytes, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) step(bytes[i]);
+}
+
+void JsonMembers::step(char c) {
+    if (taking_ && !in_string_ && levels_.size() == taken_at_ && (c == ',' || c == '}')) end_value();
+    if (taking_ && taken_.size() < k_longest) taken_ += c;
+    if (in_string_) {
+        if (escaped_ || (c != '"' && c != '\\')) {
+            escaped_ = false;
+            if (string_.size() < k_longest) string_ += c;
+        } else if (c == '\\') {
+            escaped_ = true;
+        } else {
+            in_string_ = false;
+        }
+        return;
+    }
+    switch (c) {
+        case '"':
+            in_string_ = true;
+            string_.clear();
+            break;
+        case ':':
+            if (levels_.empty() || !levels_.back().expects_key) break;
+            levels_.back().key = string_;
+            levels_.back().expects_key = false;
+            if (!taking_ && !levels_.back().left_out && string_ == name_) {
+                taking_ = true;
+                taken_at_ = levels_.size();
+                taken_.clear();
+            }
+            break;
+        case ',':
+            if (!levels_.empty()) levels_.back().expects_key = levels_.back().is_object;
+            break;
+        case '{':
+        case '[':
+            open(c);
+            break;
+        case '}':
+        case ']':
+            close();
+            break;
+        default:
+            break;
+    }
+}
+
+void JsonMembers::open(char c) {
+    const bool left_out = !levels_.empty() && (levels_.back().left_out || levels_.back().key == besides_);
+    levels_.push_back({c == '{', c == '{', left_out});
+}
+
+void JsonMembers::close() {
+    if (!levels_.empty()) levels_.pop_back();
+}
+
+void JsonMembers::end_value() {
+    taking_ = false;
+    const auto from = taken_.find_first_not_of(" \t\r\n"), to = taken_.find_last_not_of(" \t\r\n");
+    JsonMember member{from == std::string::npos ? "" : taken_.substr(from, to - from + 1), taken_at_ == 1};
+    const auto same = [&](const JsonMember& one) {
+        return one.text == member.text && one.at_top == member.at_top;
+    };
+    if (found_.size() < k_most && std::none_of(found_.begin(), found_.end(), same))
+        found_.push_back(std::move(member));
+}
+
+}  // namespace frana::gis

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/access/local_files.h"
+
+#include <cpl_vsi_virtual.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <string>
+
+#include "gis/access/refusal.h"
+
+namespace frana::gis {
+namespace {
+
+thread_local int reading_only = 0;
+
+bool writes(const char* access) {
+    return std::string(access).find_first_of("wa+") != std::string::npos;
+}
+
+bool refuse_writing() {
+    if (reading_only > 0) errno = EROFS;
+    return reading_only > 0;
+}
+
+/// GDAL's own handler behind the door.
+class LocalFiles : public VSIFilesystemHandler {
+  public:
+    explicit LocalFiles(VSIFilesystemHandler& files) : files_(files) {}
+
+    VSIVirtualHandle* Open(const char* path, const char* access, bool set_error,
+                           CSLConstList options) override {
+        if (writes(access) && refuse_writing()) return nullptr;
+        if (refuse_special_file(path)) return nullptr;
+        return files_.Open(path, access, set_error, options);
+    }
+    int Stat(const char* path, VSIStatBufL* status, int flags) override {
+        return files_.Stat(path, status, flags);
+    }
+    int Unlink(const char* path) override { return refuse_writing() ? -1 : files_.Unlink(path); }
+    int Mkdir(const char* path, long mode) override {
+        return refuse_writing() ? -1 : files_.Mkdir(path, mode);
+    }
+    int Rmdir(const char* path) override { return refuse_writing() ? -1 : files_.Rmdir(path); }
+    int RmdirRecursive(const char* path) override {
+        return refuse_writing() ? -1 : files_.RmdirRecursive(path);
+    }
+    int Rename(const char* from, const char* to) override {
+        return refuse_writing() ? -1 : files_.Rename(from, to);
+    }
+    char** ReadDir(const char* path) override { return files_.ReadDir(path); }
+    char** ReadDirEx(const char* path, int most) override { return files_.ReadDirEx(path, most); }
+    char** SiblingFiles(const char* path) override { return files_.SiblingFiles(path); }
+    int IsCaseSensitive(const char* path) override { return files_.IsCaseSensitive(path); }
+    GIntBig GetDiskFreeSpace(const char* path) override { return files_.GetDiskFreeSpace(path); }
+    int SupportsSparseFiles(const char* path) override { return files_.SupportsSparseFiles(path); }
+    VSIDIR* OpenDir(const char* path, int depth, const char* const* options) override {
+        return files_.OpenDir(path, depth, options);
+    }
+    bool IsLocal(const char* path) override { return files_.IsLocal(path); }
+
+  private:
+    VSIFilesystemHandler& files_;
+};
+
+/// Stands where reading would take what is typed into the program.
+class NoStream : public VSIFilesystemHandler {
+  public:
+    VSIVirtualHandle* Open(const char* path, const char*, bool, CSLConstList) override {
+        note_refusal({"a stream is no file to read", path, "Copy what it holds into a file"});
+        errno = EINVAL;
+        return nullptr;
+    }
+    int Stat(const char*, VSIStatBufL*, int) override {
+        errno = ENOENT;
+        return -1;
+    }
+};
+
+}  // namespace
+
+void guard_local_files() {
+    // GDAL keeps handlers until the program ends, but forgets those that others replace.
+    static VSIFilesystemHandler* const plain = VSIFileManager::GetHandler("");
+    VSIFileManager::InstallHandler("", new LocalFiles(*plain));
+    static VSIFilesystemHandler* const streams[] = {VSIFileManager::GetHandler("/vsistdin/"),
+                                                    VSIFileManager::GetHandler("/vsistdin?")};
+    (void)streams;
+    for (const char* prefix : {"/vsistdin/", "/vsistdin?"})
+        VSIFileManager::InstallHandler(prefix, new NoStream);
+}
+
+bool refuse_special_file(const char* path) {
+    struct stat status {};
+    if (::stat(path, &status) != 0 || S_ISREG(status.st_mode) || S_ISDIR(status.st_mode)) return false;
+    note_refusal({"a FIFO, a device or a socket is no file to read", path, "Copy what it holds into a file"});
+    errno = EINVAL;
+    return true;
+}
+
+ReadingOnly::ReadingOnly() noexcept {
+    ++reading_only;
+}
+
+ReadingOnly::~ReadingOnly() {
+    --reading_only;
+}
+
+}  // namespace frana::gis

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/access/network.h"
+
+#include <cpl_conv.h>
+#include <cpl_http.h>
+#include <cpl_vsi_virtual.h>
+#include <gdal_priv.h>
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <vector>
+
+#include "gis/access/refusal.h"
+
+namespace frana::gis {
+namespace {
+
+bool allowed = false;
+
+constexpr const char* k_file_systems[] = {"/vsicurl",
+                                          "/vsicurl_streaming",
+                                          "/vsis3",
+                                          "/vsis3_streaming",
+                                          "/vsigs",
+                                          "/vsigs_streaming",
+                                          "/vsiaz",
+                                          "/vsiaz_streaming",
+                                          "/vsiadls",
+                                          "/vsioss",
+                                          "/vsioss_streaming",
+                                          "/vsiswift",
+                                          "/vsiswift_streaming",
+                                          "/vsihdfs",
+                                          "/vsiwebhdfs"};
+
+constexpr const char* k_drivers[] = {
+    "AmigoCloud", "Carto",        "Cloudant",      "CouchDB",  "CSW",           "DAAS",       "DODS",
+    "EEDA",       "EEDAI",        "Elasticsearch", "GMLAS",    "HANA",          "HTTP",       "MongoDB",
+    "MongoDBv3",  "MSSQLSpatial", "MySQL",         "NGW",      "OAPIF",         "OCI",        "ODBC",
+    "OGCAPI",     "OGR_OGDI",     "PGeo",          "PLMOSAIC", "PLSCENES",      "PostGISRaster",
+    "PostgreSQL", "Rasdaman",     "STACIT",        "STACTA",   "WCS",           "WFS",        "WMS",
+    "WMTS"};
+
+constexpr const char* k_remedy = "Copy it to this machine, or start frana with --allow-network";
+
+void note_asked(const std::string& place) {
+    note_refusal({"the file asks for something on the network", place, k_remedy});
+}
+
+/// Holds nothing: stands where a file system of the network was.
+class NoFiles : public VSIFilesystemHandler {
+  public:
+    VSIVirtualHandle* Open(const char* path, const char*, bool, CSLConstList) override {
+        note_asked(path);
+        errno = ENOENT;
+        return nullptr;
+    }
+    int Stat(const char* path, VSIStatBufL*, int) override {
+        note_asked(path);
+        errno = ENOENT;
+        return -1;
+    }
+};
+
+/// What every driver that speaks HTTP by itself goes through, and the CRSs that are URLs.
+CPLHTTPResult* fetch_nothing(const char* url, CSLConstList, GDALProgressFunc, void*, CPLHTTPFetchWriteFunc, void*,
+                             void*) {
+    note_asked(url);
+    auto* const result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
+    result->nStatus = 1;
+    result->pszErrBuf = CPLStrdup("frana was not started with --allow-network");
+    return result;
+}
+
+bool names_network(const std::string& path) {
+    const auto holds = [&](const std::string& part) { return path.find(part) != std::string::npos; };
+    if (holds("://") || std::any_of(std::begin(k_file_systems), std::end(k_file_systems),
+                                    [&](const char* name) { return holds(std::string(name) + "/"); }))
+        return true;
+    const std::string driver = path.substr(0, path.find(':'));
+    return driver.size() < path.size() &&
+           (EQUAL(driver.c_str(), "PG") ||
+            std::any_of(std::begin(k_drivers), std::end(k_drivers),
+                        [&](const char* name) { return EQUAL(driver.c_str(), name); }));
+}
+
+}  // namespace
+
+void allow_network() {
+    allowed = true;
+}
+
+bool network_allowed() {
+    return allowed;
+}
+
+std::optional<std::string> network_remedy(const std::string& path) {
+    if (allowed || !names_network(path)) return std::nullopt;
+    return k_remedy;
+}
+
+void shut_network() {
+    // GDAL keeps handlers until the program ends, but forgets those that others replace.
+    static auto* const replaced = new std::vector<VSIFilesystemHandler*>;
+    for (const char* name : k_file_systems) {
+        for (const char* ending : {"/", "?"}) {  // "/vsicurl?" carries options
+            const std::string prefix = std::string(name) + ending;
+            replaced->push_back(VSIFileManager::GetHandler(prefix.c_str()));
+            VSIFileManager::InstallHandler(prefix, new NoFiles);
+        }
+    }
+    for (const char* name : k_drivers) {
+        GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName(name);
+        if (driver == nullptr) continue;
+        GetGDALDriverManager()->DeregisterDriver(driver);
+        GDALDestroyDriver(driver);
+    }
+    CPLHTTPSetFetchCallback(fetch_nothing, nullptr);
+    // A GML file may name a schema anywhere.
+    CPLSetConfigOption("GML_DOWNLOAD_SCHEMA", "NO");
+}
+
+}  // namespace frana::gis

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/crs/coordinate_operation.h"
+
+#include "core/error.h"
+#include "gis/crs/crs.h"
+
+namespace frana::gis {
+namespace {
+
+constexpr double k_least_area_degrees = 0.005;  // some 500 m: small against any operation's area
+
+ProjPointer<PJ> make_crs(PJ_CONTEXT* context, const std::string& wkt) {
+    ProjPointer<PJ> crs(proj_create(context, wkt.c_str()));
+    if (!crs) {
+        throw Error(ErrorKind::input, Problem{"PROJ does not know this coordinate reference system", "",
+                                              crs_name(wkt), "", "Name it by its EPSG code"});
+    }
+    return crs;
+}
+
+ProjPointer<PJ_OBJ_LIST> operations(PJ_CONTEXT* context, const PJ* from, const PJ* to,
+                                    std::optional<Bounds> degrees, PROJ_GRID_AVAILABILITY_USE grids) {
+    const ProjPointer<PJ_OPERATION_FACTORY_CONTEXT> factory(
+        proj_create_operation_factory_context(context, nullptr));
+    proj_operation_factory_context_set_spatial_criterion(context, factory.get(),
+                                                         PROJ_SPATIAL_CRITERION_PARTIAL_INTERSECTION);
+    proj_operation_factory_context_set_grid_availability_use(context, factory.get(), grids);
+    if (degrees) {
+        // In an area without extent PROJ takes every operation to be equally near, also one for another
+        // country.
+        degrees->west -= k_least_area_degrees;
+        degrees->south -= k_least_area_degrees;
+        degrees->east += k_least_area_degrees;
+        degrees->north += k_least_area_degrees;
+        // PROJ tells an area across the antimeridian by west > east.
+        if (degrees->east > 180) degrees->east -= 360;
+        if (degrees->west < -180) degrees->west += 360;
+        proj_operation_factory_context_set_area_of_interest(context, factory.get(), degrees->west,
+                                                            degrees->south, degrees->east, degrees->north);
+    }
+    return ProjPointer<PJ_OBJ_LIST>(proj_create_operations(context, from, to, factory.get()));
+}
+
+/// Whether only formulas are involved (a projection and its inverse), no change of datum.
+bool exact(PJ_CONTEXT* context, const PJ* operation) {
+    if (proj_get_type(operation) == PJ_TYPE_CONVERSION) return true;
+    if (proj_get_type(operation) != PJ_TYPE_CONCATENATED_OPERATION) return false;
+    for (int i = 0; i < proj_concatoperation_get_step_count(context, operation); ++i) {
+        const ProjPointer<PJ> step(proj_concatoperation_get_step(context, operation, i));
+        if (!step || !exact(context, step.get())) return false;
+    }
+    return true;
+}
+
+ProjPointer<PJ> first(PJ_CONTEXT* context, const ProjPointer<PJ_OBJ_LIST>& list) {
+    const bool some = list && proj_list_get_count(list.get()) > 0;
+    return ProjPointer<PJ>(some ? proj_list_get(context, list.get(), 0) : nullptr);
+}
+
+/// The first grid file an operation needs that is not at hand.
+std::string missing_grid(PJ_CONTEXT* context, const PJ* operation) {
+    for (int i = 0; i < proj_coordoperation_get_grid_used_count(context, operation); ++i) {
+        const char* name = nullptr;
+        int available = 0;
+        if (proj_coordoperation_get_grid_used(context, operation, i, &name, nullptr, nullptr, nullptr,
+                                              nullptr, nullptr, &available) &&
+            !available && name) {
+            return name;
+        }
+    }
+    return {};
+}
+
+std::string name_of(const PJ* operation) {
+    const char* name = proj_get_name(operation);
+    return name ? name : "unnamed";
+}
+
+}  // namespace
+
+ProjPointer<PJ_CONTEXT> make_proj_context() {
+    ProjPointer<PJ_CONTEXT> context(proj_context_create());
+    proj_log_level(context.get(), PJ_LOG_NONE);
+    proj_context_set_enable_network(context.get(), 0);
+    return context;
+}
+
+CoordinateOperation choose_operation(PJ_CONTEXT* context, const std::string& from_wkt,
+                                     const std::string& to_wkt, std::optional<Bounds> degrees) {
+    const ProjPointer<PJ> from = make_crs(context, from_wkt);
+    const ProjPointer<PJ> to = make_crs(context, to_wkt);
+    const ProjPointer<PJ> usable =
+        first(context, operations(context, from.get(), to.get(), degrees,
+                                  PROJ_GRID_AVAILABILITY_DISCARD_OPERATION_IF_MISSING_GRID));
+    CoordinateOperation chosen;
+    if (usable) chosen.pj.reset(proj_normalize_for_visualization(context, usable.get()));
+    if (!chosen.pj) {
+        throw Error(ErrorKind::input,
+                    Problem{"there is no way from one coordinate reference system to the other", "",
+                            crs_name(from_wkt) + " to " + crs_name(to_wkt), "",
+                            "Check that both are meant for this part of the world"});
+    }
+    chosen.info.operation = name_of(usable.get());
+    const bool by_formula = exact(context, usable.get());
+    chosen.info.accuracy_m = by_formula ? 0 : proj_coordoperation_get_accuracy(context, usable.get());
+    if (by_formula) return chosen;
+    const ProjPointer<PJ> wished =
+        first(context, operations(context, from.get(), to.get(), degrees, PROJ_GRID_AVAILABILITY_IGNORED));
+    if (wished && !proj_coordoperation_is_instantiable(context, wished.get())) {
+        const double accuracy = proj_coordoperation_get_accuracy(context, wished.get());
+        chosen.info.needs_missing_grid =
+            chosen.info.accuracy_m < 0 || (accuracy >= 0 && accuracy < chosen.info.accuracy_m);
+        if (chosen.info.needs_missing_grid) {
+            chosen.info.missing_grid = missing_grid(context, wished.get());
+            chosen.info.missing_accuracy_m = accuracy;
+        }
+    }
+    return chosen;
+}
+
+}  // namespace frana::gis

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/raster/footprint.h"
+
+#include <gdal_alg.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "core/error.h"
+#include "gis/access/gdal_session.h"
+#include "gis/access/memory_dataset.h"
+#include "gis/vector/polygon_geometry.h"
+
+namespace frana::gis {
+namespace {
+
+/// The part of a grid round an outline, and where it begins.
+struct Window {
+    GridSpec grid;
+    std::int64_t row = 0, column = 0;
+};
+
+Window window_round(const MultiPolygon& outline, const GridSpec& grid) {
+    const Bounds box = bounds(outline);
+    const auto cell = [&](double distance, std::int64_t count, std::int64_t beyond) {
+        return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(distance / grid.cell_size)) + beyond,
+                                        0, count);
+    };
+    Window window{grid, cell(grid.north - box.north, grid.rows, -1), cell(box.west - grid.west, grid.columns, -1)};
+    window.grid.rows = cell(grid.north - box.south, grid.rows, 2) - window.row;
+    window.grid.columns = cell(box.east - grid.west, grid.columns, 2) - window.column;
+    window.grid.north -= static_cast<double>(window.row) * grid.cell_size;
+    window.grid.west += static_cast<double>(window.column) * grid.cell_size;
+    return window;
+}
+
+/// Whether cells taken by their centres might leave gaps: shrunk by half a cell's diagonal the polygon vanishes or
+/// falls apart.
+bool is_thin(const OGRPolygon& polygon, double cell_size) {
+    const double half_diagonal = cell_size * std::numbers::sqrt2 / 2;
+    const std::unique_ptr<OGRGeometry> core(polygon.Buffer(-half_diagonal));
+    return !core || core->IsEmpty() || wkbFlatten(core->getGeometryType()) != wkbPolygon;
+}
+
+}  // namespace
+
+bool visit_cells(const MultiPolygon& outline, const GridSpec& grid, Cover cover,
+                 const std::function<void(std::int64_t row, std::int64_t column)>& visit) {
+    const GdalSession session;
+    const Window window = window_round(outline, grid);
+    if (window.grid.rows <= 0 || window.grid.columns <= 0) return false;
+    Raster mask(window.grid, 0.0);
+    const GdalDataset dataset = wrap_values(mask.values.data(), static_cast<int>(window.grid.columns),
+                                            static_cast<int>(window.grid.rows));
+    double geo[6] = {window.grid.west, grid.cell_size, 0, window.grid.north, 0, -grid.cell_size};
+    GDALSetGeoTransform(dataset.get(), geo);
+    bool any_thin = false;
+    const char* const touched[] = {"ALL_TOUCHED=TRUE", nullptr};
+    for (const Polygon& part : outline) {
+        const std::unique_ptr<OGRPolygon> polygon = to_ogr(part);
+        const bool thin = cover == Cover::closed && is_thin(*polygon, grid.cell_size);
+        any_thin = any_thin || thin;
+        OGRGeometryH handle = OGRGeometry::ToHandle(polygon.get());
+        int band = 1;
+        double one = 1;
+        if (GDALRasterizeGeometries(dataset.get(), 1, &band, 1, &handle, nullptr, nullptr, &one,
+                                    const_cast<char**>(thin ? touched : nullptr), nullptr, nullptr) != CE_None) {
+            throw Error(ErrorKind::input,
+                        Problem{"the outline cannot be rasterised: " + session.last_message(), "", "", "", ""});
+        }
+    }
+    GDALFlushCache(dataset.get());
+    for (std::int64_t row = 0; row < window.grid.rows; ++row) {
+        for (std::int64_t column = 0; column < window.grid.columns; ++column) {
+            if (mask.at(row, column) != 0) visit(window.row + row, window.column + column);
+        }
+    }
+    return any_thin;
+}
+
+}  // namespace frana::gis

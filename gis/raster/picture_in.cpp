@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/raster/picture_in.h"
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+#include <gdal.h>
+#include <gdal_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+
+#include "core/error.h"
+#include "core/json.h"
+#include "gis/access/gdal_session.h"
+#include "gis/access/local_files.h"
+#include "gis/access/memory_dataset.h"
+#include "gis/access/network.h"
+#include "gis/access/refusal.h"
+#include "gis/access/time_limit.h"
+
+namespace frana::gis {
+namespace {
+
+GdalDataset opened(const std::string& path, const std::string& crs_wkt, const std::string& where) {
+    const GdalSession session;
+    const auto refuse = [&](const std::string& what, const std::string& value, const std::string& limit,
+                            const std::string& remedy) {
+        return Error(ErrorKind::input, Problem{what, where + ": " + path, value, limit, remedy});
+    };
+    (void)take_refusal();
+    if (const auto remedy = network_remedy(path)) throw refuse("the file is read over the network", "", "", *remedy);
+    GdalDataset dataset(GDALOpen(path.c_str(), GA_ReadOnly));
+    if (const auto cause = take_refusal()) throw refuse(cause->what, cause->value, "", cause->remedy);
+    if (!dataset) {
+        throw refuse(std::filesystem::exists(path) ? "the file is not a raster that can be read"
+                                                   : "the file does not exist",
+                     "", "", "Name an orthophoto or a topographic map");
+    }
+    std::array<double, 6> geo{};
+    if (GDALGetGeoTransform(dataset.get(), geo.data()) != CE_None) {
+        throw refuse("the picture has no place on the ground", "", "",
+                     "Give a GeoTIFF, or a picture with a world file");
+    }
+    const int bands = GDALGetRasterCount(dataset.get());
+    if (bands < 1) throw refuse("the picture has no band", "", "", "");
+    const GDALDataType type = GDALGetRasterDataType(GDALGetRasterBand(dataset.get(), 1));
+    if (type != GDT_Byte) {
+        throw refuse("the picture's values are not bytes", GDALGetDataTypeName(type), "Byte",
+                     "Convert it: gdal_translate -ot Byte -scale");
+    }
+    if (!crs_wkt.empty() && GDALGetSpatialRef(dataset.get()) == nullptr) {
+        throw refuse("the picture names no coordinate reference system", "", "",
+                     "Assign one: gdal_edit.py -a_srs EPSG:... FILE");
+    }
+    return dataset;
+}
+
+/// Whether the blocks of a file can be read; of a large one some, among them the first and the last.
+bool can_be_read(GDALDatasetH picture) {
+    constexpr std::int64_t k_most_blocks = 400;
+    GDALRasterBandH band = GDALGetRasterBand(picture, 1);
+    int width = 0, height = 0;
+    GDALGetBlockSize(band, &width, &height);
+    const auto pieces = [](int whole, int part) { return (whole + part - 1) / part; };
+    const std::int64_t across = pieces(GDALGetRasterXSize(picture), width),
+                       count = across * pieces(GDALGetRasterYSize(picture), height);
+    const std::int64_t looked_at = std::min(count, k_most_blocks);
+    for (std::int64_t i = 0; i < looked_at; ++i) {
+        const std::int64_t block = looked_at == 1 ? 0 : i * (count - 1) / (looked_at - 1);
+        const int column = static_cast<int>(block % across) * width, row = static_cast<int>(block / across) * height;
+        std::uint8_t value = 0;
+        if (GDALRasterIO(band, GF_Read, column, row, 1, 1, &value, 1, 1, GDT_Byte, 0, 0) != CE_None) return false;
+    }
+    return true;
+}
+
+/// Three or four bands of what has a colour table or a single one, as a view of it.
+GdalDataset in_colours(GDALDatasetH source) {
+    GDALRasterBandH first = GDALGetRasterBand(source, 1);
+    CPLStringList words;
+    words.AddString("-of");
+    words.AddString("VRT");
+    if (GDALGetRasterColorTable(first) != nullptr) {
+        words.AddString("-expand");
+        words.AddString("rgba");
+    } else {
+        const int bands = GDALGetRasterCount(source);
+        const bool grey = bands < 3;
+        for (int k = 1; k <= 3; ++k) {
+            words.AddString("-b");
+            words.AddString(grey ? "1" : std::to_string(k).c_str());
+        }
+        const int last = grey ? 2 : 4;
+        const bool alpha = bands >= last && GDALGetRasterColorInterpretation(GDALGetRasterBand(source, last)) ==
+                                                GCI_AlphaBand;
+        if (alpha) {
+            words.AddString("-b");
+            words.AddString(std::to_string(last).c_str());
+            words.AddString("-colorinterp_4");
+            words.AddString("alpha");
+        }
+    }
+    GDALTranslateOptions* options = GDALTranslateOptionsNew(words.List(), nullptr);
+    int fault = 0;
+    GdalDataset coloured(GDALTranslate("", source, options, &fault));
+    GDALTranslateOptionsFree(options);
+    return coloured;
+}
+
+}  // namespace
+
+void check_picture(const std::string& path, const std::string& crs_wkt, const std::string& where) {
+    const GdalSession session;
+    const ReadingOnly reading;
+    const TimeLimit limit(where + ": " + path);
+    const GdalDataset picture = opened(path, crs_wkt, where);
+    if (can_be_read(picture.get()) && !session.failed()) return;
+    throw Error(ErrorKind::input, Problem{"the picture is damaged: " + session.last_message(), where + ": " + path, "",
+                                          "", "Copy the file anew"});
+}
+
+std::vector<std::uint8_t> warp_picture(const std::string& path, const std::string& crs_wkt, const Bounds& box,
+                                       int width, int height) {
+    const GdalSession session;
+    const ReadingOnly reading;
+    const GdalDataset source = opened(path, crs_wkt, path);
+    const GdalDataset coloured = in_colours(source.get());
+    GdalDataset warped;
+    if (coloured) {
+        CPLStringList words;
+        for (const std::string& word :
+             {std::string("-of"), std::string("MEM"), std::string("-te"), shortest_text(box.west),
+              shortest_text(box.south), shortest_text(box.east), shortest_text(box.north), std::string("-ts"),
+              std::to_string(width), std::to_string(height), std::string("-r"), std::string("bilinear"),
+              std::string("-dstalpha"), std::string("-q")}) {
+            words.AddString(word.c_str());
+        }
+        if (!crs_wkt.empty()) {
+            words.AddString("-t_srs");
+            words.AddString(crs_wkt.c_str());
+        }
+        GDALWarpAppOptions* options = GDALWarpAppOptionsNew(words.List(), nullptr);
+        GDALDatasetH from = coloured.get();
+        int fault = 0;
+        warped.reset(GDALWarp("", nullptr, 1, &from, options, &fault));
+        GDALWarpAppOptionsFree(options);
+    }
+    std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    const bool read = warped && GDALGetRasterCount(warped.get()) == 4 &&
+                      GDALDatasetRasterIO(warped.get(), GF_Read, 0, 0, width, height, rgba.data(), width, height,
+                                          GDT_Byte, 4, nullptr, 4, 4 * width, 1) == CE_None;
+    if (!read) {
+        throw Error(ErrorKind::input, Problem{"the picture cannot be brought onto the map", path,
+                                              session.last_message(), "", "Warp it yourself with gdalwarp"});
+    }
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        for (std::size_t k = 0; k < 3; ++k)
+            rgba[i + k] = static_cast<std::uint8_t>((rgba[i + k] * rgba[i + 3] + 127) / 255);
+    }
+    return rgba;
+}
+
+}  // namespace frana::gis

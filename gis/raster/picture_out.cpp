@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/raster/picture_out.h"
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+#include <gdal.h>
+#include <ogr_srs_api.h>
+
+#include <array>
+#include <cstdio>
+
+#include "core/error.h"
+#include "core/json.h"
+#include "core/utf8.h"
+#include "gis/access/gdal_session.h"
+#include "gis/access/memory_dataset.h"
+#include "gis/access/memory_folder.h"
+
+namespace frana::gis {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, const GdalSession& session) {
+    const std::string message = session.last_message();
+    throw Error(ErrorKind::environment,
+                Problem{"the picture cannot be written" + (message.empty() ? "" : ": " + message), path, "", "",
+                        "Check that the folder exists, may be written and has room"});
+}
+
+GdalDataset in_memory(const PicturePixels& picture, const std::string& path, const GdalSession& session) {
+    GdalDataset dataset(
+        GDALCreate(GDALGetDriverByName("MEM"), "", picture.width, picture.height, 3, GDT_Byte, nullptr));
+    constexpr std::array<GDALColorInterp, 3> k_bands{GCI_RedBand, GCI_GreenBand, GCI_BlueBand};
+    for (int k = 0; k < 3; ++k)
+        GDALSetRasterColorInterpretation(GDALGetRasterBand(dataset.get(), k + 1), k_bands[static_cast<std::size_t>(k)]);
+    if (GDALDatasetRasterIO(dataset.get(), GF_Write, 0, 0, picture.width, picture.height,
+                            const_cast<std::uint8_t*>(picture.rgb.data()), picture.width, picture.height, GDT_Byte, 3,
+                            nullptr, 3, 3 * picture.width, 1) != CE_None) {
+        refuse(path, session);
+    }
+    return dataset;
+}
+
+void set_place(GDALDatasetH dataset, const Bounds& box, const std::string& crs_wkt) {
+    std::array<double, 6> geo{box.west,  box.width() / GDALGetRasterXSize(dataset),  0,
+                              box.north, 0, -box.height() / GDALGetRasterYSize(dataset)};
+    GDALSetGeoTransform(dataset, geo.data());
+    if (crs_wkt.empty()) return;
+    OGRSpatialReferenceH crs = OSRNewSpatialReference(crs_wkt.c_str());
+    OSRSetAxisMappingStrategy(crs, OAMS_TRADITIONAL_GIS_ORDER);
+    GDALSetSpatialRef(dataset, crs);
+    OSRDestroySpatialReference(crs);
+}
+
+void write(const std::string& path, GDALDatasetH dataset, const char* driver, const CPLStringList& options,
+           const GdalSession& session) {
+    const NoSideFiles quiet;
+    const MemoryFolder memory;
+    {
+        const GdalDataset written(GDALCreateCopy(GDALGetDriverByName(driver), memory.place_of(path).c_str(), dataset,
+                                                 FALSE, options.List(), nullptr, nullptr));
+        if (!written) refuse(path, session);
+    }
+    // Closing writes the last bytes and reports only through the error handler.
+    if (session.failed()) refuse(path, session);
+    memory.write_beside(path, Sync::no);
+}
+
+std::string neat_line(const Bounds& map) {
+    std::array<char, 320> text{};
+    std::snprintf(text.data(), text.size(), "POLYGON ((%.3f %.3f,%.3f %.3f,%.3f %.3f,%.3f %.3f,%.3f %.3f))", map.west,
+                  map.north, map.east, map.north, map.east, map.south, map.west, map.south, map.west, map.north);
+    return text.data();
+}
+
+}  // namespace
+
+void write_picture_geotiff(const std::string& path, const PicturePixels& picture, const Bounds& box,
+                           const std::string& crs_wkt, const std::map<std::string, std::string>& metadata) {
+    const GdalSession session;
+    const GdalDataset dataset = in_memory(picture, path, session);
+    set_place(dataset.get(), box, crs_wkt);
+    for (const auto& [key, value] : metadata)
+        GDALSetMetadataItem(dataset.get(), key.c_str(), valid_utf8(value).c_str(), nullptr);
+    CPLStringList options;
+    options.SetNameValue("COMPRESS", "DEFLATE");
+    options.SetNameValue("PREDICTOR", "STANDARD");
+    options.SetNameValue("OVERVIEW_RESAMPLING", "AVERAGE");
+    write(path, dataset.get(), "COG", options, session);
+}
+
+bool is_drawn_geotiff(const std::string& path) {
+    const GdalSession session;
+    const GdalDataset dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+    if (!dataset || GDALGetRasterCount(dataset.get()) != 3) return false;
+    for (const char* key : {"TITLE", "SOURCE", "ATTRIBUTION"})
+        if (GDALGetMetadataItem(dataset.get(), key, nullptr) == nullptr) return false;
+    return GDALGetRasterDataType(GDALGetRasterBand(dataset.get(), 1)) == GDT_Byte;
+}
+
+void write_picture_pdf(const std::string& path, const PicturePixels& picture, double dots_per_inch,
+                       const std::optional<PicturePlace>& place, const std::string& title) {
+    const GdalSession session;
+    const GdalDataset dataset = in_memory(picture, path, session);
+    const bool on_earth = place && !place->crs_wkt.empty();
+    if (on_earth) {
+        set_place(dataset.get(), place->page, place->crs_wkt);
+        GDALSetMetadataItem(dataset.get(), "NEATLINE", neat_line(place->map).c_str(), nullptr);
+    }
+    CPLStringList options;
+    options.SetNameValue("COMPRESS", "DEFLATE");
+    options.SetNameValue("DPI", shortest_text(dots_per_inch).c_str());
+    options.SetNameValue("GEO_ENCODING", on_earth ? "ISO32000" : "NONE");
+    options.SetNameValue("TITLE", valid_utf8(title).c_str());
+    // On more than one thread GDAL notes a stream's place and length before it is packed (OSGeo/gdal#6270).
+    const ThreadOption one_thread("GDAL_NUM_THREADS", "1");
+    write(path, dataset.get(), "PDF", options, session);
+}
+
+}  // namespace frana::gis

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/raster/raster_in.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "gis/access/gdal_session.h"
+#include "gis/crs/crs.h"
+#include "gis/crs/vertical_unit.h"
+#include "gis/raster/raster_source.h"
+#include "gis/raster/raster_warp.h"
+
+namespace frana::gis {
+namespace {
+
+// Cells that lie within a thousandth of a cell of each other are the same cells: files round their corners.
+constexpr double k_same_place_cells = 1e-3;
+// A source up to this much finer than the grid is interpolated: an average over about one cell only blurs.
+constexpr double k_average_from = 1.25;
+constexpr int k_cells_at_once = 4'000'000;
+// Ground that rises by two cells from one cell to the next (63 degrees) is a wall.
+constexpr double k_wall_cells = 2;
+
+/// The grid's upper left corner in the source's rows and columns, when the cells of both are the same. The
+/// source may be stored from the south.
+bool cells_coincide(const RasterSource& source, const CrsTransform& to_grid, const GridSpec& grid,
+                    Point& corner) {
+    const GeoTransform& g = source.geo_transform();
+    if (!to_grid.is_identity() || source.info().rotated || g[1] <= 0) return false;
+    const double down = g[5] < 0 ? 1 : -1;  // rows of the source per row of the grid
+    const auto far = [&](Point map, double column, double row) {
+        const Point cell = source.cell_from_map(map);
+        return std::abs(cell.x - column) > k_same_place_cells || std::abs(cell.y - row) > k_same_place_cells;
+    };
+    const Point place = source.cell_from_map({grid.west, grid.north});
+    corner = {std::round(place.x), std::round(place.y)};
+    return !far({grid.west, grid.north}, corner.x, corner.y) &&
+           !far({grid.east(), grid.south()}, corner.x + static_cast<double>(grid.columns),
+                corner.y + down * static_cast<double>(grid.rows));
+}
+
+void copy_cells(const RasterSource& source, Point corner, double unit, Raster& target) {
+    const GridSpec& grid = target.grid;
+    const bool from_south = source.geo_transform()[5] > 0;
+    const auto c0 = static_cast<std::int64_t>(corner.x);
+    const auto r0 = static_cast<std::int64_t>(corner.y) - (from_south ? grid.rows : 0);
+    const std::int64_t first_column = std::max<std::int64_t>(c0, 0),
+                       first_row = std::max<std::int64_t>(r0, 0);
+    const Window window{static_cast<int>(first_column), static_cast<int>(first_row),
+                        static_cast<int>(std::min(source.info().columns, c0 + grid.columns) - first_column),
+                        static_cast<int>(std::min(source.info().rows, r0 + grid.rows) - first_row)};
+    if (window.empty()) return;
+    const int rows_at_once = std::max(1, k_cells_at_once / window.columns);
+    for (int start = 0; start < window.rows; start += rows_at_once) {
+        const int rows = std::min(rows_at_once, window.rows - start);
+        const std::vector<double> values =
+            source.read({window.column, window.row + start, window.columns, rows}, unit);
+        for (int row = 0; row < rows; ++row) {
+            const std::int64_t down = window.row + start + row - r0;
+            const std::int64_t to = from_south ? grid.rows - 1 - down : down;
+            std::copy_n(
+                values.begin() + static_cast<std::int64_t>(row) * window.columns, window.columns,
+                target.values.begin() + static_cast<std::ptrdiff_t>(target.index(to, window.column - c0)));
+        }
+    }
+}
+
+struct Method {
+    GDALResampleAlg algorithm;
+    const char* name;
+};
+
+Method method_for(Resampling wanted, Point source_cells_per_cell) {
+    const double ratio = std::sqrt(source_cells_per_cell.x * source_cells_per_cell.y);
+    switch (wanted) {
+        case Resampling::nearest:
+            return {GRA_NearestNeighbour, "nearest"};
+        case Resampling::bilinear:
+            return {GRA_Bilinear, "bilinear"};
+        case Resampling::cubic:
+            return {GRA_Cubic, "cubic"};
+        case Resampling::average:
+            return {GRA_Average, "average"};
+        case Resampling::automatic:
+            break;
+    }
+    return ratio > k_average_from ? Method{GRA_Average, "average"} : Method{GRA_Bilinear, "bilinear"};
+}
+
+/// Problems met inside a transform know nothing of files; here they learn which one.
+[[noreturn]] void rethrow_naming(const std::string& path, const Error& error) {
+    std::vector<Problem> problems = error.problems();
+    for (Problem& problem : problems) {
+        if (problem.where.empty()) problem.where = path;
+    }
+    throw Error(error.kind(), std::move(problems));
+}
+
+std::string unit_warning(const RasterInfo& info, const VerticalUnit& unit, const std::string& crs) {
+    if (!unit.known) {
+        return info.path + ": its values are in \"" + unit.name +
+               "\", which is no unit of length; taken as they are";
+    }
+    if (!unit.stated && std::abs(metres_per_unit(crs) - 1) > 1e-9) {
+        return info.path +
+               ": eastings and northings are not in metres and the file does not state the unit of its "
+               "values; they were taken as metres. If they are feet, set the vertical unit";
+    }
+    return {};
+}
+
+/// The operation is chosen for the grid's surroundings, not for all the ground the file may cover.
+CrsTransform transform_to_grid(const std::string& source_crs, const GridSpec& grid) {
+    if (grid.crs_wkt.empty()) return {"", ""};
+    return {source_crs, grid.crs_wkt,
+            CrsTransform(grid.crs_wkt, source_crs, grid.bounds()).around(grid.bounds())};
+}
+
+void read_onto(const RasterSource& source, const std::string& source_crs, Resampling resampling,
+               const std::string& vertical_unit, RasterRead& read) {
+    const GridSpec& grid = read.raster.grid;
+    const CrsTransform to_grid = transform_to_grid(source_crs, grid);
+    read.transform = to_grid.info();
+    const VerticalUnit unit = vertical_unit == "auto" ? vertical_unit_of(source.info().band_unit, source_crs)
+                                                      : vertical_unit_named(vertical_unit);
+    if (std::string warning = unit_warning(source.info(), unit, source_crs); !warning.empty()) {
+        read.warnings.push_back(std::move(warning));
+    }
+    Point corner;
+    if (cells_coincide(source, to_grid, grid, corner)) {
+        copy_cells(source, corner, unit.metres, read.raster);
+        read.resampling_used = "exact copy";
+    } else {
+        const RasterWarp probe(source, to_grid, GRA_NearestNeighbour, unit.metres);
+        const Method method = method_for(resampling, probe.source_cells_per_cell(grid));
+        RasterWarp(source, to_grid, method.algorithm, unit.metres).fill(read.raster);
+        read.resampling_used = method.name;
+    }
+    if (std::string warning = source.suspicion(); !warning.empty()) {
+        read.warnings.push_back(std::move(warning));
+    }
+    read.zero_rim_cells = source.zero_rim(k_wall_cells * grid.cell_size, unit.metres);
+}
+
+}  // namespace
+
+RasterRead read_raster_on(const std::string& path, const GridSpec& target,
+                          const std::string& source_crs_override, Resampling resampling,
+                          const std::string& vertical_unit, std::optional<double> nodata_value,
+                          const std::string& where) {
+    const GdalSession session;
+    RasterSource source(path, where.empty() ? path : where);
+    if (nodata_value) source.declare_nodata(*nodata_value);
+    const std::string crs = source_crs_override.empty() ? source.info().crs_wkt : source_crs_override;
+    if (crs.empty() && !target.crs_wkt.empty()) {
+        throw Error(
+            ErrorKind::input,
+            Problem{"the raster names no coordinate reference system", path, "", "",
+                    "Assign one (gdal_edit.py -a_srs EPSG:32632 FILE), or use crs = local throughout"});
+    }
+    RasterRead read;
+    read.raster = Raster(target, k_no_data);
+    try {
+        read_onto(source, crs, resampling, vertical_unit, read);
+    } catch (const Error& error) {
+        rethrow_naming(where.empty() ? path : where + ": " + path, error);
+    }
+    read.nodata_cells = std::count_if(read.raster.values.begin(), read.raster.values.end(),
+                                      [](double value) { return std::isnan(value); });
+    return read;
+}
+
+}  // namespace frana::gis

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/raster/raster_out.h"
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+#include <gdal.h>
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/error.h"
+#include "core/json.h"
+#include "core/utf8.h"
+#include "gis/access/gdal_session.h"
+#include "gis/access/memory_dataset.h"
+#include "gis/access/memory_folder.h"
+
+namespace frana::gis {
+namespace {
+
+constexpr int k_block =
+    256;  // cells; a landslide's raster is small, so that 512 would leave it without overviews
+constexpr std::uint8_t k_no_class = 0;
+
+[[noreturn]] void refuse(const std::string& path, const GdalSession& session) {
+    const std::string message = session.last_message();
+    throw Error(ErrorKind::environment,
+                Problem{"the raster cannot be written" + (message.empty() ? "" : ": " + message), path, "",
+                        "", "Check that the folder exists, may be written and has room"});
+}
+
+GdalDataset in_memory(const GridSpec& grid, GDALDataType type, double nodata) {
+    GdalDataset dataset(GDALCreate(GDALGetDriverByName("MEM"), "", static_cast<int>(grid.columns),
+                                   static_cast<int>(grid.rows), 1, type, nullptr));
+    std::array<double, 6> geo{grid.west, grid.cell_size, 0, grid.north, 0, -grid.cell_size};
+    GDALSetGeoTransform(dataset.get(), geo.data());
+    if (!grid.crs_wkt.empty()) {
+        OGRSpatialReferenceH crs = OSRNewSpatialReference(grid.crs_wkt.c_str());
+        OSRSetAxisMappingStrategy(crs, OAMS_TRADITIONAL_GIS_ORDER);
+        GDALSetSpatialRef(dataset.get(), crs);
+        OSRDestroySpatialReference(crs);
+    }
+    GDALSetRasterNoDataValue(GDALGetRasterBand(dataset.get(), 1), nodata);
+    return dataset;
+}
+
+void set_texts(GDALDatasetH dataset, const BandText& text) {
+    GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+    const std::string unit = text.unit.empty() ? "" : " [" + text.unit + "]";
+    GDALSetDescription(band, (text.name + ": " + text.description + unit).c_str());
+    GDALSetRasterUnitType(band, text.unit.c_str());
+    for (const auto& [key, value] : text.metadata)
+        GDALSetMetadataItem(dataset, key.c_str(), valid_utf8(value).c_str(), nullptr);
+}
+
+/// Of what the file holds, not of what it was rounded from.
+void set_statistics(GDALDatasetH dataset, const std::vector<float>& values) {
+    double least = HUGE_VAL, greatest = -HUGE_VAL, sum = 0, squares = 0;
+    std::size_t count = 0;
+    for (const float value : values) {
+        if (value == static_cast<float>(k_file_nodata)) continue;
+        least = std::min(least, static_cast<double>(value));
+        greatest = std::max(greatest, static_cast<double>(value));
+        sum += value;
+        ++count;
+    }
+    if (count == 0) return;
+    const double mean = sum / static_cast<double>(count);
+    for (const float value : values) {
+        if (value != static_cast<float>(k_file_nodata)) squares += (value - mean) * (value - mean);
+    }
+    GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+    const auto set = [&](const char* key, double value) {
+        GDALSetMetadataItem(band, key, shortest_text(value).c_str(), nullptr);
+    };
+    set("STATISTICS_MINIMUM", least);
+    set("STATISTICS_MAXIMUM", greatest);
+    set("STATISTICS_MEAN", mean);
+    set("STATISTICS_STDDEV", std::sqrt(squares / static_cast<double>(count)));
+    set("STATISTICS_VALID_PERCENT", 100.0 * static_cast<double>(count) / static_cast<double>(values.size()));
+}
+
+/// Halved until one block holds all. Made in memory, the writer needs no temporary file for them.
+void build_overviews(GDALDatasetH dataset, const char* resampling, const std::string& path,
+                     const GdalSession& session) {
+    std::vector<int> factors;
+    const int longest = std::max(GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset));
+    for (int factor = 2; longest > k_block * factor / 2; factor *= 2) factors.push_back(factor);
+    if (factors.empty()) return;
+    if (GDALBuildOverviews(dataset, resampling, static_cast<int>(factors.size()), factors.data(), 0, nullptr,
+                           nullptr, nullptr) != CE_None) {
+        refuse(path, session);
+    }
+}
+
+void write_cog(const std::string& path, GDALDatasetH dataset, const char* resampling, const char* predictor) {
+    const GdalSession session;
+    build_overviews(dataset, resampling, path, session);
+    const NoSideFiles quiet;
+    const MemoryFolder memory;
+    CPLStringList options;
+    options.SetNameValue("COMPRESS", "DEFLATE");
+    options.SetNameValue("PREDICTOR", predictor);
+    options.SetNameValue("BLOCKSIZE", std::to_string(k_block).c_str());
+    options.SetNameValue("OVERVIEWS", "AUTO");
+    options.SetNameValue("OVERVIEW_RESAMPLING", resampling);
+    options.SetNameValue("NUM_THREADS", "ALL_CPUS");  // the file is the same for any number
+    {
+        const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("COG"), memory.place_of(path).c_str(),
+                                                 dataset, TRUE, options.List(), nullptr, nullptr));
+        if (!written) refuse(path, session);
+        GDALFlushCache(written.get());
+    }
+    // Closing writes the last bytes and reports only through the error handler.
+    if (session.failed()) refuse(path, session);
+    memory.write_beside(path);
+}
+
+std::vector<float> file_values(const Raster& raster) {
+    std::vector<float> values(raster.values.size());
+    std::transform(raster.values.begin(), raster.values.end(), values.begin(), [](double value) {
+        return std::isfinite(value) ? static_cast<float>(value) : static_cast<float>(k_file_nodata);
+    });
+    return values;
+}
+
+GdalDataset in_memory(const std::string& path, const GridSpec& grid, const std::vector<float>& values) {
+    const GdalSession session;
+    GdalDataset dataset = in_memory(grid, GDT_Float32, k_file_nodata);
+    const int columns = static_cast<int>(grid.columns), rows = static_cast<int>(grid.rows);
+    if (GDALRasterIO(GDALGetRasterBand(dataset.get(), 1), GF_Write, 0, 0, columns, rows,
+                     const_cast<float*>(values.data()), columns, rows, GDT_Float32, 0, 0) != CE_None) {
+        refuse(path, session);
+    }
+    return dataset;
+}
+
+}  // namespace
+
+void write_geotiff(const std::string& path, const Raster& raster, const BandText& text) {
+    const GdalSession session;
+    const std::vector<float> values = file_values(raster);
+    const GdalDataset dataset = in_memory(path, raster.grid, values);
+    set_texts(dataset.get(), text);
+    set_statistics(dataset.get(), values);
+    write_cog(path, dataset.get(), "AVERAGE", "FLOATING_POINT");
+}
+
+void write_ascii_grid(const std::string& path, const Raster& raster) {
+    const GdalSession session;
+    const GdalDataset dataset = in_memory(path, raster.grid, file_values(raster));
+    const NoSideFiles quiet;
+    CPLStringList options;
+    options.SetNameValue("SIGNIFICANT_DIGITS", "6");
+    const MemoryFolder memory;
+    {
+        const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("AAIGrid"), memory.place_of(path).c_str(),
+                                                 dataset.get(), TRUE, options.List(), nullptr, nullptr));
+        if (!written) refuse(path, session);
+    }
+    if (session.failed()) refuse(path, session);
+    memory.write_beside(path);
+}
+
+void write_class_geotiff(const std::string& path, const Raster& raster,
+                         const std::vector<ClassEntry>& classes, const BandText& text) {
+    const GdalSession session;
+    std::vector<std::uint8_t> values(raster.values.size(), k_no_class);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double value = raster.values[i];
+        if (std::isnan(value) || value == k_no_class) continue;
+        const auto entry = std::find_if(classes.begin(), classes.end(),
+                                        [value](const ClassEntry& one) { return value == one.value; });
+        if (entry == classes.end()) {
+            throw Error(ErrorKind::input,
+                        Problem{"a cell holds a value that is no class", path, shortest_text(value),
+                                std::to_string(classes.size()) + " named classes", ""});
+        }
+        values[i] = entry->value;
+    }
+    const GdalDataset dataset = in_memory(raster.grid, GDT_Byte, k_no_class);
+    GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
+    const int columns = static_cast<int>(raster.grid.columns), rows = static_cast<int>(raster.grid.rows);
+    if (GDALRasterIO(band, GF_Write, 0, 0, columns, rows, values.data(), columns, rows, GDT_Byte, 0, 0) !=
+        CE_None) {
+        refuse(path, session);
+    }
+    GDALColorTableH colours = GDALCreateColorTable(GPI_RGB);
+    const GDALColorEntry clear{0, 0, 0, 0};
+    GDALSetColorEntry(colours, k_no_class, &clear);
+    for (const ClassEntry& entry : classes) {
+        const GDALColorEntry colour{entry.colour.r, entry.colour.g, entry.colour.b, 255};
+        GDALSetColorEntry(colours, entry.value, &colour);
+        const std::string key = "CLASS_" + std::to_string(entry.value);
+        GDALSetMetadataItem(band, key.c_str(), entry.label.c_str(), nullptr);
+    }
+    GDALSetRasterColorTable(band, colours);
+    GDALDestroyColorTable(colours);
+    set_texts(dataset.get(), text);
+    write_cog(path, dataset.get(), "NEAREST", "NO");
+}
+
+}  // namespace frana::gis

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gdal.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gis/access/memory_dataset.h"
+#include "gis/raster/nodata_suspicion.h"
+#include "gis/raster/raster_in.h"
+
+namespace frana::gis {
+
+/// Where cell corners lie: x = g[0] + column g[1] + row g[2], y = g[3] + column g[4] + row g[5].
+using GeoTransform = std::array<double, 6>;
+
+/// A rectangle of cells.
+struct Window {
+    int column = 0, row = 0, columns = 0, rows = 0;
+
+    [[nodiscard]] bool empty() const noexcept { return columns <= 0 || rows <= 0; }
+};
+
+/// Band 1 of a raster file, open for reading.
+class RasterSource {
+  public:
+    /// Throws Error(input) as inspect_raster. A class raster carries a colour table, as pictures do: only
+    /// where classes are expected is a colour table accepted.
+    RasterSource(const std::string& path, const std::string& where, bool accept_colour_table = false);
+
+    [[nodiscard]] const RasterInfo& info() const noexcept { return info_; }
+    [[nodiscard]] const GeoTransform& geo_transform() const noexcept { return geo_; }
+    /// Position in cells (column, row) from the upper left corner to map coordinates and back.
+    [[nodiscard]] Point map_from_cell(Point cell) const noexcept;
+    [[nodiscard]] Point cell_from_map(Point map) const noexcept;
+
+    /// Values with scale and offset applied, times `unit` (metres per vertical unit); NaN where there is no
+    /// data. Throws Error(input) when the file cannot be read there.
+    [[nodiscard]] std::vector<double> read(const Window& window, double unit) const;
+
+    /// The same at so many columns and rows, each value that of one cell somewhere in its part of the window.
+    [[nodiscard]] std::vector<double> read_coarse(const Window& window, int columns, int rows,
+                                                  double unit) const;
+
+    /// One more stored value that means "no data", whatever the file says.
+    void declare_nodata(double stored) noexcept { declared_ = stored; }
+    /// A warning when what was read holds customary "no data" that the file does not declare, else nothing.
+    [[nodiscard]] std::string suspicion() const { return suspicion_.warning(info_.path); }
+    /// Cells read that look like a frame of zeros: see NodataSuspicion. `steep` in metres.
+    [[nodiscard]] std::int64_t zero_rim(double steep, double unit) const;
+
+  private:
+    /// As stored; NaN where there is no data.
+    [[nodiscard]] std::vector<double> read_stored(const Window& window, int columns, int rows) const;
+
+    RasterInfo info_;
+    std::string where_;  // for messages
+    GdalDataset dataset_;
+    GDALRasterBandH band_ = nullptr;
+    GeoTransform geo_{}, inverse_{};
+    double scale_ = 1, offset_ = 0;
+    std::optional<double> declared_;
+    mutable NodataSuspicion suspicion_;  // what read() saw in passing
+};
+
+}  // namespace frana::gis

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/raster/rasterize.h"
+
+#include <cpl_string.h>
+#include <gdal_alg.h>
+#include <ogrsf_frmts.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/error.h"
+#include "core/json.h"
+#include "gis/access/gdal_session.h"
+#include "gis/access/memory_dataset.h"
+#include "gis/vector/polygon_geometry.h"
+
+namespace frana::gis {
+namespace {
+
+Error fault(const std::string& what, const GdalSession& session) {
+    return {ErrorKind::input, Problem{what + ": " + session.last_message(), "", "", "", ""}};
+}
+
+GdalDataset on_grid(Raster& raster) {
+    const GridSpec& g = raster.grid;
+    GdalDataset dataset =
+        wrap_values(raster.values.data(), static_cast<int>(g.columns), static_cast<int>(g.rows));
+    double geo[6] = {g.west, g.cell_size, 0, g.north, 0, -g.cell_size};
+    GDALSetGeoTransform(dataset.get(), geo);
+    return dataset;
+}
+
+/// A layer in memory for GDAL to write into; the dataset owns it.
+struct MemoryLayer {
+    GDALDatasetUniquePtr dataset;
+    OGRLayer* layer = nullptr;
+};
+
+MemoryLayer memory_layer(OGRwkbGeometryType type, const char* number) {
+    MemoryLayer made;
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("Memory");
+    made.dataset.reset(driver->Create("", 0, 0, 0, GDT_Unknown, nullptr));
+    made.layer = made.dataset->CreateLayer("shapes", nullptr, type, nullptr);
+    OGRFieldDefn field(number, OFTReal);
+    made.layer->CreateField(&field);
+    return made;
+}
+
+}  // namespace
+
+Raster coverage(const MultiPolygon& polygons, const GridSpec& grid) {
+    const GdalSession session;
+    Raster mask(grid, 0.0);
+    if (polygons.empty() || grid.cell_count() == 0) return mask;
+    const GdalDataset dataset = on_grid(mask);
+    std::vector<std::unique_ptr<OGRPolygon>> owned;
+    std::vector<OGRGeometryH> handles;
+    for (const Polygon& polygon : polygons) {
+        owned.push_back(to_ogr(polygon));
+        handles.push_back(OGRGeometry::ToHandle(owned.back().get()));
+    }
+    int band = 1;
+    const std::vector<double> ones(handles.size(), 1.0);
+    if (GDALRasterizeGeometries(dataset.get(), 1, &band, static_cast<int>(handles.size()), handles.data(),
+                                nullptr, nullptr, ones.data(), nullptr, nullptr, nullptr) != CE_None) {
+        throw fault("the outline cannot be rasterised", session);
+    }
+    GDALFlushCache(dataset.get());
+    return mask;
+}
+
+MultiPolygon polygonise(const Raster& mask) {
+    const GdalSession session;
+    Raster inside(mask.grid, 0.0);
+    for (std::size_t i = 0; i < mask.values.size(); ++i) {
+        inside.values[i] = !std::isnan(mask.values[i]) && mask.values[i] != 0 ? 1.0 : 0.0;
+    }
+    const GdalDataset dataset = on_grid(inside);
+    GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
+    const MemoryLayer shapes = memory_layer(wkbPolygon, "inside");
+    // The band serves as its own mask: zeros are left out.
+    if (GDALPolygonize(band, band, OGRLayer::ToHandle(shapes.layer), 0, nullptr, nullptr, nullptr) !=
+        CE_None) {
+        throw fault("the area's outline cannot be traced", session);
+    }
+    MultiPolygon outlines;
+    for (const auto& feature : *shapes.layer) {
+        const OGRGeometry* geometry = feature->GetGeometryRef();
+        if (!geometry || wkbFlatten(geometry->getGeometryType()) != wkbPolygon) continue;
+        if (auto polygon = from_ogr(*geometry->toPolygon())) outlines.push_back(std::move(*polygon));
+    }
+    return outlines;
+}
+
+std::vector<Polyline> contour_lines(const Raster& raster, double interval, double base) {
+    const GdalSession session;
+    Raster copy = raster;
+    const GdalDataset dataset = on_grid(copy);
+    const MemoryLayer lines = memory_layer(wkbLineString, "value");
+    CPLStringList options;
+    options.SetNameValue("LEVEL_INTERVAL", shortest_text(interval).c_str());
+    options.SetNameValue("LEVEL_BASE", shortest_text(base).c_str());
+    options.SetNameValue("NODATA", "nan");
+    options.SetNameValue("ELEV_FIELD", "0");
+    if (GDALContourGenerateEx(GDALGetRasterBand(dataset.get(), 1), OGRLayer::ToHandle(lines.layer),
+                              options.List(), nullptr, nullptr) != CE_None) {
+        throw fault("contour lines cannot be drawn", session);
+    }
+    std::vector<Polyline> found;
+    for (const auto& feature : *lines.layer) {
+        const OGRGeometry* geometry = feature->GetGeometryRef();
+        if (!geometry || wkbFlatten(geometry->getGeometryType()) != wkbLineString) continue;
+        const OGRLineString& from = *geometry->toLineString();
+        Polyline line;
+        for (int i = 0; i < from.getNumPoints(); ++i) line.push_back({from.getX(i), from.getY(i)});
+        found.push_back(std::move(line));
+    }
+    return found;
+}
+
+}  // namespace frana::gis

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/vector/marks_in.h"
+
+#include <ogrsf_frmts.h>
+
+#include <cmath>
+
+#include "gis/access/gdal_session.h"
+#include "gis/access/time_limit.h"
+#include "gis/crs/crs.h"
+#include "gis/vector/declared_crs.h"
+#include "gis/vector/vector_source.h"
+
+namespace frana::gis {
+namespace {
+
+std::string name_of(const OGRFeature& feature) {
+    for (const char* field : {"name", "NAME", "Name", "id"}) {
+        const int index = feature.GetFieldIndex(field);
+        if (index >= 0 && feature.IsFieldSetAndNotNull(index)) return feature.GetFieldAsString(index);
+    }
+    return {};
+}
+
+std::string numbered(const std::string& name, std::size_t before) {
+    return name.empty() ? std::to_string(before + 1) : name;
+}
+
+void take(const OGRGeometry& geometry, const std::string& name, Marks& marks) {
+    switch (wkbFlatten(geometry.getGeometryType())) {
+        case wkbPoint: {
+            const OGRPoint& point = *geometry.toPoint();
+            if (!point.IsEmpty())
+                marks.points.push_back({numbered(name, marks.points.size()), {point.getX(), point.getY()}});
+            return;
+        }
+        case wkbLineString: {
+            Polyline line;
+            for (const OGRPoint& point : *geometry.toLineString())
+                line.push_back({point.getX(), point.getY()});
+            if (line.size() >= 2)
+                marks.lines.push_back({numbered(name, marks.lines.size()), std::move(line)});
+            return;
+        }
+        case wkbPolygon:
+        case wkbMultiPolygon:
+            ++marks.polygons;
+            return;
+        case wkbMultiPoint:
+        case wkbMultiLineString:
+        case wkbGeometryCollection:
+            for (const OGRGeometry* part : *geometry.toGeometryCollection()) take(*part, name, marks);
+            return;
+        default:
+            return;
+    }
+}
+
+void transform_places(Marks& marks, const std::string& from, const std::string& to) {
+    Bounds box{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    const auto each = [&](const auto& visit) {
+        for (NamedPoint& point : marks.points) visit(point.place);
+        for (NamedLine& line : marks.lines)
+            for (Point& place : line.line) visit(place);
+    };
+    each([&](const Point& p) {
+        box = {std::min(box.west, p.x), std::min(box.south, p.y), std::max(box.east, p.x),
+               std::max(box.north, p.y)};
+    });
+    if (box.west > box.east) return;
+    marks.own_bounds = box;
+    const CrsTransform transform(from, to, box);
+    marks.transform = transform.info();
+    each([&](Point& p) { p = transform(p); });
+}
+
+}  // namespace
+
+Marks read_marks(const std::string& path, const std::string& target_crs_wkt, const std::string& where) {
+    const GdalSession session;
+    const ReadingOnly reading;
+    const VectorSource source = vector_source(path, where);
+    TimeLimit limit(source.where);
+    const auto fault = [&](const std::string& what, const std::string& value, const std::string& remedy) {
+        return vector_fault(source, what, value, remedy);
+    };
+    const GDALDatasetUniquePtr dataset = open_vector(source);
+    Marks marks;
+    std::string crs;
+    bool found = source.layer.empty();
+    VertexCount vertices(source);
+    for (OGRLayer* layer : dataset->GetLayers()) {
+        if (!source.layer.empty() && source.layer != layer->GetName()) continue;
+        found = true;
+        if (crs.empty()) crs = declared_crs(*dataset, *layer, source);
+        for (const auto& feature : *layer) {
+            const OGRGeometry* geometry = feature->GetGeometryRef();
+            limit.again();
+            vertices.add(geometry);
+            if (!geometry) continue;
+            const std::unique_ptr<OGRGeometry> straight(geometry->getLinearGeometry());
+            take(*straight, name_of(*feature), marks);
+        }
+    }
+    if (!found) throw fault("the file has no such layer", source.layer, "Name one of its layers");
+    require_sound(session, source);
+    if (marks.points.empty() && marks.lines.empty() && marks.polygons == 0)
+        throw fault("the file holds no point and no line", "", "Draw at least one");
+    marks.crs_wkt = crs;
+    marks.crs_label = crs.empty() ? "none" : crs_name(crs);
+    if (crs.empty() && !target_crs_wkt.empty()) {
+        throw fault("the file names no coordinate reference system", "",
+                    crs_remedy(source) + ", or use terrain.crs = local throughout");
+    }
+    try {
+        transform_places(marks, target_crs_wkt.empty() ? "" : crs, target_crs_wkt);
+    } catch (const Error& error) {
+        throw fault(error.problems().front().what, error.problems().front().value,
+                    error.problems().front().remedy);
+    }
+    return marks;
+}
+
+}  // namespace frana::gis

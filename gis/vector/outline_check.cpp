@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/vector/outline_check.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "gis/access/gdal_session.h"
+#include "gis/vector/polygon_geometry.h"
+#include "gis/vector/simple_outline.h"
+
+namespace frana::gis {
+namespace {
+
+// The words of GEOS for a ring that crosses itself or its hole; every other fault leaves the inside certain.
+const std::string k_crossing = "Self-intersection";
+const std::string k_place = " at or near point ";
+
+/// What GEOS has against a geometry; nothing if it is in order.
+std::string fault_of(const OGRGeometry& geometry) {
+    const GdalSession session;
+    if (geometry.IsValid()) return {};
+    const std::string message = session.last_message();
+    return message.empty() ? "unsound" : message;
+}
+
+std::string place_text(double x, double y) {
+    std::ostringstream text;
+    text.precision(12);
+    text << "at " << x << ", " << y;
+    return text.str();
+}
+
+std::string place_in(const std::string& fault) {
+    const std::size_t start = fault.find(k_place);
+    if (start == std::string::npos) return {};
+    std::istringstream numbers(fault.substr(start + k_place.size()));
+    double x = 0, y = 0;
+    if (!(numbers >> x >> y)) return {};
+    return place_text(x, y);
+}
+
+std::string area_text(double area) {
+    std::ostringstream text;
+    text.precision(6);
+    text << area;
+    return text.str();
+}
+
+/// GDAL's repair, in which every region counts once.
+void mend(const OGRGeometry& geometry, const std::string& fault, double area_before, OutlineCheck& found) {
+    const GdalSession session;
+    const std::unique_ptr<OGRGeometry> mended(geometry.MakeValid());
+    std::vector<std::unique_ptr<OGRPolygon>> polygons;
+    if (mended) polygons = polygon_parts(*mended).polygons;
+    double area_after = 0;
+    for (const auto& polygon : polygons) area_after += polygon->get_Area();
+    found.repairs.push_back("the outline was mended (" + fault + "): area " + area_text(area_before) +
+                            " before, " + area_text(area_after) + " after, in its own units squared");
+    for (auto& polygon : polygons) found.polygons.push_back(std::move(polygon));
+}
+
+/// Of an outline of many vertices. GEOS compares all edges whose boxes overlap: long spikes have it compare each with
+/// each.
+OutlineVerdict verdict_on(const OGRPolygon& polygon) {
+    constexpr int k_many = 5000;
+    const OGRLinearRing* outer = polygon.getExteriorRing();
+    if (outer == nullptr || outer->getNumPoints() < k_many) return {};
+    const std::optional<Polygon> ours = from_ogr(polygon);
+    if (!ours || ours->holes.size() != static_cast<std::size_t>(polygon.getNumInteriorRings())) return {};
+    return sweep(*ours);
+}
+
+}  // namespace
+
+OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons) {
+    OutlineCheck found;
+    for (auto& polygon : polygons) {
+        const OutlineVerdict verdict = verdict_on(*polygon);
+        if (verdict.crossing) {
+            found.polygons.clear();
+            found.crossing = place_text(verdict.crossing->x, verdict.crossing->y);
+            return found;
+        }
+        const std::string fault = verdict.sound ? std::string() : fault_of(*polygon);
+        if (fault.rfind(k_crossing, 0) == 0) {
+            found.polygons.clear();
+            found.crossing = place_in(fault);
+            return found;
+        }
+        if (fault.empty()) {
+            found.polygons.push_back(std::move(polygon));
+        } else {
+            mend(*polygon, fault, polygon->get_Area(), found);
+        }
+    }
+    if (found.polygons.size() < 2) return found;
+    OGRMultiPolygon together;
+    double sum = 0;
+    for (const auto& polygon : found.polygons) {
+        together.addGeometry(polygon.get());
+        sum += polygon->get_Area();
+    }
+    const std::string fault = fault_of(together);
+    if (fault.empty()) return found;
+    found.polygons.clear();
+    const GdalSession session;
+    const std::unique_ptr<OGRGeometry> united(together.UnionCascaded());
+    if (united) found.polygons = polygon_parts(*united).polygons;
+    double area_after = 0;
+    for (const auto& polygon : found.polygons) area_after += polygon->get_Area();
+    found.repairs.push_back("parts overlap or touch and were united (" + fault + "): area " + area_text(sum) +
+                            " before, " + area_text(area_after) + " after, in its own units squared");
+    return found;
+}
+
+double shared_area(const MultiPolygon& one, const MultiPolygon& other) {
+    const Bounds a = bounds(one), b = bounds(other);
+    if (a.east <= b.west || b.east <= a.west || a.north <= b.south || b.north <= a.south) return 0;
+    const GdalSession session;
+    const std::unique_ptr<OGRGeometry> both(to_ogr(one)->Intersection(to_ogr(other).get()));
+    double area = 0;
+    if (both) {
+        for (const auto& polygon : polygon_parts(*both).polygons) area += polygon->get_Area();
+    }
+    return area;
+}
+
+}  // namespace frana::gis

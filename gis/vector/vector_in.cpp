@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gis/vector/vector_in.h"
+
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/counted_texts.h"
+#include "core/error.h"
+#include "core/json.h"
+#include "gis/access/gdal_session.h"
+#include "gis/access/time_limit.h"
+#include "gis/crs/crs.h"
+#include "gis/vector/declared_crs.h"
+#include "gis/vector/outline_check.h"
+#include "gis/vector/polygon_geometry.h"
+#include "gis/vector/vector_source.h"
+
+namespace frana::gis {
+namespace {
+
+constexpr double k_bend_tolerance = 1e-3;          // 1 mm where the target is in metres
+constexpr double k_bend_tolerance_degrees = 1e-8;  // the same on the ground
+
+constexpr const char* k_crs_key = "perimeter-crs";
+
+constexpr double k_overlap_share = 1e-3;  // less comes from digitising neighbours apart
+
+constexpr std::size_t k_most_overlaps = 1'000'000;  // by then the layer is wrong as a whole
+
+constexpr std::size_t k_most_problems = 10;  // a layer of lines would fill the screen
+
+/// A layer that can hold areas: closed lines count, points do not.
+bool may_hold_areas(OGRLayer& layer) {
+    const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
+    return type != wkbNone && type != wkbPoint && type != wkbMultiPoint;
+}
+
+void take_attributes(const OGRFeature& from, PolygonFeature& feature) {
+    const OGRFeatureDefn& fields = *from.GetDefnRef();
+    for (int i = 0; i < fields.GetFieldCount(); ++i) {
+        if (!from.IsFieldSetAndNotNull(i)) continue;
+        const OGRFieldDefn& field = *fields.GetFieldDefn(i);
+        const OGRFieldType type = field.GetType();
+        if (type == OFTInteger || type == OFTInteger64 || type == OFTReal) {
+            feature.numbers[field.GetNameRef()] = from.GetFieldAsDouble(i);
+        } else {
+            feature.texts[field.GetNameRef()] = from.GetFieldAsString(i);
+        }
+    }
+}
+
+/// One feature in its own CRS; adds to `problems` what keeps it from being used.
+PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, Problems& problems,
+                            CountedTexts& warnings) {
+    PolygonFeature feature;
+    const std::string name = "feature " + std::to_string(from.GetFID());
+    const auto problem = [&](const std::string& what, const std::string& value, const std::string& remedy) {
+        problems.add(Problem{name + " " + what, source.where, value, "", remedy});
+    };
+    const OGRGeometry* geometry = from.GetGeometryRef();
+    if (!geometry || geometry->IsEmpty()) {
+        warnings.add("empty", source.where + ": " + name + " has no geometry and was left out");
+        return feature;
+    }
+    PolygonParts parts = polygon_parts(*geometry);
+    if (parts.closed_lines > 0) {
+        warnings.add("line", source.where + ": " + name + " is a closed line and was taken as an area");
+    }
+    if (parts.unbounded > 0) {
+        problem("has a coordinate that is no number, or farther than any map reaches",
+                "beyond " + shortest_text(k_furthest), "Draw it anew");
+        return feature;
+    }
+    if (parts.open_lines > 0) {
+        problem("is a line that does not close", "a gap of " + shortest_text(parts.widest_gap) + " CRS units",
+                "Close it, or draw it as a polygon");
+        return feature;
+    }
+    if (parts.polygons.empty()) {
+        problem(std::string("is no area but a ") + geometry->getGeometryName(), "", "Give polygons");
+        return feature;
+    }
+    OutlineCheck check = check_outline(std::move(parts.polygons));
+    if (check.crossing) {
+        problem("crosses itself", *check.crossing,
+                "Redraw the outline there, so that inside and outside are certain");
+        return feature;
+    }
+    for (const std::string& repair : check.repairs)
+        warnings.add("repair", source.where + ": " + name + ": " + repair);
+    for (const auto& polygon : check.polygons) {
+        if (auto part = from_ogr(*polygon); part && area(*part) > 0)
+            feature.parts.push_back(std::move(*part));
+    }
+    if (feature.parts.empty()) problem("has no area", "", "Draw it anew");
+    take_attributes(from, feature);
+    return feature;
+}
+
+bool plausible(const std::string& crs, const Bounds& box) {
+    OGRSpatialReference reference;
+    if (reference.SetFromUserInput(crs.c_str()) != OGRERR_NONE || !reference.IsGeographic()) return true;
+    // Longitudes may run to 360; a radian-free check against metres labelled as degrees.
+    return box.west >= -360 && box.east <= 360 && box.south >= -90.000001 && box.north <= 90.000001;
+}
+
+/// An edge longer than half a turn of longitude crosses the antimeridian; drawn as it is, it would enclose
+/// the rest of the Earth.
+std::optional<std::string> long_way_round(const std::vector<PolygonFeature>& features, double turn) {
+    if (turn == 0) return std::nullopt;
+    for (const PolygonFeature& feature : features) {
+        for (const Polygon& part : feature.parts) {
+            for (std::size_t i = 0; i < part.outer.size(); ++i) {
+                const Point a = part.outer[i], b = part.outer[(i + 1) % part.outer.size()];
+                if (std::abs(a.x - b.x) > turn / 2)
+                    return "from " + shortest_text(a.x) + ", " + shortest_text(a.y) + " to " +
+                           shortest_text(b.x) + ", " + shortest_text(b.y);
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+Bounds bounds_of(const std::vector<PolygonFeature>& features) {
+    MultiPolygon all;
+    for (const PolygonFeature& feature : features) {
+        for (const Polygon& part : feature.parts) all.push_back({part.outer, {}});
+    }
+    return bounds(all);
+}
+
+std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& source, TimeLimit& limit,
+                                          std::vector<std::string>& warnings) {
+    Problems problems;
+    CountedTexts counted;
+    std::vector<PolygonFeature> features;
+    std::int64_t seen = 0, untold = 0;
+    VertexCount vertices(source);
+    layer.ResetReading();
+    for (const auto& from : layer) {
+        ++seen;
+        limit.again();
+        vertices.add(from->GetGeometryRef());
+        Problems of_this;
+        PolygonFeature feature = read_feature(*from, source, of_this, counted);
+        for (const Problem& problem : of_this.list()) {
+            problems.list().size() < k_most_problems ? problems.add(problem) : void(++untold);
+        }
+        if (!feature.parts.empty()) features.push_back(std::move(feature));
+    }
+    if (untold > 0)
+        problems.add(
+            Problem{std::to_string(untold) + " more features have problems", source.where, "", "", ""});
+    problems.throw_if_any();
+    warnings = counted.told();
+    if (seen == 0) throw vector_fault(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
+    if (features.empty())
+        throw vector_fault(source, "the layer holds no polygon", layer.GetName(), "Draw at least one");
+    return features;
+}
+
+bool same_vertices(const MultiPolygon& a, const MultiPolygon& b) {
+    const auto same_ring = [](const Ring& one, const Ring& other) {
+        return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                          [](Point p, Point q) { return p.x == q.x && p.y == q.y; });
+    };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Polygon& one, const Polygon& other) {
+        return same_ring(one.outer, other.outer) &&
+               std::equal(one.holes.begin(), one.holes.end(), other.holes.begin(), other.holes.end(), same_ring);
+    });
+}
+
+/// Ground that lies in two features: what that means, the caller knows.
+bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorSource& source, TimeLimit& limit,
+                      std::vector<std::string>& warnings) {
+    std::vector<Bounds> boxes;
+    std::vector<double> areas;
+    for (const PolygonFeature& feature : features) {
+        boxes.push_back(bounds(feature.parts));
+        areas.push_back(area(feature.parts));
+    }
+    // From west to east, so that features far apart are not compared; told in the layer's order.
+    std::vector<std::size_t> order(features.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return boxes[a].west < boxes[b].west; });
+    struct Overlap {
+        std::size_t one, other;
+        double shared;
+    };
+    std::vector<Overlap> found;
+    for (std::size_t i = 0; i < order.size() && found.size() < k_most_overlaps; ++i) {
+        for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].west < boxes[order[i]].east; ++j) {
+            const std::size_t one = std::min(order[i], order[j]), other = std::max(order[i], order[j]);
+            if (boxes[one].north <= boxes[other].south || boxes[other].north <= boxes[one].south) continue;
+            limit.again();
+            const MultiPolygon &a = features[one].parts, &b = features[other].parts;
+            const double shared = same_vertices(a, b) ? areas[one] : shared_area(a, b);
+            if (shared > k_overlap_share * std::min(areas[one], areas[other])) found.push_back({one, other, shared});
+            if (found.size() >= k_most_overlaps) break;
+        }
+    }
+    std::sort(found.begin(), found.end(), [](const Overlap& a, const Overlap& b) {
+        return a.one < b.one || (a.one == b.one && a.other < b.other);
+    });
+    CountedTexts counted;
+    for (const auto& [one, other, shared] : found) {
+        counted.add("overlap", source.where + ": areas " + std::to_string(one + 1) + " and " +
+                                   std::to_string(other + 1) + " overlap by " +
+                                   shortest_text(std::round(shared * 10) / 10) + " square units");
+    }
+    for (std::string& text : counted.told()) warnings.push_back(std::move(text));
+    if (found.size() >= k_most_overlaps) warnings.back() += " (further pairs were not looked at)";
+    return !found.empty();
+}
+
+}  // namespace
+
+bool holds_layer(const std::string& file, const std::string& layer, const std::string& where) {
+    const GdalSession session;
+    const VectorSource source = vector_source(file, where);
+    const GDALDatasetUniquePtr dataset = open_vector(source, true);
+    OGRLayer* const found = dataset->GetLayerByName(layer.c_str());
+    const bool holds = found != nullptr && found->GetFeatureCount() > 0;
+    // OGR is silent where it cannot read the list of layers.
+    if (session.failed() || dataset->GetLayerCount() == 0)
+        throw vector_fault(source, "cannot be read whole: " + session.last_message(), "", "The file is damaged");
+    return holds;
+}
+
+PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt,
+                           const std::string& where, const LayerChoice& choice) {
+    const GdalSession session;
+    const ReadingOnly reading;
+    VectorSource source = vector_source(path, where);
+    TimeLimit limit(source.where);
+    if (!choice.name.empty() && !source.layer.empty() && source.layer != choice.name) {
+        throw vector_fault(source, "two layers are named", source.layer + ", " + choice.name,
+                           "Keep \"|layer=\" in the path or the key, not both");
+    }
+    if (!choice.name.empty()) source.layer = choice.name;
+    const GDALDatasetUniquePtr dataset = open_vector(source);
+    OGRLayer& layer = choose_layer(*dataset, source, may_hold_areas, "areas");
+    check_attribute_table(*dataset, layer, source);
+    if (!choice.filter.empty()) filter_features(layer, source, choice.filter);
+    const std::string crs =
+        choice.crs.empty() ? declared_crs(*dataset, layer, source, k_crs_key) : choice.crs;
+    if (crs.empty() && !target_crs_wkt.empty()) {
+        throw vector_fault(source, "the file names no coordinate reference system", "",
+                           crs_remedy(source, k_crs_key) + ", or use terrain.crs = local throughout");
+    }
+    PolygonLayer read;
+    read.layer_name = layer.GetName();
+    read.crs_wkt = crs;
+    read.crs_label = crs.empty() ? "none" : crs_name(crs);
+    read.features = read_features(layer, source, limit, read.warnings);
+    require_sound(session, source);
+    const Bounds own = bounds_of(read.features);
+    if (!target_crs_wkt.empty() && !plausible(crs, own)) {
+        throw vector_fault(source, "the coordinates are no degrees though the file's CRS is in degrees",
+                           shortest_text(own.west) + ", " + shortest_text(own.south),
+                           "It says " + read.crs_label + ". " + crs_remedy(source, k_crs_key));
+    }
+    if (const auto place = long_way_round(read.features, target_crs_wkt.empty() ? 0 : longitude_turn(crs))) {
+        throw vector_fault(source, "an edge goes round the Earth the long way", *place,
+                           "Split the outline at the antimeridian, or count its longitudes on beyond 180");
+    }
+    const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt, own);
+    read.transform = transform.info();
+    read.own_bounds = own;
+    const double tolerance =
+        is_projected_in_metres(target_crs_wkt) ? k_bend_tolerance : k_bend_tolerance_degrees;
+    try {
+        for (PolygonFeature& feature : read.features) {
+            for (Polygon& part : feature.parts) part = transformed(part, transform, tolerance);
+        }
+    } catch (const Error& error) {
+        throw vector_fault(source, error.problems().front().what, error.problems().front().value,
+                           error.problems().front().remedy);
+    }
+    read.bounds = bounds_of(read.features);
+    read.overlap = warn_of_overlaps(read.features, source, limit, read.warnings);
+    return read;
+}
+
+}  // namespace frana::gis
