@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/animation.h"
+#include "render/film/animation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/chart.h"
+#include "render/chart/chart.h"
 
 #include <gtest/gtest.h>
 

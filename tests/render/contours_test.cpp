@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/contours.h"
+#include "render/map/contours.h"
 
 #include <gtest/gtest.h>
 

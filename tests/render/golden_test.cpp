@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "render/line_chart.h"
-#include "render/map2d.h"
-#include "render/view3d.h"
+#include "render/chart/line_chart.h"
+#include "render/map/map2d.h"
+#include "render/view/view3d.h"
 #include "scenes.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"

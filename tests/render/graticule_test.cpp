@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/graticule.h"
+#include "render/map/graticule.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "render/map2d.h"
+#include "render/map/map2d.h"
 #include "scenes.h"
 
 namespace frana::render {

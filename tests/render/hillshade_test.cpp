@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/hillshade.h"
+#include "render/map/hillshade.h"
 
 #include <gtest/gtest.h>
 

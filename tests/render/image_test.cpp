@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/image.h"
+#include "render/canvas/image.h"
 
 #include <sys/resource.h>
 
-#include <csignal>
 #include <gtest/gtest.h>
+#include <csignal>
 
 #include <fstream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/lettering.h"
+#include "render/canvas/lettering.h"
 
 #include <gtest/gtest.h>
 

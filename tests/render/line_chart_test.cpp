@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/line_chart.h"
+#include "render/chart/line_chart.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/raster.h"
-#include "render/plate.h"
+#include "render/map/plate.h"
 #include "scenes.h"
 
 namespace frana::render {

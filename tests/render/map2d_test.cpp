@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/map2d.h"
+#include "render/map/map2d.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "render/animation.h"
-#include "render/map2d.h"
-#include "render/view3d.h"
+#include "render/film/animation.h"
+#include "render/map/map2d.h"
+#include "render/view/view3d.h"
 #include "scenes.h"
 
 namespace frana::render {

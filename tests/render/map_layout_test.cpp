@@ -2,11 +2,11 @@
 // No text is cut off or covers another, at any size and with any of the things a map may hold.
 #include <gtest/gtest.h>
 
-#include "render/animation.h"
-#include "render/line_chart.h"
-#include "render/map2d.h"
-#include "render/plate.h"
-#include "render/view3d.h"
+#include "render/chart/line_chart.h"
+#include "render/film/animation.h"
+#include "render/map/map2d.h"
+#include "render/map/plate.h"
+#include "render/view/view3d.h"
 #include "scenes.h"
 
 namespace frana::render {

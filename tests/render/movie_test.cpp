@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/movie.h"
+#include "render/film/movie.h"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 
 #include "core/geometry.h"
 #include "core/raster.h"
-#include "render/image.h"
-#include "render/map2d.h"
+#include "render/canvas/image.h"
+#include "render/map/map2d.h"
 
 namespace frana::render::test {
 

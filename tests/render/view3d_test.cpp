@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/view3d.h"
+#include "render/view/view3d.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "render/view_camera.h"
+#include "render/view/view_camera.h"
 #include "scenes.h"
 
 namespace frana::render {

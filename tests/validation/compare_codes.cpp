@@ -18,7 +18,7 @@
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
 #include "gis/raster/rasterize.h"
-#include "render/map2d.h"
+#include "render/map/map2d.h"
 
 namespace frana {
 namespace {

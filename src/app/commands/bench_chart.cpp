@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "bench/peers.h"
-#include "render/chart.h"
+#include "render/chart/chart.h"
 
 namespace frana::app {
 namespace {

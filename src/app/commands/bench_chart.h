@@ -5,7 +5,7 @@
 
 #include "bench/accuracy.h"
 #include "bench/speed.h"
-#include "render/image.h"
+#include "render/canvas/image.h"
 
 namespace frana::app {
 

@@ -18,7 +18,7 @@
 #include "bench/time_to_error.h"
 #include "core/error.h"
 #include "gis/raster/raster_in.h"
-#include "render/image.h"
+#include "render/canvas/image.h"
 
 namespace frana::app {
 namespace {

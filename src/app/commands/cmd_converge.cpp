@@ -23,7 +23,7 @@
 #include "app/text/version.h"
 #include "core/json.h"
 #include "gis/raster/raster_out.h"
-#include "render/chart.h"
+#include "render/chart/chart.h"
 #include "simulation/run_figures.h"
 #include "simulation/simulation.h"
 

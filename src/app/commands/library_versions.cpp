@@ -4,7 +4,7 @@
 #include <boost/version.hpp>
 
 #include "gis/access/versions.h"
-#include "render/versions.h"
+#include "render/canvas/versions.h"
 
 namespace frana::app {
 

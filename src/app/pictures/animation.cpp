@@ -16,9 +16,9 @@
 #include "app/pictures/require_cells.h"
 #include "app/text/number_text.h"
 #include "gis/raster/raster_in.h"
-#include "render/animation.h"
-#include "render/movie.h"
-#include "render/raster_window.h"
+#include "render/canvas/raster_window.h"
+#include "render/film/animation.h"
+#include "render/film/movie.h"
 
 namespace frana::app {
 namespace {

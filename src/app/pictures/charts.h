@@ -6,7 +6,7 @@
 
 #include "app/pictures/result_reader.h"
 #include "core/error.h"
-#include "render/line_chart.h"
+#include "render/chart/line_chart.h"
 
 namespace frana::app {
 

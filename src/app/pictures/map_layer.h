@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/raster.h"
-#include "render/map2d.h"
+#include "render/map/map2d.h"
 
 namespace frana::app {
 

@@ -11,8 +11,8 @@
 #include "core/geometry.h"
 #include "core/raster.h"
 #include "params/picture_text.h"
-#include "render/map2d.h"
-#include "render/view3d.h"
+#include "render/map/map2d.h"
+#include "render/view/view3d.h"
 
 namespace frana::app {
 

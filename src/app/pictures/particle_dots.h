@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "render/map2d.h"
+#include "render/map/map2d.h"
 
 namespace frana::app {
 

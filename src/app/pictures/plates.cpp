@@ -13,7 +13,7 @@
 #include "core/error.h"
 #include "core/json.h"
 #include "params/value_text.h"
-#include "render/plate.h"
+#include "render/map/plate.h"
 
 namespace frana::app {
 namespace {

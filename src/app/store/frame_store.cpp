@@ -15,7 +15,7 @@
 #include "gis/raster/raster_out.h"
 #include "gis/vector/points_out.h"
 #include "params/value_text.h"
-#include "render/vtk_points.h"
+#include "render/canvas/vtk_points.h"
 
 namespace frana::app {
 namespace {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/colour.h"
+#include "core/geometry.h"
+#include "render/canvas/image.h"
+#include "render/canvas/map_layout.h"
+#include "render/canvas/osmesa_window.h"
+
+namespace frana::render {
+
+struct LineStyle {
+    double width_px = 1;
+    Rgb colour{0, 0, 0};
+    double opacity = 1;
+    std::vector<double> dashes{};  ///< lengths of stroke, gap, stroke, gap... [px]; empty: unbroken
+};
+
+/// Lines and filled shapes on a transparent page, in pixels from the upper left corner; later ones cover
+/// earlier ones. VTK draws them through OSMesa with smooth edges.
+class Canvas {
+  public:
+    Canvas(int width, int height);
+
+    void line(std::span<const Point> points, const LineStyle& style, bool closed = false);
+    /// A filled convex polygon.
+    void fill(std::span<const Point> corners, Rgb colour, double opacity = 1);
+    void fill(const PageBox& box, Rgb colour, double opacity = 1);
+    void frame(const PageBox& box, const LineStyle& style);
+
+    /// Draws everything so far: the part of the page that it covers. Throws Error(environment) when VTK or OpenGL
+    /// fails.
+    [[nodiscard]] LayerImage draw() const;
+
+  private:
+    using Colour = std::uint32_t;  ///< red, green, blue, opacity from the lowest byte up
+    void triangle(Point a, Point b, Point c, Colour colour);
+    void stroke(std::span<const Point> points, const LineStyle& style);
+    /// The smallest rectangle of whole pixels of the page round everything; empty when there is nothing on it.
+    [[nodiscard]] LayerImage covered() const;
+
+    int width_, height_;
+    std::vector<float> corners_;   ///< x, y of each triangle's corners
+    std::vector<Colour> colours_;  ///< of each corner
+};
+
+/// Lays a layer over an opaque image, in which it must lie.
+void compose(Image& page, const LayerImage& layer);
+
+}  // namespace frana::render

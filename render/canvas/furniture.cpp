@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/canvas/furniture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "render/canvas/ticks.h"
+
+namespace frana::render {
+namespace {
+
+std::string length_words(double metres) {
+    return metres >= 1000 ? number(metres / 1000) + " km" : number(metres) + " m";
+}
+
+std::string foot_text(const std::vector<std::string>& parts) {
+    std::string all;
+    for (const std::string& part : parts) {
+        if (!part.empty()) all += (all.empty() ? "" : "  \u00B7  ") + part;
+    }
+    return all;
+}
+
+double bar_thickness(const PageStyle& style) {
+    return std::max(5.0, style.length(10));
+}
+
+}  // namespace
+
+double scale_bar_height(const PageStyle& style) {
+    return bar_thickness(style) + style.label.size_px * 1.5;
+}
+
+ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, double width,
+                        double metres_per_pixel) {
+    const Lettering& lettering = sheet.lettering();
+    // The labels stand centred under the bar's ends and must stay within the width as well.
+    double metres = nice_step_below(width * metres_per_pixel);
+    const auto overhang = [&](double length) {
+        return (lettering.width("0", style.label) + lettering.width(length_words(length), style.label)) / 2;
+    };
+    while (metres / metres_per_pixel + overhang(metres) > width) metres = nice_step_below(0.9 * metres);
+    const double pixels = metres / metres_per_pixel;
+    const double left = corner.x + lettering.width("0", style.label) / 2;
+    const PageBox bar{left, corner.y, left + pixels, corner.y + bar_thickness(style)};
+    Canvas& canvas = sheet.canvas();
+    canvas.fill(bar, {255, 255, 255});
+    constexpr int k_parts = 4;
+    for (int i = 0; i < k_parts; i += 2) {
+        canvas.fill(
+            PageBox{left + pixels * i / k_parts, bar.top, left + pixels * (i + 1) / k_parts, bar.bottom},
+            k_ink);
+    }
+    canvas.frame(bar, {style.line(1.2), k_ink});
+    const double text_y = bar.bottom + 0.45 * style.label.size_px;
+    sheet.text("0", {bar.left, text_y}, style.label, Across::centre, Upright::top);
+    sheet.text(length_words(metres), {bar.right, text_y}, style.label, Across::centre, Upright::top);
+    return {bar, metres};
+}
+
+double north_arrow_height(const PageStyle& style) {
+    return 4.6 * style.label.size_px;
+}
+
+PageBox draw_north_arrow(Sheet& sheet, const PageStyle& style, Point centre, double angle_deg) {
+    const double reach = north_arrow_height(style) / 2;
+    const double angle = angle_deg * std::numbers::pi / 180;
+    const auto turned = [&](double right, double up) {
+        return Point{centre.x + right * std::cos(angle) + up * std::sin(angle),
+                     centre.y + right * std::sin(angle) - up * std::cos(angle)};
+    };
+    const double tip = 0.52 * reach, foot = -0.95 * reach, wing = 0.36 * reach, notch = -0.62 * reach;
+    const std::array<Point, 3> dark{turned(0, tip), turned(0, notch), turned(-wing, foot)};
+    const std::array<Point, 3> light{turned(0, tip), turned(wing, foot), turned(0, notch)};
+    const std::array<Point, 4> rim{turned(0, tip), turned(wing, foot), turned(0, notch), turned(-wing, foot)};
+    Canvas& canvas = sheet.canvas();
+    canvas.fill(dark, k_ink);
+    canvas.fill(light, {255, 255, 255});
+    canvas.line(rim, {style.line(1.4), k_ink}, true);
+    TextStyle letter = style.heading;
+    sheet.text("N", turned(0, tip + 0.26 * reach), letter, Across::centre, Upright::middle);
+    return {centre.x - reach, centre.y - reach, centre.x + reach, centre.y + reach};
+}
+
+std::string convergence_words(double convergence_deg) {
+    if (std::fabs(convergence_deg) < 0.05) return {};
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "true north %.1f\u00B0 %s of grid north",
+                  std::fabs(convergence_deg), convergence_deg > 0 ? "east" : "west");
+    return text.data();
+}
+
+TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, TextStyle style, double width,
+                        double least_share) {
+    const int least = std::max(9, static_cast<int>(std::ceil(least_share * style.size_px)));
+    while (style.size_px > least && lettering.width(words, style) > width) --style.size_px;
+    return style;
+}
+
+TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string& title,
+                        const std::string& subtitle, bool subtitle_later, Point corner, double width) {
+    double y = corner.y;
+    constexpr double k_least_share = 0.7;
+    if (!title.empty()) {
+        const TextStyle fitting = shrunk_to_fit(sheet.lettering(), title, style.title, width, k_least_share);
+        y = sheet.lines(sheet.wrapped(title, fitting, width), {corner.x, y}, fitting, Across::left);
+    }
+    TitleResult result{y, {corner.x, y}};
+    if (subtitle_later) {
+        result.bottom = y + Sheet::line_height(style.subtitle);
+    } else if (!subtitle.empty()) {
+        const TextStyle fitting =
+            shrunk_to_fit(sheet.lettering(), subtitle, style.subtitle, width, k_least_share);
+        result.bottom =
+            sheet.lines(sheet.wrapped(subtitle, fitting, width), {corner.x, y}, fitting, Across::left);
+    }
+    return result;
+}
+
+double foot_height(const Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double width) {
+    const std::vector<std::string> lines = sheet.wrapped(foot_text(parts), style.small, width);
+    if (lines.empty()) return 0;
+    // The last line's descenders stay above the bottom.
+    return 0.3 * style.small.size_px + Sheet::line_height(style.small) * static_cast<double>(lines.size() - 1) +
+           Lettering::capital_height(style.small) + style.gap / 2;
+}
+
+double draw_foot(Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double left,
+                 double bottom, double width) {
+    const double top = bottom - foot_height(sheet, style, parts, width);
+    double y = top + style.gap / 2 + Lettering::capital_height(style.small);
+    for (const std::string& line : sheet.wrapped(foot_text(parts), style.small, width)) {
+        sheet.text(line, {left, y}, style.small, Across::left, Upright::baseline);
+        y += Sheet::line_height(style.small);
+    }
+    return top;
+}
+
+}  // namespace frana::render

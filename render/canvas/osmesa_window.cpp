@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/canvas/osmesa_window.h"
+
+#include <GL/osmesa.h>
+#include <dlfcn.h>
+
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "core/error.h"
+#include "render/canvas/vtk_errors.h"
+#include "vtkCallbackCommand.h"
+#include "vtkGenericOpenGLRenderWindow.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+
+// Debian's VTK asks GLEW for OpenGL's functions, and Debian's GLEW asks GLX. These five functions answer in
+// place of libGLX: the program exports them, so the dynamic linker finds them first, and OSMesa is all the
+// OpenGL there is.
+extern "C" {
+using GlFunction = void (*)();
+
+[[gnu::visibility("default"), gnu::used]] void* glXGetCurrentDisplay() {
+    static char not_null = 0;  // only compared with null, never looked into
+    return &not_null;
+}
+
+[[gnu::visibility("default"), gnu::used]] GlFunction glXGetProcAddressARB(const unsigned char* name) {
+    const char* text = reinterpret_cast<const char*>(name);
+    if (std::strcmp(text, "glXGetCurrentDisplay") == 0) {
+        return reinterpret_cast<GlFunction>(&glXGetCurrentDisplay);
+    }
+    if (std::strncmp(text, "glX", 3) == 0) return nullptr;
+    return reinterpret_cast<GlFunction>(OSMesaGetProcAddress(text));
+}
+
+[[gnu::visibility("default"), gnu::used]] GlFunction glXGetProcAddress(const unsigned char* name) {
+    return glXGetProcAddressARB(name);
+}
+
+[[gnu::visibility("default"), gnu::used]] int glXQueryVersion(void*, int* major, int* minor) {
+    *major = 1;
+    *minor = 2;  // so old that GLEW asks for no further GLX function
+    return 1;
+}
+
+[[gnu::visibility("default"), gnu::used]] const char* glXGetClientString(void*, int) {
+    return "";
+}
+}
+
+namespace frana::render {
+namespace {
+
+[[noreturn]] void fail(const std::string& what, const std::string& value, const std::string& remedy) {
+    throw Error(ErrorKind::environment, Problem{what, "off-screen drawing", value, "", remedy});
+}
+
+/// A wrong OpenGL would end in a segmentation fault deep inside a driver; say it here instead.
+void check_that_opengl_is_osmesa() {
+    const std::string remedy =
+        "link libOSMesa before any other OpenGL library, and do not preload another libGL";
+    Dl_info info{};
+    void* clear = dlsym(RTLD_DEFAULT, "glClear");
+    if (clear == nullptr || dladdr(clear, &info) == 0 || info.dli_fname == nullptr ||
+        std::strstr(info.dli_fname, "OSMesa") == nullptr) {
+        fail("OpenGL is not OSMesa's", info.dli_fname != nullptr ? info.dli_fname : "no glClear", remedy);
+    }
+    if (dlsym(RTLD_DEFAULT, "glXGetProcAddressARB") != reinterpret_cast<void*>(&glXGetProcAddressARB)) {
+        fail("OpenGL's functions are looked up in GLX, not in OSMesa", "glXGetProcAddressARB", remedy);
+    }
+}
+
+}  // namespace
+
+class OsmesaWindow::Context {
+  public:
+    Context(int width, int height) {
+        // An unknown driver name in this variable makes OSMesa crash; llvmpipe is the one that is meant.
+        setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+        check_that_opengl_is_osmesa();
+        const std::array<int, 15> wishes{OSMESA_FORMAT,
+                                         OSMESA_RGBA,
+                                         OSMESA_DEPTH_BITS,
+                                         24,
+                                         OSMESA_STENCIL_BITS,
+                                         8,
+                                         OSMESA_PROFILE,
+                                         OSMESA_CORE_PROFILE,
+                                         OSMESA_CONTEXT_MAJOR_VERSION,
+                                         3,
+                                         OSMESA_CONTEXT_MINOR_VERSION,
+                                         2,
+                                         0,
+                                         0,
+                                         0};
+        osmesa_.reset(OSMesaCreateContextAttribs(wishes.data(), nullptr));
+        if (!osmesa_) fail("OSMesa gives no OpenGL 3.2 context", "", "install Debian's libosmesa6");
+        make_current();
+
+        on_make_current_->SetClientData(this);
+        on_make_current_->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+            static_cast<Context*>(self)->make_current();
+        });
+        on_is_current_->SetClientData(this);
+        on_is_current_->SetCallback([](vtkObject*, unsigned long, void* self, void* answer) {
+            *static_cast<bool*>(answer) =
+                OSMesaGetCurrentContext() == static_cast<Context*>(self)->osmesa_.get();
+        });
+        window_->AddObserver(vtkCommand::WindowMakeCurrentEvent, on_make_current_);
+        window_->AddObserver(vtkCommand::WindowIsCurrentEvent, on_is_current_);
+        window_->SetOffScreenRendering(1);
+        window_->SetSupportsOpenGL(1);
+        window_->SetIsDirect(0);
+        window_->SetReadyForRendering(true);
+        window_->SetMultiSamples(0);
+        window_->SetAlphaBitPlanes(1);
+        window_->SetSize(width, height);
+    }
+
+    ~Context() {
+        // VTK's window frees its OpenGL objects, for which the context must be current and alive.
+        make_current_quietly();
+        window_->Finalize();
+        window_->RemoveAllObservers();
+    }
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    void make_current() {
+        if (!make_current_quietly()) fail("OSMesa's context cannot be used", "", "is memory short?");
+    }
+
+    vtkGenericOpenGLRenderWindow& window() { return *window_; }
+
+  private:
+    bool make_current_quietly() {
+        // VTK draws into frame buffers of its own; OSMesa's only has to exist.
+        return OSMesaMakeCurrent(osmesa_.get(), pixels_.data(), GL_UNSIGNED_BYTE, k_side, k_side) == GL_TRUE;
+    }
+
+    struct Destroy {
+        void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
+    };
+    static constexpr int k_side = 16;
+    std::array<unsigned char, 4 * k_side * k_side> pixels_{};
+    std::unique_ptr<osmesa_context, Destroy> osmesa_;
+    vtkNew<vtkCallbackCommand> on_make_current_, on_is_current_;
+    vtkNew<vtkGenericOpenGLRenderWindow> window_;
+};
+
+OsmesaWindow::OsmesaWindow(int width, int height) {
+    if (width < 1 || height < 1 || width > 16384 || height > 16384) {
+        throw Error(ErrorKind::input, Problem{"picture size is out of range", "",
+                                              std::to_string(width) + " x " + std::to_string(height),
+                                              "1 to 16384 pixels a side", ""});
+    }
+    VtkErrors errors;
+    context_ = std::make_unique<Context>(width, height);
+    errors.throw_if_any("off-screen drawing could not be set up");
+}
+
+OsmesaWindow::~OsmesaWindow() {
+    const VtkErrors silence;  // nothing can be done about an error any more
+    context_.reset();
+}
+
+vtkRenderWindow& OsmesaWindow::vtk() noexcept {
+    return context_->window();
+}
+
+void OsmesaWindow::resize(int width, int height) {
+    context_->window().SetSize(width, height);
+}
+
+void OsmesaWindow::render() {
+    VtkErrors errors;
+    context_->make_current();
+    context_->window().Render();
+    errors.throw_if_any("the picture could not be drawn");
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+        fail("OpenGL reports an error", std::to_string(error), "this is a fault of the drawing system");
+    }
+}
+
+Image OsmesaWindow::read_rgb() {
+    VtkErrors errors;
+    context_->make_current();
+    const int* size = context_->window().GetSize();
+    vtkNew<vtkUnsignedCharArray> bytes;
+    context_->window().GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes, 0);
+    errors.throw_if_any("the picture could not be read back");
+    Image image(size[0], size[1]);
+    const std::size_t line = 3 * static_cast<std::size_t>(size[0]);
+    for (int row = 0; row < size[1]; ++row) {  // OpenGL counts rows from below
+        const std::size_t from = line * static_cast<std::size_t>(size[1] - 1 - row);
+        std::memcpy(image.pixel(0, row), bytes->GetPointer(static_cast<vtkIdType>(from)), line);
+    }
+    return image;
+}
+
+LayerImage OsmesaWindow::read_rgba() {
+    VtkErrors errors;
+    context_->make_current();
+    const int* size = context_->window().GetSize();
+    vtkNew<vtkUnsignedCharArray> bytes;
+    context_->window().GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes, 0);
+    errors.throw_if_any("the picture could not be read back");
+    const std::size_t line = 4 * static_cast<std::size_t>(size[0]);
+    LayerImage image{size[0], size[1], std::vector<std::uint8_t>(line * static_cast<std::size_t>(size[1]))};
+    for (int row = 0; row < size[1]; ++row) {
+        const std::size_t from = line * static_cast<std::size_t>(size[1] - 1 - row);
+        std::memcpy(image.rgba.data() + line * static_cast<std::size_t>(row),
+                    bytes->GetPointer(static_cast<vtkIdType>(from)), line);
+    }
+    return image;
+}
+
+}  // namespace frana::render

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/colour.h"
+#include "core/raster.h"
+#include "render/map/map2d.h"
+
+namespace frana::render {
+
+/// A class of values and its colour; open ends are infinite.
+struct ColourClass {
+    double lower = 0, upper = 0;
+    std::string label;
+    Rgb colour;
+};
+
+/// The least and greatest value of a raster.
+struct ValueRange {
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool empty() const noexcept { return !(least <= greatest); }  ///< no values at all
+};
+ValueRange value_range(const Raster& raster);
+
+/// What a colour scale is made from; members as in MapSpec.
+struct ScaleRequest {
+    std::string palette;
+    std::optional<double> maximum;
+    std::vector<double> classes;
+    bool continuous = false;
+    std::vector<ClassLabel> categories;
+    const Raster* layer = nullptr;
+    bool for_unseen_values = false;  ///< values of other rasters will come: classes open at the ends
+};
+
+/// Which colour a value gets: one of a few classes, the same on the map and in the legend.
+class ColourScale {
+  public:
+    /// No classes at all: nothing is coloured.
+    ColourScale() = default;
+    /// Throws Error(input) with every contradiction found.
+    explicit ColourScale(const ScaleRequest& request);
+
+    /// The class of a value; null for NaN and for values that have none.
+    [[nodiscard]] const ColourClass* find(double value) const noexcept;
+    [[nodiscard]] const std::vector<ColourClass>& classes() const noexcept { return classes_; }
+    [[nodiscard]] bool categorical() const noexcept { return categorical_; }
+    /// The bounds that a legend numbers; none of categories.
+    [[nodiscard]] const std::vector<double>& bounds() const noexcept { return bounds_; }
+    /// Of a continuous scale: how many classes, too fine to be told apart, lie between two bounds; else 1.
+    [[nodiscard]] int slices() const noexcept { return slices_; }
+
+  private:
+    void set_categories(const std::vector<ClassLabel>& categories);
+    void set_bounds(bool open_below, bool open_above, const Palette& palette);
+
+    std::vector<ColourClass> classes_;
+    bool categorical_ = false;
+    std::vector<double> bounds_;
+    int slices_ = 1;
+};
+
+}  // namespace frana::render

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/canvas/page_style.h"
+#include "render/canvas/sheet.h"
+#include "render/map/map2d.h"
+#include "render/map/map_body.h"
+
+namespace frana::render {
+
+/// What lies under and over the layer of a map and does not depend on it: relief or picture, contour lines,
+/// outlines, frame and coordinates. It is most of a map's work.
+struct MapGround {
+    /// What it was drawn for.
+    int width = 0, height = 0;
+    double density = 1;
+    MapFrame frame;
+    const Raster* terrain = nullptr;
+    const Raster* kept_clear = nullptr;  ///< of contours' labels
+    std::vector<Outline> outlines;
+
+    Image paper;    ///< with the relief inside the frame
+    Overlay above;  ///< lines and texts, white outside the frame
+    std::vector<TextBox> texts;
+    double contour_interval = 0;  ///< [m]; 0: no contours
+};
+
+/// The same ground again where `kept` was drawn for the same frame, terrain and outlines, else a new one,
+/// which is then kept.
+const MapGround& ground_for(const MapSpec& spec, const MapFrame& frame, double density,
+                            std::shared_ptr<const MapGround>& kept);
+
+}  // namespace frana::render

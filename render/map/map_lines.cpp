@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/map/map_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "render/canvas/raster_window.h"
+#include "render/canvas/ticks.h"
+#include "render/map/colour_scale.h"
+#include "render/map/contours.h"
+#include "render/map/legend.h"
+
+namespace frana::render {
+namespace {
+
+constexpr Rgb k_contour{72, 62, 50};
+constexpr int k_index_every = 5;
+
+double distance(Point a, Point b) {
+    return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+bool layer_lies_under(const PageBox& box, const MapFrame& frame, const Raster& layer) {
+    constexpr int k_probes = 8;
+    for (int i = 0; i <= k_probes; ++i) {
+        for (int j = 0; j <= k_probes; ++j) {
+            const double x = box.left + box.width() * i / k_probes, y = box.top + box.height() * j / k_probes;
+            const Point map = frame.ground(static_cast<int>(x) - frame.left, static_cast<int>(y) - frame.top);
+            if (!std::isnan(cell_value(layer, map))) return true;
+        }
+    }
+    return false;
+}
+
+/// Where a contour's label of a given length fits: the straightest stretch clear of everything else.
+class LabelPlaces {
+  public:
+    LabelPlaces(const PageStyle& style, const MapFrame& frame, const Raster* layer,
+                const std::vector<Outline>& outlines, const Sheet& sheet)
+        : style_(style), frame_(frame), layer_(layer) {
+        for (const TextBox& text : sheet.texts()) taken_.push_back(text.box);
+        for (const Outline& outline : outlines) {
+            for (const Polygon& polygon : outline.polygons) {
+                keep_off(polygon.outer, true);
+                for (const Ring& hole : polygon.holes) keep_off(hole, true);
+            }
+            for (const Polyline& line : outline.lines) keep_off(line, false);
+            for (const NamedPlace& one : outline.places) keep_off({one.place, one.place}, false);
+        }
+    }
+
+    void put(const Polyline& line, const std::string& words, const TextStyle& label, Sheet& sheet) {
+        const double length = sheet.lettering().width(words, label), wanted = length + 1.2 * label.size_px;
+        double best_straight = 0.97;  // chord over arc; less looks pasted across the line
+        std::optional<PageBox> best;
+        TextStyle best_style = label;
+        Point best_at;
+        std::size_t end = 0;
+        double along = 0;  // from begin to end
+        for (std::size_t begin = 0; begin + 1 < line.size(); ++begin) {
+            while (end + 1 < line.size() && along < wanted) {
+                along += distance(line[end], line[end + 1]);
+                ++end;
+            }
+            if (along < wanted) break;
+            const Point a = line[begin], b = line[end];
+            const double straight = distance(a, b) / along;
+            if (straight > best_straight) {
+                TextStyle turned = label;
+                turned.angle_deg = -std::atan2(b.y - a.y, b.x - a.x) * 180 / std::numbers::pi;
+                if (turned.angle_deg > 90) turned.angle_deg -= 180;
+                if (turned.angle_deg <= -90) turned.angle_deg += 180;
+                const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+                const PageBox box = box_of(middle, length, label.size_px, turned.angle_deg);
+                if (is_free(box)) {
+                    best_straight = straight;
+                    best = box;
+                    best_style = turned;
+                    best_at = middle;
+                }
+            }
+            along -= distance(line[begin], line[begin + 1]);
+        }
+        if (!best) return;
+        taken_.push_back(sheet.text(words, best_at, best_style, Across::centre, Upright::middle).box);
+    }
+
+  private:
+    /// Round figures of this length, turned; a pixel of grace, since they are not set yet.
+    static PageBox box_of(Point middle, double length, double size, double angle_deg) {
+        const double angle = angle_deg * std::numbers::pi / 180, capital = 0.75 * size;
+        const double across = (length * std::fabs(std::cos(angle)) + capital * std::fabs(std::sin(angle))) / 2 + 1;
+        const double upright = (length * std::fabs(std::sin(angle)) + capital * std::fabs(std::cos(angle))) / 2 + 1;
+        return {middle.x - across, middle.y - upright, middle.x + across, middle.y + upright};
+    }
+
+    /// Small boxes along an outline, as if labels stood there.
+    void keep_off(const Polyline& ring, bool closed) {
+        const double step = style_.gap;
+        for (std::size_t i = 0; i + (closed ? 0 : 1) < ring.size(); ++i) {
+            const Point a = frame_.page(ring[i]), b = frame_.page(ring[(i + 1) % ring.size()]);
+            const int parts = std::clamp(static_cast<int>(distance(a, b) / step), 1, 1000);
+            for (int k = 0; k < parts; ++k) {
+                const Point p{a.x + (b.x - a.x) * k / parts, a.y + (b.y - a.y) * k / parts};
+                const PageBox dot{p.x - step / 2, p.y - step / 2, p.x + step / 2, p.y + step / 2};
+                if (dot.overlaps(frame_.box())) outlines_.push_back(dot);
+            }
+        }
+    }
+
+    [[nodiscard]] bool is_free(const PageBox& box) const {
+        const double rim = style_.gap;
+        const PageBox wide{box.left - rim, box.top - rim, box.right + rim, box.bottom + rim};
+        if (!wide.inside(frame_.box())) return false;
+        // Labels of neighbouring lines stacked like rungs are worse than few labels.
+        const double apart = 5 * style_.gap;
+        const PageBox lonely{box.left - apart, box.top - apart, box.right + apart, box.bottom + apart};
+        if (std::any_of(taken_.begin(), taken_.end(), [&](const PageBox& t) { return lonely.overlaps(t); }))
+            return false;
+        if (std::any_of(outlines_.begin(), outlines_.end(),
+                        [&](const PageBox& dot) { return dot.overlaps(box); })) {
+            return false;
+        }
+        return layer_ == nullptr || !layer_lies_under(box, frame_, *layer_);
+    }
+
+    const PageStyle& style_;
+    const MapFrame& frame_;
+    const Raster* layer_;
+    std::vector<PageBox> taken_;     ///< by labels
+    std::vector<PageBox> outlines_;  ///< dots along them
+};
+
+}  // namespace
+
+double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const Raster& terrain,
+                     const Raster* layer, const std::vector<Outline>& outlines) {
+    // Two pixels to a cell: finer crossings cannot be told apart on the page.
+    const Raster part = raster_window(terrain, frame.window, std::max(frame.width, frame.height) / 2);
+    if (part.grid.columns < 2 || part.grid.rows < 2) return 0;
+    const ValueRange heights = value_range(part);
+    if (heights.empty() || heights.greatest - heights.least < 1e-6) return 0;
+    constexpr double k_wanted_lines = 32;
+    const double interval = nice_step_above((heights.greatest - heights.least) / k_wanted_lines);
+
+    std::vector<Contour> contours = contour_lines(part, interval);
+    const LineStyle thin{style.line(0.9), k_contour, 0.34, {}};
+    const LineStyle strong{style.line(1.7), k_contour, 0.5, {}};
+    const auto is_index = [&](const Contour& c) {
+        return std::lround(c.level / interval) % k_index_every == 0;
+    };
+    for (Contour& contour : contours) {
+        for (Point& p : contour.points) p = frame.page(p);
+        sheet.canvas().line(contour.points, is_index(contour) ? strong : thin);
+    }
+    TextStyle label = style.small;
+    label.colour = {60, 50, 38};
+    label.halo_px = std::max(1.5, style.length(2.5));
+    label.halo = {232, 231, 228};
+    LabelPlaces places(style, frame, layer, outlines, sheet);
+    for (const Contour& contour : contours) {
+        if (is_index(contour)) places.put(contour.points, number(contour.level), label, sheet);
+    }
+    return interval;
+}
+
+void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
+                   const std::vector<Outline>& outlines) {
+    const PageBox box = frame.box();
+    const auto far_outside =
+        [&](Point p) {  // keeps coordinates small; the caller covers what leaves the frame
+            return p.x < box.left - 1e5 || p.x > box.right + 1e5 || p.y < box.top - 1e5 ||
+                   p.y > box.bottom + 1e5;
+        };
+    const auto stroke = [&](const Polyline& map_line, const LineStyle& line, bool closed) {
+        Polyline points;
+        for (const Point map : map_line) points.push_back(frame.page(map));
+        if (std::none_of(points.begin(), points.end(), far_outside)) sheet.canvas().line(points, line, closed);
+    };
+    for (const bool rim : {true, false}) {
+        for (const Outline& outline : outlines) {
+            const double width = style.line(outline.width_px);
+            const LineStyle line = rim ? LineStyle{width + 2 * style.line(1.3), {255, 255, 255}, 0.999, {}}
+                                       : LineStyle{width, outline.colour, 1, outline_dashes(outline, width)};
+            for (const Polygon& polygon : outline.polygons) {
+                stroke(polygon.outer, line, true);
+                for (const Ring& hole : polygon.holes) stroke(hole, line, true);
+            }
+            for (const Polyline& open : outline.lines) stroke(open, line, false);
+            for (const NamedPlace& one : outline.places) {
+                const Point at = frame.page(one.place);
+                if (!rim && !far_outside(at)) draw_place(sheet.canvas(), style, at, outline.colour);
+            }
+        }
+    }
+}
+
+void draw_place(Canvas& canvas, const PageStyle& style, Point at, Rgb colour) {
+    const auto triangle = [&](double reach, Rgb ink) {
+        canvas.fill(std::array<Point, 3>{{{at.x, at.y - reach},
+                                          {at.x + 0.87 * reach, at.y + reach / 2},
+                                          {at.x - 0.87 * reach, at.y + reach / 2}}},
+                    ink);
+    };
+    const double reach = 0.55 * style.label.size_px;
+    triangle(reach + 2 * style.line(1.3), {255, 255, 255});
+    triangle(reach, colour);
+}
+
+void draw_place_names(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
+                      const std::vector<Outline>& outlines) {
+    TextStyle name = style.small;
+    name.colour = k_ink;
+    name.halo_px = std::max(1.5, style.length(2.5));
+    const double away = 0.8 * style.label.size_px;
+    for (const Outline& outline : outlines) {
+        for (const NamedPlace& one : outline.places) {
+            if (one.name.empty()) continue;
+            const Point at = frame.page(one.place);
+            const struct {
+                Point shift;
+                Across across;
+                Upright upright;
+            } tries[] = {{{away, 0}, Across::left, Upright::middle},
+                         {{-away, 0}, Across::right, Upright::middle},
+                         {{0, -away}, Across::centre, Upright::baseline},
+                         {{0, away}, Across::centre, Upright::top}};
+            for (const auto& one_try : tries) {
+                const Point to{at.x + one_try.shift.x, at.y + one_try.shift.y};
+                const PageBox box = sheet.lettering().place(one.name, to, name, one_try.across, one_try.upright).box;
+                const bool taken = std::any_of(sheet.texts().begin(), sheet.texts().end(),
+                                               [&](const TextBox& text) { return text.box.overlaps(box); });
+                if (taken || !box.inside(frame.box())) continue;
+                sheet.text(one.name, to, name, one_try.across, one_try.upright);
+                break;
+            }
+        }
+    }
+}
+
+void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& frame, bool projected) {
+    const Lettering& lettering = sheet.lettering();
+    const PageBox box = frame.box();
+    const double widest = std::max(lettering.width(grouped(frame.window.east) + " E", style.small),
+                                   lettering.width(grouped(frame.window.north) + " N", style.small));
+    const double metre = frame.metres_per_pixel();
+    // Coordinates are given in full metres, so the step is never less than one.
+    const double step = std::max(1.0, nice_step_above(1.7 * widest * metre));
+    const std::vector<double> eastings = multiples(frame.window.west, frame.window.east, step);
+    const std::vector<double> northings = multiples(frame.window.south, frame.window.north, step);
+    const double tick = style.length(8), text_gap = tick + 0.45 * style.small.size_px;
+    const LineStyle line{style.line(1.2), k_ink, 1, {}};
+    Canvas& canvas = sheet.canvas();
+
+    for (const double easting : eastings) {
+        const double x = frame.page({easting, 0}).x;
+        const std::array<Point, 2> mark{{{x, box.bottom}, {x, box.bottom + tick}}};
+        canvas.line(mark, line);
+        const std::string words = grouped(easting) + (projected ? " E" : "");
+        const double half = lettering.width(words, style.small) / 2;
+        if (x - half < box.left || x + half > box.right) continue;
+        sheet.text(words, {x, box.bottom + text_gap}, style.small, Across::centre, Upright::top);
+    }
+    TextStyle upright = style.small;
+    upright.angle_deg = 90;
+    for (const double northing : northings) {
+        const double y = frame.page({0, northing}).y;
+        const std::array<Point, 2> mark{{{box.left - tick, y}, {box.left, y}}};
+        canvas.line(mark, line);
+        const std::string words = grouped(northing) + (projected ? " N" : "");
+        const double half = lettering.width(words, style.small) / 2;
+        if (y - half < box.top || y + half > box.bottom) continue;
+        sheet.text(words, {box.left - text_gap, y}, upright, Across::centre, Upright::baseline);
+    }
+    const double arm = style.length(7);
+    const LineStyle cross{style.line(1.1), {20, 20, 20}, 0.55, {}};
+    for (const double easting : eastings) {
+        for (const double northing : northings) {
+            const Point p = frame.page({easting, northing});
+            if (p.x < box.left + arm || p.x > box.right - arm || p.y < box.top + arm ||
+                p.y > box.bottom - arm)
+                continue;
+            const std::array<Point, 2> level{{{p.x - arm, p.y}, {p.x + arm, p.y}}};
+            const std::array<Point, 2> plumb{{{p.x, p.y - arm}, {p.x, p.y + arm}}};
+            canvas.line(level, cross);
+            canvas.line(plumb, cross);
+        }
+    }
+}
+
+}  // namespace frana::render

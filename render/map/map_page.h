@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "render/canvas/map_layout.h"
+#include "render/map/colour_scale.h"
+#include "render/map/map2d.h"
+#include "render/map/map_ground.h"
+
+namespace frana::render {
+
+/// A map without its layer: ground, legend and words drawn once, ready to receive one layer after the other.
+class MapPage {
+  public:
+    /// `for_frames`: other layers than the specification's will come, each with a subtitle of its own. `ground` is
+    /// taken where it fits, else drawn and put there.
+    MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& ground);
+
+    /// The map with a layer and dots (none if null) and a subtitle; the latter only where the page was made for
+    /// frames.
+    [[nodiscard]] Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle) const;
+
+    [[nodiscard]] const MapLayout& layout() const noexcept { return layout_; }
+    [[nodiscard]] const ColourScale& scale() const noexcept { return scale_; }
+
+  private:
+    void arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& ground);
+
+    ColourScale scale_;
+    MapFrame frame_;
+    MapLayout layout_;
+    std::shared_ptr<const MapGround> ground_;
+    Overlay words_;  ///< title, legend, scale, foot
+    Image inset_;
+    Point subtitle_at_;
+};
+
+}  // namespace frana::render

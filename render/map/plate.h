@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "render/canvas/image.h"
+#include "render/canvas/map_layout.h"
+
+namespace frana::render {
+
+/// Draws one part of a plate in so many pixels.
+using PlatePart = std::function<Image(int width, int height)>;
+
+/// Several pictures on one page under a common title, row by row.
+struct Plate {
+    std::string title, subtitle, foot;
+    int across = 2;
+    std::vector<PlatePart> parts;
+};
+
+/// Grows beyond the size asked for where parts would be smaller than 480 x 360. Throws as the parts do. `texts`, if given, receives the plate's own texts.
+Image draw_plate(const Plate& plate, int width, int height, std::vector<TextBox>* texts = nullptr);
+
+}  // namespace frana::render

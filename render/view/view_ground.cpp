@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/view/view_ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "render/canvas/page_style.h"
+#include "render/map/hillshade.h"
+#include "render/map/map_body.h"
+
+namespace frana::render {
+namespace {
+
+constexpr std::int64_t k_mesh_cells = 200;    // a side: 80,000 triangles, finer than the eye can tell under a texture
+constexpr std::int64_t k_texels = 2048;        // a side at most
+constexpr std::int64_t k_texels_per_cell = 3;  // keeps the edges of cells sharp between interpolated texels
+
+Bounds shown_part(const Raster& terrain, const Raster* layer) {
+    const Bounds all = terrain.grid.bounds();
+    const std::optional<Bounds> data = layer != nullptr ? data_bounds(*layer) : std::nullopt;
+    if (!data) return all;
+    constexpr double k_around = 0.75;  // of the flow's greater side, on each side
+    const double margin =
+        std::max(k_around * std::max(data->width(), data->height()), 20 * layer->grid.cell_size);
+    return {std::max(all.west, data->west - margin), std::max(all.south, data->south - margin),
+            std::min(all.east, data->east + margin), std::min(all.north, data->north + margin)};
+}
+
+}  // namespace
+
+ViewGround::ViewGround(const Raster& terrain, const Raster* layer, double exaggeration, const Background& background)
+    : exaggeration_(exaggeration) {
+    const Bounds part = shown_part(terrain, layer);
+    heights_ = raster_window(terrain, part, k_mesh_cells);
+    const ValueRange range = value_range(heights_);
+    if (heights_.grid.columns < 2 || heights_.grid.rows < 2 || range.empty()) {
+        throw Error(ErrorKind::input,
+                    Problem{"a view needs terrain where its layer is", "", "", "", "is it the right DTM?"});
+    }
+    const Bounds box = heights_.grid.bounds();
+    origin_ = {(box.west + box.east) / 2, (box.south + box.north) / 2};
+    base_ = range.least;
+    highest_ = exaggeration_ * (range.greatest - base_);
+    lowest_ = 0;
+
+    const Raster detail = raster_window(terrain, part, k_texels);
+    const Raster shade = hillshade(detail);
+    const ReliefTones tones(shade);
+    const double cell =
+        std::min(detail.grid.cell_size, layer != nullptr ? layer->grid.cell_size : detail.grid.cell_size);
+    const double longer = std::max(box.width(), box.height());
+    const double texel = std::max(cell / k_texels_per_cell, longer / static_cast<double>(k_texels));
+    texture_columns_ = std::max(2, static_cast<int>(box.width() / texel));
+    texture_rows_ = std::max(2, static_cast<int>(box.height() / texel));
+    relief_.reserve(3 * static_cast<std::size_t>(texture_columns_) * static_cast<std::size_t>(texture_rows_));
+    for (int row = 0; row < texture_rows_; ++row) {
+        for (int column = 0; column < texture_columns_; ++column) {
+            const Point map{box.west + (column + 0.5) * box.width() / texture_columns_,
+                            box.south + (row + 0.5) * box.height() / texture_rows_};
+            const double value = interpolated(shade, map);
+            const Rgb colour = std::isnan(value) ? k_no_terrain : tones.colour(value);
+            relief_.insert(relief_.end(), {colour.r, colour.g, colour.b});
+        }
+    }
+    if (background) lay(background(box, texture_columns_, texture_rows_));
+}
+
+void ViewGround::lay(const LayerImage& picture) {
+    for (int row = 0; row < texture_rows_; ++row) {
+        const std::size_t to = static_cast<std::size_t>(texture_rows_ - 1 - row) *
+                               static_cast<std::size_t>(texture_columns_);  // the texture begins in the south
+        const std::size_t from = static_cast<std::size_t>(row) * static_cast<std::size_t>(texture_columns_);
+        for (std::size_t column = 0; column < static_cast<std::size_t>(texture_columns_); ++column) {
+            const std::uint8_t* ink = picture.rgba.data() + 4 * (from + column);
+            std::uint8_t* texel = relief_.data() + 3 * (to + column);
+            for (int k = 0; k < 3; ++k)
+                texel[k] = static_cast<std::uint8_t>(ink[k] + texel[k] * (255 - ink[3]) / 255);
+        }
+    }
+}
+
+ScenePoint ViewGround::scene(Point map, double above) const {
+    return {map.x - origin_.x, map.y - origin_.y,
+            exaggeration_ * (interpolated(heights_, map) + above - base_)};
+}
+
+bool ViewGround::hides(const ScenePoint& eye, const ScenePoint& point) const {
+    constexpr int k_looks = 64;
+    const double margin = 0.01 * (highest_ - lowest_);
+    for (int i = 0; i < k_looks; ++i) {
+        const double share = static_cast<double>(i) / k_looks;
+        const Point map{origin_.x + eye.x + share * (point.x - eye.x), origin_.y + eye.y + share * (point.y - eye.y)};
+        const double ground = scene(map, 0).z;  // not a number beyond the terrain, which hides nothing
+        if (eye.z + share * (point.z - eye.z) < ground - margin) return true;
+    }
+    return false;
+}
+
+std::vector<ScenePoint> ViewGround::sample(const Raster* layer, std::int64_t most) const {
+    const Raster& from = layer != nullptr && data_bounds(*layer) ? *layer : heights_;
+    std::int64_t n_values = 0;
+    for (const double value : from.values) n_values += std::isnan(value) ? 0 : 1;
+    const std::int64_t step = std::max<std::int64_t>(1, n_values / most);
+    std::vector<ScenePoint> points;
+    std::int64_t k = 0;
+    for (std::int64_t row = 0; row < from.grid.rows; ++row) {
+        for (std::int64_t column = 0; column < from.grid.columns; ++column) {
+            if (!from.has_data(row, column) || k++ % step != 0) continue;
+            const ScenePoint p = scene(from.grid.cell_centre(row, column), 0);
+            if (!std::isnan(p.z)) points.push_back(p);
+        }
+    }
+    return points;
+}
+
+std::vector<std::uint8_t> ViewGround::colours(const Raster* layer, const ColourScale& scale) const {
+    std::vector<std::uint8_t> bytes = relief_;
+    const std::optional<Bounds> data = layer != nullptr ? data_bounds(*layer) : std::nullopt;
+    if (!data) return bytes;
+    const Bounds box = heights_.grid.bounds();
+    const double wide = box.width() / texture_columns_, high = box.height() / texture_rows_;
+    const auto texel = [](double place, int count) {
+        return static_cast<int>(std::clamp(std::floor(place), 0.0, static_cast<double>(count)));
+    };
+    const int last_row = texel((data->north - box.south) / high + 1, texture_rows_);
+    const int last_column = texel((data->east - box.west) / wide + 1, texture_columns_);
+    for (int row = texel((data->south - box.south) / high, texture_rows_); row < last_row; ++row) {
+        for (int column = texel((data->west - box.west) / wide, texture_columns_); column < last_column;
+             ++column) {
+            const Point map{box.west + (column + 0.5) * wide, box.south + (row + 0.5) * high};
+            const ColourClass* found = scale.find(cell_value(*layer, map));
+            if (found == nullptr) continue;
+            std::uint8_t* p = bytes.data() + 3 * (static_cast<std::size_t>(row) *
+                                                      static_cast<std::size_t>(texture_columns_) +
+                                                  static_cast<std::size_t>(column));
+            // Where the relief is dark the colour is darkened too, but less, to stay the legend's.
+            constexpr double k_least_light = 0.88;
+            const double light =
+                std::clamp(k_least_light + (1 - k_least_light) * (p[1] - 138) / 90.0, k_least_light, 1.0);
+            const auto lit = [light](std::uint8_t v) {
+                return static_cast<std::uint8_t>(std::lround(light * v));
+            };
+            p[0] = lit(found->colour.r);
+            p[1] = lit(found->colour.g);
+            p[2] = lit(found->colour.b);
+        }
+    }
+    return bytes;
+}
+
+}  // namespace frana::render

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/canvas/image.h"
+#include "render/view/view_camera.h"
+#include "render/view/view_ground.h"
+
+namespace frana::render {
+
+/// The ground in perspective, drawn by VTK: a mesh with a texture, walls where the terrain is cut off, lines
+/// on it.
+class ViewScene {
+  public:
+    ViewScene(const ViewGround& ground, int width, int height);
+    ~ViewScene();
+    ViewScene(const ViewScene&) = delete;
+    ViewScene& operator=(const ViewScene&) = delete;
+
+    /// For another view of the same ground: its camera and size, no lines yet.
+    void start(const PlacedCamera& camera, int width, int height);
+    void set_camera(const PlacedCamera& camera);
+    /// A blue sky, or plain white.
+    void set_sky(bool sky);
+    /// Colours of the ground, as ViewGround::colours gives them.
+    void set_colours(std::vector<std::uint8_t> colours);
+    /// Raises the surface by a thickness where it has values; null: the bare ground.
+    void set_thickness(const Raster* thickness);
+    void add_line(const std::vector<ScenePoint>& points, double width_px, Rgb colour);
+
+    /// Particles of a width in pixels, in the place of those before.
+    void set_dots(const std::vector<ScenePoint>& places, const std::vector<Rgb>& colours, double width_px);
+
+    /// Throws Error(environment) when VTK or OpenGL fails.
+    [[nodiscard]] Image draw();
+
+  private:
+    class Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace frana::render
