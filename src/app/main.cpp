@@ -20,7 +20,7 @@
 #include "core/error.h"
 #include "core/system_remedy.h"
 #include "gis/access/network.h"
-#include "params/nearest_name.h"
+#include "params/grammar/nearest_name.h"
 
 namespace frana::app {
 namespace {

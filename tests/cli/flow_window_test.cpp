@@ -4,7 +4,7 @@
 
 #include "app/input/share_directory.h"
 #include "gis/raster/raster_in.h"
-#include "params/law_names.h"
+#include "params/keys/law_names.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

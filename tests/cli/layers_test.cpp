@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "params/scene_parameters.h"
+#include "params/keys/scene_parameters.h"
 
 namespace frana::app {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/store/checkpoint_file.h"
 #include "app/store/scene_identity.h"
 #include "gis/raster/raster_in.h"
-#include "params/read_scene.h"
+#include "params/scene/read_scene.h"
 #include "simulation/simulation.h"
 #include "tiny_scene.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/publish/report.h"
-#include "params/scene_parameters.h"
+#include "params/keys/scene_parameters.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

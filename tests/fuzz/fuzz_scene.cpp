@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include "harness.h"
-#include "params/read_scene.h"
-#include "params/write_scene.h"
+#include "params/scene/read_scene.h"
+#include "params/scene/write_scene.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "params/scene_parameters.h"
+#include "params/keys/scene_parameters.h"
 #include "trial_ground.h"
 #include "trials.h"
 

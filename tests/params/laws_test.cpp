@@ -3,9 +3,9 @@
 // echoed.
 #include <algorithm>
 
-#include "params/law_names.h"
-#include "params/materials.h"
-#include "params/write_scene.h"
+#include "params/keys/law_names.h"
+#include "params/keys/materials.h"
+#include "params/scene/write_scene.h"
 #include "scene_fixture.h"
 
 namespace frana {

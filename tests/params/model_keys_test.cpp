@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "params/model_keys.h"
+#include "params/keys/model_keys.h"
 
-#include "params/scene_parameters.h"
-#include "params/write_scene.h"
+#include "params/keys/scene_parameters.h"
+#include "params/scene/write_scene.h"
 #include "scene_fixture.h"
 
 namespace frana {

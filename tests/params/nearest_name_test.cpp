@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "params/nearest_name.h"
+#include "params/grammar/nearest_name.h"
 
 #include <gtest/gtest.h>
 
-#include "params/scene_parameters.h"
+#include "params/keys/scene_parameters.h"
 
 namespace frana {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "params/read_scene.h"
-#include "params/absolute_path.h"
+#include "params/scene/read_scene.h"
+#include "params/grammar/absolute_path.h"
 
 #include <cmath>
 

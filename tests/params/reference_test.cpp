@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "params/reference.h"
+#include "params/scene/reference.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <iterator>
 #include <set>
 
-#include "params/materials.h"
-#include "params/scene_parameters.h"
+#include "params/keys/materials.h"
+#include "params/keys/scene_parameters.h"
 #include "scene_fixture.h"
 
 namespace frana {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "params/read_scene.h"
+#include "params/scene/read_scene.h"
 
 namespace frana {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "params/value_text.h"
+#include "params/grammar/value_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "params/write_scene.h"
+#include "params/scene/write_scene.h"
 
-#include "params/scene_parameters.h"
+#include "params/keys/scene_parameters.h"
 #include "scene_fixture.h"
 
 namespace frana {

@@ -20,7 +20,7 @@
 #include "core/error.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
-#include "params/scene_spec.h"
+#include "params/keys/scene_spec.h"
 
 namespace frana::app {
 namespace {

@@ -4,7 +4,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/input/share_directory.h"
-#include "params/materials.h"
+#include "params/keys/materials.h"
 
 namespace frana::app {
 

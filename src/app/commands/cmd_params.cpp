@@ -4,7 +4,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "core/error.h"
-#include "params/reference.h"
+#include "params/scene/reference.h"
 
 namespace frana::app {
 

@@ -11,7 +11,7 @@
 
 #include "core/error.h"
 #include "core/json.h"
-#include "params/scene_parameters.h"
+#include "params/keys/scene_parameters.h"
 
 namespace frana::app {
 

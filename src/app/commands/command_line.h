@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "params/picture_text.h"
-#include "params/value_text.h"
+#include "params/grammar/picture_text.h"
+#include "params/grammar/value_text.h"
 
 namespace frana::app {
 

@@ -20,7 +20,7 @@
 #include "core/error.h"
 #include "core/json.h"
 #include "gis/access/time_limit.h"
-#include "params/value_text.h"
+#include "params/grammar/value_text.h"
 
 namespace frana::app {
 namespace {

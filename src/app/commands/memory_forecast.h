@@ -7,7 +7,7 @@
 
 #include "app/commands/time_estimate.h"
 #include "app/input/prepare.h"
-#include "params/picture_text.h"
+#include "params/grammar/picture_text.h"
 #include "simulation/result.h"
 
 namespace frana::app {

@@ -2,7 +2,7 @@
 #include "app/compare/comparison_input.h"
 
 #include "app/store/provenance.h"
-#include "params/scene_parameters.h"
+#include "params/keys/scene_parameters.h"
 
 namespace frana::app {
 

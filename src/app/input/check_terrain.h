@@ -3,7 +3,7 @@
 
 #include "app/text/run_log.h"
 #include "core/raster.h"
-#include "params/read_scene.h"
+#include "params/scene/read_scene.h"
 
 namespace frana::app {
 

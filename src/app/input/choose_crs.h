@@ -5,7 +5,7 @@
 
 #include "app/text/run_log.h"
 #include "gis/raster/raster_in.h"
-#include "params/read_scene.h"
+#include "params/scene/read_scene.h"
 
 namespace frana::app {
 

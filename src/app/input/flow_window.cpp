@@ -10,7 +10,7 @@
 #include "gis/raster/elevation_sample.h"
 #include "gis/vector/lines_in.h"
 #include "gis/vector/marks_in.h"
-#include "params/law_names.h"
+#include "params/keys/law_names.h"
 
 namespace frana::app {
 namespace {

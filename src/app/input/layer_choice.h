@@ -4,7 +4,7 @@
 #include <string>
 
 #include "gis/vector/vector_in.h"
-#include "params/read_scene.h"
+#include "params/scene/read_scene.h"
 
 namespace frana::app {
 

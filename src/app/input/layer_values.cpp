@@ -7,7 +7,7 @@
 #include "app/text/number_text.h"
 #include "core/json.h"
 #include "gis/crs/crs.h"
-#include "params/scene_parameters.h"
+#include "params/keys/scene_parameters.h"
 
 namespace frana::app {
 namespace {

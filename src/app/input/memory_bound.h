@@ -5,7 +5,7 @@
 
 #include "app/process/machine_memory.h"
 #include "app/text/run_log.h"
-#include "params/read_scene.h"
+#include "params/scene/read_scene.h"
 #include "simulation/scene.h"
 
 namespace frana::app {

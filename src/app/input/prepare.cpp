@@ -15,7 +15,7 @@
 #include "app/text/number_text.h"
 #include "core/json.h"
 #include "gis/crs/crs.h"
-#include "params/law_names.h"
+#include "params/keys/law_names.h"
 #include "simulation/arrivals.h"
 #include "simulation/scene_origin.h"
 

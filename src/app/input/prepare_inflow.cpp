@@ -12,9 +12,9 @@
 #include "core/json.h"
 #include "gis/access/table_in.h"
 #include "gis/vector/lines_in.h"
-#include "params/absolute_path.h"
-#include "params/read_scene.h"
-#include "params/value_text.h"
+#include "params/grammar/absolute_path.h"
+#include "params/grammar/value_text.h"
+#include "params/scene/read_scene.h"
 
 namespace frana::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "params/law_names.h"
+#include "params/keys/law_names.h"
 
 namespace frana::app {
 namespace {

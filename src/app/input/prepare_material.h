@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "params/scene_spec.h"
+#include "params/keys/scene_spec.h"
 #include "simulation/scene.h"
 
 namespace frana::app {

@@ -13,7 +13,7 @@
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/vector_in.h"
-#include "params/law_names.h"
+#include "params/keys/law_names.h"
 
 namespace frana::app {
 namespace {

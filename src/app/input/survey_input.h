@@ -11,7 +11,7 @@
 #include "gis/raster/raster_in.h"
 #include "gis/vector/marks_in.h"
 #include "gis/vector/vector_in.h"
-#include "params/read_scene.h"
+#include "params/scene/read_scene.h"
 #include "simulation/scene.h"
 
 namespace frana::app {

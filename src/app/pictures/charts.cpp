@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/utf8.h"
 #include "gis/access/table_in.h"
-#include "params/value_text.h"
+#include "params/grammar/value_text.h"
 
 namespace frana::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "gis/raster/raster_in.h"
 #include "gis/raster/raster_text.h"
-#include "params/value_text.h"
+#include "params/grammar/value_text.h"
 
 namespace frana::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/pictures/map_layer.h"
 #include "core/geometry.h"
 #include "core/raster.h"
-#include "params/picture_text.h"
+#include "params/grammar/picture_text.h"
 #include "render/map/map2d.h"
 #include "render/view/view3d.h"
 

@@ -22,9 +22,9 @@
 #include "gis/raster/raster_in.h"
 #include "gis/vector/marks_in.h"
 #include "gis/vector/vector_in.h"
-#include "params/ini_file.h"
-#include "params/scene_spec.h"
-#include "params/value_text.h"
+#include "params/grammar/ini_file.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/scene_spec.h"
 
 namespace frana::app {
 namespace {

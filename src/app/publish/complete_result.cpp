@@ -14,7 +14,7 @@
 #include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "core/error.h"
-#include "params/value_text.h"
+#include "params/grammar/value_text.h"
 
 namespace frana::app {
 namespace {

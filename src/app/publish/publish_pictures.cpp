@@ -12,8 +12,8 @@
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
 #include "core/error.h"
-#include "params/scene_parameters.h"
-#include "params/value_text.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/scene_parameters.h"
 
 namespace frana::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/compare/comparison.h"
 #include "app/text/run_log.h"
-#include "params/scene_spec.h"
+#include "params/keys/scene_spec.h"
 
 namespace frana::app {
 

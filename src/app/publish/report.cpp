@@ -16,7 +16,7 @@
 #include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/file_aside.h"
-#include "params/scene_parameters.h"
+#include "params/keys/scene_parameters.h"
 
 namespace frana::app {
 namespace {

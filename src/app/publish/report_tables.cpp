@@ -7,8 +7,8 @@
 #include "app/input/transform_report.h"
 #include "app/publish/svg_chart.h"
 #include "app/text/number_text.h"
-#include "params/scene_parameters.h"
-#include "params/write_scene.h"
+#include "params/keys/scene_parameters.h"
+#include "params/scene/write_scene.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {

@@ -7,7 +7,7 @@
 #include "analysis/runout.h"
 #include "app/publish/high_figures.h"
 #include "app/publish/publish_hazard.h"
-#include "params/scene_spec.h"
+#include "params/keys/scene_spec.h"
 #include "simulation/result.h"
 
 namespace frana::app {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "app/text/text_file.h"
-#include "params/write_scene.h"
+#include "params/scene/write_scene.h"
 
 namespace frana::app {
 namespace {

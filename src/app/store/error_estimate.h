@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "params/scene_spec.h"
+#include "params/keys/scene_spec.h"
 
 namespace frana::app {
 

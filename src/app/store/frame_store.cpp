@@ -14,7 +14,7 @@
 #include "core/utf8.h"
 #include "gis/raster/raster_out.h"
 #include "gis/vector/points_out.h"
-#include "params/value_text.h"
+#include "params/grammar/value_text.h"
 #include "render/canvas/vtk_points.h"
 
 namespace frana::app {

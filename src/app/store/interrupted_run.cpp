@@ -12,7 +12,7 @@
 #include "app/store/scene_identity.h"
 #include "app/store/unfinished_results.h"
 #include "core/error.h"
-#include "params/value_text.h"
+#include "params/grammar/value_text.h"
 
 namespace frana::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "gis/raster/picture_out.h"
-#include "params/ini_file.h"
+#include "params/grammar/ini_file.h"
 
 namespace frana::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/store/result_files.h"
 #include "app/store/unfinished_results.h"
 #include "core/system_remedy.h"
-#include "params/value_text.h"
+#include "params/grammar/value_text.h"
 
 namespace frana::app {
 namespace {

@@ -4,7 +4,7 @@
 #include "app/text/text_hash.h"
 #include "app/text/version.h"
 #include "core/utf8.h"
-#include "params/write_scene.h"
+#include "params/scene/write_scene.h"
 
 namespace frana::app {
 

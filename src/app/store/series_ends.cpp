@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "core/utf8.h"
-#include "params/value_text.h"
+#include "params/grammar/value_text.h"
 
 namespace frana::app {
 namespace {

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/check/check_scene.h"
+
+#include <algorithm>
+
+#include "core/json.h"
+#include "params/check/check_laws.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/model_keys.h"
+
+namespace frana {
+namespace {
+
+void check_required(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
+                    Problems& problems) {
+    const auto missing = [&](const std::string& name) { return given.count(name) == 0; };
+    if (missing("terrain.dtm"))
+        problems.add(
+            {"is missing", file + ": terrain.dtm", "", "", "Name the digital terrain model, a raster file"});
+    const bool flows_in = !missing("inflow.line");
+    const bool releases = !missing("release.thickness") || !missing("release.perimeter");
+    if (missing("release.thickness") && (releases || !flows_in)) {
+        problems.add({"is missing", file + ": release.thickness", "", "",
+                      "Give metres, attribute:NAME, raster:FILE, difference:PRE,POST or slip-surface, or an inflow"});
+    }
+    const auto& thickness = scene.release.thickness;
+    if (missing("release.perimeter") && !(thickness && thickness->by_raster()) && (releases || !flows_in))
+        problems.add(
+            {"is missing", file + ": release.perimeter", "", "", "Name the polygon layer of what fails"});
+}
+
+/// A key that says nothing without another one.
+struct Pair {
+    std::string key;
+    bool given;
+    std::string needs;
+    bool has;
+    std::string remedy;
+};
+
+void check_pairs(const SceneSpec& scene, const std::string& file, Problems& problems) {
+    const TerrainSpec& terrain = scene.terrain;
+    const ReleaseSpec& release = scene.release;
+    const ZonesSpec& zones = scene.zones;
+    const auto by_attribute = [](const std::optional<SourceSpec>& source) {
+        return source && source->kind == SourceSpec::Kind::attribute;
+    };
+    const bool zoned = terrain.friction_zones.has_value(), outlined = release.perimeter.has_value();
+    const std::string zone_remedy = "Name the polygons, or give raster:FILE";
+    const std::string outline_remedy = "Name the polygon layer, or give a number";
+    const Pair pairs[] = {
+        {"terrain.obstacles", terrain.obstacles.has_value(), "terrain.obstacle-height",
+         terrain.obstacle_height.has_value(), "Give metres above the DTM or attribute:NAME"},
+        {"terrain.obstacle-height", terrain.obstacle_height.has_value(), "terrain.obstacles",
+         terrain.obstacles.has_value(), "Name the polygons, or remove the key"},
+        {"inflow.line", scene.inflow.line.has_value(), "inflow.hydrograph", scene.inflow.hydrograph.has_value(),
+         "Name the CSV with time, discharge or volume, and velocity"},
+        {"inflow.hydrograph", scene.inflow.hydrograph.has_value(), "inflow.line", scene.inflow.line.has_value(),
+         "Name the line that it flows through"},
+        {"inflow.direction", scene.inflow.direction.has_value(), "inflow.line", scene.inflow.line.has_value(),
+         "Name the line, or remove the key"},
+        {"release.direction", release.direction.has_value(), "release.velocity", release.velocity.has_value(),
+         "Give the speed as well, or remove the key"},
+        {"release.volume", by_attribute(release.volume), "release.perimeter", outlined, outline_remedy},
+        {"release.start", by_attribute(release.start), "release.perimeter", outlined, outline_remedy},
+        {"release.velocity", by_attribute(release.velocity), "release.perimeter", outlined, outline_remedy},
+        {"release.direction", by_attribute(release.direction), "release.perimeter", outlined, outline_remedy},
+        {"zones.friction-angle", by_attribute(zones.friction_angle), "terrain.friction-zones", zoned, zone_remedy},
+        {"zones.friction-coefficient", by_attribute(zones.friction_coefficient), "terrain.friction-zones", zoned,
+         zone_remedy},
+        {"zones.turbulence", by_attribute(zones.turbulence), "terrain.friction-zones", zoned, zone_remedy},
+        {"zones.cohesion", by_attribute(zones.cohesion), "terrain.friction-zones", zoned, zone_remedy},
+        {"zones.erodible-depth", by_attribute(zones.erodible_depth), "terrain.friction-zones", zoned,
+         zone_remedy},
+    };
+    for (const Pair& pair : pairs)
+        if (pair.given && !pair.has)
+            problems.add({"needs " + pair.needs, file + ": " + pair.key, "", "", pair.remedy});
+    if (zones.friction_angle && zones.friction_coefficient) {
+        problems.add({"contradicts zones.friction-coefficient: both say how rough the bed is",
+                      file + ": zones.friction-angle", "", "", "Keep one of the two"});
+    }
+}
+
+/// How the thickness is meant, where several keys speak of it.
+void check_thickness(const ReleaseSpec& release, const std::string& file, Problems& problems) {
+    using Kind = ThicknessSpec::Kind;
+    if (!release.thickness) return;
+    const ThicknessSpec& thickness = *release.thickness;
+    const bool slip = thickness.kind == Kind::slip_surface;
+    if (slip && !release.dtm_contains_release) {
+        problems.add({"contradicts release.thickness = slip-surface, which lies under the DTM",
+                      file + ": release.dtm-contains-release", "off", "on", "Set it to on"});
+    }
+    if ((slip || thickness.kind == Kind::difference) && release.thickness_direction == "normal") {
+        problems.add({"contradicts release.thickness: a difference of elevations is vertical",
+                      file + ": release.thickness-direction", "normal", "vertical", "Remove the key"});
+    }
+    if (thickness.fitted() && !release.slip_depth && !release.volume) {
+        problems.add({"a slip surface fitted to the perimeter needs its depth",
+                      file + ": release.thickness", "slip-surface", "",
+                      "Give release.volume or release.slip-depth"});
+    }
+    if (thickness.fitted() && release.slip_depth && release.volume) {
+        problems.add({"contradicts release.volume: each of them says how deep the slip surface lies",
+                      file + ": release.slip-depth", "", "", "Keep one of the two"});
+    }
+    if (!thickness.fitted() && release.slip_depth) {
+        problems.add({"belongs to a slip surface that is fitted", file + ": release.slip-depth",
+                      text_of(*release.slip_depth), "", "Remove the key, or set release.thickness = slip-surface"});
+    }
+}
+
+void check_numerics(const NumericsSpec& numerics, const std::string& file, Problems& problems) {
+    const bool paper = numerics.scheme == "paper";
+    const std::string own_shape = paper ? "bilinear" : "quadratic";
+    if (numerics.shape != "auto" && numerics.shape != own_shape) {
+        problems.add({"this shape with scheme " + numerics.scheme + " is not available in this version",
+                      file + ": numerics.shape", numerics.shape, "auto, " + own_shape, "Remove the key"});
+    }
+    if (paper && numerics.well_balanced.value_or(false)) {
+        problems.add({"still levels belong to scheme default, not to paper",
+                      file + ": numerics.well-balanced", "on", "off with scheme paper",
+                      "Remove the key or choose numerics.scheme = default"});
+    }
+}
+
+void check_frames(const SceneSpec& scene, const std::string& file, Problems& problems) {
+    constexpr double k_most_frames = 10000;
+    const double interval = frame_interval(scene);
+    if (interval > 0 && scene.time.end / interval > k_most_frames) {
+        problems.add({"would make more than 10000 frames", file + ": time.frame-interval",
+                      shortest_text(interval) + " s",
+                      "at least " + shortest_text(scene.time.end / k_most_frames) +
+                          " s for time.end = " + shortest_text(scene.time.end),
+                      "Choose a longer interval"});
+    }
+}
+
+void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& problems) {
+    const bool limits = !hazard.depth_limits.empty() || !hazard.velocity_limits.empty() ||
+                        !hazard.flux_limits.empty() || !hazard.pressure_limits.empty();
+    const bool custom = hazard.scheme == "custom";
+    if (custom && !limits) {
+        problems.add({"scheme custom needs limits", file + ": hazard.scheme", "custom", "",
+                      "Set hazard.depth-limits, velocity-limits, flux-limits or pressure-limits"});
+    }
+    if (!custom && limits) {
+        problems.add({"limits belong to scheme custom", file + ": hazard.scheme",
+                      hazard.scheme.value_or("not given"), "custom",
+                      "Set hazard.scheme = custom or remove them"});
+    }
+}
+
+void check_output(const SceneSpec& scene, const std::string& file, Problems& problems) {
+    const auto has = [&](const char* format) {
+        const auto& list = scene.output.formats;
+        return std::find(list.begin(), list.end(), format) != list.end();
+    };
+    if ((has("netcdf") || has("zarr")) && frame_interval(scene) == 0) {
+        problems.add({"netcdf and zarr hold the frames, but the scene makes none", file + ": output.formats",
+                      joined(scene.output.formats, ", "), "", "Set output.frames = on"});
+    }
+    const bool particles = has("particles-gpkg") || has("particles-vtp");
+    if (particles && !scene.output.frames) {
+        problems.add({"particles are written with the frames, but the scene keeps none", file + ": output.formats",
+                      joined(scene.output.formats, ", "), "", "Set output.frames = on"});
+    }
+    if (particles && scene.material.model == "structured" && scene.structured.phases == "fluid") {
+        problems.add({"fluid alone has no particles", file + ": output.formats", joined(scene.output.formats, ", "), "",
+                      "Remove particles-gpkg and particles-vtp"});
+    }
+    if (has("ascii") && scene.output.names != "avaframe") {
+        problems.add({"ascii is a format of the AvaFrame rasters", file + ": output.formats",
+                      joined(scene.output.formats, ", "), "", "Set output.names = avaframe or remove ascii"});
+    }
+    if (scene.output.sample_interval && !scene.output.gauges && !scene.output.sections) {
+        problems.add({"has nothing to sample", file + ": output.sample-interval",
+                      shortest_text(*scene.output.sample_interval), "",
+                      "Set output.gauges or output.cross-sections, or remove the key"});
+    }
+}
+
+}  // namespace
+
+void check_scene(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
+                 Problems& problems) {
+    check_required(scene, given, file, problems);
+    check_pairs(scene, file, problems);
+    check_thickness(scene.release, file, problems);
+    check_model(scene, given, file, problems);
+    if (scene.material.model == "voellmy-bingham") {
+        check_laws(scene, given, file, problems);
+        check_numerics(scene.numerics, file, problems);
+    }
+    check_frames(scene, file, problems);
+    check_hazard(scene.hazard, file, problems);
+    check_output(scene, file, problems);
+}
+
+}  // namespace frana

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/grammar/absolute_path.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "params/grammar/value_text.h"
+
+namespace frana {
+namespace {
+
+std::string counted_from(const std::string& path, const std::string& directory) {
+    if (path.rfind('/', 0) == 0) return path;
+    return (std::filesystem::path(directory) / trimmed(path)).lexically_normal().string();
+}
+
+/// Length of "/vsizip/", "/vsigzip/" and their like at the start, which stand before a path of their own.
+std::size_t archive_prefix(const std::string& path) {
+    std::size_t length = 0;
+    for (bool more = true; more;) {
+        more = false;
+        for (const std::string prefix : {"/vsizip/", "/vsigzip/", "/vsitar/", "/vsi7z/", "/vsirar/"}) {
+            if (path.compare(length, prefix.size(), prefix) != 0) continue;
+            length += prefix.size();
+            more = true;
+        }
+    }
+    return length;
+}
+
+/// Where the file's name begins and ends in DRIVER:"file":part or DRIVER:file:part; {0, 0}: no such thing.
+std::pair<std::size_t, std::size_t> named_file(const std::string& path, std::size_t colon) {
+    const std::size_t quote = path.find('"');
+    if (quote != std::string::npos && path.find('"', quote + 1) != std::string::npos)
+        return {quote + 1, path.find('"', quote + 1)};
+    const std::string driver = path.substr(0, colon);
+    std::size_t begin = colon + 1;
+    if (driver == "GTIFF_DIR") {
+        begin = path.find(':', begin) + 1;
+    } else if (driver != "NETCDF" && driver != "HDF5" && driver != "GPKG") {
+        return {0, 0};
+    }
+    if (begin == 0) return {0, 0};
+    const std::size_t end = path.find(':', begin);
+    return {begin, end == std::string::npos ? path.size() : end};
+}
+
+}  // namespace
+
+std::string absolute_path(const std::string& path, const std::string& directory) {
+    if (const std::size_t prefix = archive_prefix(path); prefix > 0)
+        return path.substr(0, prefix) + counted_from(path.substr(prefix), directory);
+    const std::size_t colon = path.find(':');
+    const bool driver = colon != std::string::npos && colon >= 2 &&
+                        std::all_of(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(colon),
+                                    [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+    if (driver) {
+        const auto [begin, end] = named_file(path, colon);
+        if (end <= begin) return path;
+        return path.substr(0, begin) + counted_from(path.substr(begin, end - begin), directory) +
+               path.substr(end);
+    }
+    const std::size_t bar = path.find('|');
+    const std::string suffix = bar == std::string::npos ? "" : path.substr(bar);
+    return counted_from(path.substr(0, bar), directory) + suffix;
+}
+
+}  // namespace frana

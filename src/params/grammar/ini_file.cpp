@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/grammar/ini_file.h"
+
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/parsers.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/error.h"
+#include "params/grammar/value_text.h"
+
+namespace frana {
+namespace {
+
+constexpr std::uintmax_t k_most_bytes = 10'000'000;
+
+}  // namespace
+
+std::vector<IniEntry> read_ini(const std::string& path) {
+    namespace options = boost::program_options;
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        throw Error(ErrorKind::input,
+                    Problem{"is a folder, not a file", path, "", "", "Name the .ini file in it"});
+    if (std::filesystem::is_other(path, ignored))
+        throw Error(ErrorKind::input, Problem{"is no regular file", path, "", "",
+                                              "Copy what the FIFO, device or socket holds into a file"});
+    if (const auto bytes = std::filesystem::file_size(path, ignored); !ignored && bytes > k_most_bytes)
+        throw Error(ErrorKind::input, Problem{"is too long to be a scene", path, std::to_string(bytes) + " bytes",
+                                              "up to " + std::to_string(k_most_bytes), "A scene is an INI file"});
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        throw Error(ErrorKind::input,
+                    Problem{"cannot be opened", path, "", "", "Check that the file exists and may be read"});
+    std::stringstream content;
+    content << file.rdbuf();
+    std::string text = content.str();
+    if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);  // byte order mark of Windows editors
+    if (text.find('\0') != std::string::npos)
+        throw Error(ErrorKind::input, Problem{"is not a text file", path, "", "", "A scene is an INI file"});
+
+    std::vector<IniEntry> entries;
+    try {
+        std::istringstream stream(text);
+        // Nothing is registered: keys are matched by the caller, who can name the nearest one.
+        const auto parsed = options::parse_config_file(stream, options::options_description{}, true);
+        for (const auto& option : parsed.options)
+            entries.push_back({option.string_key, option.value.empty() ? "" : trimmed(option.value.front())});
+    } catch (const options::error& error) {
+        throw Error(ErrorKind::input, Problem{error.what(), path, "", "[section], key = value or # comment",
+                                              "Correct the line"});
+    }
+    return entries;
+}
+
+}  // namespace frana

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "core/json.h"
+#include "params/grammar/source.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/parameter.h"
+
+// The kinds of parameter there are. Each function turns "which member, what limits, what it means" into a
+// Parameter. `Member` is a callable that takes a SceneSpec (const or not) and returns a reference to the
+// member.
+
+namespace frana::declare {
+
+struct Range {
+    double lowest = 0;
+    double highest = 0;
+    bool lowest_excluded = false;
+
+    [[nodiscard]] bool has(double value) const {
+        return (lowest_excluded ? value > lowest : value >= lowest) && value <= highest;
+    }
+    [[nodiscard]] std::string text() const {
+        return (lowest_excluded ? "greater than " : "") + shortest_text(lowest) +
+               (lowest_excluded ? ", at most " : " to ") + shortest_text(highest);
+    }
+};
+
+template <class T>
+struct is_optional : std::false_type {};
+template <class T>
+struct is_optional<std::optional<T>> : std::true_type {};
+
+/// The member's value, or none for an optional that holds none.
+template <class Value>
+auto given(const Value& value) {
+    if constexpr (is_optional<Value>::value)
+        return value;
+    else
+        return std::optional<Value>(value);
+}
+
+/// The frame every kind shares; `from_text` gives Refusal or stores, `to_text` formats the plain value.
+template <class Member, class Read, class Write>
+Parameter parameter(const std::string& name, const std::string& type, Member member, Read from_text,
+                    Write to_text) {
+    Parameter result;
+    const auto dot = name.find('.');
+    result.section = name.substr(0, dot);
+    result.key = name.substr(dot + 1);
+    result.type = type;
+    result.read = [member, from_text](SceneSpec& scene, const std::string& text) {
+        return from_text(member(scene), text);
+    };
+    result.write = [member, to_text](const SceneSpec& scene) -> std::optional<std::string> {
+        const auto value = given(member(scene));
+        if (!value) return std::nullopt;
+        return to_text(*value);
+    };
+    result.reset = [member](SceneSpec& scene) {
+        const SceneSpec fresh;
+        member(scene) = member(fresh);
+    };
+    return result;
+}
+
+template <class Member>
+Parameter number(const std::string& name, Member member, const std::string& unit, Range range,
+                 const std::string& meaning, const std::string& absent = {}) {
+    Parameter result = parameter(
+        name, "number", member,
+        [range](auto& target, const std::string& text) -> std::optional<Refusal> {
+            const auto value = number_from_text(text);
+            if (!value) {
+                const bool comma = text.find(',') != std::string::npos;
+                return Refusal{"is not a number",
+                               comma ? "Write the decimals after a point, not a comma" : ""};
+            }
+            if (!range.has(*value)) return Refusal{"is out of range", ""};
+            target = *value;
+            return std::nullopt;
+        },
+        [](double value) { return shortest_text(value); });
+    result.unit = unit;
+    result.limits = range.text();
+    result.fits = [range](double value) { return range.has(value); };
+    result.meaning = meaning;
+    result.absent = absent;
+    return result;
+}
+
+template <class Member>
+Parameter on_off(const std::string& name, Member member, const std::string& meaning,
+                 const std::string& absent = {}) {
+    Parameter result = parameter(
+        name, "on | off", member,
+        [](auto& target, const std::string& text) -> std::optional<Refusal> {
+            const auto value = boolean_from_text(text);
+            if (!value) return Refusal{"is neither on nor off", ""};
+            target = *value;
+            return std::nullopt;
+        },
+        [](bool value) { return std::string(value ? "on" : "off"); });
+    result.limits = "on, off";
+    result.meaning = meaning;
+    result.absent = absent;
+    return result;
+}
+
+/// One of the words in `choices`; those in `not_yet` are known but refused, saying so.
+template <class Member>
+Parameter choice(const std::string& name, Member member, const std::vector<std::string>& choices,
+                 const std::string& meaning, const std::vector<std::string>& not_yet = {}) {
+    Parameter result = parameter(
+        name, "choice", member,
+        [choices, not_yet](auto& target, const std::string& text) -> std::optional<Refusal> {
+            if (std::find(not_yet.begin(), not_yet.end(), text) != not_yet.end())
+                return Refusal{"is not available in this version", "Choose " + joined(choices, " or ")};
+            if (std::find(choices.begin(), choices.end(), text) == choices.end())
+                return Refusal{"is not one of the choices", ""};
+            target = text;
+            return std::nullopt;
+        },
+        [](const std::string& value) { return value; });
+    result.limits = joined(choices, ", ");
+    if (!not_yet.empty()) result.limits += " (not available yet: " + joined(not_yet, ", ") + ")";
+    result.meaning = meaning;
+    return result;
+}
+
+template <class Member>
+Parameter text(const std::string& name, Member member, const std::string& type, const std::string& meaning,
+               const std::string& absent = {}) {
+    Parameter result = parameter(
+        name, type, member,
+        [](auto& target, const std::string& given_text) -> std::optional<Refusal> {
+            target = given_text;
+            return std::nullopt;
+        },
+        [](const std::string& value) { return value; });
+    result.meaning = meaning;
+    result.absent = absent;
+    if (type == "file") {
+        result.map_files = [read = result.read, write = result.write](SceneSpec& scene, const FileMap& map) {
+            if (const auto path = write(scene); path && !path->empty()) read(scene, map(*path));
+        };
+    }
+    return result;
+}
+
+/// A number, attribute:NAME or raster:FILE, as far as `kinds` allows them.
+template <class Member>
+Parameter source(const std::string& name, Member member, const std::string& unit, Range range,
+                 const std::vector<SourceSpec::Kind>& kinds, const std::string& meaning,
+                 const std::string& absent) {
+    using Kind = SourceSpec::Kind;
+    const auto allowed = [kinds](Kind kind) {
+        return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+    };
+    std::vector<std::string> forms;
+    if (allowed(Kind::number)) forms.push_back("a number");
+    if (allowed(Kind::attribute)) forms.push_back("attribute:NAME");
+    if (allowed(Kind::raster)) forms.push_back("raster:FILE");
+    Parameter result = parameter(
+        name, "text", member,
+        [range, allowed](auto& target, const std::string& text) -> std::optional<Refusal> {
+            const auto value = source_from_text(text);
+            if (!value || !allowed(value->kind)) return Refusal{"is not understood", ""};
+            if (value->kind == Kind::number && !range.has(value->number))
+                return Refusal{"is out of range", ""};
+            target = *value;
+            return std::nullopt;
+        },
+        [](const SourceSpec& value) { return text_of(value); });
+    result.unit = unit;
+    result.limits = joined(forms, ", ") + "; values " + range.text();
+    result.fits = [range](double value) { return range.has(value); };
+    result.meaning = meaning;
+    result.absent = absent;
+    result.map_files = [member](SceneSpec& scene, const FileMap& map) {
+        auto& target = member(scene);
+        if (target && target->kind == Kind::raster) target->name = map(target->name);
+    };
+    return result;
+}
+
+/// A list whose words come from a fixed set; a word in `alone` must stand by itself.
+template <class Member>
+Parameter word_list(const std::string& name, Member member, const std::vector<std::string>& alone,
+                    const std::vector<std::string>& words, const std::string& meaning,
+                    const std::vector<std::string>& not_yet = {}) {
+    Parameter result = parameter(
+        name, "list", member,
+        [=](std::vector<std::string>& target, const std::string& value) -> std::optional<Refusal> {
+            const auto is_in = [](const std::vector<std::string>& list, const std::string& word) {
+                return std::find(list.begin(), list.end(), word) != list.end();
+            };
+            const std::vector<std::string> given = words_of(value);
+            if (given.empty()) return Refusal{"names nothing", ""};
+            for (const std::string& word : given) {
+                if (is_in(not_yet, word))
+                    return Refusal{"'" + word + "' is not available in this version", ""};
+                if (is_in(alone, word) && given.size() > 1)
+                    return Refusal{"'" + word + "' must stand alone", ""};
+                if (!is_in(alone, word) && !is_in(words, word))
+                    return Refusal{"'" + word + "' is not known", ""};
+            }
+            target = given;
+            return std::nullopt;
+        },
+        [](const std::vector<std::string>& value) { return joined(value, ", "); });
+    std::vector<std::string> all = alone;
+    all.insert(all.end(), words.begin(), words.end());
+    result.limits = joined(all, ", ");
+    if (!not_yet.empty()) result.limits += " (not available yet: " + joined(not_yet, ", ") + ")";
+    result.meaning = meaning;
+    return result;
+}
+
+}  // namespace frana::declare
+
+// The member a parameter stands for, of a scene that may or may not be const.
+#define FRANA_MEMBER(path)      \
+    ([](auto& scene) -> auto& { \
+        return scene.path;      \
+    })

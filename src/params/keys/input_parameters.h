@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "params/keys/parameter.h"
+
+namespace frana {
+
+/// Keys that say how to read an input file where it does not say so itself, each at the end of its section.
+void add_input_parameters(std::vector<Parameter>& list);
+
+}  // namespace frana

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "params/keys/parameter.h"
+
+namespace frana {
+
+/// The keys of [material].
+void add_material(std::vector<Parameter>& list);
+/// The keys of [entrainment].
+void add_entrainment(std::vector<Parameter>& list);
+
+}  // namespace frana

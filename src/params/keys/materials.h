@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "params/grammar/ini_file.h"
+
+namespace frana {
+
+/// A file of share/materials: keys of [material] with where they come from.
+struct MaterialPreset {
+    std::string name;                   ///< file name without .ini
+    std::string file;                   ///< path
+    std::vector<std::string> comments;  ///< source and range of validity, line by line
+    std::vector<IniEntry> entries;
+};
+
+/// The presets of a folder in alphabetical order. Throws Error(input) for a preset that cannot be read,
+/// Error(environment) when the folder is missing.
+std::vector<MaterialPreset> material_presets(const std::string& directory);
+
+}  // namespace frana

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "core/error.h"
+#include "params/keys/scene_spec.h"
+
+namespace frana {
+
+/// Whether the model of a scene reads a key.
+bool model_reads(const SceneSpec& scene, const std::string& name);
+
+/// What a scene says that its model does not read, and what the structured model needs or cannot do.
+/// @param given names that the file or the command line gave  @param file for messages
+void check_model(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
+                 Problems& problems);
+
+}  // namespace frana

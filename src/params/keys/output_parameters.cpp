@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/keys/output_parameters.h"
+
+#include "params/keys/declare.h"
+
+namespace frana {
+namespace {
+
+using declare::choice;
+using declare::number;
+using declare::on_off;
+using declare::Range;
+using declare::text;
+
+/// Numbers greater than 0, each greater than the one before; none by default.
+template <class Member>
+Parameter rising_numbers(const std::string& name, Member member, const std::string& unit,
+                         const std::string& meaning) {
+    Parameter result = declare::parameter(
+        name, "list", member,
+        [](std::vector<double>& target, const std::string& value) -> std::optional<Refusal> {
+            std::vector<double> numbers;
+            for (const std::string& word : words_of(value)) {
+                const auto number = number_from_text(word);
+                if (!number) return Refusal{"'" + word + "' is not a number", ""};
+                if (!(*number > (numbers.empty() ? 0 : numbers.back())))
+                    return Refusal{"does not rise from above 0", "Write for example 0.5 2"};
+                numbers.push_back(*number);
+            }
+            target = numbers;
+            return std::nullopt;
+        },
+        [](const std::vector<double>& numbers) {
+            std::vector<std::string> words;
+            for (const double number : numbers) words.push_back(shortest_text(number));
+            return joined(words, ", ");
+        });
+    result.unit = unit;
+    result.limits = "rising numbers greater than 0";
+    result.meaning = meaning;
+    result.absent = "none";
+    return result;
+}
+
+Parameter scheme_parameter() {
+    const std::vector<std::string> schemes{"swiss-debris-flow", "swiss-flood", "austrian-torrent", "custom"};
+    Parameter result = declare::parameter(
+        "hazard.scheme", "choice", FRANA_MEMBER(hazard.scheme),
+        [schemes](std::optional<std::string>& target, const std::string& value) -> std::optional<Refusal> {
+            if (std::find(schemes.begin(), schemes.end(), value) == schemes.end())
+                return Refusal{"is not one of the choices", ""};
+            target = value;
+            return std::nullopt;
+        },
+        [](const std::string& value) { return value; });
+    result.limits = joined(schemes, ", ");
+    result.meaning = "Scheme of intensity classes for hazard.tif; share/doc/hazard.md tells their sources.";
+    result.absent = "no classes";
+    return result;
+}
+
+}  // namespace
+
+void add_extra_output(std::vector<Parameter>& list) {
+    list.push_back(
+        choice("output.names", FRANA_MEMBER(output.names), {"frana", "avaframe"},
+               "avaframe: also peakFiles/ with pressure, thickness normal to the slope and speed under "
+               "AvaFrame's names."));
+    list.push_back(on_off("output.report", FRANA_MEMBER(output.report),
+                          "Write report.html: maps, parameters, inputs, results and warnings in one file."));
+    list.push_back(text("output.gauges", FRANA_MEMBER(output.gauges), "file",
+                        "Points where depth and speed are recorded over time, in their own CRS.", "none"));
+    list.push_back(text("output.cross-sections", FRANA_MEMBER(output.sections), "file",
+                        "Lines through which the discharge is recorded over time, in their own CRS.",
+                        "none"));
+    list.push_back(number("output.sample-interval", FRANA_MEMBER(output.sample_interval), "s",
+                          Range{0, 1e6, true}, "Simulated time between rows of gauges and cross-sections.",
+                          "every step"));
+    list.push_back(
+        text("output.profiles", FRANA_MEMBER(output.profiles), "file",
+             "Lines along which profiles of the results are written, in their own CRS; the flow path's "
+             "is always written.",
+             "none"));
+}
+
+void add_hazard(std::vector<Parameter>& list) {
+    list.push_back(scheme_parameter());
+    list.push_back(
+        rising_numbers("hazard.depth-limits", FRANA_MEMBER(hazard.depth_limits), "m",
+                       "Scheme custom: greatest depths beyond which the class rises by one each."));
+    list.push_back(rising_numbers("hazard.velocity-limits", FRANA_MEMBER(hazard.velocity_limits), "m/s",
+                                  "Scheme custom: the same for the greatest speed."));
+    list.push_back(
+        rising_numbers("hazard.flux-limits", FRANA_MEMBER(hazard.flux_limits), "m2/s",
+                       "Scheme custom: the same for the greatest depth times speed at one moment."));
+    list.push_back(rising_numbers("hazard.pressure-limits", FRANA_MEMBER(hazard.pressure_limits), "kPa",
+                                  "Scheme custom: the same for the greatest dynamic pressure."));
+}
+
+void add_survey(std::vector<Parameter>& list) {
+    list.push_back(text("scar.front", FRANA_MEMBER(scar.front), "file",
+                        "Surveyed lines of a front, or points of a deposit's tip, in their own CRS.",
+                        "no comparison"));
+    list.push_back(text("scar.deposit", FRANA_MEMBER(scar.deposit), "file",
+                        "Surveyed deposit: polygons, or a raster of elevation after less before.",
+                        "no comparison"));
+}
+
+}  // namespace frana

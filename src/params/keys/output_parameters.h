@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "params/keys/parameter.h"
+
+namespace frana {
+
+/// The keys of [output] beyond maps, frames and film: names, report, gauges, cross-sections, profiles.
+void add_extra_output(std::vector<Parameter>& list);
+/// The keys of [hazard].
+void add_hazard(std::vector<Parameter>& list);
+/// The keys of [scar] for what was surveyed besides its outline.
+void add_survey(std::vector<Parameter>& list);
+
+}  // namespace frana

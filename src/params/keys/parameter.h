@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "params/keys/scene_spec.h"
+
+namespace frana {
+
+/// Why a text was not accepted; the reader adds file and key.
+struct Refusal {
+    std::string what;    ///< "is not a number"
+    std::string remedy;  ///< what to write instead; may be empty
+};
+
+/// What a path becomes.
+using FileMap = std::function<std::string(const std::string&)>;
+
+/// One key of a scene file. Declared once, in scene_parameters.cpp; the parser, --set, `frana params`, the
+/// echo and every message about the key are made from it.
+struct Parameter {
+    std::string section;
+    std::string key;
+    std::string type;     ///< "number", "integer", "on | off", "choice", "file", "text", "list"
+    std::string unit;     ///< empty: none
+    std::string limits;   ///< what is allowed, for people
+    std::string absent;   ///< what happens when the key is not given and has no fixed default
+    std::string meaning;  ///< one sentence
+    std::function<std::optional<Refusal>(SceneSpec&, const std::string&)> read;
+    std::function<std::optional<std::string>(const SceneSpec&)> write;  ///< none: not given
+    std::function<void(SceneSpec&)> reset;                              ///< back to the default
+    std::function<bool(double)> fits;  ///< whether a number is within the limits; empty: not a number
+    std::function<void(SceneSpec&, const FileMap&)> map_files;  ///< each file the value names; empty: none
+
+    [[nodiscard]] std::string name() const { return section + "." + key; }
+    /// The default as text; empty where there is no fixed one (see `absent`).
+    [[nodiscard]] std::string default_text() const { return write(SceneSpec{}).value_or(""); }
+};
+
+}  // namespace frana

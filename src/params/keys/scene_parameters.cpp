@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/keys/scene_parameters.h"
+
+#include "params/keys/declare.h"
+#include "params/keys/input_parameters.h"
+#include "params/keys/material_parameters.h"
+#include "params/keys/output_parameters.h"
+#include "params/keys/picture_parameters.h"
+#include "params/keys/site_parameters.h"
+#include "params/keys/structured_parameters.h"
+
+namespace frana {
+namespace {
+
+using declare::choice;
+using declare::number;
+using declare::on_off;
+using declare::Range;
+using declare::text;
+using declare::word_list;
+
+Parameter particles_per_cell_parameter() {
+    Parameter result = declare::parameter(
+        "numerics.particles-per-cell", "integer", FRANA_MEMBER(numerics.particles_per_cell),
+        [](std::int64_t& target, const std::string& value) -> std::optional<Refusal> {
+            const auto count = integer_from_text(value);
+            if (!count) return Refusal{"is not a whole number", ""};
+            if (*count != 1 && *count != 4 && *count != 9 && *count != 16)
+                return Refusal{"is not a square number from 1 to 16",
+                               "4 is a good choice, 9 where fronts matter"};
+            target = *count;
+            return std::nullopt;
+        },
+        [](std::int64_t value) { return std::to_string(value); });
+    result.limits = "1, 4, 9, 16";
+    result.meaning = "Particles that fill one cell of the release at the start.";
+    return result;
+}
+
+void add_numerics(std::vector<Parameter>& list) {
+    list.push_back(choice("numerics.scheme", FRANA_MEMBER(numerics.scheme), {"default", "paper"},
+                          "Set of numerical parts: frana's own, or the method as published."));
+    list.push_back(choice("numerics.shape", FRANA_MEMBER(numerics.shape), {"auto", "bilinear", "quadratic"},
+                          "Shape functions; auto: the scheme's (default: quadratic, paper: bilinear)."));
+    list.push_back(
+        choice("numerics.transfer", FRANA_MEMBER(numerics.transfer), {"auto", "pic", "flip", "apic"},
+               "How velocities return to the particles; auto: the scheme's (default: apic, paper: pic)."));
+    list.push_back(particles_per_cell_parameter());
+    list.push_back(number("numerics.cfl", FRANA_MEMBER(numerics.cfl), "", Range{0, 1, true},
+                          "Share of the largest stable time step."));
+    list.push_back(on_off("numerics.well-balanced", FRANA_MEMBER(numerics.well_balanced),
+                          "Keep still water still by a still level per node (default scheme).",
+                          "on for scheme default, off for paper"));
+    list.push_back(
+        choice("numerics.slope-correction", FRANA_MEMBER(numerics.slope_correction),
+               {"auto", "none", "normal", "surface"},
+               "Form of the equations on steep ground; auto: normal for scheme default, none for paper."));
+    list.push_back(
+        on_off("numerics.curvature", FRANA_MEMBER(numerics.curvature),
+               "Motion along a curved bed: speed along the bed kept where its slope changes, more friction in hollows, "
+               "less over edges; off: speed in map view kept. Needs a slope correction.",
+               "on where there is a slope correction"));
+    list.push_back(choice("numerics.boundary", FRANA_MEMBER(numerics.boundary), {"open", "wall"},
+                          "Edge of the working grid: material leaves and is counted, or is held."));
+    list.push_back(number("numerics.gravity", FRANA_MEMBER(numerics.gravity), "m/s2", Range{0.1, 100},
+                          "Acceleration of gravity."));
+    list.push_back(number("numerics.minimum-depth", FRANA_MEMBER(numerics.minimum_depth), "m",
+                          Range{1e-6, 10},
+                          "Depth from which a cell counts as reached in maxima and arrival time."));
+    list.push_back(choice("numerics.precision", FRANA_MEMBER(numerics.precision), {"double"},
+                          "Arithmetic of the engine.", {"single"}));
+}
+
+void add_rest(std::vector<Parameter>& list) {
+    list.push_back(
+        number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Simulated time at most."));
+    list.push_back(on_off("time.stop-when-still", FRANA_MEMBER(time.stop_when_still),
+                          "End as soon as nothing moves any more."));
+    list.push_back(
+        number("time.stop-energy-share", FRANA_MEMBER(time.stop_energy_share), "", Range{0, 0.5},
+               "End once kinetic energy is under this share of its peak; 0: never for this reason."));
+    list.push_back(
+        number("time.stop-moving-share", FRANA_MEMBER(time.stop_moving_share), "", Range{0, 0.5},
+               "End once the moving volume is under this share of its peak; 0: never for this reason."));
+    list.push_back(number("time.moving-speed", FRANA_MEMBER(time.moving_speed), "m/s", Range{0, 10, true},
+                          "Speed from which volume counts as moving."));
+    list.push_back(number("time.stop-change", FRANA_MEMBER(time.stop_change), "", Range{0, 0.5},
+                          "End once run-out (or by a cell) and area over output.trace-threshold have changed by no more "
+                          "than this share over time.stop-window, and no more than four times this share of the volume "
+                          "lies in other cells; 0: never for this reason."));
+    list.push_back(number("time.stop-window", FRANA_MEMBER(time.stop_window), "", Range{0.05, 1},
+                          "Window of time.stop-change: share of the time since the last release or inflow, at least "
+                          "10 s."));
+    list.push_back(number("time.frame-interval", FRANA_MEMBER(time.frame_interval), "s", Range{0, 1e6, true},
+                          "Simulated time between frames; each is the first state at or after its time.", "a round number, at most sixty-one frames"));
+
+    list.push_back(text("output.directory", FRANA_MEMBER(output.directory), "file",
+                        "Result directory; --out overrides it.",
+                        "results/NAME beside the scene, NAME being the scene's"));
+    list.push_back(word_list("output.maps", FRANA_MEMBER(output.maps), {"on", "off"}, map_names(),
+                             "Maps to draw; on: all that the result has."));
+    list.push_back(on_off("output.frames", FRANA_MEMBER(output.frames),
+                          "Write depth and velocity at the frame interval as GeoTIFFs."));
+    list.push_back(on_off("output.animation", FRANA_MEMBER(output.animation), "Write animation.mp4."));
+    list.push_back(word_list("output.formats", FRANA_MEMBER(output.formats), {},
+                             {"geotiff", "netcdf", "zarr", "ascii", "particles-gpkg", "particles-vtp"},
+                             "Formats: GeoTIFF is always written; netcdf and zarr add the frames as one file "
+                             "each, particles-gpkg and particles-vtp the particles of each frame as GeoPackage "
+                             "points and VTK polydata, ascii writes the AvaFrame rasters as ESRI ASCII grids."));
+    list.push_back(number("output.checkpoint-interval", FRANA_MEMBER(output.checkpoint_interval), "s", Range{0, 1e6},
+                          "Wall time between checkpoints, from which --resume goes on; 0: only at the run's last "
+                          "step."));
+    list.push_back(number("output.trace-threshold", FRANA_MEMBER(output.trace_threshold), "m",
+                          Range{1e-6, 100},
+                          "Depth that counts as touched in the outlines, the covered area and the run-out."));
+    add_pictures(list);
+    add_extra_output(list);
+    add_hazard(list);
+
+    list.push_back(text("scar.perimeter", FRANA_MEMBER(scar.perimeter), "file",
+                        "Surveyed outline to compare with: any polygon layer, in its own CRS.",
+                        "no comparison"));
+    add_survey(list);
+    list.push_back(number("scar.threshold", FRANA_MEMBER(scar.threshold), "m", Range{1e-6, 100},
+                          "Depth that counts as touched in the comparison.", "output.trace-threshold"));
+}
+
+void add_scene(std::vector<Parameter>& list) {
+    Parameter format = declare::parameter(
+        "scene.format", "integer", FRANA_MEMBER(format),
+        [](std::int64_t& target, const std::string& text) -> std::optional<Refusal> {
+            const auto value = integer_from_text(text);
+            if (!value || *value < 1) return Refusal{"is not a format", ""};
+            if (*value > k_scene_format)
+                return Refusal{"the file was written for a newer frana than this one", "Update frana"};
+            target = *value;
+            return std::nullopt;
+        },
+        [](std::int64_t value) { return std::to_string(value); });
+    format.limits = "1 to " + std::to_string(k_scene_format);
+    format.meaning = "Format of the file, written into a result's scene.ini.";
+    list.push_back(format);
+}
+
+}  // namespace
+
+std::vector<Parameter> scene_parameters() {
+    std::vector<Parameter> list;
+    add_scene(list);
+    add_terrain(list);
+    add_release(list);
+    add_inflow(list);
+    add_material(list);
+    add_structured(list);
+    add_zones(list);
+    add_entrainment(list);
+    add_numerics(list);
+    add_rest(list);
+    add_input_parameters(list);
+    return list;
+}
+
+std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : parameters) names.push_back(parameter.name());
+    return names;
+}
+
+std::vector<Section> scene_sections() {
+    return {{"scene", "The file itself."},
+            {"terrain", "The ground and the working grid."},
+            {"release", "What fails, and how thick it is."},
+            {"inflow", "What flows in through a line, over time."},
+            {"material", "What it is made of."},
+            {"structured", "What the structured model is made of (material.model = structured)."},
+            {"zones", "Where the ground differs from what [material] says."},
+            {"entrainment", "What it takes from its bed and leaves on it."},
+            {"numerics", "How it is computed."},
+            {"time", "How long."},
+            {"output", "What is written."},
+            {"hazard", "Classes of intensity."},
+            {"scar", "The surveyed outline to compare with."}};
+}
+
+std::vector<std::string> map_names() {
+    return {"max_depth", "max_velocity",    "final_depth",  "arrival_time",   "max_pressure", "hazard",
+            "eroded_depth", "deposited_depth", "max_depth_3d", "max_velocity_3d"};
+}
+
+}  // namespace frana

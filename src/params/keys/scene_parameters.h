@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "params/keys/parameter.h"
+
+namespace frana {
+
+/// Every key of a scene file, in the order in which they are documented and echoed.
+std::vector<Parameter> scene_parameters();
+
+/// "section.key" of every parameter.
+std::vector<std::string> names_of(const std::vector<Parameter>& parameters);
+
+/// The sections in order, each with one sentence.
+struct Section {
+    std::string name;
+    std::string meaning;
+};
+std::vector<Section> scene_sections();
+
+/// The maps that output.maps may name.
+std::vector<std::string> map_names();
+
+}  // namespace frana

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/keys/scene_spec.h"
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "params/grammar/value_text.h"
+
+namespace frana {
+namespace {
+
+/// The nearest of 1, 2, 5 times a power of ten above a value.
+double round_up(double value) {
+    const double decade = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (value <= factor * decade * (1 + 1e-12)) return factor * decade;
+    return 10 * decade;
+}
+
+}  // namespace
+
+double friction_coefficient(const MaterialSpec& material) {
+    if (material.friction_coefficient) return *material.friction_coefficient;
+    return std::tan(material.friction_angle.value_or(0) * std::numbers::pi / 180);
+}
+
+std::string slope_correction(const NumericsSpec& numerics) {
+    if (numerics.slope_correction != "auto") return numerics.slope_correction;
+    return numerics.scheme == "paper" ? "none" : "normal";
+}
+
+bool curvature(const NumericsSpec& numerics) {
+    return numerics.curvature.value_or(slope_correction(numerics) != "none");
+}
+
+bool well_balanced(const NumericsSpec& numerics) {
+    return numerics.well_balanced.value_or(numerics.scheme != "paper");
+}
+
+double frame_interval(const SceneSpec& scene) {
+    if (!scene.output.frames && !scene.output.animation) return 0;
+    return scene.time.frame_interval.value_or(round_up(scene.time.end / 60));
+}
+
+std::string scene_name(const SceneSpec& scene) {
+    const std::filesystem::path file = scene.file;
+    const std::string folder = file.parent_path().filename().string();
+    std::string name = trimmed(file.stem() == "scene" && !folder.empty() ? folder : file.stem().string());
+    // It must mean the same once it stands in a scene file.
+    for (char& c : name)
+        if (c == '#' || static_cast<unsigned char>(c) < 0x20) c = '_';
+    return name.empty() ? "scene" : name;
+}
+
+std::string output_directory(const SceneSpec& scene) {
+    if (scene.output.directory) return *scene.output.directory;
+    return (std::filesystem::path(scene.file).parent_path() / "results" / scene_name(scene)).string();
+}
+
+double scar_threshold(const SceneSpec& scene) {
+    return scene.scar.threshold.value_or(scene.output.trace_threshold);
+}
+
+}  // namespace frana

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/grid_spec.h"
+#include "params/grammar/source.h"
+#include "params/grammar/thickness.h"
+
+namespace frana {
+
+/// Where a parameter's value came from, in rising order of precedence.
+enum class Origin { default_value, preset, scene_file, command_line };
+
+/// [terrain]
+struct TerrainSpec {
+    std::string dtm;
+    std::string crs = "auto";
+    std::optional<std::string> dtm_crs;
+    std::optional<double> cell_size;
+    std::optional<Bounds> bounds;
+    std::string nodata_policy = "stop";
+    std::optional<double> nodata_value;
+    std::string vertical_unit = "auto";
+    std::string resampling = "automatic";
+    std::optional<std::string> friction_zones;
+    std::optional<std::string> obstacles;
+    std::optional<SourceSpec> obstacle_height;
+    std::optional<std::string> walls;
+};
+
+/// How to read a vector file, beyond its name.
+struct LayerSpec {
+    std::optional<std::string> name;
+    std::optional<std::string> filter;  ///< SQL condition on its attributes
+    std::optional<std::string> crs;     ///< instead of the file's own
+};
+
+/// [release]
+struct ReleaseSpec {
+    std::optional<std::string> perimeter;
+    LayerSpec perimeter_layer;
+    std::optional<ThicknessSpec> thickness;
+    std::optional<std::string> thickness_crs;
+    std::string thickness_direction = "vertical";
+    bool dtm_contains_release = false;
+    std::optional<SourceSpec> volume, start, velocity, direction, slip_depth;
+    std::string slip_shape = "auto";
+};
+
+/// [inflow]
+struct InflowSpec {
+    std::optional<std::string> line, hydrograph;
+    std::optional<double> direction;  ///< degrees clockwise from grid north; none: downhill
+};
+
+/// [zones]
+struct ZonesSpec {
+    std::optional<SourceSpec> friction_angle, friction_coefficient, turbulence, cohesion, erodible_depth;
+    std::string beyond_dtm = "stop";
+};
+
+/// [material], in the units a user writes (degrees).
+struct MaterialSpec {
+    std::optional<std::string> preset;
+    std::string model = "voellmy-bingham";
+    double density = 2000;
+    std::optional<double> friction_angle;
+    std::optional<double> friction_coefficient;
+    std::optional<double> turbulence;  ///< none: the turbulent part is off
+    std::vector<std::string> bed_friction{"voellmy"};
+    std::optional<double> pore_pressure_ratio, pore_dissipation_time;
+    std::optional<double> cohesion, ramms_yield_stress, manning, chezy, laminar_resistance;
+    std::optional<double> consistency, flow_index;
+    std::optional<double> fast_friction_angle, friction_length, friction_beta;
+    std::string in_plane_stress = "auto";
+    std::optional<double> internal_friction_angle;
+    double viscosity = 0;
+    double yield_stress = 0;
+    double surface_pressure = 0;
+    double yield_regularisation = 0.01;
+    std::string yield_ratio = "exact";
+};
+
+/// [structured], where material.model = structured; in the units a user writes (degrees).
+struct StructuredSpec {
+    std::optional<std::string> phases;
+    double fluid_density = 1000, fluid_viscosity = 0, viscosity_growth = 10, velocity_shape = 3;
+    double mobility = 1, solids_shape = 2, manning = 0.1, dry_depth = 1e-4;
+    std::optional<std::string> zones;
+    std::optional<SourceSpec> initial_fluid_depth;
+    std::string placement = "lattice";
+    std::optional<SourceSpec> solid_fraction = SourceSpec{SourceSpec::Kind::number, 0.5, {}};
+    std::optional<SourceSpec> confined_share = SourceSpec{SourceSpec::Kind::number, 1, {}};
+    std::optional<SourceSpec> grain_density = SourceSpec{SourceSpec::Kind::number, 2400, {}};
+    std::optional<SourceSpec> grain_diameter = SourceSpec{SourceSpec::Kind::number, 1e-3, {}};
+    std::optional<SourceSpec> cohesion, internal_friction_angle, bed_friction_angle;
+    double dilatancy_angle = 0, young_modulus = 12e6, bulk_modulus = 23e6;
+    double critical_strain = 0.05;
+    std::string damage = "volumetric", earth_pressure = "hydrostatic";
+    double pore_pressure_share = 0;
+    double drag_exponent = 2, richardson_zaki = 2.4;
+    std::optional<double> smoothing_velocity, block_size, sound_speed;
+    std::string virtual_mass = "pudasaini-2012";
+    double linear_viscosity = 1, quadratic_viscosity = 1, artificial_stress = 0.5;
+};
+
+/// [entrainment], in the units a user writes (degrees, metres per kPa).
+struct EntrainmentSpec {
+    std::string erosion = "off";
+    std::optional<double> erodible_depth, erosion_rate, critical_shear, potential_depth, growth_rate;
+    std::optional<double> bed_friction_angle, bed_cohesion, bed_pore_pressure_ratio, velocity_ratio;
+    bool deposition = false;
+    std::optional<double> deposition_rate, deposition_shear;
+};
+
+/// [numerics]
+struct NumericsSpec {
+    std::string scheme = "default";
+    std::string shape = "auto";
+    std::string transfer = "auto";
+    std::int64_t particles_per_cell = 4;
+    double cfl = 0.5;
+    std::optional<bool> well_balanced;
+    std::string slope_correction = "auto";
+    std::optional<bool> curvature;
+    std::string boundary = "open";
+    double gravity = 9.81;
+    double minimum_depth = 0.01;
+    std::string precision = "double";
+};
+
+/// [time]
+struct TimeSpec {
+    double end = 300;
+    bool stop_when_still = true;
+    double stop_energy_share = 0;
+    double stop_moving_share = 0;
+    double moving_speed = 0.1;
+    double stop_change = 0.005;
+    double stop_window = 0.25;
+    std::optional<double> frame_interval;
+};
+
+/// [output]
+struct OutputSpec {
+    std::optional<std::string> directory;
+    std::vector<std::string> maps{"on"};
+    bool frames = true;
+    bool animation = true;
+    std::vector<std::string> formats{"geotiff"};
+    double checkpoint_interval = 600;
+    double trace_threshold = 0.1;
+    std::string map_size = "1600x1200";
+    std::vector<std::string> map_formats{"png"};
+    std::string map_legend = "classed";
+    std::optional<std::string> map_background;
+    std::optional<std::string> map_attribution;
+    double view_exaggeration = 1;
+    std::string view_background = "sky";
+    std::optional<std::string> view_camera;
+    bool charts = true;
+    std::optional<std::string> title;
+    std::string names = "frana";
+    bool report = true;
+    std::optional<std::string> gauges;
+    std::optional<std::string> sections;
+    std::optional<std::string> profiles;
+    std::optional<double> sample_interval;
+};
+
+/// [hazard]
+struct HazardSpec {
+    std::optional<std::string> scheme;
+    std::vector<double> depth_limits, velocity_limits, flux_limits, pressure_limits;
+};
+
+/// [scar]
+struct ScarSpec {
+    std::optional<std::string> perimeter;
+    LayerSpec perimeter_layer;
+    std::optional<std::string> front;
+    std::optional<std::string> deposit;
+    std::optional<double> threshold;
+};
+
+/// Format of scene files; counts up when a key comes to mean something else. A file that tells none is of the first.
+inline constexpr std::int64_t k_scene_format = 1;
+
+/// A scene as its file says it: validated one by one, paths absolute, units as written. Nothing has been
+/// opened yet.
+struct SceneSpec {
+    std::string file;  ///< the scene file, absolute
+    std::int64_t format = k_scene_format;
+    TerrainSpec terrain;
+    ReleaseSpec release;
+    InflowSpec inflow;
+    MaterialSpec material;
+    StructuredSpec structured;
+    ZonesSpec zones;
+    EntrainmentSpec entrainment;
+    NumericsSpec numerics;
+    TimeSpec time;
+    OutputSpec output;
+    HazardSpec hazard;
+    ScarSpec scar;
+    std::map<std::string, Origin> origins;  ///< "section.key" -> where its value came from; absent: default
+
+    [[nodiscard]] Origin origin_of(const std::string& name) const {
+        const auto found = origins.find(name);
+        return found == origins.end() ? Origin::default_value : found->second;
+    }
+};
+
+/// mu = tan(phi): the one place where the friction angle leaves degrees.
+/// 0 where neither is given, which read_scene accepts only where no law reads it.
+double friction_coefficient(const MaterialSpec& material);
+/// `auto` resolved: `normal` for the default scheme, `none` for the paper's.
+std::string slope_correction(const NumericsSpec& numerics);
+/// Resolved: on where there is a slope correction.
+bool curvature(const NumericsSpec& numerics);
+/// Resolved: on for the default scheme, off for the paper's.
+bool well_balanced(const NumericsSpec& numerics);
+/// The interval of frames [s]: as given, else a round number near a sixtieth of the end time; 0 where nothing
+/// needs frames.
+double frame_interval(const SceneSpec& scene);
+/// What to call a scene: its file's name, or its folder's where the file is just "scene.ini".
+std::string scene_name(const SceneSpec& scene);
+/// The result directory: as given, else results/NAME beside the scene file.
+std::string output_directory(const SceneSpec& scene);
+/// The depth that counts as touched when compared with the scar [m]: as given, else the trace's.
+double scar_threshold(const SceneSpec& scene);
+
+}  // namespace frana

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/keys/site_parameters.h"
+
+#include "params/keys/declare.h"
+
+namespace frana {
+namespace {
+
+using declare::choice;
+using declare::number;
+using declare::on_off;
+using declare::Range;
+using declare::source;
+using declare::text;
+using Kind = SourceSpec::Kind;
+
+Parameter bounds_parameter() {
+    Parameter result =
+        text("terrain.bounds", FRANA_MEMBER(terrain.dtm), "list",
+             "Part of the DTM to compute on: west south east north in the working CRS.", "the whole DTM");
+    result.unit = "m";
+    result.limits = "four numbers, west < east and south < north";
+    result.read = [](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
+        std::vector<double> numbers;
+        for (const std::string& word : words_of(value)) {
+            const auto number = number_from_text(word);
+            if (!number) return Refusal{"'" + word + "' is not a number", ""};
+            numbers.push_back(*number);
+        }
+        if (numbers.size() != 4) return Refusal{"does not have four numbers", ""};
+        const Bounds box{numbers[0], numbers[1], numbers[2], numbers[3]};
+        if (!(box.west < box.east) || !(box.south < box.north))
+            return Refusal{"is an empty rectangle", "Write west south east north, in this order"};
+        scene.terrain.bounds = box;
+        return std::nullopt;
+    };
+    result.write = [](const SceneSpec& scene) -> std::optional<std::string> {
+        if (!scene.terrain.bounds) return std::nullopt;
+        const Bounds& box = *scene.terrain.bounds;
+        return shortest_text(box.west) + " " + shortest_text(box.south) + " " + shortest_text(box.east) +
+               " " + shortest_text(box.north);
+    };
+    result.reset = [](SceneSpec& scene) { scene.terrain.bounds.reset(); };
+    return result;
+}
+
+Parameter thickness_parameter() {
+    Parameter result = declare::parameter(
+        "release.thickness", "text", FRANA_MEMBER(release.thickness),
+        [](std::optional<ThicknessSpec>& target, const std::string& value) -> std::optional<Refusal> {
+            const auto spec = thickness_from_text(value);
+            if (!spec) return Refusal{"is not understood", ""};
+            if (spec->kind == ThicknessSpec::Kind::number && !(spec->metres > 0))
+                return Refusal{"is not a thickness", "It must be greater than 0 m"};
+            target = spec;
+            return std::nullopt;
+        },
+        [](const ThicknessSpec& thickness) { return text_of(thickness); });
+    result.unit = "m";
+    result.limits =
+        "a number greater than 0, attribute:NAME, raster:FILE, difference:PRE,POST, slip-surface:FILE, "
+        "slip-surface, phases:SOLIDS,FLUID";
+    result.meaning =
+        "Thickness of what fails: one number, a column of the perimeter, a raster, a DTM before less one "
+        "after, the DTM above a raster of the slip surface's elevation, or above one fitted to each polygon; of the "
+        "structured model, rasters of the depths of solids and of fluid, whose sum it is.";
+    result.absent = "required, unless there is an inflow";
+    result.map_files = [](SceneSpec& scene, const FileMap& map) {
+        if (!scene.release.thickness) return;
+        ThicknessSpec& thickness = *scene.release.thickness;
+        if (!thickness.raster.empty()) thickness.raster = map(thickness.raster);
+        if (!thickness.post.empty()) thickness.post = map(thickness.post);
+    };
+    return result;
+}
+
+/// A quantity of the zones; `range` is that of the key in [material] with the same meaning.
+template <class Member>
+Parameter zone(const std::string& key, Member member, const std::string& unit, Range range,
+               const std::string& meaning) {
+    return source("zones." + key, member, unit, range, {Kind::attribute, Kind::raster}, meaning,
+                  "the material's own everywhere");
+}
+
+}  // namespace
+
+void add_terrain(std::vector<Parameter>& list) {
+    list.push_back(text("terrain.dtm", FRANA_MEMBER(terrain.dtm), "file",
+                        "Digital terrain model: any raster GDAL reads, elevations in its first band.",
+                        "required"));
+    list.push_back(
+        text("terrain.crs", FRANA_MEMBER(terrain.crs), "text",
+             "Working CRS, projected, in metres (EPSG:32632, WKT, PROJ); auto: the DTM's own if it is one, "
+             "else the UTM zone it lies in; local: plain metres without a CRS."));
+    list.push_back(text("terrain.dtm-crs", FRANA_MEMBER(terrain.dtm_crs), "text",
+                        "CRS of the DTM where its file names none or a wrong one.", "the file's own"));
+    list.push_back(number("terrain.cell-size", FRANA_MEMBER(terrain.cell_size), "m", Range{0.01, 1000},
+                          "Side of the working grid's cells.", "the DTM's own"));
+    list.push_back(bounds_parameter());
+    list.push_back(
+        choice("terrain.nodata-policy", FRANA_MEMBER(terrain.nodata_policy), {"stop", "wall", "fill"},
+               "Flow that reaches ground without elevation: end the run, meet a wall, or cross a bed "
+               "interpolated there beforehand."));
+    list.push_back(
+        choice("terrain.vertical-unit", FRANA_MEMBER(terrain.vertical_unit),
+               {"auto", "metre", "foot", "us-survey-foot"},
+               "Unit of the DTM's elevations; auto: as the file says, metres where it says nothing."));
+    list.push_back(
+        choice("terrain.resampling", FRANA_MEMBER(terrain.resampling),
+               {"automatic", "nearest", "bilinear", "cubic", "average"},
+               "How the DTM comes onto the working grid; automatic: copied where the cells coincide, "
+               "averaged to coarser cells, bilinear to finer ones."));
+    list.push_back(text("terrain.friction-zones", FRANA_MEMBER(terrain.friction_zones), "file",
+                        "Polygons with material values of their own, in their own CRS; [zones] names the columns.",
+                        "none"));
+    list.push_back(text("terrain.obstacles", FRANA_MEMBER(terrain.obstacles), "file",
+                        "Polygons of dams, fills and embankments that raise the bed, in their own CRS.", "none"));
+    list.push_back(source("terrain.obstacle-height", FRANA_MEMBER(terrain.obstacle_height), "m",
+                          Range{0, 1000, true}, {Kind::number, Kind::attribute},
+                          "Height of the obstacles above the DTM.", "required with terrain.obstacles"));
+    list.push_back(text("terrain.walls", FRANA_MEMBER(terrain.walls), "file",
+                        "Polygons of buildings and walls that no flow overtops, in their own CRS.", "none"));
+}
+
+void add_release(std::vector<Parameter>& list) {
+    list.push_back(
+        text("release.perimeter", FRANA_MEMBER(release.perimeter), "file",
+             "Outline of what fails: any polygon layer OGR reads, in its own CRS; FILE|layer=NAME picks one.",
+             "required, unless thickness comes from rasters: then where that is positive"));
+    list.push_back(thickness_parameter());
+    list.push_back(choice("release.thickness-direction", FRANA_MEMBER(release.thickness_direction),
+                          {"vertical", "normal"},
+                          "Direction in which the thickness was measured: plumb, or normal to "
+                          "the slope."));
+    list.push_back(
+        on_off("release.dtm-contains-release", FRANA_MEMBER(release.dtm_contains_release),
+               "on: the DTM is the ground before the failure and the bed lies under the release; off: the "
+               "release lies on top of the DTM."));
+    list.push_back(source("release.volume", FRANA_MEMBER(release.volume), "m3", Range{0, 1e12, true},
+                          {Kind::number, Kind::attribute},
+                          "Volume to match: thicknesses are scaled until the whole release, or each polygon of its "
+                          "own, holds it.",
+                          "what the thickness gives"));
+    list.push_back(source("release.start", FRANA_MEMBER(release.start), "s", Range{0, 1e6},
+                          {Kind::number, Kind::attribute}, "When it fails.", "0"));
+    list.push_back(source("release.velocity", FRANA_MEMBER(release.velocity), "m/s", Range{0, 200},
+                          {Kind::number, Kind::attribute}, "Speed along the bed at the start.", "0"));
+    list.push_back(source("release.direction", FRANA_MEMBER(release.direction), "degrees", Range{0, 360},
+                          {Kind::number, Kind::attribute},
+                          "Azimuth of that velocity, clockwise from grid north.",
+                          "down the mean slope of each polygon"));
+    list.push_back(source("release.slip-depth", FRANA_MEMBER(release.slip_depth), "m", Range{0, 1000, true},
+                          {Kind::number, Kind::attribute},
+                          "Greatest depth of a fitted slip surface under the surface that spans the perimeter; this "
+                          "or release.volume.",
+                          "from release.volume"));
+    list.push_back(choice("release.slip-shape", FRANA_MEMBER(release.slip_shape),
+                          {"auto", "ellipsoid", "base-level"},
+                          "Form of a fitted slip surface; auto: ellipsoid, where a polygon cannot be seen whole from "
+                          "its centroid the sloping local base level."));
+}
+
+void add_inflow(std::vector<Parameter>& list) {
+    list.push_back(text("inflow.line", FRANA_MEMBER(inflow.line), "file",
+                        "Lines through which material flows in: any OGR layer, in its own CRS.", "none"));
+    list.push_back(text("inflow.hydrograph", FRANA_MEMBER(inflow.hydrograph), "file",
+                        "CSV with the columns time, discharge or volume, and velocity; attribute:NAME: a column of "
+                        "the lines that names each one's own.",
+                        "required with inflow.line"));
+    list.push_back(number("inflow.direction", FRANA_MEMBER(inflow.direction), "degrees", Range{0, 360},
+                          "Azimuth of the inflow, clockwise from grid north.",
+                          "normal to the line, to its lower side"));
+}
+
+void add_zones(std::vector<Parameter>& list) {
+    list.push_back(zone("friction-angle", FRANA_MEMBER(zones.friction_angle), "degrees", Range{0, 60},
+                        "Bed friction angle by place; this or friction-coefficient."));
+    list.push_back(zone("friction-coefficient", FRANA_MEMBER(zones.friction_coefficient), "", Range{0, 2},
+                        "Bed friction coefficient by place."));
+    list.push_back(zone("turbulence", FRANA_MEMBER(zones.turbulence), "m/s2", Range{0, 1e9, true},
+                        "Voellmy turbulence coefficient xi by place."));
+    list.push_back(zone("cohesion", FRANA_MEMBER(zones.cohesion), "Pa", Range{0, 1e6}, "Bed cohesion by place."));
+    list.push_back(zone("erodible-depth", FRANA_MEMBER(zones.erodible_depth), "m", Range{0, 1000},
+                        "Thickness of the erodible layer by place."));
+    list.push_back(choice("zones.beyond-dtm", FRANA_MEMBER(zones.beyond_dtm), {"stop", "clip"},
+                          "Zone polygons that reach beyond the working grid: refuse them, or use what lies on it."));
+}
+
+}  // namespace frana

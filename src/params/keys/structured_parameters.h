@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "params/keys/parameter.h"
+
+namespace frana {
+
+/// The keys of [structured].
+void add_structured(std::vector<Parameter>& list);
+
+}  // namespace frana

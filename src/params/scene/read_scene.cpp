@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/scene/read_scene.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "params/check/check_scene.h"
+#include "params/grammar/absolute_path.h"
+#include "params/grammar/ini_file.h"
+#include "params/grammar/nearest_name.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/law_names.h"
+#include "params/keys/materials.h"
+#include "params/keys/scene_parameters.h"
+
+namespace frana {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Entries of one source; a later layer overrides an earlier one.
+struct Layer {
+    Origin origin;
+    std::string file;  ///< for messages; empty: the command line
+    std::vector<IniEntry> entries;
+
+    [[nodiscard]] std::string where(const std::string& name) const {
+        return file.empty() ? "--set " + name : file + ": " + name;
+    }
+    [[nodiscard]] bool has(const std::string& name) const {
+        return std::any_of(entries.begin(), entries.end(), [&](const IniEntry& e) { return e.name == name; });
+    }
+};
+
+/// Applies layers to a scene and keeps the faults.
+class Reader {
+  public:
+    Reader(SceneReading& reading, std::string directory)
+        : reading_(reading), directory_(std::move(directory)), parameters_(scene_parameters()) {}
+
+    void apply(const Layer& layer);
+    /// Forgets what a preset gave for laws that the scene does not ask for.
+    void drop_unread_of_preset();
+    [[nodiscard]] const std::set<std::string>& given() const { return given_; }
+
+  private:
+    void apply(const Layer& layer, const IniEntry& entry);
+    void make_paths_absolute(const Parameter& parameter, const std::string& where);
+
+    SceneReading& reading_;
+    std::string directory_;
+    std::vector<Parameter> parameters_;
+    std::set<std::string> given_;  ///< by the preset, the file or the command line, rightly or wrongly
+};
+
+void Reader::apply(const Layer& layer) {
+    static const std::string k_angle = "material.friction-angle",
+                             k_coefficient = "material.friction-coefficient";
+    if (layer.has(k_angle) && layer.has(k_coefficient)) {
+        reading_.problems.add({"contradicts material.friction-coefficient: both say how rough the bed is",
+                               layer.where(k_angle), "", "", "Keep one of the two"});
+    }
+    // The two are one quantity: what a later layer says replaces what an earlier one said under the other
+    // name.
+    if (layer.has(k_angle)) reading_.scene.material.friction_coefficient.reset();
+    if (layer.has(k_coefficient)) reading_.scene.material.friction_angle.reset();
+
+    std::set<std::string> seen;
+    for (const IniEntry& entry : layer.entries) {
+        if (!seen.insert(entry.name).second) {
+            reading_.problems.add({"is given more than once", layer.where(entry.name), entry.value, "",
+                                   "Keep one of the lines"});
+            continue;
+        }
+        apply(layer, entry);
+    }
+}
+
+void Reader::apply(const Layer& layer, const IniEntry& entry) {
+    const std::string where = layer.where(entry.name);
+    const auto parameter = std::find_if(parameters_.begin(), parameters_.end(),
+                                        [&](const Parameter& p) { return p.name() == entry.name; });
+    if (parameter == parameters_.end()) {
+        const std::string nearest = nearest_name(entry.name, names_of(parameters_));
+        reading_.problems.add(
+            {"unknown key", where, "", "",
+             nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?"});
+        return;
+    }
+    given_.insert(entry.name);
+    if (layer.origin == Origin::preset && parameter->section != "material") {
+        reading_.problems.add(
+            {"a material preset may set only [material]", where, entry.value, "", "Remove the key"});
+        return;
+    }
+    if (entry.value.empty()) {
+        reading_.problems.add({"has no value", where, "", parameter->limits, "Give one or remove the key"});
+        return;
+    }
+    if (const auto refusal = parameter->read(reading_.scene, entry.value)) {
+        const std::string unit =
+            parameter->unit.empty() || parameter->limits.empty() ? "" : " [" + parameter->unit + "]";
+        reading_.problems.add({refusal->what, where, entry.value, parameter->limits + unit, refusal->remedy});
+        return;
+    }
+    reading_.scene.origins[entry.name] = layer.origin;
+    make_paths_absolute(*parameter, where);
+}
+
+void Reader::drop_unread_of_preset() {
+    const std::vector<std::string> laws = laws_of(reading_.scene);
+    for (const LawKey& key : law_keys()) {
+        if (reading_.scene.origin_of(key.name) != Origin::preset) continue;
+        if (std::any_of(key.laws.begin(), key.laws.end(), [&](const std::string& law) {
+                return std::find(laws.begin(), laws.end(), law) != laws.end();
+            }))
+            continue;
+        for (const Parameter& parameter : parameters_) {
+            if (parameter.name() == key.name) parameter.reset(reading_.scene);
+        }
+        reading_.scene.origins.erase(key.name);
+        given_.erase(key.name);
+    }
+}
+
+/// A line of a scene file cannot hold it: line breaks and their like.
+bool has_control_characters(const std::string& text) {
+    return std::any_of(text.begin(), text.end(), [](unsigned char c) { return (c < 0x20 && c != '\t') || c == 0x7F; });
+}
+
+/// The same with every such character shown as '?'.
+std::string shown(std::string text) {
+    for (char& c : text)
+        if (has_control_characters({c})) c = '?';
+    return text;
+}
+
+void Reader::make_paths_absolute(const Parameter& parameter, const std::string& where) {
+    if (parameter.map_files) {
+        parameter.map_files(reading_.scene,
+                            [&](const std::string& path) { return absolute_path(path, directory_); });
+    }
+    const std::string value = parameter.write(reading_.scene).value_or("");
+    if (value.find('#') != std::string::npos) {
+        reading_.problems.add({"contains '#', which starts a comment in scene files", where, value, "",
+                               "Rename the file or folder"});
+    }
+    if (has_control_characters(value)) {
+        reading_.problems.add({"contains a line break or another control character, which no line of a scene file can hold",
+                               where, shown(value), "", "Rename the file or folder, or correct the text"});
+    }
+}
+
+/// The preset a scene names, the command line before the file; none: not named.
+std::optional<std::pair<std::string, std::string>> preset_of(const Layer& file, const Layer& command_line) {
+    for (const Layer* layer : {&command_line, &file})
+        for (const IniEntry& entry : layer->entries)
+            if (entry.name == "material.preset" && !entry.value.empty())
+                return std::pair{entry.value, layer->where(entry.name)};
+    return std::nullopt;
+}
+
+std::optional<Layer> preset_layer(const std::string& name, const std::string& where,
+                                  const std::string& directory, Problems& problems) {
+    std::vector<std::string> names;
+    for (const MaterialPreset& preset : material_presets(directory)) {
+        if (preset.name == name) return Layer{Origin::preset, preset.file, preset.entries};
+        names.push_back(preset.name);
+    }
+    problems.add(
+        {"is not a material preset", where, name, joined(names, ", "), "`frana materials` prints them"});
+    return std::nullopt;
+}
+
+Layer command_line_layer(const std::vector<std::string>& overrides, Problems& problems) {
+    Layer layer{Origin::command_line, "", {}};
+    for (const std::string& text : overrides) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos) {
+            problems.add(
+                {"is not section.key=value", "--set " + text, "", "", "Write for example --set time.end=60"});
+            continue;
+        }
+        layer.entries.push_back({trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))});
+    }
+    return layer;
+}
+
+}  // namespace
+
+std::vector<std::string> input_files(const SceneSpec& scene) {
+    std::vector<std::string> files{scene.file};
+    SceneSpec copy = scene;
+    for (const Parameter& parameter : scene_parameters()) {
+        if (!parameter.map_files || parameter.name() == "output.directory") continue;
+        parameter.map_files(copy, [&](const std::string& path) {
+            files.push_back(path);
+            return path;
+        });
+    }
+    return files;
+}
+
+SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides,
+                        const std::string& materials_directory) {
+    SceneReading reading;
+    reading.label = path;
+    const fs::path absolute = fs::absolute(path).lexically_normal();
+    reading.scene.file = absolute.string();
+    if (has_control_characters(reading.scene.file)) {
+        throw Error(ErrorKind::input, Problem{"the scene's path contains a line break or another control character, "
+                                              "which the result's own scene file could not hold",
+                                              shown(path), shown(reading.scene.file), "", "Rename the file or folder"});
+    }
+
+    const Layer file{Origin::scene_file, path, read_ini(path)};
+    const Layer command_line = command_line_layer(overrides, reading.problems);
+    Reader reader(reading, absolute.parent_path().string());
+    if (const auto preset = preset_of(file, command_line)) {
+        const auto layer = preset_layer(preset->first, preset->second, materials_directory, reading.problems);
+        if (layer) reader.apply(*layer);
+    }
+    reader.apply(file);
+    reader.apply(command_line);
+    reader.drop_unread_of_preset();
+    check_scene(reading.scene, reader.given(), path, reading.problems);
+    return reading;
+}
+
+}  // namespace frana
