@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "bench/radial_reference.h"
-#include "bench/similarity_solution.h"
+#include "bench/exact/radial_reference.h"
+#include "bench/exact/similarity_solution.h"
 
 namespace frana::bench {
 namespace {

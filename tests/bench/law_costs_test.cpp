@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/law_costs.h"
+#include "bench/speed/law_costs.h"
 
 #include <gtest/gtest.h>
 

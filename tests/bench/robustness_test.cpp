@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/robustness.h"
+#include "bench/stability/robustness.h"
 
 #include <gtest/gtest.h>
 

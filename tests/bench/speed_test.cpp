@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/speed.h"
+#include "bench/speed/speed.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/stability.h"
+#include "bench/stability/stability.h"
 
 #include <gtest/gtest.h>
 

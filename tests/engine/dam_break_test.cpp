@@ -5,7 +5,7 @@
 // within a factor 1.5.
 #include <gtest/gtest.h>
 
-#include "bench/dam_break.h"
+#include "bench/exact/dam_break.h"
 #include "cases.h"
 
 namespace frana::test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "bench/similarity_solution.h"
+#include "bench/exact/similarity_solution.h"
 #include "cases.h"
 #include "physics/stress_earth_pressure.h"
 

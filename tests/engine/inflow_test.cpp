@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "bench/lattice.h"
+#include "bench/set_up/lattice.h"
 #include "core/error.h"
 #include "simulation/inflow.h"
 #include "simulation/simulation.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "bench/dam_break.h"
+#include "bench/exact/dam_break.h"
 #include "cases.h"
 #include "simulation/simulation.h"
 

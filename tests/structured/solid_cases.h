@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bench/solid_block.h"
+#include "bench/set_up/solid_block.h"
 
 namespace frana::structured::test {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bench/peers.h"
+#include "bench/accuracy/peers.h"
 #include "render/chart/chart.h"
 
 namespace frana::app {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "bench/accuracy.h"
-#include "bench/speed.h"
+#include "bench/accuracy/accuracy.h"
+#include "bench/speed/speed.h"
 #include "render/canvas/image.h"
 
 namespace frana::app {

@@ -11,7 +11,7 @@
 #include "app/process/signals.h"
 #include "app/store/scene_identity.h"
 #include "app/text/text_file.h"
-#include "bench/robustness.h"
+#include "bench/stability/robustness.h"
 #include "core/error.h"
 
 namespace frana::app {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bench/accuracy/accuracy_case.h"
+
+namespace frana::bench {
+
+/// Frictionless dam breaks in a walled channel of 1000 m x 50 m with the dam at 500 m, at t = 20 s, against
+/// Stoker's and Ritter's solutions (dam_break.h). Cells of 10 to 0.625 m are 100 to 1600 along the channel.
+///   stoker       10 m over 2 m: rarefaction and shock
+///   stoker-weak  10 m over 5 m
+///   ritter       10 m over dry ground
+/// Own figures: mean depth error in metres, as other codes publish it; for ritter how far the place where the
+/// depth passes 0.01 m is from where it must be, in cells (mark 2), and the foremost particle.
+std::vector<AccuracyCase> channel_dam_breaks();
+
+}  // namespace frana::bench

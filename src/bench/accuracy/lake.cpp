@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/accuracy/lake.h"
+
+#include <algorithm>
+
+namespace frana::bench {
+namespace {
+
+constexpr double k_side = 10, k_level = 10;
+
+double hill(Point p, double height) {
+    const double dx = p.x - 5, dy = p.y - 5;
+    return height * std::exp(-0.4 * (dx * dx + dy * dy));
+}
+
+double block(Point p) {
+    return p.x >= 4 && p.x <= 8 && p.y >= 4 && p.y <= 8 ? 4 : 0;
+}
+
+Material paper_material() {
+    Material material = dry_friction(20);
+    material.density = 1200;
+    material.turbulence = 200;
+    material.viscosity = 2e3;
+    material.yield_stress = 30;
+    return material;
+}
+
+Raster bed_of(double cell_size, const std::function<double(Point)>& z) {
+    const std::int64_t cells = std::llround(k_side / cell_size);
+    return sample_raster(plain_grid(cells, cells, cell_size), z);
+}
+
+double own(const CaseFigures& figures, std::size_t i) {
+    return figures.own.at(i).value;
+}
+
+CaseFigures run_table_1(double cell_size, Scheme scheme, const std::function<double(Point)>& z) {
+    const Raster bed = bed_of(cell_size, z);
+    constexpr double k_mark = 1e-12;
+    CaseFigures figures = run_lake(bed, k_level, paper_material(), scheme, 0, 1);
+    double momentum = own(figures, 1);
+    for (const auto& [material, jitter] :
+         {std::pair{paper_material(), 0.8}, std::pair{water(), 0.0}, std::pair{water(), 0.8}}) {
+        const CaseFigures other = run_lake(bed, k_level, material, scheme, jitter, 1);
+        momentum = std::max(momentum, own(other, 1));
+        figures.steps += other.steps;
+        figures.wall_seconds += other.wall_seconds;
+        figures.l1_depth = std::max(figures.l1_depth, other.l1_depth);
+        figures.l2_depth = std::max(figures.l2_depth, other.l2_depth);
+        figures.linf_depth = std::max(figures.linf_depth, other.linf_depth);
+        figures.l1_momentum = std::max(figures.l1_momentum, other.l1_momentum);
+        if (!other.failure.empty()) figures.failure = other.failure;
+    }
+    figures.own = {{"greatest |h - h0| [m]", figures.linf_depth, k_mark},
+                   {"greatest |hu|, |hv| [m2/s]", momentum, k_mark}};
+    return figures;
+}
+
+CaseFigures run_island(double cell_size, Scheme scheme) {
+    const Raster bed = bed_of(cell_size, [](Point p) { return hill(p, 13); });
+    CaseFigures figures = run_lake(bed, k_level, water(), scheme, 0, 10);
+    const CaseFigures random = run_lake(bed, k_level, water(), scheme, 0.8, 10);
+    for (OwnFigure& figure : figures.own) figure.mark = 1e-10;
+    figures.own.push_back({"greatest speed, random particles [m/s]", own(random, 2), {}});
+    return figures;
+}
+
+}  // namespace
+
+CaseFigures run_lake(const Raster& bed, double level, const Material& material, Scheme scheme, double jitter,
+                     double time) {
+    Setup setup;
+    setup.bed = bed;
+    setup.material = material;
+    setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
+    const SchemeBed elevation(bed, scheme, Boundary::wall);
+    setup.seeds = fill_lattice(bed.grid, 2, jitter, [&](Point p) { return Seed{level - elevation(p)}; });
+    TimedFlow run(setup);
+    const Raster start = run.flow().nodal_fields().depth;
+    run.advance_to(time);
+    const GridSpec& grid = bed.grid;
+    CaseFigures figures = compare_with_exact(run, [&](Point p) {
+        const auto column = static_cast<std::int64_t>(p.x / grid.cell_size);
+        const auto row = grid.rows - 1 - static_cast<std::int64_t>(p.y / grid.cell_size);
+        return ExactState{start.at(row, column), 0, 0};
+    });
+    const Flow::NodalFields end = run.flow().nodal_fields();
+    double momentum = 0, speed = 0;
+    for (const Raster* field : {&end.momentum_x, &end.momentum_y})
+        for (const double q : field->values) momentum = std::max(momentum, std::abs(q));
+    const ParticleSet& particles = run.flow().particles();
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        speed = std::max(speed, std::hypot(particles[Field::u][p], particles[Field::v][p]));
+    if (run.non_finite() > 0) momentum = speed = k_no_data;
+    figures.own = {{"greatest |h - h0| [m]", figures.linf_depth, {}},
+                   {"greatest |hu|, |hv| [m2/s]", momentum, {}},
+                   {"greatest speed [m/s]", speed, {}}};
+    return figures;
+}
+
+std::vector<AccuracyCase> lakes() {
+    const std::vector<double> cells{0.5, 0.4, 0.25, 0.2};
+    return {
+        {"lake-z1", "lake at rest over a smooth hill, 1 s", cells, true,
+         [](double dx, Scheme scheme) {
+             return run_table_1(dx, scheme, [](Point p) { return hill(p, 5); });
+         }},
+        {"lake-z2", "lake at rest over a 4 m step, 1 s", cells, true,
+         [](double dx, Scheme scheme) { return run_table_1(dx, scheme, block); }},
+        {"lake-island", "lake at rest round an island, 10 s", {0.5, 0.4, 0.25, 0.2, 0.1}, true, run_island}};
+}
+
+}  // namespace frana::bench

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bench/accuracy/accuracy_case.h"
+
+namespace frana::bench {
+
+/// Ritter's dam break (dam_break.h) with the dam at 30 degrees to the grid, 10 m over dry ground, t = 20 s.
+///
+/// No wall can run at 30 degrees, so the water is a rectangle so large (720 m behind the dam, 490 m along it)
+/// that what its free sides do, spreading at sqrt(g h) = 9.9 m/s, has not come to the strip that is compared:
+/// 50 m wide about the middle, 500 m to either side of the dam, the same stretch as ritter's channel. The
+/// rectangle is filled as a release perimeter is, with the particles' areas clipped by its outline.
+AccuracyCase rotated_dam_break();
+
+}  // namespace frana::bench

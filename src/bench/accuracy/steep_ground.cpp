@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/accuracy/steep_ground.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace frana::bench {
+namespace {
+
+using Surface = std::function<double(Point)>;
+using Profile = std::function<double(double)>;
+
+constexpr double k_film = 0.3;  // its pressure is worth 0.15 m of height
+
+// The film's means over its volume.
+struct Film {
+    double height = 0;   // of the ground under it [m]
+    double kinetic = 0;  // over gravity [m]
+    double spin = 0;     // angular momentum over mass, in map view [m2/s]
+    [[nodiscard]] double energy() const { return height + kinetic; }
+};
+
+double square(double a) {
+    return a * a;
+}
+
+class FilmRun {
+  public:
+    /// @param film where it lies and how fast it starts (depth is not looked at but for its sign)
+    FilmRun(double length, double width, double cell_size, Scheme scheme, Surface ground,
+            const std::function<Seed(Point)>& film)
+        : ground_(std::move(ground)) {
+        setup_.bed = sample_raster(plain_grid(std::llround(length / cell_size), std::llround(width / cell_size), cell_size),
+                                   ground_);
+        setup_.seeds = fill_lattice(setup_.bed.grid, 2, 0, [&](Point p) {
+            const Seed seed = film(p);
+            return Seed{seed.depth > 0 ? k_film : 0, seed.u, seed.v};
+        });
+        setup_.material = water();
+        setup_.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::open);
+        setup_.numerics.minimum_depth = 1e-6;
+        run_.emplace(setup_);
+    }
+
+    /// Steps to `end`, or until nothing is left; see(film) after each step.
+    void advance_to(double end, const std::function<void(const Film&)>& see) {
+        run_->advance_to(end, [&](const voellmy_bingham::StepReport& step) { see(film(0.5 * step.dt)); });
+    }
+    /// About which point angular momentum counts.
+    void turns_about(Point middle) { middle_ = middle; }
+
+    /// @param lag by which velocities are behind the positions [s]; heights are then those of their time
+    [[nodiscard]] Film film(double lag = 0) {
+        Flow& flow = run_->flow();
+        const ParticleSet& particles = flow.particles();
+        Film film;
+        double total = 0;
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            const double volume = particles[Field::volume][p];
+            const Point v = flow.map_velocity(p);
+            const Point at{particles[Field::x][p] - lag * v.x, particles[Field::y][p] - lag * v.y};
+            film.height += volume * ground_(at);
+            film.kinetic += volume * square_of_speed(p, at, v) / (2 * k_gravity);
+            film.spin += volume * ((at.x - middle_.x) * v.y - (at.y - middle_.y) * v.x);
+            total += volume;
+        }
+        if (total > 0) {
+            for (double* value : {&film.height, &film.kinetic, &film.spin}) *value /= total;
+        }
+        return film;
+    }
+    /// Share of the volume at places that are so; what has left is nowhere.
+    [[nodiscard]] double share(const std::function<bool(Point)>& where) {
+        const ParticleSet& particles = run_->flow().particles();
+        double there = 0, all = run_->flow().volume_left();
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            const double volume = particles[Field::volume][p];
+            all += volume;
+            if (where({particles[Field::x][p], particles[Field::y][p]})) there += volume;
+        }
+        return there / all;
+    }
+
+    void add_cost_to(CaseFigures& figures) {
+        figures.particles = std::max(figures.particles, run_->peak_particles());
+        figures.steps += run_->flow().steps();
+        figures.wall_seconds += run_->seconds();
+        if (run_->non_finite() > 0) figures.failure = "values became non-finite";
+    }
+
+  private:
+    // Along the bed: what the particle carries, or what its velocity in map view is there.
+    [[nodiscard]] double square_of_speed(std::size_t p, Point at, Point v) {
+        const ParticleSet& particles = run_->flow().particles();
+        if (setup_.numerics.curvature) return square(particles[Field::u][p]) + square(particles[Field::v][p]);
+        constexpr double k_near = 1e-3;
+        const double x = (ground_({at.x + k_near, at.y}) - ground_({at.x - k_near, at.y})) / (2 * k_near);
+        const double y = (ground_({at.x, at.y + k_near}) - ground_({at.x, at.y - k_near})) / (2 * k_near);
+        return v.x * v.x + v.y * v.y + square(v.x * x + v.y * y);
+    }
+
+    Surface ground_;
+    Point middle_;
+    Setup setup_;
+    std::optional<TimedFlow> run_;
+};
+
+CaseFigures figures_of(double cell_size, std::vector<OwnFigure> own, CaseFigures cost) {
+    cost.cell_size = cell_size;
+    for (const OwnFigure& figure : own) {
+        cost.l1_depth = std::max(cost.l1_depth, std::abs(figure.value));
+        cost.l1_momentum += std::abs(figure.value) / static_cast<double>(own.size());
+    }
+    cost.l2_depth = cost.linf_depth = cost.l1_depth;
+    cost.l2_momentum = cost.l1_momentum;
+    cost.own = std::move(own);
+    return cost;
+}
+
+// A frame whose first axis runs at an angle to the grid's.
+struct Turned {
+    Point origin;
+    double cosine, sine;
+
+    Turned(Point from, double angle_deg)
+        : origin(from), cosine(std::cos(angle_deg * k_degree)), sine(std::sin(angle_deg * k_degree)) {}
+    [[nodiscard]] Point in(Point p) const {
+        const double x = p.x - origin.x, y = p.y - origin.y;
+        return {cosine * x + sine * y, cosine * y - sine * x};
+    }
+};
+
+Seed disc(Point p, Point middle, double radius) {
+    return {square(p.x - middle.x) + square(p.y - middle.y) < radius * radius ? 1.0 : 0.0};
+}
+
+std::string text_of(const char* format, double a, double b, double c) {
+    char text[128];
+    std::snprintf(text, sizeof text, format, a, b, c);
+    return text;
+}
+
+// Particles that a film holds together: all with the same energy, that of rest at a height, so that none overtakes
+// another (where they meet, a continuum loses energy) and each goes the same way. They start along the first axis.
+Seed flowing(const Turned& frame, Point p, Point middle, double radius, double height, const Profile& profile) {
+    const Point at = frame.in(p);
+    Seed seed = disc(at, middle, radius);
+    const double z = profile(at.x), slope = (profile(at.x + 0.5) - profile(at.x - 0.5));
+    if (!(z < height)) return {};
+    const double speed = std::sqrt(2 * k_gravity * (height - z) / (1 + slope * slope));
+    seed.u = speed * frame.cosine;
+    seed.v = speed * frame.sine;
+    return seed;
+}
+
+constexpr double k_margin = 80, k_radius = 12;
+
+// A film that flows along a profile, at an angle to the grid.
+FilmRun along(const Profile& profile, double length, double start, double height, double angle_deg, double cell_size,
+              Scheme scheme) {
+    const Turned frame({k_margin, k_margin}, angle_deg);
+    return FilmRun(2 * k_margin + length * frame.cosine, 2 * k_margin + length * frame.sine, cell_size, scheme,
+                   [=](Point p) { return profile(frame.in(p).x); },
+                   [&](Point p) { return flowing(frame, p, {start, 0}, k_radius, height, profile); });
+}
+
+constexpr double k_angles[] = {0.0, 30.0};
+
+// Height climbed over height fallen.
+double climb(double cell_size, Scheme scheme, double down_deg, double up_deg, double angle_deg, CaseFigures& cost) {
+    constexpr double k_fall = 200, k_start = 150;
+    const double down = std::tan(down_deg * k_degree), up = std::tan(up_deg * k_degree);
+    const double ahead = k_start / down, beyond = k_fall / up;
+    const auto profile = [=](double s) { return s < ahead ? (ahead - s) * down : (s - ahead) * up; };
+    FilmRun run = along(profile, ahead + 3.5 * beyond, 0, k_fall, angle_deg, cell_size, scheme);
+    const double time = std::sqrt(2 * k_fall / k_gravity) *
+                        (0.5 / std::sin(down_deg * k_degree) + 1 / std::sin(up_deg * k_degree));
+    // Where the foremost turn they meet those behind: what is left is looked at before.
+    Film climbing;
+    double lowest = k_fall;
+    run.advance_to(2 * time, [&](const Film& now) {
+        lowest = std::min(lowest, now.height);
+        if (climbing.height == 0 && lowest < 0.3 * k_fall && now.height > 0.5 * k_fall) climbing = now;
+    });
+    run.add_cost_to(cost);
+    return climbing.energy() / k_fall;
+}
+
+CaseFigures run_valley(double cell_size, Scheme scheme) {
+    CaseFigures cost;
+    std::vector<OwnFigure> own;
+    constexpr double k_pairs[][2] = {{30, 45}, {20, 50}, {30, 60}, {45, 70}, {60, 20}};
+    for (const double angle : k_angles) {
+        for (const auto& [down, up] : k_pairs) {
+            own.push_back({text_of("climb over fall - 1, %g/%g, turned by %g", down, up, angle),
+                           climb(cell_size, scheme, down, up, angle, cost) - 1, 0.02});
+        }
+    }
+    return figures_of(cell_size, own, cost);
+}
+
+// What a film on a profile gains of its energy at most, over its fall.
+double gain(const Profile& profile, double length, double height, double end, double angle, double cell_size,
+            Scheme scheme, CaseFigures& cost) {
+    FilmRun run = along(profile, length, 40, height, angle, cell_size, scheme);
+    double worst = 0, lowest = height;
+    run.advance_to(end, [&](const Film& now) {
+        lowest = std::min(lowest, now.height);
+        if (std::abs(now.energy() - height) > std::abs(worst)) worst = now.energy() - height;
+    });
+    run.add_cost_to(cost);
+    return worst / (height - lowest);
+}
+
+CaseFigures run_profile(double cell_size, Scheme scheme) {
+    CaseFigures cost;
+    std::vector<OwnFigure> own;
+    // Falls by 180 m over waves of 90 m, which are steeper than 45 degrees in places, and rises again at its end.
+    const auto profile = [](double s) {
+        return 200 * std::exp(-square(s / 260)) + 9 * std::sin(s / 14.3) * std::exp(-square((s - 300) / 200)) +
+               80 * square(std::max(0.0, s - 420) / 200);
+    };
+    for (const double angle : k_angles)
+        own.push_back({text_of("energy gained over fall, turned by %g%.0s%.0s", angle, 0, 0),
+                       gain(profile, 640, 230, 13, angle, cell_size, scheme, cost), 0.01});
+    return figures_of(cell_size, own, cost);
+}
+
+CaseFigures run_slope_step(double cell_size, Scheme scheme) {
+    CaseFigures cost;
+    std::vector<OwnFigure> own;
+    const double steep = std::tan(40 * k_degree), gentle = std::tan(10 * k_degree);
+    const auto profile = [=](double s) { return 200 + (s < 150 ? (150 - s) * steep : (150 - s) * gentle); };
+    for (const double angle : k_angles)
+        own.push_back({text_of("energy gained over fall, turned by %g%.0s%.0s", angle, 0, 0),
+                       gain(profile, 500, profile(0), 9, angle, cell_size, scheme, cost), 0.01});
+    return figures_of(cell_size, own, cost);
+}
+
+CaseFigures run_bowl(double cell_size, Scheme scheme) {
+    constexpr double k_side = 600, k_curve = 200, k_away = 180;  // Z = r^2 / (2 k_curve): 42 degrees at the start
+    const Point middle{k_side / 2, k_side / 2};
+    FilmRun run(k_side, k_side, cell_size, scheme,
+                [=](Point p) { return (square(p.x - middle.x) + square(p.y - middle.y)) / (2 * k_curve); },
+                [=](Point p) {
+                    Seed seed = disc(p, {middle.x + k_away, middle.y}, k_radius);
+                    seed.v = 20;
+                    return seed;
+                });
+    run.turns_about(middle);
+    const Film start = run.film();
+    double energy = 0, spin = 0;
+    run.advance_to(30, [&](const Film& now) {
+        if (std::abs(now.energy() - start.energy()) > std::abs(energy)) energy = now.energy() - start.energy();
+        if (std::abs(now.spin - start.spin) > std::abs(spin)) spin = now.spin - start.spin;
+    });
+    CaseFigures cost;
+    run.add_cost_to(cost);
+    return figures_of(cell_size,
+                      {{"energy gained", energy / start.energy(), 0.02}, {"angular momentum gained", spin / start.spin, 0.02}},
+                      cost);
+}
+
+// A half-pipe of parabolic section whose axis falls by 35 degrees along a quarter circle between two straights.
+CaseFigures run_gully_bend(double cell_size, Scheme scheme) {
+    constexpr double k_bend = 150, k_straight = 120, k_slope = 0.7, k_section = 60, k_height = 400;
+    constexpr double k_quarter = 1.5707963267948966 * k_bend;
+    const Point centre{60 + k_straight, 100 + k_bend};
+    const auto ground = [=](Point p) {
+        double way = 0, aside = 0;
+        if (p.x < centre.x) {  // eastwards
+            way = p.x - 60;
+            aside = p.y - (centre.y - k_bend);
+        } else if (p.y > centre.y) {  // northwards
+            way = k_straight + k_quarter + (p.y - centre.y);
+            aside = p.x - (centre.x + k_bend);
+        } else {
+            way = k_straight + k_bend * std::atan2(p.x - centre.x, centre.y - p.y);
+            aside = std::hypot(p.x - centre.x, p.y - centre.y) - k_bend;
+        }
+        return k_height - k_slope * way + square(aside) / (2 * k_section);
+    };
+    const Turned frame({60, centre.y - k_bend}, 0);
+    const double height = k_height + 10;
+    FilmRun run(460, 520, cell_size, scheme, ground, [&](Point p) {
+        Seed seed = flowing(frame, p, {40, 0}, k_radius, height, [=](double s) { return k_height - k_slope * s; });
+        const double slope = 1 + k_slope * k_slope, spare = height - ground(p);
+        seed.u = spare > 0 ? std::sqrt(2 * k_gravity * spare / slope) : 0;
+        return seed;
+    });
+    run.advance_to(11, [](const Film&) {});
+    const Film end = run.film();
+    CaseFigures cost;
+    run.add_cost_to(cost);
+    return figures_of(cell_size, {{"energy gained over fall", (end.energy() - height) / (height - end.height), 0.02}}, cost);
+}
+
+// Down 35 degrees and up a ridge of 45 degrees, rounded over 40 m: the height of rest from which a half of the film passes.
+double passing_height(double crest, double cell_size, Scheme scheme, double angle, CaseFigures& cost) {
+    constexpr double k_round = 20;
+    const double down = std::tan(35 * k_degree), start = 0.6 * crest, ahead = start / down;
+    const auto profile = [=](double s) {
+        if (s < ahead) return (ahead - s) * down;
+        const double from_crest = std::abs(s - ahead - crest - 0.5 * k_round);
+        return crest - (from_crest < k_round ? square(from_crest) / (2 * k_round) : from_crest - 0.5 * k_round);
+    };
+    const Turned frame({k_margin, k_margin}, angle);
+    double low = 0.8 * crest, high = 1.25 * crest;
+    for (int i = 0; i < 7; ++i) {
+        const double height = 0.5 * (low + high);
+        FilmRun run = along(profile, ahead + 2.5 * crest, 0, height, angle, cell_size, scheme);
+        run.advance_to(16, [](const Film&) {});
+        (run.share([&](Point p) { return frame.in(p).x < ahead + crest + 0.5 * k_round; }) > 0.5 ? low : high) = height;
+        run.add_cost_to(cost);
+    }
+    return 0.5 * (low + high);
+}
+
+CaseFigures run_ridge(double cell_size, Scheme scheme) {
+    constexpr double k_crest = 100;
+    CaseFigures cost;
+    std::vector<OwnFigure> own;
+    for (const double angle : k_angles)
+        own.push_back({text_of("height that passes over the ridge's - 1, turned by %g%.0s%.0s", angle, 0, 0),
+                       passing_height(k_crest, cell_size, scheme, angle, cost) / k_crest - 1, 0.02});
+    return figures_of(cell_size, own, cost);
+}
+
+}  // namespace
+
+std::vector<AccuracyCase> steep_ground() {
+    const std::vector<double> cells{10, 5, 2.5, 1.25};
+    return {{"valley", "film without friction down one side of a V and up the other", cells, false, run_valley},
+            {"profile", "film without friction down a smooth, wavy profile", cells, false, run_profile},
+            {"bowl", "film without friction round a paraboloid", cells, false, run_bowl},
+            {"slope-step", "film without friction from 40 to 10 degrees", cells, false, run_slope_step},
+            {"gully-bend", "film without friction down a half-pipe round a bend", cells, false, run_gully_bend},
+            {"ridge", "film without friction against a ridge that a part overtops", cells, false, run_ridge}};
+}
+
+}  // namespace frana::bench

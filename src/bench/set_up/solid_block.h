@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <functional>
+
+#include "bench/set_up/lattice.h"
+#include "models/structured/solid/placement.h"
+#include "models/structured/step.h"
+
+namespace frana::bench {
+
+/// Structured solids for a bench or a test: laws, one material, columns on a lattice. Particles three a cell side, the
+/// smoothing length half a cell; dry, cohesive, E = 100 MPa, nu = 1/4, 1700 kg/m3, 28 degrees, unless changed.
+struct SolidBlock {
+    explicit SolidBlock(double cell) : laws(0.5 * cell) {
+        laws.solid.spacing = cell / 3;
+        laws.solid.elastic = structured::Elasticity::from_young_and_bulk(1e8, 1e8 / 1.5);
+        material.solid_fraction = 1;
+        material.grain_density = 1700;
+        material.cohesion = 1e12;
+        material.friction = material.bed_friction = std::tan(28 * M_PI / 180);
+    }
+
+    /// Fills a rectangle of nx by ny lattice places from (x0, y0) on.
+    void fill(double x0, double y0, std::int64_t nx, std::int64_t ny, const std::function<Seed(Point)>& seed) {
+        const double spacing = laws.solid.spacing;
+        for (std::int64_t j = 0; j < ny; ++j) {
+            for (std::int64_t i = 0; i < nx; ++i) {
+                const Point at{x0 + (static_cast<double>(i) + 0.5) * spacing,
+                               y0 + (static_cast<double>(j) + 0.5) * spacing};
+                const Seed s = seed(at);
+                if (!(s.depth > 0)) continue;
+                ParticleRow r = ParticleSet::initial_row();
+                get(r, Field::x) = at.x;
+                get(r, Field::y) = at.y;
+                get(r, Field::u) = s.u;
+                get(r, Field::v) = s.v;
+                get(r, Field::volume) = s.depth * spacing * spacing;
+                get(r, Field::area) = spacing * spacing;
+                columns.push_back(r);
+            }
+        }
+    }
+
+    /// The run's state, in order and on the nodes.
+    /// @param wet whether there is, or can be, free fluid
+    structured::State start(const Raster& bed, ThreadPool& pool, bool wet = false) {
+        double lightest = material.grain_density;
+        laws.solid.basal.gravity = laws.coupling.drag.fluid.gravity = laws.fluid.gravity = laws.solid.gravity;
+        if (wet) {
+            laws.solid.basal.fluid_density = 1000;
+            lightest = material.solid_fraction * material.grain_density + (1 - material.solid_fraction) * 1000;
+        }
+        laws.solid.wave_speed = laws.solid.elastic.wave_speed(lightest);
+        laws.solid.viscosity.length = laws.solid.kernel.length();
+        laws.solid.viscosity.sound = laws.solid.wave_speed;
+        const structured::SolidStages stages = structured::choose_solid_stages(material.cohesion > 0, wet);
+        const auto of_place = [this](Point) { return material; };
+        const ParticleSet solids =
+            structured::give_material(structured::split_phases(columns, of_place), stages.fields, of_place);
+        structured::State state(NodeGrid(bed), laws, solids, stages, wet);
+        structured::prepare(state, laws, pool);
+        return state;
+    }
+
+    structured::Laws laws;
+    structured::SolidMaterial material;
+    ParticleSet columns;
+};
+
+/// Steps until a time is reached; returns particles times substeps.
+inline std::int64_t advance_to(structured::State& state, const structured::Laws& laws, double time, ThreadPool& pool) {
+    std::int64_t particle_steps = 0;
+    while (time - state.time > 1e-9 * time) {
+        const structured::StepReport report = structured::step(state, laws, time - state.time, pool);
+        particle_steps += report.substeps * static_cast<std::int64_t>(state.solid->particles.size());
+    }
+    return particle_steps;
+}
+
+/// A plane that falls to the right.
+inline Raster incline(double slope_deg, std::int64_t columns, std::int64_t rows, double cell) {
+    const GridSpec grid = plain_grid(columns, rows, cell);
+    return sample_raster(grid, [&](Point p) { return (grid.east() - p.x) * std::tan(slope_deg * M_PI / 180); });
+}
+
+}  // namespace frana::bench

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/speed/law_costs.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+
+#include "bench/speed/speed.h"
+
+namespace frana::bench {
+namespace {
+
+struct Scenery {
+    Material material;
+    Numerics numerics;
+    MaterialZones zones;
+    Entrainment entrainment;
+};
+
+struct Variant {
+    std::string name;
+    std::function<void(Scenery&)> change;
+};
+
+Variant friction(const std::string& name, BedTerm term) {
+    return {name, [term](Scenery& s) { s.material.bed_friction.push_back(term); }};
+}
+
+std::vector<Variant> variants(const GridSpec& grid) {
+    return {{"plain: Voellmy", [](Scenery&) {}},
+            friction("cohesion", BedTerm::cohesion),
+            friction("RAMMS yield term", BedTerm::ramms_yield),
+            friction("Manning", BedTerm::manning),
+            friction("O'Brien-Julien", BedTerm::obrien_julien),
+            friction("Bingham at the bed", BedTerm::bingham),
+            friction("Herschel-Bulkley at the bed", BedTerm::herschel_bulkley),
+            {"Pouliquen-Forterre",
+             [](Scenery& s) {
+                 s.material.bed_friction = {BedTerm::pouliquen_forterre, BedTerm::turbulence};
+             }},
+            {"pore pressure",
+             [](Scenery& s) {
+                 s.material.pore_pressure_ratio = 0.3;
+                 s.material.pore_dissipation_time = 100;
+             }},
+            {"friction by zones",
+             [grid](Scenery& s) {
+                 s.zones.friction_coefficient = Raster(grid, s.material.friction_coefficient);
+             }},
+            {"without curvature", [](Scenery& s) { s.numerics.curvature = false; }},
+            {"in-plane Bingham", [](Scenery& s) { s.material.plane_stress = PlaneStressLaw::bingham; }},
+            {"earth pressure", [](Scenery& s) { s.material.plane_stress = PlaneStressLaw::earth_pressure; }},
+            {"erosion and deposition", [](Scenery& s) {
+                 s.entrainment.erosion = ErosionLaw::shear_stress;
+                 s.entrainment.erodible_depth = 1;
+                 s.entrainment.deposition = true;
+             }}};
+}
+
+}  // namespace
+
+std::vector<LawCost> run_law_costs(double particles, std::int64_t steps) {
+    const Setup setup = speed_sheet(particles, false);
+    const std::vector<Variant> laws = variants(setup.bed.grid);
+    std::vector<LawCost> costs(laws.size());
+    for (int turn = 0; turn < 3; ++turn) {
+        for (std::size_t i = 0; i < laws.size(); ++i) {
+            Scenery scene{setup.material, setup.numerics, {}, {}};
+            Material& m = scene.material;
+            m.plane_stress = PlaneStressLaw::none;
+            m.cohesion = 200;
+            m.ramms_yield_stress = 200;
+            m.manning = 0.02;
+            m.yield_stress = 200;
+            m.viscosity = m.consistency = 20;
+            m.flow_index = 0.5;
+            m.fast_friction_coefficient = 0.4;
+            m.friction_length = 1;
+            m.internal_friction_coefficient = 0.7;
+            laws[i].change(scene);
+            Flow flow(setup.bed, setup.seeds, m, scene.numerics, 1, {}, scene.zones, scene.entrainment);
+            flow.advance(1e9);
+            const std::int64_t before = flow.particle_steps();
+            const std::clock_t begin = std::clock();  // the processor's time: other programs do not count
+            for (std::int64_t step = 0; step < steps; ++step) flow.advance(1e9);
+            const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+            const double each = 1e9 * seconds / static_cast<double>(flow.particle_steps() - before);
+            LawCost& cost = costs[i];
+            cost.law = laws[i].name;
+            cost.nanoseconds = turn == 0 ? each : std::min(cost.nanoseconds, each);
+            cost.bytes_per_particle = static_cast<double>(flow.particles().bytes_per_particle());
+        }
+    }
+    for (LawCost& cost : costs) cost.relative = cost.nanoseconds / costs[0].nanoseconds;
+    return costs;
+}
+
+std::string law_costs_csv(const std::vector<LawCost>& costs) {
+    std::string out = "law,nanoseconds_per_particle_step,relative_to_plain,bytes_per_particle\n";
+    for (const LawCost& cost : costs) {
+        char line[160];
+        std::snprintf(line, sizeof line, "%s,%.4g,%.4g,%g\n", cost.law.c_str(), cost.nanoseconds,
+                      cost.relative, cost.bytes_per_particle);
+        out += line;
+    }
+    return out;
+}
+
+std::string law_costs_table(const std::vector<LawCost>& costs) {
+    std::string out = "what a law costs, one thread:\n";
+    for (const LawCost& cost : costs) {
+        char line[160];
+        std::snprintf(line, sizeof line, "%-28s %7.1f ns a particle-step  %5.2f times plain  %4.0f bytes\n",
+                      cost.law.c_str(), cost.nanoseconds, cost.relative, cost.bytes_per_particle);
+        out += line;
+    }
+    return out;
+}
+
+}  // namespace frana::bench

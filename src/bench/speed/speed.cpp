@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/speed/speed.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "bench/set_up/setup.h"
+#include "bench/speed/memory_bandwidth.h"
+#include "bench/speed/solid_speed.h"
+#include "bench/speed/speed_report.h"
+#include "mpm/vector/kernels.h"
+
+namespace frana::bench {
+namespace {
+
+// As many steps for each number of threads, so that the ends can be compared.
+std::int64_t steps_for(double particles, bool quick) {
+    const double particle_steps = quick ? 1e7 : 3e7;  // some seconds on one core
+    return std::clamp<std::int64_t>(std::llround(particle_steps / particles), 10, 100);
+}
+
+struct Measured {
+    SpeedRow row;
+    Raster depth;
+};
+
+Measured measure(const Setup& setup, const std::string& name, int threads, std::int64_t steps) {
+    Flow flow(setup.bed, setup.seeds, setup.material, setup.numerics, threads);
+    constexpr int k_warm_up = 2;
+    for (int i = 0; i < k_warm_up; ++i) flow.advance(1e9);
+    const std::int64_t before = flow.particle_steps();
+    const auto begin = std::chrono::steady_clock::now();
+    Measured measured;
+    SpeedRow& row = measured.row;
+    for (std::int64_t i = 0; i < steps; ++i) {
+        const auto report = flow.advance(1e9);
+        for (std::size_t s = 0; s < row.stages.size(); ++s) row.stages[s] += report.seconds[s];
+    }
+    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    row.case_name = name;
+    row.particles = static_cast<std::int64_t>(setup.seeds.size());
+    row.threads = threads;
+    row.steps = steps;
+    row.particle_steps_per_second = static_cast<double>(flow.particle_steps() - before) / row.seconds;
+    row.bytes_per_particle = static_cast<double>(flow.particles().bytes_per_particle());
+    measured.depth = flow.nodal_fields().depth;
+    return measured;
+}
+
+// The sheet after ten steps with the fast kernels and with the plain ones.
+double difference_from_plain(bool mud) {
+    const Setup setup = speed_sheet(4000, mud);
+    const auto depth = [&](Kernels kernels) {
+        Flow flow(setup.bed, setup.seeds, setup.material, setup.numerics, 1, std::nullopt, {}, {}, kernels);
+        for (int i = 0; i < 10; ++i) flow.advance(1e9);
+        return flow.nodal_fields().depth;
+    };
+    const Raster fast = depth(Kernels::fastest), plain = depth(Kernels::plain);
+    double difference = 0, greatest = 0;
+    for (std::size_t i = 0; i < plain.values.size(); ++i) {
+        difference = std::max(difference, std::abs(fast.values[i] - plain.values[i]));
+        greatest = std::max(greatest, plain.values[i]);
+    }
+    return difference / greatest;
+}
+
+// Terms are added one after another to a frictionless slide.
+std::vector<TermRow> measure_terms(double particles, std::int64_t steps) {
+    Setup setup = speed_sheet(particles, false);
+    const Material full = setup.material;
+    setup.material.friction_coefficient = 0;
+    setup.material.turbulence = std::numeric_limits<double>::infinity();
+    setup.numerics.slope_correction = SlopeCorrection::none;
+    setup.numerics.well_balanced = false;
+    std::vector<TermRow> rows;
+    const auto add = [&](const char* term) {
+        const SpeedRow row = measure(setup, term, 1, steps).row;
+        rows.push_back({term, 1e9 / row.particle_steps_per_second, row.bytes_per_particle});
+    };
+    add("pressure and slope, splitting and merging, maxima");
+    setup.numerics.well_balanced = true;
+    add("reference level per node");
+    setup.numerics.slope_correction = SlopeCorrection::normal;
+    add("slope correction");
+    setup.material.friction_coefficient = full.friction_coefficient;
+    add("Coulomb friction, held at rest");
+    setup.material.turbulence = full.turbulence;
+    add("turbulent friction");
+    setup.material.viscosity = 1000;
+    add("in-plane viscosity");
+    setup.material.yield_stress = 500;
+    add("in-plane yield stress");
+    setup.material.friction_coefficient = std::tan(40 * k_degree);
+    for (const Field field : {Field::u, Field::v})
+        std::fill_n(setup.seeds[field], setup.seeds.size(), 0.0);
+    add("all of it, at rest");
+    return rows;
+}
+
+double free_memory() {
+    return static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+std::vector<double> usual_sizes(bool quick, std::vector<std::string>& notes) {
+    std::vector<double> sizes{1e4, 1e5, 1e6};
+    // Fields, their copy while sorting, seeds and nodes.
+    constexpr double k_large = 1e7, k_bytes_at_most = 600;
+    if (quick) {
+        notes.emplace_back("1e7 particles left out (--quick)");
+    } else if (free_memory() < k_large * k_bytes_at_most) {
+        notes.emplace_back("1e7 particles left out: less than 6 GB of memory are free");
+    } else {
+        sizes.push_back(k_large);
+    }
+    return sizes;
+}
+
+}  // namespace
+
+Setup speed_sheet(double particles, bool mud) {
+    constexpr double k_cell_size = 5, k_slope_deg = 20, k_speed = 12;
+    const auto side = static_cast<std::int64_t>(std::lround(std::sqrt(particles / 4)));
+    // Cells of free ground round the sheet, and before it: room for some 100 steps at less than half a cell each.
+    constexpr std::int64_t k_margin = 10, k_path = 50;
+    Setup setup;
+    const GridSpec grid = plain_grid(side + 2 * k_margin + k_path, side + 2 * k_margin, k_cell_size);
+    const double gradient = std::tan(k_slope_deg * k_degree);
+    setup.bed = sample_raster(grid, [&](Point p) {
+        return (grid.east() - p.x) * gradient + 2 * std::sin(0.02 * p.x) * std::sin(0.03 * p.y);
+    });
+    const double low = k_margin * k_cell_size, high = low + static_cast<double>(side) * k_cell_size;
+    setup.seeds = fill_lattice(grid, 2, 0, [&](Point p) {
+        return Seed{p.x > low && p.x < high && p.y > low && p.y < high ? 3.0 : 0, k_speed, 0};
+    });
+    setup.material = dry_friction(12);
+    setup.material.density = 2000;
+    setup.material.turbulence = 500;
+    if (mud) {
+        setup.material.viscosity = 1000;
+        setup.material.yield_stress = 500;
+    }
+    setup.numerics = numerics_of(Scheme::standard, SlopeCorrection::normal, Boundary::open);
+    return setup;
+}
+
+SpeedResult run_speed(const SpeedOptions& options) {
+    SpeedResult result;
+    result.kernels = vector_kernels() ? "AVX2 and FMA" : "plain";
+    for (const bool mud : {false, true})
+        result.difference_from_plain = std::max(result.difference_from_plain, difference_from_plain(mud));
+    for (const int threads : std::set<int>{1, options.threads})
+        result.bandwidth.emplace_back(threads, memory_bandwidth(threads));
+    std::vector<double> sizes = options.sizes;
+    if (sizes.empty()) sizes = usual_sizes(options.quick, result.notes);
+    for (const bool mud : {false, true}) {
+        for (const double size : sizes) {
+            const Setup setup = speed_sheet(size, mud);
+            std::optional<Raster> first;
+            for (const auto& [threads, bandwidth] : result.bandwidth) {
+                const std::int64_t steps = options.steps > 0 ? options.steps : steps_for(size, options.quick);
+                Measured measured = measure(setup, mud ? "mud" : "slide", threads, steps);
+                SpeedRow& row = measured.row;
+                for (std::size_t s = 0; s < voellmy_bingham::k_stages; ++s)
+                    row.bytes_moved += bytes_moved(static_cast<voellmy_bingham::Stage>(s), mud);
+                row.fraction_of_memory_bandwidth = row.bytes_moved * row.particle_steps_per_second / bandwidth;
+                if (!first) first = measured.depth;
+                row.same_bits = first->values == measured.depth.values;
+                if (options.report) options.report(speed_line(row));
+                result.rows.push_back(row);
+            }
+        }
+    }
+    // Of the structured model one size: its throughput hardly depends on it.
+    const double solid_size = std::min(sizes.back(), 1e5);
+    for (SpeedRow& row : measure_solids(solid_size, options.threads, options.quick ? 2 : 6)) {
+        if (options.report) options.report(speed_line(row));
+        result.rows.push_back(row);
+    }
+    const double terms_size = std::min(sizes.back(), 1e5);
+    result.terms = measure_terms(terms_size, options.steps > 0 ? options.steps : steps_for(terms_size, options.quick));
+    return result;
+}
+
+}  // namespace frana::bench

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "bench/speed/speed.h"
+
+namespace frana::bench {
+
+/// One run in a line.
+std::string speed_line(const SpeedRow& row);
+
+}  // namespace frana::bench

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/set_up/setup.h"
+
+namespace frana::bench {
+
+/// What every hard case must keep, whatever else it is about.
+struct Soundness {
+    std::int64_t non_finite = 0;  ///< particles or fields that are not numbers; must be 0
+    double volume_error = 0;      ///< |inside + left - start| / start; at most 1e-12
+    double speed_ratio = 0;       ///< greatest speed over sqrt(2 g drop) + 2 sqrt(g depth); at most 1
+    std::int64_t clamped = 0;     ///< particles whose depth had to be bounded
+    std::int64_t particles = 0;   ///< greatest number
+    std::int64_t steps = 0;
+    double wall_seconds = 0;
+};
+
+/// The case's own figure with its limit; passed when it is at most the limit.
+struct HardFigure {
+    std::string name;
+    double value = 0;
+    double limit = 0;
+};
+
+/// One hard case: what it starts from, how long it runs, what of its end is looked at. Cases without a figure
+/// of their own are judged by their speed ratio.
+struct HardCase {
+    std::string name;
+    std::string what;
+    double end = 0;  ///< [s]
+    std::function<Setup()> make;
+    std::function<HardFigure(const Setup&, Flow&)> figure = {};
+    /// For cases that are not one flow (several runs compared): does everything itself.
+    std::function<HardFigure(int threads, Soundness&)> compare = {};
+};
+
+/// Runs one flow to its end and watches it.
+Soundness watch(TimedFlow& run, const Setup& setup, double end);
+/// How far the depths of runs that must agree lie apart.
+class DepthAgreement {
+  public:
+    void see(TimedFlow& run);
+    [[nodiscard]] HardFigure figure() const { return {"greatest difference of depth [m]", greatest_, 0}; }
+
+  private:
+    std::optional<Raster> first_;
+    double greatest_ = 0;
+};
+
+/// Takes the worse of two.
+void merge(Soundness& into, const Soundness& other);
+
+std::vector<HardCase> hard_terrain_cases();
+std::vector<HardCase> hard_release_cases();
+std::vector<HardCase> hard_material_cases();
+std::vector<HardCase> hard_numerics_cases();
+
+/// The scene that most cases change in one thing: a slope of 1 : 2 that runs out on level ground at x = 80 m,
+/// a grid of 160 m x 80 m in cells of 2 m, a cap 3 m deep and 15 m in radius at (30, 40) m, phi = 15 degrees,
+/// xi = 500 m/s2, open sides, slope correction `normal`.
+Setup usual_slide();
+/// The same with another ground.
+Setup usual_slide_on(double cell_size, const std::function<double(Point)>& bed);
+/// Depth of the usual cap [m].
+double usual_cap(Point place);
+/// Elevation of the usual slope [m].
+double usual_slope(Point place);
+
+}  // namespace frana::bench
