@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "bench/exact/similarity_solution.h"
-#include "cases.h"
 #include "physics/stress_earth_pressure.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <random>
 
-#include "cases.h"
 #include "mpm/levels.h"
 #include "mpm/node_tiles.h"
 #include "mpm/particles_to_nodes.h"
 #include "mpm/pressure.h"
 #include "mpm/update_nodes.h"
 #include "mpm/vector/kernels.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "cases.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "bench/exact/dam_break.h"
-#include "cases.h"
 #include "simulation/simulation.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

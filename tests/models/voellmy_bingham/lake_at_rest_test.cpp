@@ -4,7 +4,7 @@
 // is rounding: 1e-12, a hundred times the spacing of doubles at 10 m times some hundred steps.
 #include <gtest/gtest.h>
 
-#include "cases.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

@@ -4,8 +4,8 @@
 // nor velocity of any particle in vector_kernels_test.cpp.
 #include <gtest/gtest.h>
 
-#include "cases.h"
 #include "mpm/shifting.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <cstring>
 
-#include "cases.h"
 #include "physics/erosion_mechanical.h"
 #include "physics/erosion_shear_stress.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

@@ -3,8 +3,8 @@
 // mass on the surface, whose speed is known exactly.
 #include <gtest/gtest.h>
 
-#include "cases.h"
 #include "mpm/curvature.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

@@ -4,7 +4,7 @@
 // edges collapse.
 #include <gtest/gtest.h>
 
-#include "cases.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "cases.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

@@ -3,7 +3,7 @@
 // changes.
 #include <gtest/gtest.h>
 
-#include "cases.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

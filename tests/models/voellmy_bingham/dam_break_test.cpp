@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/exact/dam_break.h"
-#include "cases.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "cases.h"
 #include "physics/stress_bingham.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

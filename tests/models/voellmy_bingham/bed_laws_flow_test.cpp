@@ -3,8 +3,8 @@
 // block under that law. Only the slab's middle is looked at: its edges collapse.
 #include <gtest/gtest.h>
 
-#include "cases.h"
 #include "physics/yield_ratio.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

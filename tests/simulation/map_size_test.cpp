@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "cases.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {

@@ -3,7 +3,7 @@
 // and nodes agree at every step, and the flow stays symmetric about y = 10 m.
 #include <gtest/gtest.h>
 
-#include "cases.h"
+#include "support/cases.h"
 
 namespace frana::test {
 namespace {
