@@ -109,8 +109,9 @@ TEST(IncludeDirections, NoArrowRunsUpTheHouse) {
                 continue;
             }
             EXPECT_EQ(k_may_include.at(library).count(other), 1U) << file << ": " << line;
-            if (forbidden != k_may_not_include.end())
+            if (forbidden != k_may_not_include.end()) {
                 EXPECT_EQ(forbidden->second.count(other), 0U) << file << ": " << line;
+            }
         }
     }
 }
