@@ -94,7 +94,7 @@ struct MapSpec {
 
 /// Draws a map on a page of width x height pixels: relief, cells in pure legend colours (no smoothing),
 /// outlines, frame with coordinates, legend, scale bar, north arrow. An empty layer is drawn with a note that
-/// says so. Fills `layout`, if given, with what was placed where. Throws Error(input) when the specification
+/// says so. Fills `layout`, if given, with what was placed where. Throws Error(input) when the spec
 /// contradicts itself or the page is too small for its texts, and Error(environment) when the picture cannot
 /// be drawn (missing font, broken OpenGL).
 Image draw_map(const MapSpec& spec, MapLayout* layout = nullptr);
@@ -102,7 +102,7 @@ Image draw_map(const MapSpec& spec, MapLayout* layout = nullptr);
 struct MapGround;
 
 /// Maps of one place that differ in layer, legend and words: relief, lines and coordinates are drawn once where the
-/// frame stays the same. All specifications share the terrain, the extent, the background and `longitude_latitude`,
+/// frame stays the same. All specs share the terrain, the extent, the background and `longitude_latitude`,
 /// and the rasters outlive the series.
 class MapSeries {
   public:

@@ -14,7 +14,7 @@ namespace frana::render {
 /// A map without its layer: ground, legend and words drawn once, ready to receive one layer after the other.
 class MapPage {
   public:
-    /// `for_frames`: other layers than the specification's will come, each with a subtitle of its own. `ground` is
+    /// `for_frames`: other layers than the spec's will come, each with a subtitle of its own. `ground` is
     /// taken where it fits, else drawn and put there.
     MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& ground);
 

@@ -69,7 +69,7 @@ Image draw_view(const ViewSpec& spec, ViewLayout* layout = nullptr);
 
 struct ViewPlace;
 
-/// Views of one place that differ in layer, legend and words: the terrain is built once. All specifications share the
+/// Views of one place that differ in layer, legend and words: the terrain is built once. All specs share the
 /// terrain, the extent and the background, and the rasters outlive the series.
 class ViewSeries {
   public:

@@ -24,7 +24,7 @@ struct ViewPlace {
 /// A view without its layer: terrain, camera, lines and texts made once, ready for one layer after the other.
 class ViewStage {
   public:
-    /// `for_frames`: other layers than the specification's will come, each with a subtitle of its own. `place` is
+    /// `for_frames`: other layers than the spec's will come, each with a subtitle of its own. `place` is
     /// taken where it fits, else made and put there; until the stage has drawn its last picture no other may use it.
     ViewStage(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place);
     ~ViewStage();
@@ -33,7 +33,7 @@ class ViewStage {
     /// frames.
     [[nodiscard]] Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle);
 
-    /// See ViewAnimator::fly; the specification's texts must still be there.
+    /// See ViewAnimator::fly; the spec's texts must still be there.
     void fly(double share);
 
     [[nodiscard]] const ViewLayout& layout() const noexcept;

@@ -6,7 +6,7 @@
 
 namespace frana {
 
-/// Walls by mirroring (specification 4, item 6). The wall runs along the outer edge of the outermost cells,
+/// Walls by mirroring (share/doc/numerics.md, "Walls"). The wall runs along the outer edge of the outermost cells,
 /// half a cell beyond the nodes there, so a ghost node is the mirror image of a node inside: what particles
 /// gave to the ghost belongs to that node, with the normal component turned round.
 ///

@@ -15,7 +15,7 @@ namespace frana {
 /// u, v velocity in map view [m/s]. The bed then supports (g + load) / sqrt(n) per mass, n = 1 + |grad Z|^2,
 /// which is g cos(theta) + speed^2 / radius along the motion: more in hollows, less over edges, none where it
 /// would be negative; and it pushes by -(g + load) grad Z / n in map view, which keeps the speed along the
-/// bed where friction does not act. This is a point mass on a surface, exact; specification, section 5.
+/// bed where friction does not act. A point mass on a surface, exact (share/doc/model.md, "Curvature").
 /// Where it would be negative the mass would fly. Depth-averaged it stays on its bed, without friction, and
 /// keeps its energy: were its map velocity kept, as in flight, the steep bed under it would read as speed.
 /// Second derivatives are those of the quadric through the nine nodes by least squares (Evans 1980, Z.

@@ -20,7 +20,7 @@ void mean_levels(const NodeRange& range, NodeGrid& nodes);
 void forget_squares(const NodeRange& range, NodeGrid& nodes);
 
 /// Each node's support: the least share of any neighbour whose bed lies under the surface, full at 0.6
-/// (specification 4, item 4); needs mean_levels of the whole neighbourhood.
+/// (share/doc/numerics.md, "Reference level"); needs mean_levels of the whole neighbourhood.
 void node_references(const NodeRange& range, NodeGrid& nodes);
 
 }  // namespace frana

@@ -27,7 +27,7 @@ struct alignas(64) NodeSums {
     double support;   ///< after the update: NodeLevel::support
 };
 
-/// The reference state that a node's pressure is measured against (specification, section 4, item 4).
+/// The reference state that a node's pressure is measured against (share/doc/numerics.md, "Reference level").
 struct NodeLevel {
     double depth;    ///< mean depth of the node's particles [m]
     double level;    ///< mean free surface of the node's particles [m]
@@ -36,7 +36,7 @@ struct NodeLevel {
     double support;  ///< 1: filled all round; 0: a free front
 };
 
-/// Share of a cell from which it counts as filled (specification 4, item 4).
+/// Share of a cell from which it counts as filled (share/doc/numerics.md, "Reference level").
 inline constexpr double k_filled_share = 0.6;
 
 /// Share of a cell from which its particles lie on top of each other rather than unevenly side by side: their claims then

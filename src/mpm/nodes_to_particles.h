@@ -14,9 +14,9 @@
 
 namespace frana {
 
-/// Area relaxation gain per Courant number (specification 4, item 2); 0.2 bounds it. Particles that crowd (k_crowded_share)
-/// shrink faster: friction and maps would see a layer thinner than the ground does. Not from a share of 1 on, where half of
-/// all evenly spread irregular particles are: ritter-irregular would lose a third of its accuracy.
+/// Gain per Courant number of the relaxation of areas (share/doc/numerics.md, "Area relaxation"); 0.2 bounds it.
+/// Particles that crowd (k_crowded_share) shrink faster: friction and maps would see a layer thinner than the ground does.
+/// Not from a share of 1 on, where half of all evenly spread irregular particles are: ritter-irregular would be worse by 1/3.
 inline constexpr double k_relaxation_gain = 0.03, k_crowded_gain = 0.2, k_relaxation_limit = 0.2;
 
 /// Least factor by which an area may change in a step; the stable step keeps well clear of it.

@@ -11,12 +11,12 @@
 
 namespace frana {
 
-/// Linear artificial viscosity under compression, as a share of rho h sqrt(g h) dx (specification 4, item 5).
+/// Linear artificial viscosity under compression, as a share of rho h sqrt(g h) dx (share/doc/numerics.md, "Compression").
 inline constexpr double k_shock_viscosity = 0.5;
 
 /// Hydrostatic pressure, bed slope and in-plane stress, to the nodes' forces over density.
 /// Plain form (paper, equation 28): F_i = sum A [ 1/2 g h^2 grad N_i - g h grad Z N_i ] - sum V sigma grad
-/// N_i. Referenced form (specification 4, item 4; NodeLevel): h^2 and h are measured against the node's own
+/// N_i. Referenced form (share/doc/numerics.md, "Reference level"; NodeLevel): h^2 and h are measured against the node's own
 /// still level or mean depth, which integrates to zero in the continuum, so that a uniform state exerts
 /// exactly no force whatever the particles' arrangement; update_nodes adds back the weight of a reference
 /// that follows the bed. Reads x, y, volume, area, s_* if Stress, compression if Referenced; reads NodeLevel;

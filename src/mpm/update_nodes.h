@@ -13,7 +13,7 @@
 
 namespace frana {
 
-/// How steep terrain enters the map-plane equations (specification, section 5), as compile-time choices.
+/// How steep terrain enters the map-plane equations (share/doc/model.md, "Unknowns"), as compile-time choices.
 struct GentleSlope {
     static constexpr bool metric = false, thin_layer = false, curved = false;
 };

@@ -14,7 +14,7 @@ namespace frana {
 /// How far splitting may put a half, in cells: part of the drift since the last sort.
 inline constexpr double k_split_reach = 0.5;
 
-/// Splitting and merging (specification 4, item 3 and its counterpart).
+/// Splitting and merging (share/doc/numerics.md, "Splitting and merging").
 struct ResampleLimits {
     double cell_size = 1;
     double split_extent = 0.7;   ///< in cells: a particle longer than this becomes two along its longer axis, or four

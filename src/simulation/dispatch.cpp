@@ -167,7 +167,7 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
     }
     laws.resample.cell_size = nodes.cell_size();
     // Splitting later costs a tenth of the accuracy on dry fronts, merging sooner some of it behind bores
-    // (share/doc/numerics.md, Speed).
+    // (share/doc/numerics.md, "Speed").
     laws.resample.split_below = (3 * numerics.particles_per_cell + 1) / 2;
     laws.resample.max_per_cell =
         std::max(4, (5 * numerics.particles_per_cell + 1) / 2);  // one that split in four stays so

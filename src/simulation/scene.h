@@ -19,7 +19,7 @@ enum class Scheme { paper, standard };  // `standard` is spelt "default" outside
 /// How nodal velocities come back to the particles (paper, equations 33 and 34; APIC: Jiang et al. 2015).
 enum class Transfer { pic, flip, apic };
 
-/// How steep terrain enters the map-plane equations; see ../shared spec section 5 and share/doc/model.md.
+/// How steep terrain enters the map-plane equations; see share/doc/model.md, "Unknowns".
 enum class SlopeCorrection { none, normal, surface };
 
 enum class Boundary { open, wall };

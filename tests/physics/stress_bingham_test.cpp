@@ -26,7 +26,7 @@ TEST(YieldRatio, QuadraticIsWithinThePublishedError) {
         greatest = std::max(greatest, std::abs(zeta - ExactYieldRatio{}(a)));
         ASSERT_NEAR(48 * zeta * zeta - (114 + 32 * a) * zeta + 65, 0, 1e-9 * (65 + 32 * a));
     }
-    // The specification gives 0.951 against 1 at a -> 0; nowhere else is it worse.
+    // The closed form gives 0.951 against 1 at a -> 0; nowhere else is it worse.
     EXPECT_LT(greatest, 0.05);
     EXPECT_NEAR(QuadraticYieldRatio{}(0), 0.951, 1e-3);
 }

@@ -24,7 +24,7 @@ CaseFigures run_channel(double cell_size, double right) {
         const WaterState state = exact.at(p.x - k_dam, k_time);
         return ExactState{state.depth, state.depth * state.velocity, 0};
     });
-    // The specification asks for 2 % at 400 cells; the case's 2.5 m.
+    // The mark: 2 % at 400 cells; the case's 2.5 m.
     figures.own = {
         {"relative depth error", figures.l1_depth, cell_size <= 2.5 ? std::optional(0.02) : std::nullopt}};
     return figures;

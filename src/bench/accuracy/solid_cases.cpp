@@ -64,7 +64,7 @@ CaseFigures run_wave(double cell) {
         moment += u * u * x;
     }
     CaseFigures f = watch.figures(cell, p.size(), error / size);
-    // The mark of the specification: 3 % with twenty particles to the wave length.
+    // The mark: 3 % with twenty particles to the wave length.
     f.own = {{"relative error of the wave's speed", moment / sum / k_time / c - 1,
               cell <= 3 ? std::optional(0.03) : std::nullopt}};
     return f;

@@ -54,7 +54,7 @@ TEST(DamBreak, IrregularParticlesCostLittle) {
     EXPECT_LT(depth_error(200, 0, Scheme::standard, k_jitter), 1.45 * depth_error(200, 0, Scheme::standard));
 }
 
-// The published scheme is kept as published: it does not converge (specification, section 4), and that is
+// The published scheme is kept as published: it does not converge (share/doc/numerics.md, "What is known about the error"), and that is
 // known.
 TEST(DamBreak, PaperSchemeDoesNotConverge) {
     EXPECT_GT(depth_error(400, 0, Scheme::paper), depth_error(200, 0, Scheme::paper));

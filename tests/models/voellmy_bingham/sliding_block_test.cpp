@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A wide uniform slab on a plane must accelerate in map view by g cos^2(theta) (tan theta - tan phi)
-// (specification, section 5), and reach Voellmy's terminal speed. Only the slab's middle is looked at: its
+// (share/doc/model.md, "Unknowns"), and reach Voellmy's terminal speed. Only the slab's middle is looked at: its
 // edges collapse.
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 namespace frana::structured {
 
-/// Least share of free fluid in a cell that the enhanced stress divides by (section 3.2).
+/// Least share of free fluid in a cell that the enhanced stress divides by (share/doc/structured.md, "Free fluid").
 inline constexpr double k_least_free_share = 0.05;
 
 /// Whether a scene's fluid feels its bed at all.
@@ -14,7 +14,7 @@ bool has_resistance(const FluidLaws& laws);
 bool has_viscosity(const FluidLaws& laws);
 
 /// Kinematic viscosity by solid fraction [m2/s]: nu = a_eta exp(b_eta alpha_s) / rho_u (paper, equation 72;
-/// the physical form of section 3.2).
+/// share/doc/structured.md, "Free fluid").
 double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcept;
 
 /// Resistance in one tile over dt, fully implicit, so that it slows and never reverses and that steady flow

@@ -41,7 +41,7 @@ struct FluidSource {
 /// Parameters of the free fluid; const while it runs.
 struct FluidLaws {
     double gravity = 9.81;        ///< [m/s2]
-    double cfl = 0.5;             ///< of section 10, at most 0.5: positive depth needs no more
+    double cfl = 0.5;             ///< at most 0.5: positive depth needs no more
     double dry = 1e-4;            ///< depth under which fluid does not move [m]
     bool second_order = true;     ///< false: cell values and one Euler stage
     bool steep = true;            ///< gravity over 1 + |grad b|^2, resistance along the bed

@@ -16,7 +16,7 @@ void set_ground(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws)
 /// thread. Returns the depths that it could not add because a wall or a gap stands there [m].
 double receive(std::span<const FluidSource> sources, FluidState& state, const FluidLaws& laws);
 
-/// Longest step the present state allows (section 10) [s]; infinity where nothing is wet:
+/// Longest step the present state allows (share/doc/structured.md, "Scheme") [s]; infinity where nothing is wet:
 ///     dt <= cfl / max[ (|u| + c)/dx + (|v| + c)/dx ],  c = sqrt(g h_u);   dt <= 0.1 dx^2 / nu
 double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid,
                    ThreadPool& pool);

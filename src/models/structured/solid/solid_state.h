@@ -69,10 +69,10 @@ SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast = true);
 void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
                  ThreadPool& pool);
 
-/// Longest substep of the solids by themselves (section 10) [s]: elastic waves, artificial viscosity, acceleration.
+/// Longest substep of the solids alone (share/doc/structured.md, "Time step") [s]: waves, viscosity, acceleration.
 ///     dt <= 0.25 l / c,   0.4 l / (s + 0.6 (a s + b |phi|)),   0.25 sqrt(l / |a|)
 /// The sums' greatest frequency is 1.07 c / l and their greatest damping 1.9 a s / l on an even lattice, whatever its
-/// spacing (ours: the specification has min(l, dp)): alone, symplectic steps bear 1.9 l / c and 1.0 l / s. Columns of
+/// spacing (ours: usual is min(l, dp)): alone, symplectic steps bear 1.9 l / c and 1.0 l / s. Columns of
 /// uneven mass are stiffer by up to the root of their ratio. c is 0, and s that of shallow water, where all has broken.
 double stable_substep(const SolidState& state, const SolidLaws& laws);
 

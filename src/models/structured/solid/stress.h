@@ -34,7 +34,7 @@ struct VelocityGradient {
 };
 
 /// Turns a stress with its material by `angle` [rad], exactly: R sigma R^T keeps the invariants, which the explicit
-/// Jaumann rate does not (specification of the model, section 5).
+/// Jaumann rate does not (share/doc/structured.md, "Solids with confined fluid").
 inline Stress rotated(const Stress& s, double angle) noexcept {
     const double turn = 2 * angle;
     double sine, cosine;

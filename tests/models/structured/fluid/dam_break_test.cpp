@@ -28,7 +28,7 @@ double error(const Basin& basin, double half, double left, double right, double 
     return basin.l1_depth([&](Point p) { return exact.at((turned ? p.y : p.x) - half, time).depth; });
 }
 
-// The specification's numbers are those of the exact solutions that the errors are measured against.
+// The numbers are those of the exact solutions that the errors are measured against.
 TEST(FluidDamBreak, ExactSolutionsHaveTheSpecifiedStates) {
     const DamBreak wet(1, 0.1), shallow(0.005, 0.001), dry(1, 0);
     EXPECT_NEAR(wet.at(1, 1).depth, 0.396175, 1e-6);
@@ -101,7 +101,7 @@ TEST(FluidDamBreak, StokerWithinTwoPercent) {
     EXPECT_LT(error(channel(5, 400, 0.005, 0.001, 6, 1e-7, false), 5, 0.005, 0.001, 6, false), 0.02);
 }
 
-// A scheme of second order is of first order at a shock; the specification asks for 0.8.
+// A scheme of second order is of first order at a shock; the mark is 0.8.
 TEST(FluidDamBreak, StokerConvergesWithOrderPointEight) {
     const auto at = [](std::int64_t cells) {
         return error(channel(50, cells, 1, 0.1, 6, 1e-6, false), 50, 1, 0.1, 6, false);

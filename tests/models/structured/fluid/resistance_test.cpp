@@ -17,7 +17,7 @@ Basin plane(double slope, double depth, FluidLaws laws, double dx = 10, std::int
     return basin;
 }
 
-// U25. After five time constants u/(2 g S) the transient is below 1e-4; the specification asks for 1 %.
+// U25. After five time constants u/(2 g S) the transient is below 1e-4; the mark is 1 %.
 TEST(FluidResistance, UniformFlowHasManningsVelocity) {
     FluidLaws laws = still_laws();
     laws.manning = 0.03;
