@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "mpm/node_grid.h"
+
 namespace frana {
 
 /// Particle shifting: a particle in a filled part of the flow drifts from where particles crowd to where they are few,
@@ -14,13 +16,14 @@ namespace frana {
 /// the last bit; potential energy is not. (After Lind et al. 2012, J. Comput. Phys. 231, 1499.)
 ///
 /// Bounds: none without motion, so that still water stays; none where a cell of its stencil is far from full, since grad phi
-/// is there the flow's own edge.
+/// is there the flow's own edge; none where particles lie on top of each other, since it would press them out of their pile.
 inline constexpr double k_shift = 0.2;  ///< s, in one step of k_shift_steps
 inline constexpr int k_shift_steps = 4;
 inline constexpr double k_shift_courant = 30;    ///< s is reduced where |v| dt/dx times this is less than 1
 inline constexpr double k_shift_farthest = 0.1;  ///< along either axis, reduced likewise [cells]
 inline constexpr double k_shift_deepening = 0.2;  ///< greatest relative change of depth by one shift
 inline constexpr double k_shift_from = 0.7, k_shift_full = 0.9;  ///< least share of a stencil's nodes: none, all of it
+inline constexpr double k_shift_until = k_crowded_share, k_shift_none = 1.2;  ///< share: all of it, none
 
 /// How far particles may shift along an axis in a step [cells].
 /// @param courant greatest |v| dt/dx
@@ -46,8 +49,9 @@ template <class Number>
     const Number none(0.0), all(1.0), deepening(k_shift_deepening), pace = min(all, k_shift_courant * courant);
     const Number farthest = (k_shift_farthest * dx) * pace;
     const Number filled = max(none, min(all, (least - k_shift_from) * (1 / (k_shift_full - k_shift_from))));
+    const Number apart = max(none, min(all, (k_shift_none - share) * (1 / (k_shift_none - k_shift_until))));
     const Number inner = max(none, 100 * support - 99);  // 1 away from free fronts
-    const Number gain = (-s * dx * dx) * (filled * inner * pace);
+    const Number gain = (-s * dx * dx) * (filled * apart * inner * pace);
     const Number x = max(-farthest, min(farthest, gain * share_x)), y = max(-farthest, min(farthest, gain * share_y));
     const Number deeper = (x * mass_x + y * mass_y) / mass - (x * share_x + y * share_y) / share;
     return {x, y, 1 - max(-deepening, min(deepening, deeper))};
