@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mpm/shown_depth.h"
+
 namespace frana {
 namespace {
 
@@ -69,6 +71,8 @@ void node_references(const NodeRange& range, NodeGrid& nodes) {
     const double dx = nodes.cell_size(), inverse_dx2 = 1 / (dx * dx);
     range.for_each(stride, [&](std::size_t n, std::int64_t i, std::int64_t j) {
         if (!(sums[n].area > 0)) return;
+        const bool ghost = i < k_ghost || j < k_ghost || i >= stride - k_ghost || j >= rows - k_ghost;
+        nodes.sums[n].area_bed = ghost ? 1 : crowding(nodes, n, i, j, dx * dx);
         if (i == 0 || j == 0 || i == stride - 1 || j == rows - 1) return;  // outermost ghosts: never read
         NodeLevel& level = levels[n];
         double least = sums[n].area;

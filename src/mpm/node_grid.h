@@ -22,8 +22,9 @@ struct alignas(64) NodeSums {
                       ///< of area times squared bed (fx) and surface (fy) over the node's own bed [m4]
     double mass;      ///< volume: density is constant and divided out [m3]
     double area;      ///< area the particles claim [m2]; after the update: share of the cell, phi [-]
-    double area_bed;  ///< sum of area times bed elevation over the node's own bed [m3]; later: held or not; after the
-                      ///< update: rate of climb, v . grad Z [m/s] (Curved only)
+    double area_bed;  ///< sum of area times bed elevation over the node's own bed [m3]; with the references: crowding,
+                      ///< negative where friction holds the node; after the update: rate of climb, v . grad Z [m/s]
+                      ///< (Curved only)
     double support;   ///< after the update: NodeLevel::support
 };
 
@@ -40,20 +41,8 @@ struct NodeLevel {
 inline constexpr double k_filled_share = 0.6;
 
 /// Share of a cell from which its particles lie on top of each other rather than unevenly side by side: their claims then
-/// shrink faster.
+/// shrink faster, and they are not shifted.
 inline constexpr double k_crowded_share = 1.1;
-
-/// Depth that a node shows [m]: the mean depth of its particles where it is filled, itself and all round,
-/// free of the unevenness of their arrangement; volume over cell area at fronts and films, where the cell is
-/// only partly covered. Particles that crowd, as in narrow gullies, claim more than the cell has: they cover
-/// it once.
-inline double shown_depth(double mass, double area, double support, double inverse_cell_area) noexcept {
-    const double by_volume = mass * inverse_cell_area;
-    if (!(area > 0)) return by_volume;
-    const double share = area * inverse_cell_area / k_filled_share;
-    const double most = k_crowded_share / inverse_cell_area;
-    return by_volume + support * (share < 1 ? share : 1) * (mass / (area < most ? area : most) - by_volume);
-}
 
 /// A terrain, and the elevation that the engine counts from so that sums keep their digits: a run counts from
 /// the ground under its release, since what lies far off must not change a bit of it.

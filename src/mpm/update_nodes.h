@@ -10,6 +10,7 @@
 #include "mpm/node_grid.h"
 #include "mpm/node_report.h"
 #include "mpm/node_tiles.h"
+#include "mpm/shown_depth.h"
 
 namespace frana {
 
@@ -132,7 +133,7 @@ NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, st
     return d;
 }
 
-/// Marks the nodes that static friction holds (NodeSums::area_bed = 1, otherwise 0).
+/// Marks the nodes that static friction holds: NodeSums::area_bed becomes negative.
 ///
 /// At the rim of a resting mass the outermost nodes gather much pressure and little weight: alone each would
 /// creep. A node slower than friction can stop in a few steps is therefore judged with its eight neighbours:
@@ -163,7 +164,7 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& fri
     range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
         NodeSums& node = nodes.sums[i];
         if (!(node.mass > 0)) return;
-        node.area_bed = 0;
+        node.area_bed = std::abs(node.area_bed);
         const double slow = k_slow * friction.stopped_in_step(i, k);
         if (node.px * node.px + node.py * node.py > slow * slow * node.mass * node.mass) return;
         double px = 0, py = 0, bound = 0;
@@ -179,7 +180,7 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& fri
             }
         }
         bound *= friction.held_in_step(k);
-        if (px * px + py * py <= bound * bound) node.area_bed = 1;
+        if (px * px + py * py <= bound * bound) node.area_bed = -node.area_bed;
     });
 }
 
@@ -211,7 +212,7 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         const Point driven{turned.x + k.dt * drive.ax, turned.y + k.dt * drive.ay};
         const double driven_speed = bed.speed(driven);
         Point after = driven;
-        if ((solid && solid[i]) || (holds && node.area_bed != 0)) {
+        if ((solid && solid[i]) || (holds && std::signbit(node.area_bed))) {
             if constexpr (Friction::remembers) friction.remember(i, driven_speed, k);
             after = {0, 0};
         } else if (driven_speed > 0 && friction.active()) {
@@ -228,7 +229,7 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
             report.count_energy(node.mass, nodes.bed[i] + middle, k.gravity, bed, old, turned, driven, after);
         }
         const double support = levels ? levels[i].support : 0;
-        const double cell_depth = shown_depth(node.mass, node.area, support, inverse_area);
+        const double cell_depth = shown_depth(node.mass, node.area, support, std::abs(node.area_bed), inverse_area);
         // The particles' own mean velocity: the new nodal one overshoots where a node holds next to nothing.
         const double brought = bed.speed(old);
         if (brought > k.moving_speed) report.moving += node.mass;

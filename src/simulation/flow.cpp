@@ -242,7 +242,7 @@ Flow::NodalFields Flow::nodal_fields() {
         const NodeSums& s = state_.nodes.sums[node];
         if (!(s.mass > 0)) return;
         const double support = stages_.references ? state_.nodes.levels[node].support : 0;
-        const double depth = shown_depth(s.mass, s.area, support, inverse_area);
+        const double depth = shown_depth(s.mass, s.area, support, s.area_bed, inverse_area);
         double u = s.px / s.mass, v = s.py / s.mass;
         if (stages_.follows_bed) {
             const auto n = static_cast<std::int64_t>(node), stride = state_.nodes.stride();

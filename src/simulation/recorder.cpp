@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mpm/node_tiles.h"
+#include "mpm/shown_depth.h"
 
 namespace frana {
 
@@ -67,7 +68,9 @@ Recorder::NodeState Recorder::state_of(const Flow& flow, std::size_t node) const
     if (!(sums.mass > 0)) return {};
     NodeState state;
     const double cell_area = cell_size_ * cell_size_;
-    state.depth = shown_depth(sums.mass, sums.area * cell_area, sums.support, 1 / cell_area);
+    const auto n = static_cast<std::int64_t>(node), stride = nodes.stride();
+    state.depth = shown_depth(sums.mass, sums.area * cell_area, sums.support, crowding(nodes, node, n % stride, n / stride, 1),
+                              1 / cell_area);
     state.held = sums.mass / cell_area;
     const Point brought = flow.brought_velocity(node);
     state.u = brought.x;
@@ -76,9 +79,9 @@ Recorder::NodeState Recorder::state_of(const Flow& flow, std::size_t node) const
     state.moved_y = state.held * sums.py;
     double climb = 0;
     if (metric_) {
-        const auto stride = static_cast<std::size_t>(nodes.stride());
+        const auto row = static_cast<std::size_t>(stride);
         climb = (state.u * (nodes.bed[node + 1] - nodes.bed[node - 1]) +
-                 state.v * (nodes.bed[node + stride] - nodes.bed[node - stride])) /
+                 state.v * (nodes.bed[node + row] - nodes.bed[node - row])) /
                 (2 * cell_size_);
     }
     state.speed = std::sqrt(state.u * state.u + state.v * state.v + climb * climb);
