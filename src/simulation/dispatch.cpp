@@ -119,6 +119,11 @@ bool follows_bed(const Numerics& numerics) {
     return numerics.curvature && numerics.slope_correction != SlopeCorrection::none;
 }
 
+bool flies(const Numerics& numerics) {
+    return numerics.flight && follows_bed(numerics) && numerics.scheme == Scheme::standard &&
+           transfer_of(numerics) == Transfer::apic;
+}
+
 Transfer transfer_of(const Numerics& numerics) {
     return numerics.transfer.value_or(numerics.scheme == Scheme::paper ? Transfer::pic : Transfer::apic);
 }
@@ -137,6 +142,7 @@ Stages choose_stages(const Material& material, const MaterialZones& zones, const
         choose_scheme<QuadraticSplineShape, true>(transfer, stress_law(material), stages);
         stages.resamples = transfer == Transfer::apic;  // the particles' shape follows the affine velocity
         if (stages.resamples) stages.fields = stages.fields | k_shape_fields;
+        stages.flies = flies(numerics);
     }
     choose_node_stages(material, numerics, sums_friction(material, zones, entrainment), stages);
     choose_exchange(entrainment, numerics, stages);
@@ -152,6 +158,7 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
     laws.gravity = gravity;
     laws.cfl = numerics.cfl;
     laws.minimum_depth = numerics.minimum_depth;
+    laws.flight_slope = numerics.flight_slope;
     laws.wall = numerics.boundary == Boundary::wall;
     laws.friction = make_friction(material, zones, entrainment, nodes, gravity);
     laws.exchange = make_exchange(entrainment, material.density);

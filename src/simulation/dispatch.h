@@ -25,6 +25,9 @@ voellmy_bingham::Laws make_laws(const Material& material, const MaterialZones& z
 /// Whether particles and nodes exchange velocities along the bed rather than in map view.
 bool follows_bed(const Numerics& numerics);
 
+/// Whether what the bed throws off flies.
+bool flies(const Numerics& numerics);
+
 /// The transfer that is really used.
 Transfer transfer_of(const Numerics& numerics);
 

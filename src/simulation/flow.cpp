@@ -122,6 +122,7 @@ Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& m
     laws_.resample.edges = state_.nodes.bounds();
     laws_.resample.minimum_depth = 1e-3 * grid_.cell_size;
     if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.sums.size());
+    if (stages_.flies) state_.flights = Flights(state_.nodes.sums.size());
     if (entrainment.active()) {
         state_.bed_layers = bed_layers(entrainment, zones, state_.nodes);
         state_.nodes.bed_changes = true;
@@ -197,7 +198,7 @@ double Flow::volume() const {
     double sum = 0;
     const double* v = state_.particles[Field::volume];
     for (std::size_t p = 0; p < state_.particles.size(); ++p) sum += v[p];
-    return sum;
+    return sum + state_.flights.volume();
 }
 
 Point Flow::centroid() const {
@@ -207,7 +208,7 @@ Point Flow::centroid() const {
         sum.x += particles[Field::volume][p] * particles[Field::x][p];
         sum.y += particles[Field::volume][p] * particles[Field::y][p];
     }
-    const double total = volume();
+    const double total = volume() - state_.flights.volume();
     return total > 0 ? Point{sum.x / total, sum.y / total} : sum;
 }
 
@@ -308,15 +309,22 @@ Raster Flow::deposited_depth() const {
     return layer_depth(&BedLayer::deposited);
 }
 
-Raster Flow::to_raster(const ZeroArray<double>& padded, double shift) const {
+template <class Value>
+Raster Flow::to_raster(const ZeroArray<Value>& padded, double shift) const {
     Raster raster(grid_, k_no_data);
     for (std::int64_t row = 0; row < grid_.rows; ++row) {
         for (std::int64_t column = 0; column < grid_.columns; ++column) {
-            const double value = padded[state_.nodes.index(column, grid_.rows - 1 - row)];
+            const double value = static_cast<double>(padded[state_.nodes.index(column, grid_.rows - 1 - row)]);
             if (value != 0) raster.at(row, column) = value - shift;
         }
     }
     return raster;
 }
+
+Raster Flow::jump_height() const {
+    return to_raster(state_.flights.heights());
+}
+
+template Raster Flow::to_raster(const ZeroArray<double>&, double) const;
 
 }  // namespace frana

@@ -57,11 +57,13 @@ class Flow {
     [[nodiscard]] double time() const noexcept { return state_.time; }
     [[nodiscard]] const ParticleSet& particles() const noexcept { return state_.particles; }
     [[nodiscard]] std::int64_t particle_count() const noexcept {
-        return static_cast<std::int64_t>(state_.particles.size());
+        return static_cast<std::int64_t>(state_.particles.size() + state_.flights.size());
     }
     /// Velocity of a particle in map view [m/s]. Particles that follow a curved bed carry theirs along the bed (BedFrame).
     [[nodiscard]] Point map_velocity(std::size_t p) const;
-    [[nodiscard]] bool empty() const noexcept { return state_.particles.size() == 0; }
+    [[nodiscard]] bool empty() const noexcept { return state_.particles.size() == 0 && state_.flights.empty(); }
+    /// What is in the air.
+    [[nodiscard]] const Flights& flights() const noexcept { return state_.flights; }
     [[nodiscard]] std::size_t bytes_per_particle() const noexcept {
         return state_.particles.bytes_per_particle();
     }
@@ -94,10 +96,13 @@ class Flow {
     /// exchange.
     [[nodiscard]] Raster eroded_depth() const;
     [[nodiscard]] Raster deposited_depth() const;
+    /// Greatest height above the ground at which each cell was flown over [m]; NaN where it was not.
+    [[nodiscard]] Raster jump_height() const;
     [[nodiscard]] std::int64_t steps() const noexcept { return steps_; }
     [[nodiscard]] std::int64_t particle_steps() const noexcept { return particle_steps_; }
-    /// Volume inside and its centroid (local metres).
+    /// Volume inside, with what flies.
     [[nodiscard]] double volume() const;
+    /// Of what lies on the ground (local metres).
     [[nodiscard]] Point centroid() const;
     /// Measures the front distance from here on [local metres].
     void set_origin(Point origin) { laws_.origin = origin; }
@@ -128,7 +133,8 @@ class Flow {
     [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }
     /// A padded node array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the
     /// others.
-    [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
+    template <class Value>
+    [[nodiscard]] Raster to_raster(const ZeroArray<Value>& padded, double shift = 0) const;
 
     /// Everything that steps change.
     template <class Archive>

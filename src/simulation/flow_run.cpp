@@ -19,17 +19,17 @@ namespace {
 StepFigures figures_of(const voellmy_bingham::StepReport& report) {
     StepFigures f;
     f.dt = report.dt;
-    f.volume = report.particles.volume;
+    f.volume = report.particles.volume + report.aloft;
     f.max_depth = report.nodes.max_depth;
     f.max_speed = report.nodes.max_speed;
     f.fastest = report.particles.speed;
     f.front_distance = std::sqrt(report.particles.front_squared);
-    f.kinetic = report.particles.kinetic;
+    f.kinetic = report.particles.kinetic + report.aloft_kinetic;
     f.energy = report.nodes.energy;
     f.energy_moving = report.nodes.kinetic;
     f.energy_volume = report.nodes.volume;
     f.energy_taken = report.nodes.taken;
-    f.moving = report.nodes.moving;
+    f.moving = report.nodes.moving + report.aloft;
     f.thin = report.nodes.thin;
     f.covered = report.nodes.covered;
     f.unsupported = report.nodes.unsupported;
@@ -147,6 +147,16 @@ void give_exchanges(const Scene& scene, const Flow& flow, RunResult& result) {
 }
 
 void give_exchanges(const Scene&, const StructuredFlow&, RunResult&) {}  // its bed stays as it is
+
+void give_jumps(const Scene& scene, const Flow& flow, RunResult& result) {
+    const JumpFigures& jumps = flow.flights().figures();
+    if (!(jumps.volume > 0)) return;
+    result.jumps = {jumps.volume, jumps.highest, jumps.longest, jumps.way / jumps.volume, scene.grid.map_from_local(jumps.from),
+                    scene.grid.map_from_local(jumps.to)};
+    result.jump_height = flow.jump_height();
+}
+
+void give_jumps(const Scene&, const StructuredFlow&, RunResult&) {}  // keeps to its bed
 
 double pressure_factor(const Flow& flow) {
     return flow.laws().stress.wave_factor;
@@ -371,6 +381,7 @@ RunResult FlowRun<AnyFlow>::finish() {
     if (!arrivals_.done())
         result.notes.emplace_back("the run ended before everything had failed or flowed in");
     give_exchanges(scene_, flow_, result);
+    give_jumps(scene_, flow_, result);
     engine_.stop();
     result.engine_seconds = engine_.seconds();
     return std::move(result);

@@ -213,6 +213,16 @@ struct RunResult {
     double thin_share = 0;  ///< greatest share of the volume that was at one time thinner than the minimum depth
     double moving_share = 0;  ///< of the volume, faster than the scene's moving speed after the last step
     std::int64_t unsupported = 0;   ///< nodes times steps at which the motion over a convex bed lifted off
+    /// What flew over edges.
+    struct Jumps {
+        double volume = 0;   ///< sum over all jumps [m3]
+        double highest = 0;  ///< above the ground [m]
+        double longest = 0;  ///< in map view [m]
+        double mean = 0;     ///< length in map view, by volume [m]
+        Point from, to;      ///< of the longest, in map coordinates
+    };
+    std::optional<Jumps> jumps;  ///< none where nothing flew
+    Raster jump_height;          ///< greatest height above the ground [m], NaN where nothing flew; empty without jumps
     /// Greatest rise that neither gravity nor what friction took explains (EnergyWatch); none where it is not known.
     std::optional<double> energy_error;
     HardEvents hard_events;

@@ -173,6 +173,8 @@ struct Numerics {
     bool well_balanced = true;  ///< still level per node (default scheme only)
     SlopeCorrection slope_correction = SlopeCorrection::normal;
     bool curvature = true;  ///< motion along a curved bed (Curved); not without slope correction
+    bool flight = true;     ///< what the bed throws off flies; only with curvature and the default scheme
+    double flight_slope = 1.7320508075688772;  ///< tangent: least fall of an edge in the direction of motion [-]
     Boundary boundary = Boundary::open;
     NodataPolicy nodata = NodataPolicy::stop;
     double gravity = 9.81;        ///< [m/s2]

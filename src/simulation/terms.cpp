@@ -140,6 +140,7 @@ std::vector<std::string> list_terms(const Scene& scene) {
     if (numerics.slope_correction == SlopeCorrection::surface)
         words.emplace_back("slope correction: surface");
     if (numerics.curvature) words.emplace_back("curvature of the bed");
+    if (flies(numerics)) words.emplace_back("flight over edges");
     add_bed(scene, words);
     if (material.plane_stress == PlaneStressLaw::bingham) {
         if (material.viscosity > 0) words.emplace_back("in-plane viscosity");

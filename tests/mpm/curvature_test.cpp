@@ -30,6 +30,7 @@ Rider ride(const Track& track, double start, double speed, double friction, bool
     });
     Numerics how = numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall);
     how.curvature = curvature;
+    how.flight = false;
     how.minimum_depth = 1e-7;
     how.cfl = 0.05;  // a film's waves are slow, and its steps would be long
     Material material = water();

@@ -86,6 +86,15 @@ inline Scene settling() {
     return scene;
 }
 
+// Over a cliff: saved while a part is in the air.
+inline Scene flying() {
+    Scene scene = hillside();
+    for (std::int64_t row = 0; row < scene.grid.rows; ++row)
+        for (std::int64_t column = 0; column < scene.grid.columns; ++column)
+            if (scene.grid.cell_centre(row, column).x < 90) scene.terrain.at(row, column) += 20;
+    return scene;
+}
+
 inline Scene paper() {
     Scene scene = hillside();
     scene.numerics.scheme = Scheme::paper;
@@ -213,7 +222,8 @@ inline void expect_same(const RunResult& a, const RunResult& b) {
     for (Raster RunResult::*raster : {&RunResult::bed, &RunResult::release, &RunResult::max_depth,
                                       &RunResult::max_velocity, &RunResult::max_pressure, &RunResult::arrival_time,
                                       &RunResult::final_depth, &RunResult::max_flux, &RunResult::max_head,
-                                      &RunResult::eroded_depth, &RunResult::deposited_depth})
+                                      &RunResult::eroded_depth, &RunResult::deposited_depth,
+                                      &RunResult::jump_height})
         EXPECT_TRUE(same(a.*raster, b.*raster));
     ASSERT_EQ(a.more.size(), b.more.size());
     for (std::size_t i = 0; i < a.more.size(); ++i) EXPECT_TRUE(same(a.more[i].values, b.more[i].values));

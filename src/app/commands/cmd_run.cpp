@@ -145,6 +145,14 @@ void tell_of_run(const RunResult& result, double end, RunLog& log) {
         log.tell("the flow eroded " + figure(result.volume_eroded, 4) + " m3 and deposited " +
                  figure(result.volume_deposited, 4) + " m3 in its bed");
     }
+    if (result.jumps) {
+        const RunResult::Jumps& jumps = *result.jumps;
+        const auto metres = [](double value) { return std::to_string(std::llround(value)); };
+        log.tell("material flew over edges, " + figure(jumps.volume, 4) + " m3 in all jumps together: up to " +
+                 figure(jumps.highest, 3) + " m above the ground and " + figure(jumps.longest, 3) + " m far, from (" +
+                 metres(jumps.from.x) + ", " + metres(jumps.from.y) + ") to (" + metres(jumps.to.x) + ", " +
+                 metres(jumps.to.y) + "); see jump_height.tif");
+    }
     if (result.unsupported > 0) {
         log.note("over convex ground the motion lifted the flow off its bed at " +
                  std::to_string(result.unsupported) + " nodes times steps; there it had no friction");

@@ -2,6 +2,8 @@
 #include "app/input/prepare.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "app/input/layer_choice.h"
@@ -37,6 +39,8 @@ Numerics numerics_of(const SceneSpec& spec) {
                                 : correction == "surface" ? SlopeCorrection::surface
                                                           : SlopeCorrection::normal;
     numerics.curvature = curvature(words);
+    numerics.flight = flight(words);
+    numerics.flight_slope = std::tan(words.flight_slope * std::numbers::pi / 180);
     numerics.boundary = words.boundary == "wall" ? Boundary::wall : Boundary::open;
     const std::string& policy = spec.terrain.nodata_policy;
     numerics.nodata = policy == "wall"   ? NodataPolicy::wall
@@ -89,6 +93,7 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     chosen["material.in-plane-stress"] = in_plane_stress(spec.material);
     chosen["numerics.slope-correction"] = slope_correction(spec.numerics);
     chosen["numerics.curvature"] = curvature(spec.numerics) ? "on" : "off";
+    chosen["numerics.flight"] = flight(spec.numerics) ? "on" : "off";
     chosen["numerics.well-balanced"] = well_balanced(spec.numerics) ? "on" : "off";
     chosen["time.frame-interval"] = shortest_text(frame_interval(spec));
     chosen["scar.threshold"] = shortest_text(scar_threshold(spec));

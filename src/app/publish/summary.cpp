@@ -64,6 +64,12 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
     json.end_object();
     if (result.exchanges) json.number("deposited_momentum_kg_m_s", result.momentum_deposited);
     if (curvature(facts.spec.numerics)) json.integer("unsupported_node_steps", result.unsupported);
+    if (result.jumps) {
+        const RunResult::Jumps& jumps = *result.jumps;
+        json.begin_object("jumps").number("volume_m3", jumps.volume).number("highest_m", jumps.highest);
+        json.number("mean_length_m", jumps.mean).number("longest_m", jumps.longest).number("longest_from_x", jumps.from.x).number("longest_from_y", jumps.from.y);
+        json.number("longest_to_x", jumps.to.x).number("longest_to_y", jumps.to.y).end_object();
+    }
     json.begin_array("release_areas");
     for (const ReleasedArea& area : result.released) {
         json.begin_object().number("start_s", area.start).number("area_m2", area.area);

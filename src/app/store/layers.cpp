@@ -73,6 +73,8 @@ std::vector<Layer> all_layers() {
         &RunResult::eroded_depth);
     add("deposited_depth", "Deposited depth", "Depth deposited on the bed, vertical", "m", "depth", true,
         &RunResult::deposited_depth);
+    add("jump_height", "Height of jumps", "Greatest height above the ground at which material flew over the cell", "m", "depth",
+        true, &RunResult::jump_height);
     add("fluid_depth", "Depth of free fluid", "Depth of the free fluid, vertical", "m", "depth", true);
     add("solid_depth", "Depth of solids", "Depth of solids without their fluid, vertical", "m", "depth", true);
     add("solid_fraction", "Solid fraction", "Share of solids in everything that lies in the cell", "-", "depth", false);

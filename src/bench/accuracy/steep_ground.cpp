@@ -81,6 +81,12 @@ class FilmRun {
         return there / all;
     }
 
+    /// By volume, in map view [m].
+    [[nodiscard]] double mean_jump() {
+        const JumpFigures& jumps = run_->flow().flights().figures();
+        return jumps.volume > 0 ? jumps.way / jumps.volume : 0;
+    }
+
     void add_cost_to(CaseFigures& figures) {
         figures.particles = std::max(figures.particles, run_->peak_particles());
         figures.steps += run_->flow().steps();
@@ -326,6 +332,26 @@ CaseFigures run_ridge(double cell_size, Scheme scheme) {
     return figures_of(cell_size, own, cost);
 }
 
+// At 20 m/s over an edge of 50 m: a parabola, then on at 20 m/s.
+CaseFigures run_cliff_jump(double cell_size, Scheme scheme) {
+    constexpr double k_speed = 20, k_edge = 100, k_drop = 50;
+    const double flies = std::sqrt(2 * k_drop / k_gravity);
+    CaseFigures cost;
+    std::vector<OwnFigure> own;
+    for (const double angle : k_angles) {
+        const Turned frame({k_margin, k_margin}, angle);
+        const auto profile = [=](double s) { return s < k_edge ? k_drop : 0; };
+        FilmRun run = along(profile, 300, 40, k_drop + square(k_speed) / (2 * k_gravity), angle, cell_size, scheme);
+        run.advance_to(9, [](const Film&) {});
+        own.push_back({text_of("mean length of the jump over the parabola's - 1, turned by %g%.0s%.0s", angle, 0, 0),
+                       run.mean_jump() / (k_speed * flies) - 1, 0.05});
+        own.push_back({text_of("speed after it over that before - 1, turned by %g%.0s%.0s", angle, 0, 0),
+                       std::sqrt(2 * k_gravity * run.film().kinetic) / k_speed - 1, 0.02});
+        run.add_cost_to(cost);
+    }
+    return figures_of(cell_size, own, cost);
+}
+
 }  // namespace
 
 std::vector<AccuracyCase> steep_ground() {
@@ -335,7 +361,8 @@ std::vector<AccuracyCase> steep_ground() {
             {"bowl", "film without friction round a paraboloid", cells, false, run_bowl},
             {"slope-step", "film without friction from 40 to 10 degrees", cells, false, run_slope_step},
             {"gully-bend", "film without friction down a half-pipe round a bend", cells, false, run_gully_bend},
-            {"ridge", "film without friction against a ridge that a part overtops", cells, false, run_ridge}};
+            {"ridge", "film without friction against a ridge that a part overtops", cells, false, run_ridge},
+            {"cliff-jump", "film without friction over an edge of 50 m", cells, false, run_cliff_jump}};
 }
 
 }  // namespace frana::bench

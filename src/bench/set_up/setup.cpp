@@ -64,7 +64,7 @@ TimedFlow::TimedFlow(const Setup& setup, int threads) {
 void TimedFlow::advance_to(double end,
                            const std::function<void(const voellmy_bingham::StepReport&)>& after_step) {
     // A last step shorter than this would only be rounding.
-    while (flow_->time() < end * (1 - 1e-12) && non_finite_ == 0 && flow_->particles().size() > 0) {
+    while (flow_->time() < end * (1 - 1e-12) && non_finite_ == 0 && !flow_->empty()) {
         const double before = flow_->time();
         const auto begin = std::chrono::steady_clock::now();
         const voellmy_bingham::StepReport report = flow_->advance(end - before);

@@ -27,6 +27,7 @@ struct Stages {
     bool references = false;  ///< pressure is measured against a still level or mean depth per node
     bool leapfrog = false;    ///< velocities live half a step before positions; otherwise at the same time
     bool resamples = false;   ///< particles split and merge
+    bool flies = false;        ///< particles leave a bed that falls away faster than they would (Flights)
     bool follows_bed = false;  ///< particles carry the velocity along the bed (Curved), otherwise in map view
     bool change_only = false;  ///< nodes give the change of the velocity back, otherwise the velocity
     FieldMask fields;         ///< what the particles carry for all of this

@@ -53,14 +53,14 @@ void wake_where_crossed(State& state, ThreadPool& pool) {
 
 // Sorts by tile, dropping what has left, and forgets the nodes that no particle can touch any more: their old
 // sums must not be read as a neighbour's.
-void sort_particles(State& state, bool drop, ThreadPool& pool) {
-    std::vector<std::uint8_t> keep;
+// @param keep 0 for particles to drop besides; may be empty
+void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, ThreadPool& pool) {
     if (drop) {
         const double *x = state.particles[Field::x], *y = state.particles[Field::y];
         const double* volume = state.particles[Field::volume];
-        keep.assign(state.particles.size(), 1);
+        keep.resize(state.particles.size(), 1);
         for (std::size_t p = 0; p < keep.size(); ++p) {
-            if (state.nodes.bounds().holds(x[p], y[p])) continue;
+            if (keep[p] == 0 || state.nodes.bounds().holds(x[p], y[p])) continue;
             keep[p] = 0;
             state.volume_left += volume[p];
         }
@@ -103,6 +103,37 @@ void exchange_with_bed(State& state, const Laws& laws, const Stages& stages, dou
     for (const ExchangeReport& r : reports) state.exchanged.merge(r);
 }
 
+// What leaves the bed within the next step goes into the air, what has come down lies on the ground again. Particles are
+// sorted for it, but neither shifted nor split: their number of steps since the last sort stays.
+void leave_and_land(State& state, const Laws& laws, double dt, StepReport& report, ThreadPool& pool) {
+    const JumpRules rules{laws.gravity, laws.wall, laws.flight_slope};
+    report.aloft = state.flights.volume();
+    report.aloft_kinetic = state.flights.kinetic(state.time, rules.gravity);
+    std::vector<std::uint8_t> keep;
+    if (report.nodes.unsupported > 0)
+        state.flights.take_off(state.particles, state.order, state.nodes, state.nodes_seen.data(), rules, state.time, dt,
+                               keep, pool);
+    const Flights::Landed landed = state.flights.land(state.time, state.particles);
+    report.aloft -= landed.left;
+    state.volume_left += landed.left;
+    if (keep.empty() && landed.count == 0) return;
+    if (!keep.empty()) keep.resize(state.particles.size(), 1);
+    const ParticleSet& particles = state.particles;
+    for (std::size_t p = particles.size() - landed.count; p < particles.size(); ++p) {
+        const Point place{particles[Field::x][p], particles[Field::y][p]};
+        const double wave = std::hypot(particles[Field::u][p], particles[Field::v][p]) +
+                            std::sqrt(laws.gravity * laws.stress.wave_factor * particles[Field::volume][p] /
+                                      particles[Field::area][p]);
+        state.wave_speed = std::max(state.wave_speed, wave);
+        state.active.wake_round(state.order.tile_of(place.x, place.y));
+    }
+    const double drift = state.drift;
+    const int since_sort = state.since_sort;
+    sort_particles(state, false, std::move(keep), pool);
+    state.drift = drift;
+    state.since_sort = since_sort;
+}
+
 // Shifting needs what splitting does: the default scheme with its affine velocities.
 bool shifts_now(const State& state, const Stages& stages) {
     return stages.resamples && state.since_sort % k_shift_steps == 0;
@@ -121,7 +152,7 @@ void slow_down(State& state, ThreadPool& pool) {
 }  // namespace
 
 void prepare(State& state, const Laws& laws, ThreadPool& pool) {
-    sort_particles(state, true, pool);
+    sort_particles(state, true, {}, pool);
     state.active.wake(state.order);
     state.wave_speed = 0;
     const double *u = state.particles[Field::u], *v = state.particles[Field::v];
@@ -271,13 +302,17 @@ StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_
     const bool stretched = stages.resamples && report.particles.longest > k_long_shape * dx * dx &&
                            state.since_sort >= k_sort_pause;
     if (report.particles.outside > 0 || stretched || state.drift + moved + shift > k_drift_limit) {
-        sort_particles(state, report.particles.outside > 0, pool);
+        sort_particles(state, report.particles.outside > 0, {}, pool);
         watch.ends(Stage::sort);
         if (stages.resamples) {
             report.resampled = resample(state.particles, state.order, laws.resample, resting(state), pool);
             if (report.resampled.split > 0) state.drift = k_split_reach;
             watch.ends(Stage::resample);
         }
+    }
+    if (stages.flies) {
+        leave_and_land(state, laws, dt, report, pool);
+        watch.ends(Stage::sort);
     }
     return report;
 }

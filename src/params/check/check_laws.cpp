@@ -143,6 +143,10 @@ void check_rest(const SceneSpec& scene, const std::set<std::string>& given, cons
         problems.add({"needs a slope correction", file + ": numerics.curvature", "on", "off",
                       "Set numerics.slope-correction = normal or surface, or remove the key"});
     }
+    if (flight(scene.numerics) && !can_fly(scene.numerics)) {
+        problems.add({"needs numerics.curvature = on, scheme = default and transfer = apic", file + ": numerics.flight", "on",
+                      "off", "Set those, or remove the key"});
+    }
 }
 
 }  // namespace

@@ -60,6 +60,14 @@ void add_numerics(std::vector<Parameter>& list) {
                "Motion along a curved bed: speed along the bed kept where its slope changes, more friction in hollows, "
                "less over edges; off: speed in map view kept. Needs a slope correction.",
                "on where there is a slope correction"));
+    list.push_back(
+        on_off("numerics.flight", FRANA_MEMBER(numerics.flight),
+               "Where the bed falls away faster than a free fall, material flies, without friction or pressure, and loses "
+               "on landing the velocity normal to the bed; off: it keeps to its bed. Needs curvature, scheme default and "
+               "transfer apic.",
+               "on where there is curvature, with scheme default and transfer apic"));
+    list.push_back(number("numerics.flight-slope", FRANA_MEMBER(numerics.flight_slope), "degrees", Range{0, 89},
+                          "Least fall of an edge that throws material off, in the direction of motion; 0: any bump does."));
     list.push_back(choice("numerics.boundary", FRANA_MEMBER(numerics.boundary), {"open", "wall"},
                           "Edge of the working grid: material leaves and is counted, or is held."));
     list.push_back(number("numerics.gravity", FRANA_MEMBER(numerics.gravity), "m/s2", Range{0.1, 100},
@@ -184,7 +192,7 @@ std::vector<Section> scene_sections() {
 
 std::vector<std::string> map_names() {
     return {"max_depth", "max_velocity",    "final_depth",  "arrival_time",   "max_pressure", "hazard",
-            "eroded_depth", "deposited_depth", "max_depth_3d", "max_velocity_3d"};
+            "eroded_depth", "deposited_depth", "jump_height", "max_depth_3d", "max_velocity_3d"};
 }
 
 }  // namespace frana

@@ -34,6 +34,15 @@ bool curvature(const NumericsSpec& numerics) {
     return numerics.curvature.value_or(slope_correction(numerics) != "none");
 }
 
+bool can_fly(const NumericsSpec& numerics) {
+    return curvature(numerics) && numerics.scheme != "paper" &&
+           (numerics.transfer == "auto" || numerics.transfer == "apic");
+}
+
+bool flight(const NumericsSpec& numerics) {
+    return numerics.flight.value_or(can_fly(numerics));
+}
+
 bool well_balanced(const NumericsSpec& numerics) {
     return numerics.well_balanced.value_or(numerics.scheme != "paper");
 }

@@ -128,6 +128,8 @@ struct NumericsSpec {
     std::optional<bool> well_balanced;
     std::string slope_correction = "auto";
     std::optional<bool> curvature;
+    std::optional<bool> flight;
+    double flight_slope = 60;  // degrees
     std::string boundary = "open";
     double gravity = 9.81;
     double minimum_depth = 0.01;
@@ -223,6 +225,9 @@ double friction_coefficient(const MaterialSpec& material);
 std::string slope_correction(const NumericsSpec& numerics);
 /// Resolved: on where there is a slope correction.
 bool curvature(const NumericsSpec& numerics);
+/// Whether the scheme has what flight needs: curvature, the default scheme, affine velocities.
+bool can_fly(const NumericsSpec& numerics);
+bool flight(const NumericsSpec& numerics);
 /// Resolved: on for the default scheme, off for the paper's.
 bool well_balanced(const NumericsSpec& numerics);
 /// The interval of frames [s]: as given, else a round number near a sixtieth of the end time; 0 where nothing

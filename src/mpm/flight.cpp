@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mpm/flight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mpm/curvature.h"
+#include "mpm/shape.h"
+
+namespace frana {
+namespace {
+
+// How fine a way over the bed is looked at [cells], and how often an end of a free fall is halved: to 1e-9 of that.
+constexpr double k_look = 0.25;
+constexpr int k_halvings = 30;
+
+// The bed of the quadratic splines.
+struct Bed {
+    Interpolated z;
+    double xx, xy, yy;  // [1/m]
+
+    [[nodiscard]] Point map_velocity(Point along) const noexcept {
+        return BedFrame::of({z.dx, z.dy}).in_map(along.x, along.y);
+    }
+    [[nodiscard]] bool throws(Point v, double gravity) const noexcept {
+        return v.x * v.x * xx + 2 * v.x * v.y * xy + v.y * v.y * yy < -gravity;
+    }
+};
+
+Interpolated ground_at(const NodeGrid& nodes, Point p) noexcept {
+    return interpolate(Stencil<QuadraticSplineShape>(p.x, p.y, nodes.scale()), nodes.bed.data(), nodes.stride());
+}
+
+Bed bed_at(const NodeGrid& nodes, Point p) noexcept {
+    const NodeScale grid = nodes.scale();
+    const Stencil<QuadraticSplineShape> s(p.x, p.y, grid);
+    const double bend[3] = {grid.inverse_dx * grid.inverse_dx, -2 * grid.inverse_dx * grid.inverse_dx,
+                            grid.inverse_dx * grid.inverse_dx};
+    Bed bed{{0, 0, 0}, 0, 0, 0};
+    for (int b = 0; b < 3; ++b) {
+        const double* row = nodes.bed.data() + s.first + b * nodes.stride();
+        double value = 0, slope = 0, curve = 0;
+        for (int a = 0; a < 3; ++a) {
+            value += s.wx[a] * row[a];
+            slope += s.gx[a] * row[a];
+            curve += bend[a] * row[a];
+        }
+        bed.z.value += s.wy[b] * value;
+        bed.z.dx += s.wy[b] * slope;
+        bed.z.dy += s.gy[b] * value;
+        bed.xx += s.wy[b] * curve;
+        bed.xy += s.gy[b] * slope;
+        bed.yy += bend[b] * value;
+    }
+    return bed;
+}
+
+Point at(Point from, Point velocity, double time) noexcept {
+    return {from.x + velocity.x * time, from.y + velocity.y * time};
+}
+
+// The velocity at the end loses its part normal to the bed.
+Point landed_velocity(const NodeGrid& nodes, Point place, Point velocity, double climb) {
+    const Bed bed = bed_at(nodes, place);
+    const double into = (climb - velocity.x * bed.z.dx - velocity.y * bed.z.dy) /
+                        (1 + bed.z.dx * bed.z.dx + bed.z.dy * bed.z.dy);
+    const double u = velocity.x + into * bed.z.dx, v = velocity.y + into * bed.z.dy;
+    return BedFrame::of({bed.z.dx, bed.z.dy}).along_bed(u, v);
+}
+
+// From jump.from on, until it lands. Returns the steepest fall of the ground in its direction.
+double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
+    const NodeScale grid = nodes.scale();
+    const double look = k_look * grid.dx, start = ground_at(nodes, jump.from).value;
+    const auto height = [&](double time) { return start + (jump.climb - 0.5 * rules.gravity * time) * time; };
+    Point place = jump.from, velocity = jump.velocity;
+    double time = 0, steepest = 0;
+    for (bool flies = true; flies;) {
+        const double climb = jump.climb - rules.gravity * time;
+        const double fastest = std::max({std::hypot(velocity.x, velocity.y), std::abs(climb), std::sqrt(rules.gravity * look)});
+        const double dt = look / fastest;
+        Point next = at(place, velocity, dt);
+        const bool outside = !nodes.bounds().holds(next.x, next.y);
+        const bool leaves = outside && !rules.wall;
+        if (leaves || (!outside && nodes.is_gap(grid.node_of(next.x, next.y)))) {
+            jump.left = leaves;
+            jump.to = leaves ? place : next;
+            jump.duration = time + dt;
+            break;
+        }
+        if (outside || nodes.is_wall(grid.node_of(next.x, next.y))) {
+            velocity = {0, 0};
+            next = place;
+        }
+        double ahead = dt;
+        const Interpolated ground = ground_at(nodes, next);
+        const double speed = std::hypot(velocity.x, velocity.y);
+        if (speed > 0) steepest = std::max(steepest, -(velocity.x * ground.dx + velocity.y * ground.dy) / speed);
+        if (height(time + dt) <= ground.value) {
+            double above = 0;
+            for (int i = 0; i < k_halvings; ++i) {
+                const double middle = 0.5 * (above + ahead);
+                (height(time + middle) > ground_at(nodes, at(place, velocity, middle)).value ? above : ahead) = middle;
+            }
+            next = at(place, velocity, ahead);
+            flies = false;
+        }
+        place = next;
+        time += ahead;
+        const double above = flies ? height(time) - ground.value : 0;
+        jump.height = std::max(jump.height, above);
+        jump.over.push_back({grid.node_of(place.x, place.y), above});
+        jump.to = place;
+        jump.duration = time;
+    }
+    jump.landed = landed_velocity(nodes, jump.to, velocity, jump.climb - rules.gravity * jump.duration);
+    return steepest;
+}
+
+}  // namespace
+
+std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,
+                              double clearance) {
+    const double look = k_look * nodes.cell_size();
+    double time = 0, before = 0;
+    Point last = place;
+    while (nodes.bounds().holds(place.x, place.y)) {
+        Bed bed = bed_at(nodes, place);
+        Point velocity = bed.map_velocity(along);
+        if (bed.throws(velocity, rules.gravity)) {
+            // The place where this begins, between the last one looked at and this one.
+            double held = 0, thrown = time - before;
+            const Point way = bed_at(nodes, last).map_velocity(along);
+            for (int i = 0; i < k_halvings && thrown > held; ++i) {
+                const double middle = 0.5 * (held + thrown);
+                const Bed there = bed_at(nodes, at(last, way, middle));
+                (there.throws(there.map_velocity(along), rules.gravity) ? thrown : held) = middle;
+            }
+            Jump jump;
+            jump.from = at(last, way, thrown);
+            jump.glide = before + thrown;
+            bed = bed_at(nodes, jump.from);
+            jump.velocity = bed.map_velocity(along);
+            jump.climb = jump.velocity.x * bed.z.dx + jump.velocity.y * bed.z.dy;
+            const double steepest = fall(nodes, rules, jump);
+            if (jump.height > clearance && steepest >= rules.edge) return jump;
+        }
+        const double speed = std::hypot(velocity.x, velocity.y);
+        if (!(time < reach) || !(speed > 0)) return std::nullopt;
+        before = time;
+        last = place;
+        time = std::min(reach, time + look / speed);
+        place = at(place, velocity, time - before);
+    }
+    return std::nullopt;
+}
+
+double Flights::volume() const noexcept {
+    double sum = 0;
+    for (const Flight& f : flights_) sum += get(f.particle, Field::volume);
+    return sum;
+}
+
+double Flights::kinetic(double time, double gravity) const noexcept {
+    double sum = 0;
+    for (const Flight& f : flights_) {
+        const double climb = f.climb - gravity * std::max(0.0, time - f.begins);
+        sum += 0.5 * get(f.particle, Field::volume) * (f.speed * f.speed + climb * climb);
+    }
+    return sum;
+}
+
+void Flights::begin(const ParticleRow& particle, const Jump& jump, double time) {
+    Flight flight;
+    flight.particle = particle;
+    flight.begins = time + jump.glide;
+    flight.ends = flight.begins + jump.duration;
+    flight.climb = jump.climb;
+    flight.speed = std::hypot(jump.velocity.x, jump.velocity.y);
+    flight.left = jump.left;
+    ParticleRow& row = flight.particle;
+    get(row, Field::x) = jump.to.x;
+    get(row, Field::y) = jump.to.y;
+    get(row, Field::u) = jump.landed.x;
+    get(row, Field::v) = jump.landed.y;
+    for (const Field c : {Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy}) get(row, c) = 0;
+    next_landing_ = std::min(next_landing_, flight.ends);
+    flights_.push_back(flight);
+
+    figures_.volume += get(row, Field::volume);
+    figures_.highest = std::max(figures_.highest, jump.height);
+    const double length = std::hypot(jump.to.x - jump.from.x, jump.to.y - jump.from.y);
+    figures_.way += get(row, Field::volume) * length;
+    if (length > figures_.longest) {
+        figures_.longest = length;
+        figures_.from = jump.from;
+        figures_.to = jump.to;
+    }
+    for (const Jump::Place& place : jump.over)
+        heights_[place.node] = std::max(heights_[place.node], static_cast<float>(place.height));
+}
+
+void Flights::take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const NodeReport* seen,
+                       const JumpRules& rules, double time, double reach, std::vector<std::uint8_t>& keep,
+                       ThreadPool& pool) {
+    const auto& tiles = order.tiles();
+    const double *x = particles[Field::x], *y = particles[Field::y], *u = particles[Field::u], *v = particles[Field::v];
+    const double *volume = particles[Field::volume], *area = particles[Field::area];
+    std::vector<std::vector<std::pair<std::size_t, Jump>>> found(tiles.size());
+    pool.for_each(tiles.size(), [&](std::size_t t) {
+        const ParticleTile& tile = tiles[t];
+        bool lifted = false;
+        for (std::int64_t b = tile.y0; b <= tile.y1; ++b)
+            for (std::int64_t a = tile.x0; a <= tile.x1; ++a)
+                lifted = lifted || seen[b * order.grid().tiles_x() + a].unsupported > 0;
+        if (!lifted) return;
+        for (std::size_t p = tile.begin; p < tile.end; ++p) {
+            const double clearance = std::max(volume[p] / area[p], k_least_clearance * nodes.cell_size());
+            if (auto jump = find_jump(nodes, rules, {x[p], y[p]}, {u[p], v[p]}, reach, clearance))
+                found[t].emplace_back(p, std::move(*jump));
+        }
+    });
+    for (const auto& jumps : found) {  // in the particles' order, whatever the threads
+        for (const auto& [p, jump] : jumps) {
+            if (keep.empty()) keep.assign(particles.size(), 1);
+            keep[p] = 0;
+            begin(particles.row(p), jump, time);
+        }
+    }
+}
+
+Flights::Landed Flights::land(double time, ParticleSet& particles) {
+    Landed landed;
+    if (time < next_landing_) return landed;
+    next_landing_ = std::numeric_limits<double>::infinity();
+    std::vector<Flight> still;
+    for (const Flight& f : flights_) {
+        if (time < f.ends) {
+            next_landing_ = std::min(next_landing_, f.ends);
+            still.push_back(f);
+        } else if (f.left) {
+            landed.left += get(f.particle, Field::volume);
+        } else {
+            particles.push_back(f.particle);
+            ++landed.count;
+        }
+    }
+    flights_.swap(still);
+    return landed;
+}
+
+}  // namespace frana

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/geometry.h"
+#include "core/thread_pool.h"
+#include "core/zero_array.h"
+#include "mpm/node_grid.h"
+#include "mpm/node_report.h"
+#include "particles/particle_set.h"
+#include "particles/tile_order.h"
+
+namespace frana {
+
+/// A jump must clear the ground by the flow's own depth, and by this share of a cell, under which the terrain's cells tell
+/// no edge from roughness.
+inline constexpr double k_least_clearance = 0.1;
+
+/// A free fall from a place on the bed to the next.
+struct Jump {
+    Point from;           ///< local metres
+    double glide = 0;     ///< time along the bed until it begins there [s]
+    Point velocity;       ///< in map view [m/s]
+    double climb = 0;     ///< vertical velocity at the begin [m/s]
+    double duration = 0;  ///< from there until it lands [s]
+    Point to;             ///< local metres, inside of the terrain
+    Point landed;         ///< velocity along the bed (BedFrame) of what has landed [m/s]
+    double height = 0;    ///< greatest above the ground [m]
+    bool left = false;    ///< across an open edge
+    struct Place {
+        std::size_t node;  ///< whose cell is flown over
+        double height;     ///< above the bed [m]
+    };
+    std::vector<Place> over;
+};
+
+/// What decides about jumps.
+struct JumpRules {
+    double gravity = 9.81;  ///< [m/s2]
+    bool wall = false;      ///< edges are walls; what meets one falls down it
+    double edge = 0;        ///< least fall of the ground in the direction of motion under a jump [-]
+};
+
+/// The jump of a particle that moves straight on along its bed for a time `reach` [s], if it makes one: it begins at the
+/// first place where the bed of the quadratic splines falls away faster than a free fall,
+///
+///     v . grad grad Z . v < -g,
+///
+/// from which the parabola clears the ground by more than `clearance` [m] over ground that falls by JumpRules::edge or more
+/// in its direction. A fast flow bends away from gentler ground too, but not as a whole: what the bed no longer bears there
+/// the layer's upper part, and drag, still hold. Without that bound every bump of a gully threw particles, which then had
+/// no friction: 126 m/s where twelve codes have 30 to 60 (share/doc/numerics.md). On landing the part of the velocity normal to
+/// the bed is lost.
+/// @param along velocity along the bed (BedFrame) [m/s]
+std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,
+                              double clearance);
+
+/// Jumps so far.
+struct JumpFigures {
+    double volume = 0;   ///< sum over all jumps [m3]
+    double highest = 0;  ///< above the ground [m]
+    double longest = 0;  ///< in map view [m]
+    double way = 0;      ///< sum of volume times length in map view [m4]
+    Point from, to;      ///< of the longest; local metres
+
+    template <class Archive>
+    void serialise(Archive& archive) {
+        archive(volume, highest, longest, way, from.x, from.y, to.x, to.y);
+    }
+};
+
+/// Particles in free fall, kept apart from those on the ground, which pay nothing for them. Where the bed falls away
+/// faster than a free fall, a depth-averaged layer has no bed: no friction and no pressure act until it lands. The whole
+/// way is known when it begins, since nothing but gravity acts.
+class Flights {
+  public:
+    Flights() = default;
+    /// @param nodes padded
+    explicit Flights(std::size_t nodes) : heights_(nodes) {}
+
+    [[nodiscard]] bool empty() const noexcept { return flights_.empty(); }
+    [[nodiscard]] std::size_t size() const noexcept { return flights_.size(); }
+    /// When the first of them lands [s]; infinite when there is none.
+    [[nodiscard]] double next_landing() const noexcept { return next_landing_; }
+    [[nodiscard]] double volume() const noexcept;
+    /// Sum of V v^2 / 2 with the vertical part [m5/s2].
+    [[nodiscard]] double kinetic(double time, double gravity) const noexcept;
+    [[nodiscard]] const JumpFigures& figures() const noexcept { return figures_; }
+    /// Greatest height above the ground at which each padded node's cell was flown over [m]; 0 where it was not.
+    [[nodiscard]] const ZeroArray<float>& heights() const noexcept { return heights_; }
+
+    /// Takes the particles that leave the bed within the time `reach`: marks them 0 in `keep`, one byte a particle, which
+    /// stays empty when there are none. Looks near nodes whose motion lifts them off (NodeReport::unsupported).
+    /// @param seen by tile
+    /// @param time of the particles' positions [s]
+    void take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const NodeReport* seen,
+                  const JumpRules& rules, double time, double reach, std::vector<std::uint8_t>& keep, ThreadPool& pool);
+
+    struct Landed {
+        std::size_t count = 0;  ///< particles appended
+        double left = 0;        ///< volume that crossed open edges instead [m3]
+    };
+    /// Appends what has landed by `time`.
+    Landed land(double time, ParticleSet& particles);
+
+    template <class Archive>
+    void serialise(Archive& archive) {
+        archive(flights_, heights_, next_landing_, figures_);
+    }
+
+  private:
+    struct Flight {
+        ParticleRow particle{};  // as it will land
+        double begins = 0, ends = 0, climb = 0;
+        double speed = 0;  // in map view [m/s]
+        bool left = false;
+
+        template <class Archive>
+        void serialise(Archive& archive) {
+            archive(particle, begins, ends, climb, speed, left);
+        }
+    };
+
+    void begin(const ParticleRow& particle, const Jump& jump, double time);
+
+    std::vector<Flight> flights_;
+    ZeroArray<float> heights_;
+    double next_landing_ = std::numeric_limits<double>::infinity();
+    JumpFigures figures_;
+};
+
+}  // namespace frana

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// Over an edge and back on the ground: the parabola, what landing takes, what is not thrown.
+#include <gtest/gtest.h>
+
+#include "mpm/flight.h"
+#include "support/cases.h"
+
+namespace frana::test {
+namespace {
+
+constexpr double k_gravity = 9.81;
+
+// A film, thin enough for its own pressure not to matter, that starts round x = 20 m in a walled strip.
+struct Strip {
+    double cell = 2;
+    std::function<double(double)> bed;
+    double speed = 20, length = 240;
+    bool flight = true;
+    double thickness = 0.05;
+};
+
+Flow film_on(const Strip& strip, int threads = 1) {
+    const GridSpec grid = bench::plain_grid(std::llround(strip.length / strip.cell), 8, strip.cell);
+    const ParticleSet seeds = bench::fill_lattice(grid, 2, 0, [&](Point p) {
+        return bench::Seed{std::abs(p.x - 20) < 6 ? strip.thickness : 0, strip.speed, 0};
+    });
+    Numerics how = numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall);
+    how.minimum_depth = 1e-6;
+    how.flight = strip.flight;
+    Material material = water();
+    return Flow(bench::sample_raster(grid, [&](Point p) { return strip.bed(p.x); }), seeds, material, how, threads);
+}
+
+double cliff(double x) {
+    return x < 100 ? 50 : 0;
+}
+
+class OverACliff : public testing::TestWithParam<double> {};
+
+TEST_P(OverACliff, LandsWhereTheParabolaSays) {
+    Flow flow = film_on({GetParam(), cliff});
+    const double volume = flow.volume();
+    double aloft = 0;
+    while (flow.time() < 9) {
+        const auto report = flow.advance(9 - flow.time());
+        aloft = std::max(aloft, report.aloft);
+        ASSERT_NEAR(flow.volume(), volume, 1e-9 * volume);
+    }
+    EXPECT_GT(aloft, 0.9 * volume);  // 12 m long, it is 60 m in the air
+    EXPECT_TRUE(flow.flights().empty());
+    const JumpFigures& jumps = flow.flights().figures();
+    // Waves of the film (0.7 m/s) make its tip faster, by 2 sqrt(g h) at most.
+    const double time = std::sqrt(2 * 50 / k_gravity);
+    EXPECT_NEAR(jumps.longest, 20 * time, 0.05 * 20 * time + 1.4 * time);
+    EXPECT_NEAR(jumps.to.x - 100, 20 * time, 0.05 * 20 * time + 1.4 * time);
+    EXPECT_NEAR(jumps.highest, 50, 0.05 * 50);
+    EXPECT_NEAR(jumps.volume, volume, 1e-9 * volume);
+    EXPECT_EQ(flow.volume_left(), 0);
+    // The fall's own speed, 31 m/s, is lost.
+    double momentum = 0;
+    for (std::size_t p = 0; p < flow.particles().size(); ++p)
+        momentum += flow.particles()[Field::volume][p] * flow.map_velocity(p).x;
+    EXPECT_NEAR(momentum, 20 * volume, 0.02 * 20 * volume);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cells, OverACliff, testing::Values(5.0, 2.0, 1.0));
+
+TEST(OverACliff, ABeadOnItsOwnLandsWithinATenthOfACell) {
+    const GridSpec grid = bench::plain_grid(48, 8, 5);
+    Flow flow = film_on({5, cliff});
+    const auto jump = find_jump(flow.nodes(), {k_gravity, true}, {94.9, 20}, {20, 0}, 1, 0.5);
+    ASSERT_TRUE(jump);
+    // The splines' bed begins to fall where the edge's cells meet, half a cell before the raster's own edge.
+    EXPECT_NEAR(jump->from.x, 95, 1e-6);
+    EXPECT_NEAR(jump->climb, 0, 1e-6);
+    EXPECT_NEAR(jump->to.x, 95 + 20 * std::sqrt(2 * 50 / k_gravity), 0.5);
+    EXPECT_NEAR(jump->landed.x, 20, 1e-9);
+    EXPECT_NEAR(jump->height, 50, 2.5);
+}
+
+TEST(Landing, KeepsThePartAlongTheBed) {
+    // From a ledge on to a slope of 45 degrees that falls away: v along it after landing is (u + |climb|) / sqrt(2).
+    const Strip ledge{2, [](double x) { return x < 60 ? 200 - 0.0 * x : 190 - (x - 60); }};
+    Flow flow = film_on(ledge);
+    const auto jump = find_jump(flow.nodes(), {k_gravity, true}, {58, 8}, {20, 0}, 1, 0.5);
+    ASSERT_TRUE(jump);
+    const double fallen = k_gravity * jump->duration;
+    EXPECT_NEAR(std::hypot(jump->landed.x, jump->landed.y), (20 + fallen) / std::sqrt(2.0), 1e-6 * fallen);
+}
+
+TEST(Flight, AnEdgeThatIsTooGentleOrTooLowThrowsNothing) {
+    // 20 m/s: a radius of 60 m needs 6.7 m/s2; steps of 10 cm are under a tenth of a cell.
+    const auto gentle = [](double x) { return x < 60 ? 0.0 : -std::min(x - 60, 20.0) * std::min(x - 60, 20.0) / 120; };
+    const auto low = [](double x) { return x < 100 ? 0.1 : 0; };
+    for (const Strip& strip : {Strip{2, gentle}, Strip{2, low}}) {
+        Flow flow = film_on(strip);
+        flow.advance_to(4);
+        EXPECT_EQ(flow.flights().figures().volume, 0);
+    }
+    // What is deeper than the step is high keeps to its bed; a film does not.
+    Flow flow = film_on({2, [](double x) { return x < 100 ? 1.0 : 0; }});
+    EXPECT_FALSE(find_jump(flow.nodes(), {k_gravity, true}, {98, 8}, {20, 0}, 1, 1.1));
+    EXPECT_TRUE(find_jump(flow.nodes(), {k_gravity, true}, {98, 8}, {20, 0}, 1, 0.5));
+}
+
+TEST(Flight, OffKeepsToTheBedAndCostsNothing) {
+    Strip strip{2, cliff};
+    strip.flight = false;
+    Flow flow = film_on(strip);
+    flow.advance_to(6);
+    EXPECT_EQ(flow.flights().figures().volume, 0);
+    EXPECT_EQ(flow.flights().heights().size(), 0U);
+}
+
+TEST(Flight, WhatFliesAcrossAnOpenEdgeHasLeft) {
+    const GridSpec grid = bench::plain_grid(60, 8, 2);
+    const ParticleSet seeds = bench::fill_lattice(
+        grid, 2, 0, [&](Point p) { return bench::Seed{std::abs(p.x - 20) < 6 ? 0.05 : 0, 20, 0}; });
+    Numerics how = numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open);
+    how.minimum_depth = 1e-6;
+    Flow flow(bench::sample_raster(grid, [](Point p) { return p.x < 100 ? 50 : 0; }), seeds, water(), how, 1);
+    const double volume = flow.volume();
+    while (flow.time() < 10 && !flow.empty()) flow.advance(10 - flow.time());
+    EXPECT_TRUE(flow.empty());
+    EXPECT_NEAR(flow.volume_left(), volume, 1e-9 * volume);
+}
+
+TEST(Flight, WhatMeetsAWallFallsDownIt) {
+    Flow flow = film_on({2, cliff, 20, 130});
+    const double volume = flow.volume();
+    flow.advance_to(8);
+    EXPECT_TRUE(flow.flights().empty());
+    EXPECT_NEAR(flow.volume(), volume, 1e-9 * volume);
+    EXPECT_NEAR(flow.flights().figures().to.x, 130, 2);
+}
+
+TEST(Flight, TheSameBitsForAnyNumberOfThreads) {
+    Flow one = film_on({2, cliff}, 1), three = film_on({2, cliff}, 3);
+    one.advance_to(8);
+    three.advance_to(8);
+    ASSERT_EQ(one.particles().size(), three.particles().size());
+    for (std::size_t p = 0; p < one.particles().size(); ++p) {
+        ASSERT_EQ(one.particles()[Field::x][p], three.particles()[Field::x][p]);
+        ASSERT_EQ(one.particles()[Field::u][p], three.particles()[Field::u][p]);
+    }
+}
+
+}  // namespace
+}  // namespace frana::test
