@@ -230,9 +230,7 @@ void Flow::for_each_reached_cell(const Visit& visit) const {
 }
 
 void Flow::gather() {
-    voellmy_bingham::StageSeconds not_asked_for{};
-    voellmy_bingham::StageWatch watch(not_asked_for);
-    gather_on_nodes(state_, laws_, stages_, pool_, watch);
+    gather_on_nodes(state_, laws_, stages_, maxima_, pool_);
 }
 
 Flow::NodalFields Flow::nodal_fields() {

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Between two steps: the order and the number of the particles, what goes into the air and comes back.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "models/voellmy_bingham/step_stages.h"
+#include "mpm/boundary.h"
+#include "mpm/shifting.h"
+
+namespace frana::voellmy_bingham {
+namespace {
+
+// Particles whose shape has a trace above this many cells' areas wait no longer for the next sort to be split (a
+// front that does tears: the error of the dry dam break is a third smaller so), but sorts come at least this many
+// steps apart.
+constexpr double k_long_shape = 1;
+constexpr int k_sort_pause = 3;
+
+void wake_where_crossed(State& state, ThreadPool& pool) {
+    const double *x = state.particles[Field::x], *y = state.particles[Field::y];
+    const auto& tiles = state.order.tiles();
+    std::vector<std::uint8_t> crossed(tiles.size(), 0);
+    pool.for_each(tiles.size(), [&](std::size_t t) {
+        for (std::size_t p = tiles[t].begin; p < tiles[t].end && crossed[t] == 0; ++p)
+            crossed[t] = state.order.tile_of(x[p], y[p]) != tiles[t].tile;
+    });
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        if (crossed[t] != 0) state.active.wake_round(tiles[t].tile);
+    }
+}
+
+// One byte a tile of particles: those that rest need neither splitting nor merging.
+std::vector<std::uint8_t> resting(const State& state) {
+    std::vector<std::uint8_t> rests;
+    for (const ParticleTile& tile : state.order.tiles()) rests.push_back(state.active.rests(tile) ? 1 : 0);
+    return rests;
+}
+
+// Greatest speed of a particle with its wave [m/s].
+double wave_of(const ParticleSet& particles, std::size_t p, const Laws& laws) {
+    return std::hypot(particles[Field::u][p], particles[Field::v][p]) +
+           std::sqrt(laws.gravity * laws.stress.wave_factor * particles[Field::volume][p] / particles[Field::area][p]);
+}
+
+}  // namespace
+
+void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, ThreadPool& pool) {
+    if (drop) {
+        const double *x = state.particles[Field::x], *y = state.particles[Field::y];
+        const double* volume = state.particles[Field::volume];
+        keep.resize(state.particles.size(), 1);
+        for (std::size_t p = 0; p < keep.size(); ++p) {
+            if (keep[p] == 0 || state.nodes.bounds().holds(x[p], y[p])) continue;
+            keep[p] = 0;
+            state.volume_left += volume[p];
+        }
+    }
+    if (state.active.any_rests(state.order)) wake_where_crossed(state, pool);
+    const std::vector<std::int64_t> before = state.order.node_tiles();
+    state.order.sort(state.particles, keep, pool);
+    const auto& now = state.order.node_tiles();
+    for (const std::int64_t tile : before) {
+        if (!std::binary_search(now.begin(), now.end(), tile)) {
+            clear_nodes(NodeRange(tile, state.order.grid(), state.nodes), state.nodes);
+            state.active.forget(tile);
+        }
+    }
+    state.drift = 0;
+    state.since_sort = 0;
+}
+
+bool shifts_now(const State& state, const Stages& stages) {
+    return stages.resamples && state.since_sort % k_shift_steps == 0;
+}
+
+void prepare(State& state, const Laws& laws, ThreadPool& pool) {
+    sort_particles(state, true, {}, pool);
+    state.active.wake(state.order);
+    state.wave_speed = 0;
+    for (std::size_t p = 0; p < state.particles.size(); ++p)
+        state.wave_speed = std::max(state.wave_speed, wave_of(state.particles, p, laws));
+    if (laws.wall) mirror_bed(state.nodes);
+}
+
+void advance_time(Step& now) {
+    State& state = now.state;
+    state.time += now.drift;
+    state.velocity_lag = now.stages.leapfrog ? 0.5 * now.drift : 0;
+    state.wave_speed = now.report.particles.wave_speed;
+    state.diffusivity = now.report.particles.diffusivity;
+}
+
+void regularise(Step& now) {
+    State& state = now.state;
+    const ParticleReport& seen = now.report.particles;
+    const double dx = state.nodes.cell_size();
+    const double moved = seen.speed * now.drift / dx, shift = now.stages.resamples ? shift_reach(moved) : 0;
+    state.drift += moved + (shifts_now(state, now.stages) ? shift : 0);
+    ++state.since_sort;
+    const bool stretched =
+        now.stages.resamples && seen.longest > k_long_shape * dx * dx && state.since_sort >= k_sort_pause;
+    if (!(seen.outside > 0 || stretched || state.drift + moved + shift > k_drift_limit)) return;
+    sort_particles(state, seen.outside > 0, {}, now.pool);
+    now.watch.ends(Stage::sort);
+    if (!now.stages.resamples) return;
+    now.report.resampled = resample(state.particles, state.order, now.laws.resample, resting(state), now.pool);
+    if (now.report.resampled.split > 0) state.drift = k_split_reach;
+    now.watch.ends(Stage::resample);
+}
+
+void leave_and_land(Step& now) {
+    if (!now.stages.flies) return;
+    State& state = now.state;
+    const JumpRules rules{now.laws.gravity, now.laws.wall, now.laws.flight_slope};
+    now.report.aloft = state.flights.volume();
+    now.report.aloft_kinetic = state.flights.kinetic(state.time, rules.gravity);
+    std::vector<std::uint8_t> keep;
+    if (now.report.nodes.unsupported > 0)
+        state.flights.take_off(state.particles, state.order, state.nodes, state.nodes_seen.data(), rules, state.time,
+                               now.drift, keep, now.pool);
+    const Flights::Landed landed = state.flights.land(state.time, state.particles);
+    now.report.aloft -= landed.left;
+    state.volume_left += landed.left;
+    if (keep.empty() && landed.count == 0) return;
+    if (!keep.empty()) keep.resize(state.particles.size(), 1);
+    for (std::size_t p = state.particles.size() - landed.count; p < state.particles.size(); ++p) {
+        state.wave_speed = std::max(state.wave_speed, wave_of(state.particles, p, now.laws));
+        state.active.wake_round(state.order.tile_of(state.particles[Field::x][p], state.particles[Field::y][p]));
+    }
+    // Sorted, but neither shifted nor split: the steps since the last sort go on counting.
+    const double drift = state.drift;
+    const int since_sort = state.since_sort;
+    sort_particles(state, false, std::move(keep), now.pool);
+    state.drift = drift;
+    state.since_sort = since_sort;
+    now.watch.ends(Stage::sort);
+}
+
+}  // namespace frana::voellmy_bingham

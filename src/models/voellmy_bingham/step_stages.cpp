@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages of a step that sweep over particles and nodes.
+#include <algorithm>
+
+#include "models/voellmy_bingham/step_stages.h"
+#include "mpm/boundary.h"
+#include "mpm/levels.h"
+#include "mpm/shifting.h"
+#include "mpm/stable_step.h"
+
+namespace frana::voellmy_bingham {
+namespace {
+
+// Runs a stage over the particle tiles that bring something, colour after colour: tiles of one colour share no node.
+template <class Task>
+void for_tiles_by_colour(const State& state, ThreadPool& pool, const Task& task) {
+    for (const auto& colour : state.active.bringing()) {
+        pool.for_each(colour.size(), [&](std::size_t i) { task(state.order.tiles()[colour[i]]); });
+    }
+}
+
+template <class Task>
+void for_node_tiles(const State& state, const std::vector<std::int64_t>& tiles, ThreadPool& pool, const Task& task) {
+    pool.for_each(tiles.size(), [&](std::size_t t) { task(NodeRange(tiles[t], state.order.grid(), state.nodes)); });
+}
+
+// Whether what is at rest stays as it is while nothing near it moves: with friction that holds, and nothing that
+// changes with time or reaches across the edges.
+bool may_rest(const Laws& laws, const Stages& stages) {
+    return laws.skips_rest && laws.friction.holds() && !laws.friction.pore_pressure.active() && !laws.wall &&
+           stages.exchange_at_nodes == nullptr;
+}
+
+void slow_down(State& state, ThreadPool& pool) {
+    const auto& tiles = state.order.tiles();
+    std::vector<ExchangeReport> reports(tiles.size());
+    pool.for_each(tiles.size(), [&](std::size_t t) {
+        slow_particles(tiles[t].begin, tiles[t].end, state.kept.data(), state.lost.data(), state.particles,
+                       reports[t]);
+    });
+    for (const ExchangeReport& r : reports) state.exchanged.merge(r);
+}
+
+}  // namespace
+
+void choose_length(Step& now, double dt_limit) {
+    const State& state = now.state;
+    const double stable = stable_step(state.nodes.cell_size(), now.laws.cfl, state.wave_speed, now.laws.gravity,
+                                      state.diffusivity);
+    now.drift = std::min(stable, dt_limit);
+    now.kick = state.velocity_lag + now.drift - (now.stages.leapfrog ? 0.5 * now.drift : 0);
+}
+
+void choose_active_tiles(Step& now) {
+    ActiveTiles& active = now.state.active;
+    active.choose(now.state.order, may_rest(now.laws, now.stages));
+    active.keep(now.state.nodes);
+    now.report.dt = now.drift;
+    now.report.moved = active.moved_particles(now.state.order);
+}
+
+void particles_to_nodes(Step& now) {
+    State& state = now.state;
+    for_node_tiles(state, state.active.cleared(), now.pool,
+                   [&](const NodeRange& range) { clear_nodes(range, state.nodes); });
+    for_tiles_by_colour(state, now.pool, [&](const ParticleTile& tile) {
+        now.stages.particles_to_nodes(tile, state.particles, state.nodes);
+    });
+    if (now.laws.wall) mirror_sums(state.nodes);
+    now.watch.ends(Stage::particles_to_nodes);
+}
+
+void reference_levels(Step& now) {
+    if (!now.stages.references) return;
+    State& state = now.state;
+    const ActiveTiles& active = state.active;
+    for_node_tiles(state, active.updated(), now.pool, [&](const NodeRange& range) { mean_levels(range, state.nodes); });
+    for_node_tiles(state, active.gathered(), now.pool,
+                   [&](const NodeRange& range) { forget_squares(range, state.nodes); });
+    for_node_tiles(state, active.updated(), now.pool,
+                   [&](const NodeRange& range) { node_references(range, state.nodes); });
+    if (now.laws.wall) mirror_levels(state.nodes);
+    now.watch.ends(Stage::levels);
+}
+
+void forces_to_nodes(Step& now) {
+    State& state = now.state;
+    if (now.stages.follows_bed) {  // momenta in map view; levels tell what ponds
+        for (const auto* tiles : {&state.active.updated(), &state.active.gathered()})
+            for_node_tiles(state, *tiles, now.pool, [&](const NodeRange& range) { momenta_to_map(range, state.nodes); });
+    }
+    for_tiles_by_colour(state, now.pool, [&](const ParticleTile& tile) {
+        now.stages.pressure_to_nodes(tile, state.particles, now.laws.gravity, state.nodes);
+    });
+    if (now.laws.wall) fold_forces(state.nodes);
+    now.watch.ends(Stage::pressure);
+}
+
+void bed_resistance(Step& now) {
+    State& state = now.state;
+    const Laws& laws = now.laws;
+    now.nodes = {now.kick, laws.gravity, laws.gravity_x, laws.gravity_y, laws.minimum_depth};
+    now.nodes.moving_speed = laws.moving_speed;
+    now.nodes.change_only = now.stages.change_only;
+    now.nodes.wall = laws.wall;
+    if (state.brought.size() != 0) now.nodes.brought = state.brought.data();
+    if (laws.friction.pore_pressure.active())
+        now.nodes.effective_share = 1 - laws.friction.pore_pressure.ratio(state.time);
+    BedState* const bed_states = state.bed_states.data();
+    if (now.stages.fill_bed_states != nullptr) {
+        for_node_tiles(state, state.active.updated(), now.pool, [&](const NodeRange& range) {
+            now.stages.fill_bed_states(range, now.nodes, state.nodes, bed_states);
+            for (const FrictionSweep& sweep : laws.friction.sweeps) sweep(range, now.nodes, state.nodes, bed_states);
+        });
+    }
+    if (laws.friction.holds()) {
+        for_node_tiles(state, state.active.updated(), now.pool, [&](const NodeRange& range) {
+            now.stages.hold_nodes(range, now.nodes, laws.friction, bed_states, state.nodes);
+        });
+    }
+}
+
+void update_nodes(Step& now) {
+    State& state = now.state;
+    ActiveTiles& active = state.active;
+    now.pool.for_each(active.updated().size(), [&](std::size_t t) {
+        const std::int64_t tile = active.updated()[t];
+        NodeReport& seen = state.nodes_seen[static_cast<std::size_t>(tile)];
+        seen = now.stages.update_nodes(NodeRange(tile, state.order.grid(), state.nodes), now.nodes, now.laws.friction,
+                                       state.bed_states.data(), state.time, state.nodes, now.maxima);
+        active.saw(tile, seen.moves);
+    });
+    for (const std::int64_t tile : state.order.node_tiles())
+        now.report.nodes.merge(state.nodes_seen[static_cast<std::size_t>(tile)]);
+    active.put_back(state.nodes);
+    if (now.laws.wall) mirror_velocities(state.nodes);
+    now.watch.ends(Stage::nodes);
+}
+
+void exchange_with_bed(Step& now) {
+    if (!now.exchanges()) return;
+    State& state = now.state;
+    for_node_tiles(state, state.order.node_tiles(), now.pool, [&](const NodeRange& range) {
+        now.stages.exchange_at_nodes(range, now.laws.exchange, now.drift, now.laws.resample.minimum_depth,
+                                     state.bed_states.data(), state.nodes, state.bed_layers.data());
+    });
+    for_node_tiles(state, state.order.node_tiles(), now.pool, [&](const NodeRange& range) {
+        move_bed(range, state.bed_layers.data(), state.nodes);
+    });
+    if (now.laws.wall) {
+        mirror_exchange(state.nodes, state.bed_layers.data());
+        mirror_bed(state.nodes);
+    }
+    state.kept.resize(state.particles.size());
+    state.lost.resize(state.particles.size());
+    const auto& tiles = state.order.tiles();
+    std::vector<ExchangeReport> reports(tiles.size());
+    now.pool.for_each(tiles.size(), [&](std::size_t t) {
+        now.stages.exchange_with_particles(tiles[t].begin, tiles[t].end, state.nodes, state.bed_layers.data(),
+                                           state.particles, state.kept.data(), state.lost.data(), reports[t]);
+    });
+    for (const ExchangeReport& r : reports) state.exchanged.merge(r);
+    now.watch.ends(Stage::nodes);
+}
+
+void nodes_to_particles(Step& now) {
+    State& state = now.state;
+    const Laws& laws = now.laws;
+    ParticleUpdate update{now.drift, laws.gravity * laws.stress.wave_factor, laws.resample.minimum_depth,
+                          laws.wall, laws.origin, laws.gravity * now.kick};
+    if (shifts_now(state, now.stages)) update.shift = k_shift;
+    const auto& tiles = state.order.tiles();
+    for (const ParticleTile& tile : tiles) state.particles_seen[static_cast<std::size_t>(tile.tile)].longest = 0;
+    now.pool.for_each(state.active.moved().size(), [&](std::size_t i) {
+        const ParticleTile& tile = tiles[state.active.moved()[i]];
+        state.particles_seen[static_cast<std::size_t>(tile.tile)] =
+            now.stages.nodes_to_particles(tile, update, laws.stress, state.nodes, state.particles);
+    });
+    for (const ParticleTile& tile : tiles)
+        now.report.particles.merge(state.particles_seen[static_cast<std::size_t>(tile.tile)]);
+    if (now.exchanges()) slow_down(state, now.pool);
+    now.watch.ends(Stage::nodes_to_particles);
+}
+
+void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, Maxima& maxima, ThreadPool& pool) {
+    Step now(state, laws, stages, maxima, pool);
+    state.active.choose(state.order, false);
+    particles_to_nodes(now);
+    reference_levels(now);
+    state.active.wake(state.order);
+}
+
+}  // namespace frana::voellmy_bingham

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages of a time step (step.h). Stop-watches, walls, active tiles and reports live here.
+#pragma once
+
+#include <cstdint>
+
+#include "core/thread_pool.h"
+#include "models/voellmy_bingham/stages.h"
+#include "models/voellmy_bingham/state.h"
+
+namespace frana::voellmy_bingham {
+
+/// A step on its way.
+struct Step {
+    Step(State& s, const Laws& l, const Stages& chosen, Maxima& m, ThreadPool& p)
+        : state(s), laws(l), stages(chosen), maxima(m), pool(p) {}
+    Step(const Step&) = delete;
+    Step& operator=(const Step&) = delete;
+
+    State& state;
+    const Laws& laws;
+    const Stages& stages;
+    Maxima& maxima;
+    ThreadPool& pool;
+    double kick = 0;   ///< time over which forces change the velocities [s]
+    double drift = 0;  ///< time over which velocities move the particles [s]
+    NodeUpdate nodes{};  ///< from bed_resistance on
+    StepReport report;
+    StageWatch watch{report.seconds};
+
+    /// Whether the bed gives or takes: only while positions move.
+    [[nodiscard]] bool exchanges() const noexcept { return stages.exchange_at_nodes != nullptr && drift > 0; }
+};
+
+/// Sets kick and drift. Reads State::wave_speed, diffusivity, velocity_lag.
+void choose_length(Step& now, double dt_limit);
+/// Lists the tiles of this step (ActiveTiles).
+void choose_active_tiles(Step& now);
+/// Reads the particles; writes NodeSums mass, px, py, area, and the squares of levels.
+void particles_to_nodes(Step& now);
+/// Reads the squares; writes NodeLevel; momenta become those in map view.
+void reference_levels(Step& now);
+/// Reads particles and NodeLevel; adds NodeSums fx, fy.
+void forces_to_nodes(Step& now);
+/// Reads NodeSums; writes BedState, and NodeSums::area_bed where a node is held. Holding looks at neighbours, so it is
+/// decided before any node is updated.
+void bed_resistance(Step& now);
+/// NodeSums from what was gathered to what particles take back (see NodeSums); maxima, NodeReport.
+void update_nodes(Step& now);
+/// Erosion and deposition: decided at the nodes, taken and given by the particles where they still are.
+void exchange_with_bed(Step& now);
+/// Reads NodeSums; writes all fields of the particles.
+void nodes_to_particles(Step& now);
+/// State::time and the bounds of the next step.
+void advance_time(Step& now);
+/// Order and number of the particles, once they may have drifted too far, have left, or are torn.
+void regularise(Step& now);
+/// What leaves the bed within the next step goes into the air, what has come down lies on the ground again (Flights).
+void leave_and_land(Step& now);
+
+/// Brings particles into tile order and works out the first step's bounds. Call before the first step, and
+/// whenever particles were added or the bed changed between steps.
+void prepare(State& state, const Laws& laws, ThreadPool& pool);
+
+/// Mass, momentum, area and reference levels on the nodes for the particles as they are now, without moving
+/// anything.
+void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, Maxima& maxima, ThreadPool& pool);
+
+/// Sorts by tile, dropping what has left, and forgets the nodes that no particle can touch any more: their old
+/// sums must not be read as a neighbour's.
+/// @param drop whether any particle may have left
+/// @param keep 0 for particles to drop besides; may be empty
+void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, ThreadPool& pool);
+
+/// Shifting needs what splitting does: the default scheme with its affine velocities.
+[[nodiscard]] bool shifts_now(const State& state, const Stages& stages);
+
+}  // namespace frana::voellmy_bingham
