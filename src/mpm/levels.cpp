@@ -14,6 +14,9 @@ constexpr double k_level_ratio = 0.2 * 0.2, k_sloping_ratio = 0.5 * 0.5;
 // Squared spread of the bed, in cells, under which it counts as level: both references are then the same.
 constexpr double k_flat = 1e-6;
 
+// Share of a cell to which it is known how much of its ground a level floods: less than that does not make a shore a front.
+constexpr double k_known_share = 0.06;
+
 double smooth_step(double from, double to, double value) {
     const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -93,8 +96,8 @@ void node_references(const NodeRange& range, NodeGrid& nodes) {
                 if (level.ponding > 0 && i + a > 0 && j + b > 0 && i + a < stride - 1 && j + b < rows - 1)
                     fillable -= level.ponding * (1 - under_level(bed + k, stride, level.level, dx));
                 const double share = sums[k].area * inverse_dx2;
-                const double filled =
-                    share < k_filled_share * fillable ? share / (k_filled_share * fillable) : 1;
+                const double full = k_filled_share * fillable - k_known_share * level.ponding;
+                const double filled = share < full ? share / full : 1;
                 support = std::min(support, bed[k] >= level.level ? std::max(filled, level.ponding) : filled);
             }
         }
