@@ -51,7 +51,7 @@ const std::vector<Case> k_cases{
     {"max_depth.tif", {"film", "compare"}, {{Damage::missing, 2}, {Damage::empty, 2}, {Damage::other, 2}}},
     {"max_velocity.tif", {"maps"}, k_exchanged},
     {"release.tif", {"maps"}, k_exchanged},
-    {"bed.tif", {"maps"}, k_exchanged},
+    {"bed.tif", {"maps"}, {{Damage::missing, 0}, {Damage::other, 0}}},  // nothing on them is from it
     {"dtm.tif", {"maps"}, k_optional},
     {"dtm.tif", {"view"}, {{Damage::missing, 2}}},
     {"dtm.tif", {"plates"}, {{Damage::missing, 2}}},
@@ -64,7 +64,7 @@ const std::vector<Case> k_cases{
     {"profiles.gpkg", {"maps"}, {{Damage::garbage, 2}}},
     {"scene.ini", {"plates"}, {{Damage::missing, 2}, {Damage::garbage, 2}}},
     {"scene.ini", {"maps"}, {{Damage::missing, 0}}},
-    {"summary.json", {"maps"}, {{Damage::missing, 0}}},
+    {"summary.json", {"maps"}, {{Damage::missing, 0}, {Damage::empty, 2}, {Damage::half, 2}}},
 };
 
 class BrokenResult : public TinyScene {

@@ -3,17 +3,24 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
 #include <limits>
-#include <set>
 
-#include "core/error.h"
-#include "params/keys/scene_parameters.h"
+#include "app/store/result_files.h"
 
 namespace frana::app {
 namespace {
 
+std::vector<std::string> lines_of_file(const std::string& path) {
+    std::ifstream file(path);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);) lines.push_back(line);
+    return lines;
+}
+
 TEST(Layers, DepthClassesAreFineWhereFlowsAreThin) {
-    const auto classes = [](double maximum) { return layer_classes(layer_named("max_depth"), maximum); };
+    const auto classes = [](double maximum) { return class_bounds(true, maximum); };
     EXPECT_EQ(classes(38.2), (std::vector<double>{0, 0.5, 1, 2, 5, 10, 20, 30, 40}));
     EXPECT_EQ(classes(14.8), (std::vector<double>{0, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15}));
     EXPECT_EQ(classes(8),
@@ -21,30 +28,59 @@ TEST(Layers, DepthClassesAreFineWhereFlowsAreThin) {
 }
 
 TEST(Layers, ClassesHoldEveryMaximum) {
-    for (const Layer& layer : result_layers()) {
+    for (const bool progressive : {true, false}) {
         for (const double maximum : {1e-7, 0.01, 0.3, 1.0, 2.0, 5.0, 9.99, 10.0, 123.0, 9e9}) {
-            const std::vector<double> bounds = layer_classes(layer, maximum);
-            ASSERT_GE(bounds.size(), 2U) << layer.name << ' ' << maximum;
-            EXPECT_EQ(bounds.front(), 0) << layer.name << ' ' << maximum;
+            const std::vector<double> bounds = class_bounds(progressive, maximum);
+            ASSERT_GE(bounds.size(), 2U) << progressive << ' ' << maximum;
+            EXPECT_EQ(bounds.front(), 0) << progressive << ' ' << maximum;
             // a bound may fall short of the maximum by the rounding of one product
-            EXPECT_GE(bounds.back() * (1 + 1e-9), maximum) << layer.name;
-            for (std::size_t i = 1; i < bounds.size(); ++i) EXPECT_GT(bounds[i], bounds[i - 1]) << layer.name;
+            EXPECT_GE(bounds.back() * (1 + 1e-9), maximum) << progressive;
+            for (std::size_t i = 1; i < bounds.size(); ++i) EXPECT_GT(bounds[i], bounds[i - 1]) << progressive;
         }
         for (const double nothing : {0.0, std::numeric_limits<double>::quiet_NaN()})
-            EXPECT_GE(layer_classes(layer, nothing).size(), 2U) << layer.name;
+            EXPECT_GE(class_bounds(progressive, nothing).size(), 2U) << progressive;
     }
 }
 
-TEST(Layers, EveryMapOfTheSceneKeysIsALayer) {
-    // Rasters that only some runs write are drawn as their files say.
-    const std::set<std::string> of_some_runs{"hazard"};
-    for (std::string name : map_names()) {
-        if (name.ends_with("_3d")) name.resize(name.size() - 3);
-        if (of_some_runs.count(name) == 0) {
-            EXPECT_NO_THROW(layer_named(name)) << name;
-        }
+TEST(Layers, EveryMapOfTheSceneKeysIsARasterThatIsDrawn) {
+    for (const std::string& name : map_names()) {
+        const ResultRaster* const row = find_result_raster(raster_of_map(name));
+        ASSERT_NE(row, nullptr) << name;
+        EXPECT_TRUE(row->is_drawn() && row->in_result()) << name;
     }
-    EXPECT_THROW(layer_named("view"), Error);
+    EXPECT_EQ(find_result_raster("view"), nullptr);
+}
+
+// What share/doc/results.md says of each: its file, its unit, and when there is one.
+TEST(Layers, EveryRasterIsExplained) {
+    const std::vector<std::string> lines = lines_of_file(FRANA_SOURCE_DIR "/share/doc/results.md");
+    for (const ResultRaster& row : result_rasters()) {
+        if (!row.in_result()) continue;
+        const auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& one) {
+            return one.starts_with("| `") && one.find("`" + row.name + ".tif`") != std::string::npos;
+        });
+        ASSERT_NE(line, lines.end()) << row.name;
+        if (!row.unit.empty() && row.unit != "-") {
+            EXPECT_NE(line->find("[" + row.unit + "]"), std::string::npos) << row.name << ": " << *line;
+        }
+        EXPECT_NE(line->find(row.when), std::string::npos) << row.name << " " << row.when << ": " << *line;
+    }
+}
+
+TEST(Layers, EveryFileIsExplained) {
+    std::string text;
+    for (const std::string name : {"results", "maps", "resuming"})
+        for (const std::string& line : lines_of_file(FRANA_SOURCE_DIR "/share/doc/" + name + ".md")) text += line + "\n";
+    for (const ResultFile& file : result_files()) {
+        if (file.kind == FileKind::style || file.kind == FileKind::working) continue;
+        // "frames/depth_*.tif" by its quantity, "maps/*.png" by its folder, a picture in whatever format.
+        std::string name = file.pattern.substr(0, file.pattern.find('*'));
+        while (name.ends_with('_') || name.ends_with('/')) name.pop_back();
+        if (file.pattern.starts_with("frames/") && name.find('/') != std::string::npos)
+            name.erase(0, name.find('/') + 1);
+        if (file.is_drawn()) name = name.substr(0, name.find('.'));
+        EXPECT_NE(text.find(name), std::string::npos) << file.pattern;
+    }
 }
 
 }  // namespace

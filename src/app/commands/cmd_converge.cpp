@@ -23,6 +23,7 @@
 #include "app/text/version.h"
 #include "core/json.h"
 #include "gis/raster/raster_out.h"
+#include "params/keys/result_rasters.h"
 #include "render/chart/chart.h"
 #include "simulation/run_figures.h"
 #include "simulation/simulation.h"
@@ -197,12 +198,13 @@ int level_count(const boost::program_options::variables_map& values) {
     return static_cast<int>(*count);
 }
 
-constexpr const char *k_uncertainty = "uncertainty.tif", *k_chart = "convergence.png", *k_table = "convergence.csv",
+constexpr const char *k_uncertainty = "uncertainty", *k_chart = "convergence.png", *k_table = "convergence.csv",
                      *k_study = "convergence.json";
 
 std::vector<std::string> files_of(const fs::path& folder) {
     std::vector<std::string> files;
-    for (const char* file : {k_uncertainty, k_chart, k_table, k_study, k_error_estimate_file})
+    files.push_back((folder / k_uncertainty).string() + ".tif");
+    for (const char* file : {k_chart, k_table, k_study, k_error_estimate_file})
         files.push_back((folder / file).string());
     return files;
 }
@@ -262,11 +264,9 @@ int cmd_converge(const Arguments& arguments) {
     std::vector<Raster> depths;
     for (Level& level : levels) depths.push_back(std::move(level.depth));
     const std::string told = sentences(levels);
-    gis::write_geotiff((folder / k_uncertainty).string(), field_uncertainty(depths),
-                       {"uncertainty",
-                        "Estimated discretisation error of the maximum depth",
-                        "m",
-                        {{"PROGRAM", k_program}, {"VERSION", k_version}}});
+    const ResultRaster& row = *find_result_raster(k_uncertainty);
+    gis::write_geotiff((folder / k_uncertainty).string() + ".tif", field_uncertainty(depths),
+                       {row.name, row.description, row.unit, {{"PROGRAM", k_program}, {"VERSION", k_version}}});
     render::write_png((folder / k_chart).string(), chart_of(levels));
     write_text_file((folder / k_table).string(), csv_text(levels));
     write_error_estimate(folder.string(), spec, told);

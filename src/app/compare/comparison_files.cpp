@@ -3,6 +3,7 @@
 
 #include "app/compare/comparison.h"
 #include "app/pictures/map_source.h"
+#include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"
@@ -10,20 +11,25 @@
 #include "core/json.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *k_figures = "comparison.json", *k_curve = "comparison_curve.csv", *k_raster = "comparison.tif";
+constexpr const char* k_name = "comparison";  // of the raster's row and of the picture
+
+std::string raster_file() {
+    return std::string(k_name) + ".tif";
+}
 
 std::string picture_stem(const std::string& folder) {
-    return (fs::path(folder) / "comparison").string();
+    return (fs::path(folder) / k_name).string();
 }
 
 std::string tif_stem(const std::string& folder) {
-    return (fs::path(folder) / "maps" / "comparison").string();
+    return (fs::path(folder) / "maps" / k_name).string();
 }
 
 void make_folder(const fs::path& folder) {
@@ -156,27 +162,27 @@ std::string comparison_curve_csv(const Comparison& comparison) {
 
 void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder) {
     const fs::path place = folder;
-    write_text_file((place / k_figures).string(), comparison_json(comparison, input));
+    write_text_file((place / k_comparison_file).string(), comparison_json(comparison, input));
     if (!comparison.figures) return;
-    write_text_file((place / k_curve).string(), comparison_curve_csv(comparison));
+    write_text_file((place / k_comparison_curve).string(), comparison_curve_csv(comparison));
     std::vector<gis::ClassEntry> classes;
     std::vector<gis::ColourStop> stops;
     for (const ClassText& entry : k_classes) {
         classes.push_back({static_cast<std::uint8_t>(entry.kind), entry.label, entry.colour});
         stops.push_back({static_cast<double>(entry.kind), entry.colour, entry.label});
     }
-    const std::string raster = (place / k_raster).string();
+    const std::string raster = (place / raster_file()).string();
     gis::write_class_geotiff(
         raster, comparison.classes, classes,
-        {"comparison", "Simulated trace against the surveyed scar: 1 hit, 2 false alarm, 3 miss", "",
-         input.metadata});
+        {k_name, find_result_raster(k_name)->description, "", input.metadata});
     gis::write_styles(raster, stops, "", gis::StyleKind::exact);
 }
 
 std::vector<std::string> comparison_files(const std::string& folder) {
     std::vector<std::string> files;
-    for (const char* name : {k_figures, k_curve, k_raster, "comparison.qml", "comparison.sld"})
-        files.push_back((fs::path(folder) / name).string());
+    for (const ResultFile& file : result_files())
+        if (file.written_by == "compare" && !file.is_drawn())
+            files.push_back((fs::path(folder) / file.pattern).string());
     return files;
 }
 
@@ -201,7 +207,7 @@ void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const st
         layer.notes.push_back("Outlines " + figure(comparison.outline->mean_m, 3) + " m apart");
     layer.title = "Comparison with the scar";
     layer.values = comparison.classes;
-    layer.source = std::string(k_raster) + ", band 1";
+    layer.source = raster_file() + ", band 1";
     for (const ClassText& entry : k_classes)
         layer.categories.push_back({static_cast<double>(entry.kind), entry.label, entry.colour});
     for (const std::string& file : comparison_pictures(drawer.style(), folder))

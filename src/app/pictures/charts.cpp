@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/store/result_files.h"
 #include "app/text/csv_cell.h"
 #include "app/text/file_stems.h"
 #include "core/error.h"
@@ -127,7 +128,7 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const st
     render::CurvePanel speeds{"Greatest speed, along the bed", metres, "speed [m/s]", {}, true};
     speeds.curves = {{"maximum", k_blue, on_line(column("max_velocity")), 2}};
     const std::string name = elided(text_of_cell(line), k_longest_name);
-    render::CurveChart chart = page(source, "profile along " + name, "profiles.csv");
+    render::CurveChart chart = page(source, "profile along " + name, k_profile_table);
     chart.panels = {relief, depths, speeds};
     return {"profile_" + stem, chart};
 }
@@ -141,7 +142,7 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
         return render::Curve{label, colour, joined_points(time, values), 2.2, stroke};
     };
     const std::string seconds = "time [s]";
-    render::CurveChart chart = page(source, "course of the flow", "timeseries.csv");
+    render::CurveChart chart = page(source, "course of the flow", k_series_file);
     chart.across = 2;
     chart.panels = {
         {"Greatest speed",
@@ -186,7 +187,7 @@ NamedChart scores_chart(const Columns& table, const ResultReader& result, const 
         panel->mark_x = result.scene_number("scar.threshold", result.scene_number("output.trace-threshold", 0.1));
     }
     scores.share = 1.6;
-    render::CurveChart chart = page(source, "scores over the depth threshold", "comparison_curve.csv");
+    render::CurveChart chart = page(source, "scores over the depth threshold", k_comparison_curve);
     chart.subtitle = "dashed: the threshold of the comparison";
     chart.panels = {scores, areas};
     return {"scores", chart};
@@ -247,7 +248,7 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
             problems.add(error);
         }
     };
-    table("profiles.csv", [&](const Columns& columns) {
+    table(k_profile_table, [&](const Columns& columns) {
         const std::vector<std::string> lines = kinds_of(columns, "line");
         std::vector<std::string> names;
         for (const std::string& line : lines) names.push_back(text_of_cell(line));
@@ -255,18 +256,18 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
         for (std::size_t i = 0; i < lines.size(); ++i)
             charts.push_back(profile_chart(columns, lines[i], stems[i], source));
     });
-    table("timeseries.csv", [&](const Columns& columns) { charts.push_back(series_chart(columns, source)); });
-    table("gauges.csv", [&](const Columns& columns) {
+    table(k_series_file, [&](const Columns& columns) { charts.push_back(series_chart(columns, source)); });
+    table(k_gauge_table, [&](const Columns& columns) {
         charts.push_back(places_chart(
             columns, "gauge", source, "gauges", "gauges",
             {{"depth_m", "Depth, vertical", "depth [m]"}, {"speed_ms", "Speed, along the bed", "speed [m/s]"}}));
     });
-    table("sections.csv", [&](const Columns& columns) {
+    table(k_section_table, [&](const Columns& columns) {
         charts.push_back(places_chart(columns, "section", source, "cross-sections", "sections",
                                       {{"discharge_m3s", "Discharge", "discharge [m\u00B3/s]"},
                                        {"volume_m3", "Volume passed", "volume [m\u00B3]"}}));
     });
-    table("comparison_curve.csv",
+    table(k_comparison_curve,
           [&](const Columns& columns) { charts.push_back(scores_chart(columns, result, source)); });
     return charts;
 }

@@ -12,44 +12,19 @@
 #include "gis/raster/raster_in.h"
 #include "gis/raster/raster_text.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 namespace {
 
-/// Files of a result that are not in the list of layers, and frames.
-struct Known {
-    const char *name, *title, *palette;
-    bool progressive;
-};
-constexpr Known k_known[] = {{"depth", "Flow depth", "depth", true},
-                             {"velocity", "Flow velocity", "velocity", false},
-                             {"release", "Thickness released", "depth", true},
-                             {"max_flux", "Maximum flux", "velocity", true},
-                             {"max_head", "Maximum energy head", "velocity", true},
-                             {"uncertainty", "Estimated error of the maximum depth", "velocity", true},
-                             {"hazard", "Intensity", "depth", false},
-                             {"comparison", "Comparison with the survey", "depth", false}};
-
-/// Title and colours of a file whose name is known; false where it is not.
+/// Title and colours of a raster that the table knows; false for others.
 bool set_known(const std::string& name, MapLayer& layer) {
-    const double most = maximum(layer.values);
-    for (const Layer& one : all_layers()) {
-        if (one.name != name) continue;
-        layer.title = one.title;
-        layer.palette = one.palette;
-        layer.classes = layer_classes(one, most);
-        return true;
-    }
-    for (const Known& one : k_known) {
-        if (one.name != name) continue;
-        layer.title = one.title;
-        layer.palette = one.palette;
-        Layer bounds;
-        bounds.progressive = one.progressive;
-        layer.classes = layer_classes(bounds, most);
-        return true;
-    }
-    return false;
+    const ResultRaster* const row = find_result_raster(name);
+    if (row == nullptr || !row->is_drawn()) return false;
+    layer.title = row->title;
+    layer.palette = row->palette;
+    layer.classes = class_bounds(row->progressive, maximum(layer.values));
+    return true;
 }
 
 std::string usual_palette(const std::string& unit) {
@@ -84,6 +59,7 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
     // A frame is named after its raster and its number: depth_0012.
     std::string kind = layer.name;
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
+    if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
     if (foreign || !set_known(kind, layer)) {
         layer.title = bare_description(text.description);
         if (layer.title.empty()) layer.title = layer.name;

@@ -125,14 +125,15 @@ std::string map_subtitle(const MapFacts& facts) {
 }
 
 std::vector<std::string> map_notes(const MapFacts& facts) {
-    std::vector<std::string> notes{
-        "Volume " + grouped(facts.volume) + " m³",
-        "Covered " + grouped(facts.covered_area) + " m²",
-        "(deeper than " + figure(facts.threshold, 3) + " m)",
-        "Run-out " + grouped(facts.run_out.horizontal_m) + " m",
-        "Drop " + grouped(facts.run_out.drop_m) + " m",
-        "Angle of reach " + figure(facts.run_out.reach_angle_deg, 3) + "°",
-    };
+    std::vector<std::string> notes{"Volume " + grouped(facts.volume) + " m³"};
+    if (const auto& figures = facts.figures) {
+        const Runout& run_out = figures->run_out;
+        notes.insert(notes.end(), {"Covered " + grouped(figures->covered_area_m2) + " m²",
+                                   "(deeper than " + figure(figures->threshold, 3) + " m)",
+                                   "Run-out " + grouped(run_out.horizontal_m) + " m",
+                                   "Drop " + grouped(run_out.drop_m) + " m",
+                                   "Angle of reach " + figure(run_out.reach_angle_deg, 3) + "°"});
+    }
     // A map that is not the whole story says so itself: it travels without its log.
     if (facts.last_speed > k_moving_speed) notes.emplace_back("Still moving at the end");
     if (facts.volume_left > 0) notes.push_back(grouped(facts.volume_left) + " m³ left the map");
@@ -163,9 +164,7 @@ render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer) {
     spec.sky = source.style.sky;
     std::erase_if(spec.outlines,
                   [](const render::Outline& one) { return one.polygons.empty() && one.lines.empty(); });
-    const std::string& name = layer.name;
-    if (name == "max_depth" || name == "final_depth" || name == "release" || name.starts_with("depth_"))
-        spec.thickness = spec.layer;  // the surface of what flowed
+    if (layer.is_surface) spec.thickness = spec.layer;
     return spec;
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/runout.h"
 #include "app/pictures/map_layer.h"
+#include "app/store/main_figures.h"
 #include "core/geometry.h"
 #include "core/raster.h"
 #include "params/grammar/picture_text.h"
@@ -24,9 +24,7 @@ struct MapFacts {
     double volume = 0;        ///< released [m3]
     double volume_left = 0;   ///< that left the computed ground [m3]
     double last_speed = 0;    ///< greatest speed at the end [m/s]
-    double covered_area = 0;  ///< [m2]
-    double threshold = 0;     ///< depth that counts as covered [m]
-    Runout run_out;
+    std::optional<MainFigures> figures;
 };
 
 std::string map_subtitle(const MapFacts& facts);

@@ -9,6 +9,7 @@
 #include "analysis/trace.h"
 #include "app/pictures/charts.h"
 #include "app/store/layers.h"
+#include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
 #include "core/json.h"
@@ -81,9 +82,7 @@ MapLayer normal_stress(const MapLayer& depth, double density, double gravity, do
     layer.title = "Normal stress";
     layer.unit = "kPa";
     layer.palette = "velocity";
-    Layer bounds;
-    bounds.progressive = false;
-    layer.classes = layer_classes(bounds, greatest_depth * kilopascal);
+    layer.classes = class_bounds(false, greatest_depth * kilopascal);
     return layer;
 }
 
@@ -96,7 +95,7 @@ std::optional<std::pair<double, double>> column_weight(const ResultReader& resul
         if (const auto value = text ? number_from_text(*text) : std::nullopt) return *value;
         throw Error(ErrorKind::input,
                     Problem{"does not tell " + key + ", which the normal stress on the bed needs",
-                            result.path("scene.ini"), text.value_or(""), "", "The file is not a run's, or damaged"});
+                            result.path(k_scene_file), text.value_or(""), "", "The file is not a run's, or damaged"});
     };
     return std::pair{number("material.density"), number("numerics.gravity")};
 }

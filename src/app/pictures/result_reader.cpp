@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
-#include "analysis/trace.h"
 #include "app/pictures/particle_dots.h"
 #include "app/pictures/require_cells.h"
 #include "app/store/error_estimate.h"
+#include "app/store/json_file.h"
 #include "app/store/layers.h"
 #include "app/store/result_files.h"
 #include "app/store/series_ends.h"
@@ -33,17 +32,10 @@ namespace fs = std::filesystem;
 
 /// The scores that a comparison's map shows, from the file that frana wrote. Throws Error(input) where it is cut off.
 void add_figures(const std::string& path, std::vector<std::string>& notes) {
-    std::ifstream file(path);
-    const std::string text = trimmed({std::istreambuf_iterator<char>(file), {}});
-    if (!text.starts_with('{') || !text.ends_with('}'))
-        throw Error(ErrorKind::input, Problem{"is not whole", path, "", "", "Compare anew: frana compare"});
+    const std::optional<JsonTree> tree = read_json_file(path);
+    if (!tree) throw Error(ErrorKind::input, Problem{"is not whole", path, "", "", "Compare anew: frana compare"});
     const auto add = [&](const std::string& key, const std::string& before, const std::string& after) {
-        const auto place = text.find("\"" + key + "\":");  // the first is that of the area
-        if (place == std::string::npos) return;
-        const auto from = text.find(':', place) + 1;
-        const auto value =
-            number_from_text(trimmed(text.substr(from, text.find_first_of(",}", from) - from)));
-        if (value) notes.push_back(before + " " + figure(*value, 3) + after);
+        if (const auto value = number_in(*tree, key)) notes.push_back(before + " " + figure(*value, 3) + after);
     };
     add("threshold_m", "Threshold", " m");
     add("area_difference_percent", "Area difference", " %");
@@ -59,20 +51,9 @@ Error newer(const std::string& file, std::int64_t format, std::int64_t known) {
 
 // Results that tell no format are older than formats.
 void refuse_newer_summary(const std::string& path) {
-    std::ifstream file(path);
-    const std::string text{std::istreambuf_iterator<char>(file), {}}, key = "\"format\":";
-    const auto place = text.find(key);
-    if (place == std::string::npos) return;
-    const auto from = place + key.size();
-    const auto format = integer_from_text(trimmed(text.substr(from, text.find_first_of(",}", from) - from)));
+    const std::optional<JsonTree> tree = read_json_file(path);
+    const auto format = tree ? integer_from_text(tree->get<std::string>("format", "")) : std::nullopt;
     if (format && *format > k_result_format) throw newer(path, *format, k_result_format);
-}
-
-/// Rasters of a user's own beside a run's may lie as they like.
-bool is_ours(const std::string& name) {
-    for (const Layer& layer : all_layers())
-        if (layer.name == name) return true;
-    return name == "release" || name == "comparison" || name == "hazard";
 }
 
 /// Gives cells without a value those of another raster of the same grid, where they are more than nothing.
@@ -92,13 +73,13 @@ ResultReader::ResultReader(std::string directory) : directory_(std::move(directo
     if (!fs::is_directory(directory_))
         throw Error(ErrorKind::input,
                     Problem{"is not a folder", "RESULT_DIR", directory_, "", "Name a result directory"});
-    refuse_newer_summary(path("summary.json"));
+    refuse_newer_summary(path(k_summary_file));
     if (const auto format = integer_from_text(scene_value("scene.format").value_or("1"));
         format && *format > k_scene_format)
-        throw newer(path("scene.ini"), *format, k_scene_format);
+        throw newer(path(k_scene_file), *format, k_scene_format);
     if (under_way()) return;
-    for (const Layer& layer : result_layers())
-        if (has(layer.name + ".tif")) return;
+    for (const ResultRaster& row : main_rasters())
+        if (has(row.name + ".tif")) return;
     throw Error(ErrorKind::input, Problem{"holds no result: not one of its rasters is there", "RESULT_DIR",
                                           directory_, "a directory that `frana run` wrote",
                                           has("dtm.tif") ? "Its run has just begun; wait for the first frame" : ""});
@@ -128,8 +109,8 @@ Raster ResultReader::raster_on(const GridSpec& grid, const std::string& name) co
 }
 
 std::optional<std::string> ResultReader::scene_value(const std::string& key) const {
-    if (!has("scene.ini")) return std::nullopt;
-    for (const IniEntry& entry : read_ini(path("scene.ini")))
+    if (!has(k_scene_file)) return std::nullopt;
+    for (const IniEntry& entry : read_ini(path(k_scene_file)))
         if (entry.name == key) return entry.value;
     return std::nullopt;
 }
@@ -141,27 +122,24 @@ double ResultReader::scene_number(const std::string& key, double otherwise) cons
 
 MultiPolygon ResultReader::outline(const std::string& layer, const std::string& crs_wkt) const {
     MultiPolygon all;
-    const std::string file = path("extent.gpkg");
+    const std::string file = path(k_outlines_file);
     // A result without a scar has no such layer.
-    if (!has("extent.gpkg") || !gis::holds_layer(file, layer, "RESULT_DIR")) return all;
+    if (!has(k_outlines_file) || !gis::holds_layer(file, layer, "RESULT_DIR")) return all;
     for (const PolygonFeature& feature : gis::read_polygons(file + "|layer=" + layer, crs_wkt, "RESULT_DIR").features)
         all.insert(all.end(), feature.parts.begin(), feature.parts.end());
     return all;
 }
 
-MapFacts ResultReader::facts(const Raster& max_depth, const Raster& release) const {
+MapFacts ResultReader::facts(const std::optional<MainFigures>& figures) const {
     MapFacts facts;
     facts.model = scene_value("material.model").value_or("");
     facts.scheme = scene_value("numerics.scheme").value_or("unknown");
-    facts.threshold = scene_number("output.trace-threshold", OutputSpec{}.trace_threshold);
-    const SeriesEnds ends = read_series_ends(path("timeseries.csv"));
+    const SeriesEnds ends = read_series_ends(path(k_series_file));
     facts.simulated_seconds = ends.simulated_seconds;
     facts.volume = ends.volume;
     facts.volume_left = ends.volume_left;
     facts.last_speed = ends.last_speed;
-    const Raster trace = trace_mask(max_depth, facts.threshold);
-    facts.covered_area = masked_area(trace);
-    facts.run_out = runout(raster_on(max_depth.grid, "bed"), release, trace);
+    facts.figures = figures ? figures : read_main_figures(directory_);
     return facts;
 }
 
@@ -226,33 +204,23 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
     }
     if (has(name + ".tif")) {
         MapLayer layer = read_map_layer(path(name + ".tif"));
-        if (is_ours(name)) require_cells(layer.values.grid, path(name + ".tif"), grid(), path(grid_raster() + ".tif"));
-        if (name == "comparison" && has("comparison.json")) add_figures(path("comparison.json"), layer.notes);
+        // Rasters of a user's own beside a run's may lie as they like.
+        if (const ResultRaster* row = find_result_raster(name); row != nullptr && row->in_result())
+            require_cells(layer.values.grid, path(name + ".tif"), grid(), path(grid_raster() + ".tif"));
+        if (name == "comparison" && has(k_comparison_file)) add_figures(path(k_comparison_file), layer.notes);
         return layer;
     }
     const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
     if (name == "uncertainty" && fs::exists(study)) return read_map_layer(study);
     std::string known = joined(drawable(), ", ");
-    if (has("frames/frames.csv")) known += ", depth@SECONDS, velocity@SECONDS, particles@SECONDS";
+    if (has(k_frame_list)) known += ", depth@SECONDS, velocity@SECONDS, particles@SECONDS";
     throw Error(ErrorKind::input, Problem{"is not a raster of this result", "map", name, known, ""});
 }
 
 std::vector<std::string> ResultReader::drawable() const {
     std::vector<std::string> names;
-    for (const Layer& layer : all_layers())
-        if (has(layer.name + ".tif")) names.push_back(layer.name);
-    std::vector<std::string> others;
-    for (const auto& entry : fs::directory_iterator(directory_)) {
-        const std::string name = entry.path().stem().string();
-        const bool listed = std::find(names.begin(), names.end(), name) != names.end();
-        const ResultFile* const known = known_file(entry.path().filename().string());
-        const bool is_ours =
-            known != nullptr && known->kind == FileKind::raster;  // a user's, or one kept, is not
-        if (is_ours && entry.path().extension() == ".tif" && name != "dtm" && name != "bed" && !listed)
-            others.push_back(name);
-    }
-    std::sort(others.begin(), others.end());
-    names.insert(names.end(), others.begin(), others.end());
+    for (const ResultRaster& row : result_rasters())
+        if (row.in_result() && row.is_drawn() && has(row.name + ".tif")) names.push_back(row.name);
     return names;
 }
 
@@ -306,21 +274,21 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
     if (const auto walls = scene_value("terrain.walls"))
         attempt([&] { lines(*walls, "Walls", k_obstacles, false); });
     areas("terrain.walls", "Walls", k_obstacles, false);  // whichever they are
-    if (written("profiles.gpkg", "lines"))
-        lines(path("profiles.gpkg") + "|layer=lines", "Profiles", k_lines, true);
-    if (written("gauges.gpkg", "sections"))
-        lines(path("gauges.gpkg") + "|layer=sections", "Cross-sections", k_lines, false);
-    if (written("gauges.gpkg", "gauges")) {
+    if (written(k_profile_lines, "lines"))
+        lines(path(k_profile_lines) + "|layer=lines", "Profiles", k_lines, true);
+    if (written(k_gauge_places, "sections"))
+        lines(path(k_gauge_places) + "|layer=sections", "Cross-sections", k_lines, false);
+    if (written(k_gauge_places, "gauges")) {
         render::Outline outline{"Gauges", {}, k_gauges, 2, false};
         for (const gis::NamedPoint& one :
-             gis::read_marks(path("gauges.gpkg") + "|layer=gauges", crs_wkt, "gauges").points)
+             gis::read_marks(path(k_gauge_places) + "|layer=gauges", crs_wkt, "gauges").points)
             outline.places.push_back({one.name, one.place});
         all.push_back(std::move(outline));
     }
     return all;
 }
 
-MapSource ResultReader::map_source() const {
+MapSource ResultReader::map_source(const std::optional<MainFigures>& figures) const {
     MapSource source;
     source.title =
         scene_value("output.title").value_or(fs::absolute(directory_).lexically_normal().filename().string());
@@ -341,8 +309,8 @@ MapSource ResultReader::map_source() const {
     if (!has("max_depth.tif") || !has("release.tif")) return source;
     const Raster release = raster_on(grid, "release");
     Raster max_depth = raster_on(grid, "max_depth");
-    if (has("timeseries.csv") && has("bed.tif")) {
-        const MapFacts known = facts(max_depth, release);
+    if (has(k_series_file)) {
+        const MapFacts known = facts(figures);
         source.subtitle = map_subtitle(known);
         source.notes = map_notes(known);
     }

@@ -9,6 +9,7 @@
 #include "app/pictures/map_layer.h"
 #include "app/pictures/map_source.h"
 #include "app/store/frame_store.h"
+#include "app/store/result_files.h"
 
 namespace frana::app {
 
@@ -45,7 +46,7 @@ class ResultReader {
     [[nodiscard]] const std::vector<StoredFrame>& frames() const;
     /// Whether its run has not ended: it has frames, no maxima, and no summary, which comes last.
     [[nodiscard]] bool under_way() const {
-        return !has("summary.json") && !has("max_depth.tif") && has("frames/frames.csv");
+        return !has(k_summary_file) && !has("max_depth.tif") && has(k_frame_list);
     }
     /// Of "depth" or "velocity": the maximum over time, of a run that has not ended over its frames so far.
     /// Throws Error(input).
@@ -54,13 +55,14 @@ class ResultReader {
     [[nodiscard]] const GridSpec& grid() const;
 
     /// Everything maps share; terrain and outlines only where the result has them.
-    [[nodiscard]] MapSource map_source() const;
+    /// @param figures of a run that is being written; none: those of its summary.json, or no such notes
+    [[nodiscard]] MapSource map_source(const std::optional<MainFigures>& figures = std::nullopt) const;
 
   private:
     [[nodiscard]] MapStyle style() const;
     [[nodiscard]] std::vector<render::Outline> marks(const std::string& crs_wkt) const;
     [[nodiscard]] MultiPolygon outline(const std::string& layer, const std::string& crs_wkt) const;
-    [[nodiscard]] MapFacts facts(const Raster& max_depth, const Raster& release) const;
+    [[nodiscard]] MapFacts facts(const std::optional<MainFigures>& figures) const;
 
     /// Throws Error(input) where a file is missing.
     void require(const std::string& name) const;

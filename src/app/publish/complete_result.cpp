@@ -51,16 +51,10 @@ std::vector<std::string> missing_files(const Manifest& manifest, const std::stri
     std::vector<std::string> missing;
     for (const auto& [name, mark] : manifest.files) {
         const ResultFile* const file = known_file(name);
-        const bool wanted = file != nullptr && file->kind != FileKind::picture &&
-                            file->kind != FileKind::film && file->kind != FileKind::working;
+        const bool wanted = file != nullptr && !file->is_drawn() && file->kind != FileKind::working;
         if (wanted && !fs::exists(fs::path(directory) / name)) missing.push_back(name);
     }
     return missing;
-}
-
-bool is_drawn(const std::string& name) {
-    const ResultFile* const file = known_file(name);
-    return file != nullptr && (file->kind == FileKind::picture || file->kind == FileKind::film);
 }
 
 // Of what is there. A GIS writes into a GeoPackage that it only shows: of such a file no more is asked than
@@ -81,7 +75,7 @@ std::vector<std::string> changed_files_of(const Manifest& manifest, const std::s
         const ResultFile* const file = known_file(name);
         if (file == nullptr || file->kind == FileKind::style || file->kind == FileKind::working) continue;
         const std::string path = (fs::path(directory) / name).string();
-        if (is_drawn(name) == drawn && fs::exists(path) && is_changed(path, mark)) changed.push_back(name);
+        if (file->is_drawn() == drawn && fs::exists(path) && is_changed(path, mark)) changed.push_back(name);
     }
     return changed;
 }
@@ -134,14 +128,14 @@ bool complete_result(const Prepared& prepared, const std::string& directory, Run
     const Manifest manifest = require_list(directory);
     const std::vector<std::string> missing = missing_files(manifest, directory),
                                    changed = changed_files_of(manifest, directory, false);
-    const bool only_report = missing == std::vector<std::string>{"report.html"};
+    const bool only_report = missing == std::vector<std::string>{k_report_file};
     if (!only_report || !changed.empty()) require_all(missing, changed, directory);
     std::vector<std::string> ruined;  // or the user's own: they keep another name, and are drawn anew
     for (const std::string& name : changed_files_of(manifest, directory, true))
         ruined.push_back((fs::path(directory) / name).string());
     keep_changed_files(ruined);
     const auto comparison = comparison_of(prepared, directory, log);
-    const PictureOutcome pictures = draw_pictures({prepared.spec, directory, comparison, true}, log);
+    const PictureOutcome pictures = draw_pictures({prepared.spec, directory, comparison, true, std::nullopt}, log);
     record_files(pictures.files);
     if (pictures.complete()) {
         record_finished(directory);

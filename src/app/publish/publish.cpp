@@ -18,6 +18,7 @@
 #include "app/publish/timeseries.h"
 #include "app/store/layers.h"
 #include "app/store/provenance.h"
+#include "app/store/result_files.h"
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
@@ -177,29 +178,29 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     const RunResult& result = run.result;
     warn_of_trouble(run, log);
 
-    const Raster trace = trace_mask(result.max_depth, prepared.spec.output.trace_threshold);
+    const double threshold = prepared.spec.output.trace_threshold;
+    const Raster trace = trace_mask(result.max_depth, threshold);
     SummaryFacts facts;
     facts.spec = prepared.spec;
     facts.crs_label = prepared.ground.crs_label;
     facts.threads = run.threads;
-    facts.run_out = runout(result.bed, result.release, trace);
-    facts.covered_area_m2 = masked_area(trace);
+    facts.figures = {threshold, masked_area(trace), runout(result.bed, result.release, trace)};
     facts.high = high_figures(result, trace);
 
     publish_rasters(prepared, result, directory);
-    publish_outlines(prepared, result, facts.run_out, directory);
+    publish_outlines(prepared, result, facts.figures.run_out, directory);
     publish_series(prepared, result, directory);
-    publish_profiles(prepared, result, facts.run_out, directory);
+    publish_profiles(prepared, result, facts.figures.run_out, directory);
     facts.hazard = publish_hazard(prepared, result, directory);
     publish_avaframe(prepared, result, directory);
-    write_text_file(directory.path("timeseries.csv"), timeseries_csv(result.series));
+    write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
     if (frames.count() > 0) frames.finish();
     publish_frame_stacks(prepared, directory);
     const std::optional<Comparison> comparison = publish_comparison(run, directory, log);
     facts.wall.output = output_watch.seconds() + frames.seconds();
 
     const Stopwatch render_watch;
-    const PictureOutcome pictures = draw_pictures({prepared.spec, directory.path(""), comparison, false}, log);
+    const PictureOutcome pictures = draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.figures}, log);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;
@@ -210,9 +211,9 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     facts.data_identity = data_identity(prepared);
     if (prepared.spec.output.report)
         write_report({prepared, result, facts, comparison, facts.hazard}, directory);
-    write_text_file(directory.path("summary.json"), summary_json(result, facts));
+    write_text_file(directory.path(k_summary_file), summary_json(result, facts));
     log.note("wrote summary.json");
-    write_text_file(directory.path("log.txt"), log.text());
+    write_text_file(directory.path(k_log_file), log.text());
     return pictures;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/store/provenance.h"
+#include "app/store/result_files.h"
 #include "app/text/file_stems.h"
 #include "gis/raster/frames_out.h"
 #include "gis/raster/raster_in.h"
@@ -85,8 +86,8 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
 }
 
 void publish_frame_stacks(const Prepared& prepared, const ResultDirectory& directory) {
-    for (const auto& [word, file, format] : {std::tuple{"netcdf", "frames.nc", gis::StackFormat::netcdf},
-                                             std::tuple{"zarr", "frames.zarr", gis::StackFormat::zarr}}) {
+    for (const auto& [word, file, format] : {std::tuple{"netcdf", k_netcdf_file, gis::StackFormat::netcdf},
+                                             std::tuple{"zarr", k_zarr_folder, gis::StackFormat::zarr}}) {
         if (!has_format(prepared.spec, word)) continue;
         const std::vector<StoredFrame> frames = stored_frames(directory.path("frames"));
         std::vector<double> times;

@@ -2,6 +2,7 @@
 #include "app/publish/publish_hazard.h"
 
 #include "app/store/provenance.h"
+#include "app/store/result_files.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/rasterize.h"
 #include "gis/raster/styles.h"
@@ -9,6 +10,8 @@
 
 namespace frana::app {
 namespace {
+
+constexpr const char* k_hazard = "hazard";  // the raster's row
 
 Raster mask_of(const Raster& classes, int value) {
     Raster mask(classes.grid);
@@ -27,7 +30,7 @@ void write_raster(const Raster& classes, const HazardScheme& scheme, const std::
     metadata["HAZARD_SCHEME"] = scheme.name;
     metadata["HAZARD_SOURCE"] = scheme.source;
     gis::write_class_geotiff(path, classes, entries,
-                             {"hazard", "Intensity after " + scheme.name, "", std::move(metadata)});
+                             {k_hazard, "Intensity after " + scheme.name, "", std::move(metadata)});
     gis::write_styles(path, stops, "", gis::StyleKind::exact);
 }
 
@@ -58,13 +61,6 @@ std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult
     const HazardSpec& spec = prepared.spec.hazard;
     if (!spec.scheme) return {};
     const std::map<std::string, std::string> origin = provenance(prepared);
-    if (!result.max_flux.values.empty()) {
-        gis::write_geotiff(
-            directory.path("max_flux.tif"), result.max_flux,
-            {"max_flux", "Maximum over time of depth times speed at one moment", "m2/s", origin});
-        gis::write_geotiff(directory.path("max_head.tif"), result.max_head,
-                           {"max_head", "Maximum over time of depth plus v2/2g at one moment", "m", origin});
-    }
     const HazardScheme scheme = hazard_scheme(
         *spec.scheme, {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
     // A scheme that does not look at flux or head has none recorded; depth stands in, unread.
@@ -72,8 +68,8 @@ std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult
     const Raster classes = hazard_classes(
         scheme, {result.max_depth, result.max_velocity, recorded ? result.max_flux : result.max_depth,
                  recorded ? result.max_head : result.max_depth, result.max_pressure, result.final_depth});
-    write_raster(classes, scheme, directory.path("hazard.tif"), origin);
-    return write_zones(classes, scheme, directory.path("hazard_zones.gpkg"), prepared.scene.grid.crs_wkt);
+    write_raster(classes, scheme, directory.path(std::string(k_hazard) + ".tif"), origin);
+    return write_zones(classes, scheme, directory.path(k_hazard_zones_file), prepared.scene.grid.crs_wkt);
 }
 
 }  // namespace frana::app

@@ -13,6 +13,7 @@
 #include "app/store/result_files.h"
 #include "core/error.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
@@ -25,9 +26,9 @@ std::string title_of(const SceneSpec& spec) {
 }
 
 /// What was written is what is drawn.
-MapSource map_source(const ResultReader& written, const SceneSpec& spec) {
-    MapSource source = written.map_source();
-    source.title = title_of(spec);  // the folder has not its name yet
+MapSource map_source(const ResultReader& written, const PictureRequest& request) {
+    MapSource source = written.map_source(request.figures);
+    source.title = title_of(request.spec);  // the folder has not its name yet
     return source;
 }
 
@@ -78,26 +79,22 @@ class Drawings {
 
 /// "max_depth", "max_depth_3d" and so on, as the scene asks.
 std::vector<std::string> map_choice(const std::vector<std::string>& asked, const ResultReader& written) {
-    const bool all = asked.front() == "on";
-    std::vector<std::string> names = all ? map_names() : asked;
-    const auto add = [&](const std::string& name) {
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    };
-    if (all) {
-        for (const Layer& layer : all_layers()) add(layer.name);
-    }
-    if (written.has("hazard.tif")) add("hazard");  // a scheme of classes asks for its map
+    std::vector<std::string> names = asked.front() == "on" ? usual_maps() : asked;
+    // A scheme of classes asks for its map.
+    if (written.has("hazard.tif") && std::find(names.begin(), names.end(), "hazard") == names.end())
+        names.emplace_back("hazard");
     return names;
 }
 
 void draw_maps(const std::vector<std::string>& asked, const ResultReader& written, LayerDrawer& drawer,
                Drawings& drawings) {
     if (asked.front() == "off") return;
-    const std::string ending = "_3d";
     for (const std::string& name : map_choice(asked, written)) {
-        const bool view_3d = name.ends_with(ending);
-        const std::string layer = view_3d ? name.substr(0, name.size() - ending.size()) : name;
-        if (asked.front() == "on" && !written.has(layer + ".tif")) continue;
+        const std::string layer = raster_of_map(name);
+        const bool view_3d = layer != name;
+        const ResultRaster* const row = find_result_raster(layer);
+        const bool may_lack = asked.front() == "on" || (row != nullptr && row->if_it_happens);
+        if (may_lack && !written.has(layer + ".tif")) continue;
         const std::string stem = written.path("maps/" + name);
         drawings.attempt("maps/" + name, picture_files(drawer.style(), stem, !view_3d), [&] {
             make_folder(written.path("maps"));
@@ -125,9 +122,9 @@ void draw_all_charts(const ResultReader& written, const MapSource& source, Drawi
 }
 
 void draw_film(const ResultReader& written, const MapSource& source, Drawings& drawings) {
-    const std::string path = written.path("animation.mp4");
-    if (!written.has("frames/frames.csv") || written.frames().empty()) return;
-    drawings.attempt("animation.mp4", {path}, [&] {
+    const std::string path = written.path(k_film_file);
+    if (!written.has(k_frame_list) || written.frames().empty()) return;
+    drawings.attempt(k_film_file, {path}, [&] {
         FilmRequest film{film_source(written, source, "depth"), {}, false, false, film_size(source.style.size)};
         film.stop_requested = [] { return stop_signal() != 0; };
         return write_animation(film, path);
@@ -140,7 +137,7 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
     const OutputSpec& output = request.spec.output;
     Drawings drawings(request.only_missing, log);
     const ResultReader written(request.folder);
-    const MapSource source = map_source(written, request.spec);
+    const MapSource source = map_source(written, request);
     LayerDrawer drawer(source);
     const std::vector<std::string>& formats = drawer.style().formats;
     if (output.report && !request.only_missing &&

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/compare/comparison.h"
+#include "app/store/main_figures.h"
 #include "app/text/run_log.h"
 #include "params/keys/scene_spec.h"
 
@@ -17,6 +18,7 @@ struct PictureRequest {
     std::string folder;                    ///< of the result
     const std::optional<Comparison>& comparison;
     bool only_missing = false;             ///< what is there already stays as it is
+    std::optional<MainFigures> figures;    ///< of a run whose summary.json is not written yet
 };
 
 /// What came of them.

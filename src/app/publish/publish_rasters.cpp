@@ -5,6 +5,7 @@
 #include "analysis/trace.h"
 #include "app/store/layers.h"
 #include "app/store/provenance.h"
+#include "app/store/result_files.h"
 #include "app/text/text_file.h"
 #include "core/colour.h"
 #include "core/json.h"
@@ -16,10 +17,14 @@
 namespace frana::app {
 namespace {
 
-void write(const ResultDirectory& directory, const std::string& name, const Raster& raster,
-           const std::string& description, const std::string& unit,
+void write(const ResultDirectory& directory, const ResultRaster& row, const Raster& raster,
            const std::map<std::string, std::string>& origin) {
-    gis::write_geotiff(directory.path(name + ".tif"), raster, {name, description, unit, origin});
+    const std::string file = directory.path(row.name + ".tif");
+    gis::write_geotiff(file, raster, {row.name, row.description, row.unit, origin});
+    if (row.is_drawn())
+        gis::write_styles(
+            file, gis::class_stops(palette(row.palette), class_bounds(row.progressive, maximum(raster)), row.unit),
+            row.unit, gis::StyleKind::classed);
 }
 
 PolygonFeature feature(MultiPolygon parts, double threshold) {
@@ -53,32 +58,18 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
 
 void publish_rasters(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     const std::map<std::string, std::string> origin = provenance(prepared);
-    for (const Layer& layer : all_layers()) {
-        const Raster* found = find_layer(result, layer);
-        if (found == nullptr) continue;
-        const Raster& raster = *found;
-        write(directory, layer.name, raster, layer.description, layer.unit, origin);
-        gis::write_styles(
-            directory.path(layer.name + ".tif"),
-            gis::class_stops(palette(layer.palette), layer_classes(layer, maximum(raster)), layer.unit),
-            layer.unit, gis::StyleKind::classed);
-    }
-    write(directory, "bed", result.bed, "Bed that was slid over", "m", origin);
-    write(directory, "release", result.release, "Thickness released, vertical", "m", origin);
-    gis::write_styles(directory.path("release.tif"),
-                      gis::class_stops(palette("depth"),
-                                       layer_classes(layer_named("max_depth"), maximum(result.release)), "m"),
-                      "m", gis::StyleKind::classed);
+    for (const ResultRaster& row : result_rasters())
+        if (const Raster* raster = find_raster(result, row)) write(directory, row, *raster, origin);
 }
 
 void publish_ground(const Prepared& prepared, const ResultDirectory& directory) {
-    write(directory, "dtm", prepared.scene.terrain, "Terrain on the working grid", "m", provenance(prepared));
+    write(directory, *find_result_raster("dtm"), prepared.scene.terrain, provenance(prepared));
     gis::OutlineLayer release{"release", {}};
     for (const ReleaseArea& area : prepared.scene.release) release.features.push_back(feature(area.outline, 0));
     std::vector<gis::OutlineLayer> layers{std::move(release)};
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
-    gis::write_outlines(directory.path("extent.gpkg"), prepared.scene.grid.crs_wkt, layers);
-    write_text_file(directory.path("scene.ini"), echoed_scene(prepared));
+    gis::write_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers);
+    write_text_file(directory.path(k_scene_file), echoed_scene(prepared));
 }
 
 void publish_outlines(const Prepared& prepared, const RunResult& result, const Runout& run_out,
@@ -105,7 +96,7 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const R
         trace.numbers["max_velocity_p999_ms"] = speed.p999;
     }
     if (prepared.scar) layers.push_back({"scar", prepared.scar->features});
-    gis::write_outlines(directory.path("extent.gpkg"), prepared.scene.grid.crs_wkt, layers);
+    gis::write_outlines(directory.path(k_outlines_file), prepared.scene.grid.crs_wkt, layers);
 }
 
 }  // namespace frana::app

@@ -3,6 +3,7 @@
 
 #include "analysis/flow_path.h"
 #include "app/store/layers.h"
+#include "app/store/result_files.h"
 #include "app/text/csv_cell.h"
 #include "app/text/text_file.h"
 #include "core/json.h"
@@ -21,7 +22,7 @@ struct Column {
 
 std::vector<Column> columns_of(const RunResult& result) {
     std::vector<Column> columns{{"bed_m", &result.bed}, {"release_m", &result.release}};
-    for (const Layer& layer : result_layers()) columns.push_back({layer.name, &(result.*layer.values)});
+    for (const ResultRaster& row : main_rasters()) columns.push_back({row.name, find_raster(result, row)});
     return columns;
 }
 
@@ -63,9 +64,9 @@ std::string sections_csv(const std::vector<SectionRow>& rows, const std::vector<
 void publish_series(const Prepared& prepared, const RunResult& result, const ResultDirectory& directory) {
     const Recording& recording = prepared.scene.recording;
     if (!recording.gauges.empty())
-        write_text_file(directory.path("gauges.csv"), gauges_csv(result.gauges, recording.gauges));
+        write_text_file(directory.path(k_gauge_table), gauges_csv(result.gauges, recording.gauges));
     if (!recording.sections.empty())
-        write_text_file(directory.path("sections.csv"), sections_csv(result.sections, recording.sections));
+        write_text_file(directory.path(k_section_table), sections_csv(result.sections, recording.sections));
     if (recording.gauges.empty() && recording.sections.empty()) return;
     gis::LineLayer lines{"sections", {}};
     gis::PointLayer points{"gauges", {}};
@@ -73,7 +74,7 @@ void publish_series(const Prepared& prepared, const RunResult& result, const Res
         lines.features.push_back({section.line, {}, {{"name", section.name}}});
     for (const Gauge& gauge : recording.gauges)
         points.features.push_back({gauge.place, {}, {{"name", gauge.name}}});
-    gis::write_lines_and_points(directory.path("gauges.gpkg"), prepared.scene.grid.crs_wkt, {lines},
+    gis::write_lines_and_points(directory.path(k_gauge_places), prepared.scene.grid.crs_wkt, {lines},
                                 {points});
 }
 
@@ -100,8 +101,8 @@ void publish_profiles(const Prepared& prepared, const RunResult& result, const R
             points.features.push_back(std::move(point));
         }
     }
-    write_text_file(directory.path("profiles.csv"), text);
-    gis::write_lines_and_points(directory.path("profiles.gpkg"), prepared.scene.grid.crs_wkt, {lines},
+    write_text_file(directory.path(k_profile_table), text);
+    gis::write_lines_and_points(directory.path(k_profile_lines), prepared.scene.grid.crs_wkt, {lines},
                                 {points});
 }
 

@@ -16,6 +16,7 @@
 #include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/file_aside.h"
+#include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {
@@ -99,11 +100,6 @@ void add_maps(Page& page, const SceneSpec& spec, const ResultDirectory& director
     page.add("<h2 id=\"maps\">Maps</h2>\n");
     bool any = false;
     std::vector<std::string> names = map_names();
-    for (const Layer& layer : all_layers())
-        if (std::find(names.begin(), names.end(), layer.name) == names.end()) names.push_back(layer.name);
-    for (const std::string& name : spec.output.maps)  // views, maps of one time
-        if (name != "on" && name != "off" && std::find(names.begin(), names.end(), name) == names.end())
-            names.push_back(name);
     for (const std::string& name : names) {
         const auto file = drawn(directory, "maps/", name);
         if (!file) continue;
@@ -134,7 +130,7 @@ std::string base64(const std::string& bytes) {
 void write_report(const ReportInput& input, const ResultDirectory& directory) {
     const SceneSpec& spec = input.prepared.spec;
     const std::string title = spec.output.title.value_or(scene_name(spec));
-    Page page(directory.path("report.html"));
+    Page page(directory.path(k_report_file));
     page.add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
              html_escaped(title) + "</title>\n<style>" + k_style + "</style>\n</head>\n<body>\n<h1>" +
              html_escaped(title) + "</h1>\n<p class=\"small\">Computed with " + k_program + " " + k_version +

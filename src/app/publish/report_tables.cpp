@@ -111,10 +111,10 @@ std::string results_table(const ReportInput& input) {
     Table table;
     add_high_figures(table, f.high);
     table.number("Area deeper than " + figure(input.prepared.spec.output.trace_threshold) + " m at any time",
-                grouped(f.covered_area_m2), "m²")
-        .number("Run-out, straight in map view", grouped(f.run_out.horizontal_m), "m")
-        .number("Drop", grouped(f.run_out.drop_m), "m")
-        .number("Angle of reach", figure(f.run_out.reach_angle_deg, 3), "°")
+                grouped(f.figures.covered_area_m2), "m²")
+        .number("Run-out, straight in map view", grouped(f.figures.run_out.horizontal_m), "m")
+        .number("Drop", grouped(f.figures.run_out.drop_m), "m")
+        .number("Angle of reach", figure(f.figures.run_out.reach_angle_deg, 3), "°")
         .number("Simulated time (" + std::string(describe(r.stop_reason)) + ")",
                 figure(r.simulated_seconds, 4), "s");
     return table.html() +

@@ -79,10 +79,11 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
     json.end_array();
     if (result.energy_error) json.number("energy_error", *result.energy_error);
     write_high_figures(json, facts.high);
-    json.number("covered_area_m2", facts.covered_area_m2);
-    json.number("trace_threshold_m", facts.spec.output.trace_threshold);
-    json.begin_object("runout").number("horizontal_m", facts.run_out.horizontal_m);
-    json.number("drop_m", facts.run_out.drop_m).number("reach_angle_deg", facts.run_out.reach_angle_deg);
+    const Runout& run_out = facts.figures.run_out;
+    json.number("covered_area_m2", facts.figures.covered_area_m2);
+    json.number("trace_threshold_m", facts.figures.threshold);
+    json.begin_object("runout").number("horizontal_m", run_out.horizontal_m);
+    json.number("drop_m", run_out.drop_m).number("reach_angle_deg", run_out.reach_angle_deg);
     json.end_object();
     if (!facts.hazard.empty()) {
         json.begin_array("hazard");

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/runout.h"
 #include "app/publish/high_figures.h"
 #include "app/publish/publish_hazard.h"
+#include "app/store/main_figures.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
 
@@ -24,8 +24,7 @@ struct SummaryFacts {
     int threads = 1;
     WallSeconds wall;
     std::int64_t peak_memory_bytes = 0;
-    Runout run_out;
-    double covered_area_m2 = 0;      ///< of the trace: greatest depth over output.trace-threshold
+    MainFigures figures;
     HighFigures high;                ///< over that trace
     std::vector<HazardArea> hazard;  ///< empty: no scheme
     std::vector<std::string> warnings;

@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "app/process/stopwatch.h"
-#include "app/store/layers.h"
 #include "app/text/text_file.h"
 #include "core/error.h"
 #include "core/json.h"
@@ -15,6 +14,7 @@
 #include "gis/raster/raster_out.h"
 #include "gis/vector/points_out.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
 #include "render/canvas/vtk_points.h"
 
 namespace frana::app {
@@ -27,10 +27,10 @@ std::string list_file(const std::string& folder) {
 }
 
 gis::BandText band_text(const std::string& what) {
-    if (what == k_depth_file.what) return {what, "Flow depth at one instant, vertical", "m", {}};
-    if (what == k_velocity_file.what) return {what, "Flow speed at one instant, along the bed", "m/s", {}};
-    const Layer layer = layer_named(what);
-    return {what, layer.title + " at one instant", layer.unit, {}};
+    const ResultRaster* const row = find_result_raster(what);
+    if (row == nullptr) return {what, what, "", {}};
+    const bool of_frames = row->kind == ResultRaster::Kind::frame;
+    return {what, of_frames ? row->description : row->title + " at one instant", row->unit, {}};
 }
 
 const Raster& raster_of(const Frame& frame, const std::string& what) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/store/result_files.h"
 #include "gis/raster/picture_out.h"
 #include "params/grammar/ini_file.h"
 
@@ -23,9 +24,9 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> place_of(const std::strin
 }
 
 bool is_drawn(const fs::path& file, const fs::path& folder) {
-    const fs::path inside = file.lexically_relative(folder);
-    for (const char* name : {"maps", "charts", "plates"})
-        if (*inside.begin() == name) return true;
+    if (const ResultFile* known = known_file(file.lexically_relative(folder).generic_string()))
+        return known->is_drawn();
+    // Drawn into folders of the user's.
     const std::array<std::string, 4> pictures{".png", ".pdf", ".mp4", ".gif"};
     return std::find(pictures.begin(), pictures.end(), file.extension().string()) != pictures.end();
 }
@@ -68,7 +69,7 @@ void KeptFiles::add_result(const std::string& folder, const std::vector<std::str
         const auto place = place_of(entry->path().string());
         if (place && !is_drawn(entry->path(), folder) && !is_written_anew(entry->path())) files_.insert(*place);
     }
-    const fs::path scene = fs::path(folder) / "scene.ini";
+    const fs::path scene = fs::path(folder) / k_scene_file;
     if (!fs::exists(scene, failure)) return;
     for (const IniEntry& entry : read_ini(scene.string())) add(entry.value);
 }

@@ -2,9 +2,10 @@
 #include "app/store/layers.h"
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "core/colour.h"
-#include "core/error.h"
 
 namespace frana::app {
 
@@ -48,67 +49,40 @@ std::vector<double> progressive_classes(double maximum) {
 
 }  // namespace
 
-std::vector<Layer> result_layers() {
-    return {
-        {"max_depth", "Maximum depth", "Maximum flow depth over time, vertical", "m", "depth", true,
-         &RunResult::max_depth},
-        {"max_velocity", "Maximum velocity", "Maximum flow speed over time, along the bed", "m/s", "velocity",
-         false, &RunResult::max_velocity},
-        {"final_depth", "Final depth", "Flow depth at the end, vertical", "m", "depth", true,
-         &RunResult::final_depth},
-        {"arrival_time", "Arrival time", "Time at which the flow first arrived", "s", "time", false,
-         &RunResult::arrival_time},
-        {"max_pressure", "Maximum dynamic pressure", "Maximum over time of density times speed squared",
-         "kPa", "velocity", true, &RunResult::max_pressure},
-    };
-}
-
-std::vector<Layer> all_layers() {
-    std::vector<Layer> layers = result_layers();
-    const auto add = [&](const char* name, const char* title, const char* description, const char* unit,
-                         const char* palette, bool progressive, Raster RunResult::* values = nullptr) {
-        layers.push_back({name, title, description, unit, palette, progressive, values});
-    };
-    add("eroded_depth", "Eroded depth", "Depth eroded from the bed, vertical", "m", "depth", true,
-        &RunResult::eroded_depth);
-    add("deposited_depth", "Deposited depth", "Depth deposited on the bed, vertical", "m", "depth", true,
-        &RunResult::deposited_depth);
-    add("jump_height", "Height of jumps", "Greatest height above the ground at which material flew over the cell", "m", "depth",
-        true, &RunResult::jump_height);
-    add("fluid_depth", "Depth of free fluid", "Depth of the free fluid, vertical", "m", "depth", true);
-    add("solid_depth", "Depth of solids", "Depth of solids without their fluid, vertical", "m", "depth", true);
-    add("solid_fraction", "Solid fraction", "Share of solids in everything that lies in the cell", "-", "depth", false);
-    add("cohesion_ratio", "Cohesion left", "Cohesion over initial cohesion, mean of the solids", "-", "depth", false);
-    add("strain", "Strain", "Greatest strain in the plane since the start, mean of the solids", "-", "depth", true);
-    add("fluid_velocity", "Velocity of the fluid", "Speed of the free fluid, along the bed", "m/s", "velocity", false);
-    add("solid_velocity", "Velocity of the solids", "Speed of solids and confined fluid, along the bed", "m/s",
-        "velocity", false);
-    add("released_water", "Released fluid", "Confined fluid that the structure has set free here", "m", "depth", true);
-    return layers;
-}
-
-const Raster* find_layer(const RunResult& result, const Layer& layer) {
-    if (layer.values != nullptr) {
-        const Raster& raster = result.*layer.values;
+const Raster* find_raster(const RunResult& result, const ResultRaster& row) {
+    static const std::map<std::string, Raster RunResult::*> k_members{
+        {"max_depth", &RunResult::max_depth},
+        {"max_velocity", &RunResult::max_velocity},
+        {"final_depth", &RunResult::final_depth},
+        {"arrival_time", &RunResult::arrival_time},
+        {"max_pressure", &RunResult::max_pressure},
+        {"release", &RunResult::release},
+        {"bed", &RunResult::bed},
+        {"max_flux", &RunResult::max_flux},
+        {"max_head", &RunResult::max_head},
+        {"eroded_depth", &RunResult::eroded_depth},
+        {"deposited_depth", &RunResult::deposited_depth},
+        {"jump_height", &RunResult::jump_height}};
+    if (const auto member = k_members.find(row.name); member != k_members.end()) {
+        const Raster& raster = result.*member->second;
         return raster.values.empty() ? nullptr : &raster;
     }
     for (const NamedRaster& raster : result.more)
-        if (raster.name == layer.name) return &raster.values;
+        if (raster.name == row.name) return &raster.values;
     return nullptr;
 }
 
-Layer layer_named(const std::string& name) {
-    std::string known;
-    for (const Layer& layer : all_layers()) {
-        if (layer.name == name) return layer;
-        known += (known.empty() ? "" : ", ") + layer.name;
-    }
-    throw Error(ErrorKind::input, Problem{"is not a raster of a result", "map", name, known, ""});
+std::vector<ResultRaster> main_rasters() {
+    std::vector<ResultRaster> rows = result_rasters();
+    std::erase_if(rows, [](const ResultRaster& row) {
+        return row.kind != ResultRaster::Kind::flow || !row.when.empty();
+    });
+    return rows;
 }
 
-std::vector<double> layer_classes(const Layer& layer, double maximum) {
+std::vector<double> class_bounds(bool progressive, double maximum) {
     if (!(maximum > 0)) return nice_classes(0, k_classes);
-    return layer.progressive ? progressive_classes(maximum) : nice_classes(maximum, k_classes);
+    return progressive ? progressive_classes(maximum) : nice_classes(maximum, k_classes);
 }
 
 }  // namespace frana::app

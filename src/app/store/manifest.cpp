@@ -6,8 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -17,6 +15,7 @@
 #include <set>
 #include <sstream>
 
+#include "app/store/json_file.h"
 #include "app/store/result_files.h"
 #include "app/text/version.h"
 #include "core/error.h"
@@ -33,7 +32,6 @@ namespace frana::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Tree = boost::property_tree::ptree;
 
 constexpr const char* k_checksum = "xxh128";
 
@@ -49,27 +47,6 @@ std::string now_utc() {
     char text[32];
     std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
     return text;
-}
-
-// What is not there for this program is none; what the disk does not give is a fault.
-bool is_not_there(int reason) {
-    return reason == ENOENT || reason == ENOTDIR || reason == EISDIR || reason == EACCES || reason == EPERM ||
-           reason == ELOOP || reason == ENAMETOOLONG || reason == EINVAL;
-}
-
-std::optional<Tree> read_tree(const fs::path& path) {
-    std::string text;
-    const int reason = read_blocks(path.string(), [&](std::string_view bytes) { text += bytes; });
-    if (is_not_there(reason)) return std::nullopt;
-    if (reason != 0) fail("cannot be read", path.string(), reason);
-    Tree tree;
-    try {
-        std::istringstream stream(text);
-        boost::property_tree::read_json(stream, tree);
-    } catch (const boost::property_tree::json_parser_error&) {
-        return std::nullopt;
-    }
-    return tree;
 }
 
 /// Holds a result's manifest while it is read, changed and written: the folder itself is locked.
@@ -166,7 +143,7 @@ FileMark mark_on_disk(const std::string& path) {
 }
 
 std::optional<Manifest> read_manifest(const std::string& folder) {
-    const std::optional<Tree> tree = read_tree(fs::path(folder) / k_manifest_file);
+    const std::optional<JsonTree> tree = read_json_file((fs::path(folder) / k_manifest_file).string());
     if (!tree || tree->get<std::string>("program", "") != k_program || tree->get<long>("format", 0) < 1 ||
         tree->get<long>("format", 0) > k_manifest_format)
         return std::nullopt;
@@ -211,8 +188,8 @@ bool is_listed_result(const std::string& folder) {
 
 bool is_unlisted_result(const std::string& folder) {
     std::error_code failure;
-    if (is_listed_result(folder) || !fs::exists(fs::path(folder) / "scene.ini", failure)) return false;
-    const std::optional<Tree> summary = read_tree(fs::path(folder) / "summary.json");
+    if (is_listed_result(folder) || !fs::exists(fs::path(folder) / k_scene_file, failure)) return false;
+    const std::optional<JsonTree> summary = read_json_file((fs::path(folder) / k_summary_file).string());
     return summary && summary->get<std::string>("program", "") == k_program;
 }
 

@@ -177,8 +177,8 @@ std::vector<Problem> ResultDirectory::tidy_up(bool replaces, RunLog& log) {
     const std::size_t lines = log.lines().size();
     const std::vector<Problem> problems = clear_place_of(directory_, replaces ? aside_ : "", log);
     if (log.lines().size() > lines) {
-        write_text_file(final_path("log.txt"), log.text());
-        record_files({final_path("log.txt")});
+        write_text_file(final_path(k_log_file), log.text());
+        record_files({final_path(k_log_file)});
     }
     return problems;
 }

@@ -3,8 +3,8 @@
 
 #include <fnmatch.h>
 
-#include "app/store/layers.h"
 #include "core/file_aside.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana::app {
 namespace {
@@ -21,9 +21,21 @@ class Table {
         for (const std::string& pattern : patterns) rows_.push_back({pattern, kind, command_});
         return *this;
     }
-    Table& add_raster(const std::string& name, bool styled = true) {
-        add(FileKind::raster, {name + ".tif"});
-        return styled ? add(FileKind::style, {name + ".qml", name + ".sld"}) : *this;
+    Table& add_styles(const std::string& file) {
+        for (const char* ending : k_style_endings)
+            add(FileKind::style, {file.substr(0, file.rfind('.')) + ending});
+        return *this;
+    }
+    /// Those that the command writes.
+    Table& add_rasters() {
+        for (const ResultRaster& row : result_rasters()) {
+            if (row.command != command_) continue;
+            if (row.in_result()) add(FileKind::raster, {row.name + ".tif"});
+            if (row.in_result() && row.is_drawn()) add_styles(row.name + ".tif");
+            if (row.in_frames || row.kind == ResultRaster::Kind::frame)
+                add(FileKind::raster, {"frames/" + row.name + "_*.tif"});
+        }
+        return *this;
     }
     /// In every format of output.map-formats.
     Table& add_picture(const std::string& stem) {
@@ -39,32 +51,28 @@ class Table {
 std::vector<ResultFile> make_table() {
     Table table;
     table.by("run");
-    table.add(FileKind::text, {"scene.ini", "summary.json", "log.txt", k_manifest_file});
+    table.add(FileKind::text, {k_scene_file, k_summary_file, k_log_file, k_manifest_file});
     table.add(FileKind::working, {k_building_file, k_replaced_file, "checkpoint/step_*.frana",
                                   "checkpoint/reserve", std::string(k_page_folder) + "/*.png"});
-    for (const Layer& layer : all_layers()) table.add_raster(layer.name);
-    table.add_raster("release").add_raster("hazard");
-    for (const char* plain : {"dtm", "bed", "max_flux", "max_head"}) table.add_raster(plain, false);
-    table.add(FileKind::vector, {"extent.gpkg", "profiles.gpkg", "gauges.gpkg", "hazard_zones.gpkg"});
-    table.add(FileKind::style, {"hazard_zones.qml", "hazard_zones.sld"});
-    table.add(FileKind::table, {"timeseries.csv", "profiles.csv", "gauges.csv", "sections.csv"});
-    table.add(FileKind::page, {"report.html"});
-    table.add(FileKind::table, {"frames/frames.csv", "frames/particles.pvd"});
-    table.add(FileKind::raster, {"frames/depth_*.tif", "frames/velocity_*.tif"});
-    for (const Layer& layer : all_layers()) table.add(FileKind::raster, {"frames/" + layer.name + "_*.tif"});
+    table.add_rasters();
+    table.add(FileKind::vector, {k_outlines_file, k_profile_lines, k_gauge_places, k_hazard_zones_file});
+    table.add_styles(k_hazard_zones_file);
+    table.add(FileKind::table, {k_series_file, k_profile_table, k_gauge_table, k_section_table});
+    table.add(FileKind::page, {k_report_file});
+    table.add(FileKind::table, {k_frame_list, "frames/particles.pvd"});
     table.add(FileKind::vector, {"frames/particles_*.gpkg", "frames/particles_*.vtp"});
-    table.add(FileKind::stack, {"frames.nc", std::string("frames.zarr") + k_all_below});
+    table.add(FileKind::stack, {k_netcdf_file, std::string(k_zarr_folder) + k_all_below});
     for (const char* kind : {"ppr", "pft", "pfv"}) {
         const std::string stem = std::string("peakFiles/*_C_null_dfa_") + kind;
         table.add(FileKind::raster, {stem + ".tif", stem + ".asc"}).add(FileKind::text, {stem + ".prj"});
     }
     table.by("compare");
-    table.add(FileKind::text, {"comparison.json"}).add(FileKind::table, {"comparison_curve.csv"});
-    table.add_raster("comparison").add(FileKind::picture, {"comparison.png", "comparison.pdf"});
+    table.add(FileKind::text, {k_comparison_file}).add(FileKind::table, {k_comparison_curve});
+    table.add_rasters().add(FileKind::picture, {"comparison.png", "comparison.pdf"});
     table.by("render");
     table.add_picture("maps/*");
     table.add(FileKind::picture, {"charts/*.png", "charts/*.pdf", "plates/*.png", "plates/*.pdf"});
-    table.add(FileKind::film, {"animation.mp4", "animation.gif"});
+    table.add(FileKind::film, {k_film_file, "animation.gif"});
     return table.rows();
 }
 

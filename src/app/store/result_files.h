@@ -8,17 +8,21 @@ namespace frana::app {
 
 enum class FileKind { text, table, vector, raster, style, picture, page, film, stack, working };
 
-/// A file that frana writes into a result directory. The one list: what a result's manifest may name, what a
-/// folder in the making may hold and what the documents and tests know of.
+/// A file that frana writes into a result directory. The one list: what a result's manifest may name, what may be
+/// replaced, what a folder in the making may hold and what the documents and tests know of.
 struct ResultFile {
     /// Of the path inside the result: "*" stands for any text within a name, "/**" at the end for all that is
     /// below.
     std::string pattern;
     FileKind kind;
     std::string written_by;  ///< the first command that does: "run", "render"
+
+    /// Drawn from the result's other files, and can be drawn anew.
+    [[nodiscard]] bool is_drawn() const noexcept { return kind == FileKind::picture || kind == FileKind::film; }
 };
 
-/// All of them; rasters of the table of layers come with their styles.
+/// All of them; rasters are those of the table of rasters (params/keys/result_rasters.h), each drawn one with its
+/// styles.
 const std::vector<ResultFile>& result_files();
 
 /// The row of a path inside a result, also while that file is being written ("max_depth.partial123.tif");
@@ -28,7 +32,29 @@ const ResultFile* known_file(const std::string& path);
 /// Whether a path inside a result is that of such a file in the making by a process that was killed.
 bool is_leftover(const std::string& path);
 
+/// The endings of the styles beside a raster or vector file.
+inline constexpr const char* k_style_endings[] = {".qml", ".sld"};
+
+// Names of files, said here only.
 inline constexpr const char* k_manifest_file = "manifest.json";
+inline constexpr const char* k_scene_file = "scene.ini";
+inline constexpr const char* k_summary_file = "summary.json";
+inline constexpr const char* k_log_file = "log.txt";
+inline constexpr const char* k_report_file = "report.html";
+inline constexpr const char* k_series_file = "timeseries.csv";
+inline constexpr const char* k_outlines_file = "extent.gpkg";
+inline constexpr const char* k_profile_table = "profiles.csv";
+inline constexpr const char* k_profile_lines = "profiles.gpkg";
+inline constexpr const char* k_gauge_table = "gauges.csv";
+inline constexpr const char* k_section_table = "sections.csv";
+inline constexpr const char* k_gauge_places = "gauges.gpkg";
+inline constexpr const char* k_hazard_zones_file = "hazard_zones.gpkg";
+inline constexpr const char* k_comparison_file = "comparison.json";
+inline constexpr const char* k_comparison_curve = "comparison_curve.csv";
+inline constexpr const char* k_film_file = "animation.mp4";
+inline constexpr const char* k_netcdf_file = "frames.nc";
+inline constexpr const char* k_zarr_folder = "frames.zarr";
+inline constexpr const char* k_frame_list = "frames/frames.csv";
 /// In the folder in which a result is being built, from its first moment.
 inline constexpr const char* k_building_file = "being_built.json";
 /// In the folder in which a result is being built: pictures of report.html alone.

@@ -110,7 +110,7 @@ bool would_be_replaced(const fs::path& input, const fs::path& result,
                        const std::optional<Manifest>& manifest) {
     if (!is_inside(input, result)) return false;
     const std::string name = input.lexically_relative(result).generic_string();
-    if (name == "scene.ini") return false;  // read before anything is written, and written again
+    if (name == k_scene_file) return false;  // read before anything is written, and written again
     return !manifest || manifest->files.count(name) > 0 || known_file(name) != nullptr;
 }
 

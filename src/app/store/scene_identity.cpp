@@ -8,7 +8,9 @@
 #include <map>
 #include <sstream>
 
+#include "app/store/json_file.h"
 #include "app/store/provenance.h"
+#include "app/store/result_files.h"
 #include "core/archive.h"
 #include "core/json.h"
 
@@ -157,18 +159,12 @@ std::string scene_identity(const Prepared& prepared) {
 
 std::optional<std::string> result_identity(const std::string& result_folder) {
     const std::filesystem::path folder = result_folder;
-    const std::string summary = text_of(folder / "summary.json"), scene = text_of(folder / "scene.ini");
-    const std::string key = std::string("\"") + k_data_key + "\": [";
-    const auto begin = summary.find(key);
-    if (begin == std::string::npos || scene.empty()) return std::nullopt;
+    const std::string scene = text_of(folder / k_scene_file);
+    const std::optional<JsonTree> summary = read_json_file((folder / k_summary_file).string());
+    const auto facts = summary ? summary->get_child_optional(k_data_key) : boost::none;
+    if (!facts || scene.empty()) return std::nullopt;
     std::vector<std::string> data;
-    const auto end = summary.find(']', begin + key.size());
-    for (auto from = summary.find('"', begin + key.size()); from < end; from = summary.find('"', from)) {
-        const auto to = summary.find('"', from + 1);
-        if (to == std::string::npos) return std::nullopt;
-        data.push_back(summary.substr(from + 1, to - from - 1));
-        from = to + 1;
-    }
+    for (const auto& [key, fact] : *facts) data.push_back(fact.data());
     return identity(scene, data);
 }
 

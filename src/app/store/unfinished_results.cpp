@@ -6,14 +6,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
 #include <cctype>
 #include <cerrno>
 #include <filesystem>
 #include <sstream>
 
 #include "app/store/checkpoints.h"
+#include "app/store/json_file.h"
 #include "app/store/manifest.h"
 #include "app/store/result_files.h"
 #include "app/store/result_place.h"
@@ -44,14 +43,10 @@ void write_note(const fs::path& path, const std::string& folder_name, const std:
 
 /// The folder's name that a note gives; empty where there is no note of frana's.
 std::string noted_name(const fs::path& path) {
-    std::string text;
-    if (read_blocks(path.string(), [&](std::string_view bytes) { text += bytes; }) != 0) return {};
     try {
-        std::istringstream file(text);
-        boost::property_tree::ptree tree;
-        boost::property_tree::read_json(file, tree);
-        if (tree.get<std::string>("program") != k_program) return {};
-        return unescaped_name(tree.get<std::string>("folder"));
+        const std::optional<JsonTree> tree = read_json_file(path.string());
+        if (!tree || tree->get<std::string>("program") != k_program) return {};
+        return unescaped_name(tree->get<std::string>("folder"));
     } catch (const std::exception&) {
         return {};
     }

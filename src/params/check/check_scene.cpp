@@ -7,6 +7,7 @@
 #include "params/check/check_laws.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/model_keys.h"
+#include "params/keys/result_rasters.h"
 
 namespace frana {
 namespace {
@@ -173,6 +174,12 @@ void check_output(const SceneSpec& scene, const std::string& file, Problems& pro
     if (has("ascii") && scene.output.names != "avaframe") {
         problems.add({"ascii is a format of the AvaFrame rasters", file + ": output.formats",
                       joined(scene.output.formats, ", "), "", "Set output.names = avaframe or remove ascii"});
+    }
+    for (const std::string& map : scene.output.maps) {
+        const ResultRaster* const row = find_result_raster(raster_of_map(map));
+        if (row != nullptr && row->can_come != nullptr && !row->can_come(scene))
+            problems.add({"names a raster that this scene does not make", file + ": output.maps", map,
+                          row->name + " comes " + row->when, "Remove it, or set output.maps = on for all that there is"});
     }
     if (scene.output.sample_interval && !scene.output.gauges && !scene.output.sections) {
         problems.add({"has nothing to sample", file + ": output.sample-interval",

@@ -6,6 +6,7 @@
 #include "params/keys/material_parameters.h"
 #include "params/keys/output_parameters.h"
 #include "params/keys/picture_parameters.h"
+#include "params/keys/result_rasters.h"
 #include "params/keys/site_parameters.h"
 #include "params/keys/structured_parameters.h"
 
@@ -188,11 +189,6 @@ std::vector<Section> scene_sections() {
             {"output", "What is written."},
             {"hazard", "Classes of intensity."},
             {"scar", "The surveyed outline to compare with."}};
-}
-
-std::vector<std::string> map_names() {
-    return {"max_depth", "max_velocity",    "final_depth",  "arrival_time",   "max_pressure", "hazard",
-            "eroded_depth", "deposited_depth", "jump_height", "max_depth_3d", "max_velocity_3d"};
 }
 
 }  // namespace frana

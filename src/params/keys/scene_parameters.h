@@ -21,7 +21,4 @@ struct Section {
 };
 std::vector<Section> scene_sections();
 
-/// The maps that output.maps may name.
-std::vector<std::string> map_names();
-
 }  // namespace frana

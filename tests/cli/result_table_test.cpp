@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a result holds is what its table of rasters says, and its figures are said once.
+#include <map>
+
+#include "app/input/share_directory.h"
+#include "app/pictures/result_reader.h"
+#include "core/error.h"
+#include "params/grammar/value_text.h"
+#include "params/keys/result_rasters.h"
+#include "params/scene/read_scene.h"
+#include "result_scenes.h"
+#include "same_result.h"
+
+namespace frana::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ResultTable : public ResultScenes {};
+
+// Plates are drawn from whatever the result holds.
+TEST_F(ResultTable, PlatesOfTheNewResultAreAFreshOnes) {
+    const std::string text =
+        k_voellmy + "[output]\nmaps = off\nanimation = off\n[scar]\nperimeter = scar.geojson\n";
+    run(text + k_entrainment, "old");
+    run(text, "fresh");
+    render({"--plates", "--size", "1600x1200", "--format", "png", "--format", "pdf"});
+    run(text, "old", {"--overwrite"});
+    EXPECT_FALSE(exists("old/plates"));
+    render({"--plates", "--size", "1600x1200"});
+    fs::rename(path("old"), path("plated"));
+    fs::rename(path("fresh"), path("old"));
+    render({"--plates", "--size", "1600x1200"});
+    EXPECT_GT(expect_same_files(path("old"), path("plated")), 20U);
+}
+
+// A row says when its raster comes: every scene that asks for it has it, and no other.
+TEST_F(ResultTable, EveryResultHasTheRastersOfTheTable) {
+    const std::map<std::string, std::string> scenes{
+        {"first", k_voellmy + k_entrainment + k_numbers_only + "[hazard]\nscheme = austrian-torrent\n"},
+        {"second", k_structured + k_numbers_only},
+        {"fluid",
+         "[material]\nmodel = structured\n[structured]\nphases = fluid\nmanning = 0.05\n" + k_numbers_only},
+        {"least", k_voellmy + k_numbers_only}};
+    for (const auto& [name, text] : scenes) {
+        run(text, name);
+        const SceneSpec scene = read_scene(path(name + "/scene.ini"), {}, app::materials_directory()).scene;
+        for (const ResultRaster& row : result_rasters()) {
+            if (!row.in_result() || row.command != "run" || row.if_it_happens) continue;
+            EXPECT_EQ(exists(name + "/" + row.name + ".tif"), row.can_come == nullptr || row.can_come(scene))
+                << name << ": " << row.name;
+            if (row.is_drawn()) {
+                EXPECT_EQ(exists(name + "/" + row.name + ".qml"), exists(name + "/" + row.name + ".tif"))
+                    << row.name;
+            }
+        }
+    }
+}
+
+// The words on a map are those of summary.json, not figures of their own.
+TEST_F(ResultTable, MapsShowTheFiguresOfTheSummary) {
+    run(k_voellmy + k_numbers_only, "old");
+    const auto notes = [&] { return joined(app::ResultReader(path("old")).map_source().notes, "; "); };
+    const std::string summary = read_text(path("old/summary.json"));
+    const auto with = [&](const std::string& key, const std::string& value) {
+        const std::size_t at = summary.find("\"" + key + "\": ") + key.size() + 4,
+                          end = summary.find_first_of(",}\n", at);
+        return std::string(summary).replace(at, end - at, value);
+    };
+    write("old/summary.json", with("covered_area_m2", "123456"));
+    EXPECT_NE(notes().find("Covered 123 456 m²"), std::string::npos) << notes();
+    write("old/summary.json", with("horizontal_m", "4321"));
+    EXPECT_NE(notes().find("Run-out 4 321 m"), std::string::npos) << notes();
+    fs::remove(path("old/summary.json"));
+    EXPECT_EQ(notes().find("Run-out"), std::string::npos) << notes();
+    EXPECT_NE(notes().find("Volume"), std::string::npos) << notes();
+    write("old/summary.json", summary.substr(0, summary.size() / 2));
+    EXPECT_THROW(notes(), Error);
+}
+
+TEST_F(ResultTable, MapsThatNoRasterIsMadeForAreRefused) {
+    write_scene(k_voellmy + k_entrainment +
+                "[output]\nmaps = eroded_depth, solid_depth, max_depth_3d, hazard\n");
+    const Outcome outcome = frana({"check", "scene.ini"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    for (const std::string name :
+         {"solid_depth comes with the structured model", "hazard comes with `[hazard] scheme`"})
+        EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("eroded_depth"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace frana::test
