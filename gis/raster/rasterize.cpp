@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gis/raster/rasterize.h"
 
-#include <cpl_string.h>
 #include <gdal_alg.h>
 #include <ogrsf_frmts.h>
 
@@ -9,7 +8,6 @@
 #include <memory>
 
 #include "core/error.h"
-#include "core/json.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/memory_dataset.h"
 #include "gis/vector/polygon_geometry.h"
@@ -90,32 +88,6 @@ MultiPolygon polygonise(const Raster& mask) {
         if (auto polygon = from_ogr(*geometry->toPolygon())) outlines.push_back(std::move(*polygon));
     }
     return outlines;
-}
-
-std::vector<Polyline> contour_lines(const Raster& raster, double interval, double base) {
-    const GdalSession session;
-    Raster copy = raster;
-    const GdalDataset dataset = on_grid(copy);
-    const MemoryLayer lines = memory_layer(wkbLineString, "value");
-    CPLStringList options;
-    options.SetNameValue("LEVEL_INTERVAL", shortest_text(interval).c_str());
-    options.SetNameValue("LEVEL_BASE", shortest_text(base).c_str());
-    options.SetNameValue("NODATA", "nan");
-    options.SetNameValue("ELEV_FIELD", "0");
-    if (GDALContourGenerateEx(GDALGetRasterBand(dataset.get(), 1), OGRLayer::ToHandle(lines.layer),
-                              options.List(), nullptr, nullptr) != CE_None) {
-        throw fault("contour lines cannot be drawn", session);
-    }
-    std::vector<Polyline> found;
-    for (const auto& feature : *lines.layer) {
-        const OGRGeometry* geometry = feature->GetGeometryRef();
-        if (!geometry || wkbFlatten(geometry->getGeometryType()) != wkbLineString) continue;
-        const OGRLineString& from = *geometry->toLineString();
-        Polyline line;
-        for (int i = 0; i < from.getNumPoints(); ++i) line.push_back({from.getX(i), from.getY(i)});
-        found.push_back(std::move(line));
-    }
-    return found;
 }
 
 }  // namespace frana::gis

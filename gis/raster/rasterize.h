@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
-
 #include "core/geometry.h"
 #include "core/raster.h"
 
@@ -14,8 +12,5 @@ Raster coverage(const MultiPolygon& polygons, const GridSpec& grid);
 /// Outlines along cell edges of all cells that are neither 0 nor NaN, with holes; cells that touch only at a
 /// corner belong to different polygons.
 MultiPolygon polygonise(const Raster& mask);
-
-/// Lines of equal value at base + k * interval, in map coordinates, through the cells' centres.
-std::vector<Polyline> contour_lines(const Raster& raster, double interval, double base);
 
 }  // namespace frana::gis

@@ -55,22 +55,5 @@ TEST(Polygonise, CornersDoNotJoinAndNoDataIsOutside) {
     EXPECT_TRUE(polygonise(Raster(k_grid, 0.0)).empty());
 }
 
-TEST(ContourLines, FollowAnInclinedPlane) {
-    Raster plane(k_grid);
-    for (int row = 0; row < k_grid.rows; ++row) {
-        for (int column = 0; column < k_grid.columns; ++column) {
-            plane.at(row, column) = 100 + 0.4 * (k_grid.cell_centre(row, column).x - k_grid.west);
-        }
-    }
-    const std::vector<Polyline> lines = contour_lines(plane, 10, 0);
-    ASSERT_EQ(lines.size(), 3U);  // 110, 120, 130 of 101 to 139
-    for (const Polyline& line : lines) {
-        for (const Point& point : line) {
-            const double height = 100 + 0.4 * (point.x - k_grid.west);
-            ASSERT_NEAR(height / 10, std::round(height / 10), 1e-6);  // GDAL interpolates in double
-        }
-    }
-}
-
 }  // namespace
 }  // namespace frana::gis
