@@ -7,6 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -45,6 +47,38 @@ Outcome run_program(const std::string& folder, const std::vector<std::string>& a
     return outcome;
 }
 
+namespace {
+
+using Tree = boost::property_tree::ptree;
+
+std::vector<Tree> find_in(const std::string& json, const std::string& key) {
+    Tree root;
+    try {
+        std::istringstream stream(json);
+        boost::property_tree::read_json(stream, root);
+    } catch (const boost::property_tree::json_parser_error& error) {
+        ADD_FAILURE() << "no JSON: " << error.what() << "\n" << json;
+        return {};
+    }
+    if (key.find('.') != std::string::npos) {
+        const auto child = root.get_child_optional(key);
+        return child ? std::vector<Tree>{*child} : std::vector<Tree>{};
+    }
+    for (std::vector<Tree> level{root}; !level.empty();) {
+        std::vector<Tree> found, next;
+        for (const Tree& tree : level)
+            for (const auto& [name, child] : tree) {
+                if (name == key) found.push_back(child);
+                next.push_back(child);
+            }
+        if (!found.empty()) return found;
+        level = std::move(next);
+    }
+    return {};
+}
+
+}  // namespace
+
 std::string read_text(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::stringstream content;
@@ -52,18 +86,22 @@ std::string read_text(const std::string& path) {
     return content.str();
 }
 
+std::string json_text(const std::string& json, const std::string& key) {
+    const std::vector<Tree> found = find_in(json, key);
+    EXPECT_EQ(found.size(), 1U) << key << " in\n" << json;
+    return found.size() == 1 ? found.front().data() : "";
+}
+
 double json_number(const std::string& json, const std::string& key) {
-    const std::string name = "\"" + key + "\": ";
-    const auto place = json.find(name);
-    if (place == std::string::npos) {
-        ADD_FAILURE() << "no key " << key << " in\n" << json;
-        return 0;
-    }
+    const std::string text = json_text(json, key);
     char* end = nullptr;
-    const char* begin = json.c_str() + place + name.size();
-    const double value = std::strtod(begin, &end);
-    EXPECT_NE(begin, end) << key << " is no number in\n" << json;
+    const double value = std::strtod(text.c_str(), &end);
+    EXPECT_TRUE(!text.empty() && *end == '\0') << key << " is no number in\n" << json;
     return value;
+}
+
+bool json_has(const std::string& json, const std::string& key) {
+    return !find_in(json, key).empty();
 }
 
 }  // namespace frana::test

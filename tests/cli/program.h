@@ -27,7 +27,12 @@ Outcome run_program(const std::string& folder, const std::vector<std::string>& a
 
 std::string read_text(const std::string& path);
 
-/// The number that follows "key": in a JSON text; fails the test when there is none.
+/// The value in a JSON text by its path ("runout.drop_m"), or by its name where only one value nearest the root has it;
+/// "null" where it is null. Fails the test where the text is no JSON, or has no such value, or more than one.
+std::string json_text(const std::string& json, const std::string& key);
+/// The same as a number; fails the test where it is none.
 double json_number(const std::string& json, const std::string& key);
+/// Whether there is such a value, object or list.
+bool json_has(const std::string& json, const std::string& key);
 
 }  // namespace frana::test

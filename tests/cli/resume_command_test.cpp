@@ -112,7 +112,7 @@ TEST_F(Stopped, BySignalsItKeepsWhatThereIsAndGoesOn) {
             EXPECT_NE(outcome.err.find("--resume goes on"), std::string::npos) << outcome.err;
         }
         const std::string summary = read_text(path(result + "/summary.json"));
-        EXPECT_NE(summary.find("\"stop_reason\": \"requested\""), std::string::npos);
+        EXPECT_EQ(json_text(summary, "stop_reason"), "requested");
         EXPECT_NE(summary.find("the maps are not complete"), std::string::npos);
         EXPECT_TRUE(fs::exists(path(result + "/max_depth.tif")));
         ASSERT_EQ(checkpoints(result).size(), 1U);

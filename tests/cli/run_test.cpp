@@ -97,7 +97,7 @@ TEST_F(RunCommand, WritesEveryFileOfTheContract) {
                                   "drop_m",
                                   "reach_angle_deg",
                                   "hard_events"})
-        EXPECT_NE(summary.find("\"" + key + "\": "), std::string::npos) << key;
+        EXPECT_TRUE(json_has(summary, key)) << key;
     EXPECT_EQ(json_number(summary, "columns"), 60);
     EXPECT_EQ(json_number(summary, "cell_size"), 5);
     // 50 m x 40 m x 2 m; the outline's corners lie on cell edges, so the lattice fills it exactly but for
@@ -112,7 +112,7 @@ TEST_F(RunCommand, WritesEveryFileOfTheContract) {
          {"threshold_m", "observed_area_m2", "simulated_area_m2", "area_difference_percent", "hit_m2",
           "false_alarm_m2", "miss_m2", "jaccard", "dice", "csi", "true_positive_rate", "false_positive_rate",
           "d2pc", "auroc", "runout_difference_m"})
-        EXPECT_NE(comparison.find("\"" + key + "\": "), std::string::npos) << key;
+        EXPECT_TRUE(json_has(comparison, key)) << key;
     EXPECT_EQ(json_number(comparison, "observed_area_m2"), 165 * 50);
 }
 
@@ -195,7 +195,7 @@ TEST_F(RunCommand, ASignalWritesWhatThereIs) {
         2000);
     EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));
-    EXPECT_NE(summary.find("\"stop_reason\": \"requested\""), std::string::npos);
+    EXPECT_EQ(json_text(summary, "stop_reason"), "requested");
     EXPECT_TRUE(fs::exists(path("result/max_depth.tif")));
 }
 
@@ -217,8 +217,7 @@ TEST_F(RunCommand, GroundWithoutElevationStopsWallsOrIsFilled) {
     const Outcome stopped = frana({"run", "scene.ini", "--out", "stop", "--set", "time.end=60"});
     EXPECT_EQ(stopped.exit_code, 3) << stopped.err;
     EXPECT_NE(stopped.err.find("ground without elevation"), std::string::npos) << stopped.err;
-    EXPECT_NE(read_text(path("stop/summary.json")).find("\"stop_reason\": \"reached-no-data\""),
-              std::string::npos);
+    EXPECT_EQ(json_text(read_text(path("stop/summary.json")), "stop_reason"), "reached-no-data");
 
     const Outcome wall =
         frana({"run", "scene.ini", "--out", "wall", "--quiet", "--set", "terrain.nodata-policy=wall"});
@@ -234,7 +233,7 @@ TEST_F(RunCommand, PlainMetresWithoutACrs) {
     const Outcome outcome =
         frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "terrain.crs=local"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(read_text(path("result/summary.json")).find("\"crs\": \"local\""), std::string::npos);
+    EXPECT_EQ(json_text(read_text(path("result/summary.json")), "crs"), "local");
     EXPECT_EQ(gis::read_result_raster(path("result/max_depth.tif")).grid.crs_wkt, "");
     const Outcome drawn = frana({"render", "result", "--map", "max_depth", "--size", "800x600"});
     EXPECT_EQ(drawn.exit_code, 0) << drawn.err;

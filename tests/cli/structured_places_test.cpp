@@ -62,10 +62,7 @@ class StructuredPlaces : public TinyScene {
         return frana(arguments);
     }
     [[nodiscard]] double number(const std::string& key) const {
-        const std::string text = read_text(path("result/summary.json"));
-        const auto at = text.find('"' + key + '"');
-        EXPECT_NE(at, std::string::npos) << key;
-        return std::stod(text.substr(text.find(':', at) + 1));
+        return json_number(read_text(path("result/summary.json")), key);
     }
     [[nodiscard]] Points start() const { return read_points(path("result/frames/particles_0000.gpkg")); }
 };
