@@ -56,9 +56,8 @@ enum class Field : unsigned char {
     push_y,       // acceleration that the grid gives through the present step
     flatness,     // 1 / (1 + |grad b|^2) of the bed
     submergence,  // share of the pores that free fluid fills
-    released,
-    released_x,
-    released_y,  // confined fluid set free in the present step, and its volume times velocity
+    released,     // of the confined fluid, what the present step has set free
+    divergence,   // of the velocity, in the last substep
     count
 };
 inline constexpr std::size_t k_fields = static_cast<std::size_t>(Field::count);
@@ -107,8 +106,7 @@ inline constexpr std::array<FieldInfo, k_fields> k_field_table{{
     {"flatness", "-", 1},
     {"submergence", "-", 0},
     {"released", "m3", 0},
-    {"released_x", "m4/s", 0},
-    {"released_y", "m4/s", 0},
+    {"divergence", "1/s", 0},
 }};
 
 /// A set of fields, as bits.

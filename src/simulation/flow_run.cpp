@@ -378,6 +378,7 @@ RunResult FlowRun<AnyFlow>::finish() {
     result.bytes_per_node = static_cast<std::int64_t>(flow_.bytes_per_node());
     result.volume_final = flow_.volume();
     result.volume_left = flow_.volume_left();
+    if constexpr (requires { flow_.phase_budget(); }) result.phases = flow_.phase_budget();
     if (!arrivals_.done())
         result.notes.emplace_back("the run ended before everything had failed or flowed in");
     give_exchanges(scene_, flow_, result);

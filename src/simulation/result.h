@@ -178,6 +178,29 @@ void serialise(Archive& archive, SectionRow& row) {
     archive(time, section, discharge, volume, width, depth, speed);
 }
 
+/// Volumes of what a structured flow consists of [m3].
+struct PhaseVolumes {
+    double solids = 0;    ///< grains alone
+    double confined = 0;  ///< fluid that the structure holds
+    double free = 0;      ///< fluid that it does not
+
+    [[nodiscard]] double sum() const noexcept { return solids + confined + free; }
+};
+
+template <class Archive>
+void serialise(Archive& archive, PhaseVolumes& volumes) {
+    auto& [solids, confined, free] = volumes;
+    archive(solids, confined, free);
+}
+
+/// Where they went: what came in, as it came, is what is inside, has left, or changed from confined to free.
+struct PhaseBudget {
+    PhaseVolumes entered, inside, left;
+    double released = 0;         ///< confined fluid that became free [m3]
+    double cohesion_left = 0;    ///< of the solids inside, mean by volume, of 1; 0 without cohesion
+    double rms_apart = 0;        ///< between the velocities of both phases where both are, weighted by fluid, at the end [m/s]
+};
+
 /// What a run gives back: rasters on the working grid (NaN where nothing ever flowed), series, counts.
 struct RunResult {
     Raster bed;           ///< what was slid over [m]
@@ -205,6 +228,7 @@ struct RunResult {
     double volume_initial = 0, volume_final = 0, volume_left = 0;  ///< [m3]
     double volume_entered = 0;  ///< all that was ever inside: initial, released later, flowed in [m3]
     double volume_inflow = 0;   ///< of which flowed in through lines [m3]
+    std::optional<PhaseBudget> phases;   ///< of solids and fluid in the structured model; none without solids
     std::vector<ReleasedArea> released;  ///< in the order of Scene::release
     bool exchanges = false;  ///< whether the scene erodes or deposits; the next lines are empty otherwise
     Raster eroded_depth, deposited_depth;            ///< vertical [m], NaN where none

@@ -102,6 +102,7 @@ struct StructuredMaterial {
     double mobility = 1;           ///< A of the enhanced stress [-]
     double solids_shape = 2;       ///< zeta [-]
     double manning = 0.1;          ///< n [s/m^(1/3)]
+    bool manning_on_total = false;  ///< by the depth of everything; false: of the free fluid
     double dry_depth = 1e-4;       ///< [m]
 
     double solid_fraction = 0.5;                       ///< of what is released [-]
@@ -114,12 +115,20 @@ struct StructuredMaterial {
     double sin_dilatancy = 0;                          ///< sin(psi) [-]
     double young_modulus = 12e6, bulk_modulus = 23e6;  ///< [Pa]
     double critical_strain = 0.05;                     ///< eps_c [-]
-    bool damage_by_distortion = false;                 ///< false: by opening
+    bool damage_by_distortion = true;                  ///< false: by opening
+    double initial_structured = 1;                     ///< f_sc of whole material [-]
+    bool yield_on_own_stress = false;                  ///< without the overburden
+    bool broken_is_elastic = false;                    ///< false: it carries its earth pressure alone
+    double softening = 1;                              ///< divides both moduli [-]
+    double pic_share = 0;                              ///< [-]
     enum class EarthPressure { hydrostatic, active, passive } earth_pressure = EarthPressure::hydrostatic;
     double pore_pressure_share = 0;  ///< B [-]
     int drag_exponent = 2;           ///< j: 1 or 2
     double richardson_zaki = 2.4;    ///< M [-]
-    double smoothing_velocity = 0;   ///< K of the drag [m/s]; 0: the mixture's flux
+    double smoothing_velocity = 1;   ///< K of the drag [m/s]; 0: the mixture's flux
+    bool exponent_by_grains = false;  ///< M from the grains' Reynolds number
+    bool mixing_by_solids = false;    ///< P of the drag: alpha_s^m; false: the paper's quotient
+    double mixing_exponent = 1;       ///< m of P [-]
     double block_size = 0;           ///< d_sc [m]; 0: the local depth
     double sound_speed = 0;          ///< of the artificial viscosity [m/s]; 0: the elastic waves'
     enum class VirtualMass {

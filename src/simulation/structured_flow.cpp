@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/structured/solid/column_state.h"
 #include "simulation/structured_laws.h"
 
 namespace frana {
@@ -19,7 +20,10 @@ NodeGrid walled(const Ground& ground, const std::optional<Raster>& walls) {
 }
 
 SolidStages stages_for(const StructuredMaterial& material) {
-    return structured::choose_solid_stages(can_fracture(material), has_fluid(material));
+    SolidStages stages = structured::choose_solid_stages(can_fracture(material), has_fluid(material));
+    if (material.earth_pressure == StructuredMaterial::EarthPressure::passive)
+        stages.fields = stages.fields | structured::k_passive_fields;
+    return stages;
 }
 
 // Columns of whole thickness as particles of solids with what they hold.
@@ -88,6 +92,7 @@ void StructuredFlow::receive_lying() {
         for (std::int64_t column = 0; column < grid_.columns; ++column)
             if (depth.at(row, column) > 0)
                 sources.push_back({state_.grid.index(column, grid_.rows - 1 - row), depth.at(row, column), 0, 0});
+    for (const FluidSource& source : sources) entered_.free += source.depth * grid_.cell_area();
     state_.fluid->volume_left += structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
 }
 
@@ -105,6 +110,11 @@ void StructuredFlow::receive(const ParticleSet& particles, bool columns) {
             released_volume_ += volume;
         }
         const double share = columns && material_.solids ? solid.free() : 1;
+        if (columns && material_.solids) {
+            entered_.solids += volume * solid.solid_fraction;
+            entered_.confined += volume * solid.held();
+        }
+        entered_.free += share * volume;
         if (!state_.fluid || !(share > 0)) continue;
         if (!state_.grid.bounds().holds(place.x, place.y)) {
             state_.fluid->volume_left += share * volume;
@@ -163,6 +173,37 @@ double StructuredFlow::volume_left() const noexcept {
     return fluid + solid + state_.released_outside;
 }
 
+std::optional<PhaseBudget> StructuredFlow::phase_budget() {
+    if (!state_.solid) return std::nullopt;
+    PhaseBudget budget;
+    budget.entered = entered_;
+    budget.released = state_.released;
+    budget.left = {state_.solid->left.solids, state_.solid->left.confined, state_.released_outside};
+    const ParticleSet& p = state_.solid->particles;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        budget.inside.solids += p[Field::volume][i];
+        if (p[Field::confined] != nullptr) budget.inside.confined += p[Field::confined][i];
+        if (p[Field::cohesion_ratio] != nullptr)
+            budget.cohesion_left += p[Field::volume][i] * p[Field::cohesion_ratio][i];
+    }
+    if (budget.inside.solids > 0) budget.cohesion_left /= budget.inside.solids;
+    if (!state_.fluid) return budget;
+    budget.inside.free = structured::fluid_volume(*state_.fluid, state_.grid, pool_);
+    budget.left.free += state_.fluid->volume_left;
+    double weight = 0, sum = 0;
+    for_each_active_node([&](std::size_t cell) {
+        const double h = fluid_depth(cell), least = numerics_.minimum_depth;
+        const structured::SolidNodes& nodes = state_.solid->nodes;
+        if (!(h >= least && nodes.depth[cell] >= least)) return;
+        const double du = state_.fluid->now.qx[cell] / h - nodes.u[cell];
+        const double dv = state_.fluid->now.qy[cell] / h - nodes.v[cell];
+        weight += h;
+        sum += h * (du * du + dv * dv);
+    });
+    if (weight > 0) budget.rms_apart = std::sqrt(sum / weight);
+    return budget;
+}
+
 std::int64_t StructuredFlow::particle_count() const noexcept {
     return state_.solid ? static_cast<std::int64_t>(state_.solid->particles.size()) : 0;
 }
@@ -178,7 +219,7 @@ std::size_t StructuredFlow::bytes_per_node() const noexcept {
     if (state_.fluid) bytes += k_fluid_values * sizeof(double) + 1 + (laws_.fluid.steep ? sizeof(double) : 0);
     if (state_.solid)
         bytes += sizeof(structured::SolidSums) + sizeof(structured::NodePush) + k_solid_values * sizeof(double) + 2 +
-                 (state_.fluid ? sizeof(structured::CouplingSums) : 0);
+                 (state_.fluid ? sizeof(structured::CouplingSums) + 2 * sizeof(double) : 0);
     return bytes;
 }
 

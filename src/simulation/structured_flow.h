@@ -51,6 +51,8 @@ class StructuredFlow {
     /// Solids and all fluid inside [m3].
     [[nodiscard]] double volume();
     [[nodiscard]] double volume_left() const noexcept;
+    /// What became of solids and fluid; none of a scene without solids.
+    [[nodiscard]] std::optional<PhaseBudget> phase_budget();
     /// Mean of what was released so far, solids and fluid together [kg/m3]; of fluid where only fluid came
     /// in.
     [[nodiscard]] double density() const;
@@ -102,8 +104,8 @@ class StructuredFlow {
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, origin,
-                                moving_speed, released_mass, released_volume, steps, particle_steps] = *this;
-        archive(state, maxima, released_mass, released_volume, steps, particle_steps);
+                                moving_speed, released_mass, released_volume, entered, steps, particle_steps] = *this;
+        archive(state, maxima, released_mass, released_volume, entered, steps, particle_steps);
         if constexpr (Archive::k_reads) {
             if (state.fluid) structured::set_ground(*state.fluid, state.grid, laws.fluid);
         }
@@ -139,6 +141,7 @@ class StructuredFlow {
     Point origin_;
     double moving_speed_ = 0;
     double released_mass_ = 0, released_volume_ = 0;  // [kg], [m3]
+    PhaseVolumes entered_;
     std::int64_t steps_ = 0, particle_steps_ = 0;
 };
 

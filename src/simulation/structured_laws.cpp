@@ -21,6 +21,7 @@ structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& nu
     laws.wall = numerics.boundary == Boundary::wall;
     laws.gaps_are_open = numerics.nodata == NodataPolicy::stop;
     laws.manning = m.manning;
+    laws.manning_on_total = m.manning_on_total;
     laws.density = m.fluid_density;
     laws.viscosity = m.fluid_viscosity;
     laws.viscosity_growth = m.viscosity_growth;
@@ -51,6 +52,10 @@ structured::SolidMaterial material_of_cell(const StructuredMaterial& m, std::siz
 double coupled_density(const StructuredMaterial& m, const structured::SolidMaterial& solid) {
     return (solid.solid_fraction * solid.grain_density + solid.held() * m.fluid_density) /
            (solid.solid_fraction + solid.held());
+}
+
+structured::Elasticity elasticity(const StructuredMaterial& m) {
+    return structured::Elasticity::from_young_and_bulk(m.young_modulus / m.softening, m.bulk_modulus / m.softening);
 }
 
 // Elastic waves are fastest in the lightest.
@@ -119,7 +124,7 @@ structured::SolidMaterial material_at(const StructuredMaterial& m, const GridSpe
 
 double recoil_speed(const StructuredMaterial& m, std::size_t cells) {
     if (!m.solids) return 0;
-    const auto waves = structured::Elasticity::from_young_and_bulk(m.young_modulus, m.bulk_modulus);
+    const structured::Elasticity waves = elasticity(m);
     double greatest = 0;
     for (std::size_t cell = 0; cell < (m.zones.any() ? cells : 1); ++cell) {
         const structured::SolidMaterial solid = material_of_cell(m, cell);
@@ -138,11 +143,15 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     structured::SolidLaws& solid = laws.solid;
     solid.gravity = numerics.gravity;
     solid.steep = laws.fluid.steep;
-    solid.elastic = structured::Elasticity::from_young_and_bulk(m.young_modulus, m.bulk_modulus);
+    solid.elastic = elasticity(m);
     solid.sin_dilatancy = m.sin_dilatancy;
     solid.earth_pressure = law_of(m.earth_pressure);
     solid.basal = {numerics.gravity, has_fluid(m) ? m.fluid_density : 0, m.pore_pressure_share};
     solid.fractures = can_fracture(m);
+    solid.initial_structured = m.initial_structured;
+    solid.strength_of_particle_stress = m.yield_on_own_stress;
+    if (m.broken_is_elastic) solid.broken = structured::BrokenMaterial::elastic;
+    solid.pic_share = m.pic_share;
     solid.fragmentation.critical_strain = m.critical_strain;
     solid.fragmentation.measure =
         m.damage_by_distortion ? structured::DamageMeasure::equivalent : structured::DamageMeasure::volumetric;
@@ -156,6 +165,9 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     coupling.drag.fluid.density = m.fluid_density;
     coupling.drag.exponent = m.drag_exponent;
     coupling.drag.richardson_zaki = m.richardson_zaki;
+    if (m.exponent_by_grains) coupling.drag.exponent_of = structured::RichardsonZaki::by_grains;
+    if (m.mixing_by_solids) coupling.drag.mixing = structured::DragMixing::solids_fraction;
+    coupling.drag.mixing_exponent = m.mixing_exponent;
     coupling.drag.smoothing_velocity = m.smoothing_velocity;
     coupling.virtual_mass.law = law_of(m.virtual_mass);
     coupling.block_size = m.block_size;

@@ -84,6 +84,7 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     m.mobility = s.mobility;
     m.solids_shape = s.solids_shape;
     m.manning = s.manning;
+    m.manning_on_total = s.manning_depth == "total";
     m.dry_depth = s.dry_depth;
     m.spread_evenly = s.placement == "r2";
     set(m.solid_fraction, constant(s.solid_fraction));
@@ -98,13 +99,21 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     m.bulk_modulus = s.bulk_modulus;
     m.critical_strain = s.critical_strain;
     m.damage_by_distortion = s.damage == "equivalent-plastic";
+    m.initial_structured = s.initial_structured_share;
+    m.yield_on_own_stress = s.yield_check == "particle";
+    m.broken_is_elastic = s.broken_material == "elastic";
+    m.softening = s.softening;
+    m.pic_share = s.pic_share;
     m.earth_pressure = s.earth_pressure == "active"           ? StructuredMaterial::EarthPressure::active
                        : s.earth_pressure == "active-passive" ? StructuredMaterial::EarthPressure::passive
                                                               : StructuredMaterial::EarthPressure::hydrostatic;
     m.pore_pressure_share = s.pore_pressure_share;
     m.drag_exponent = s.drag_exponent > 1 ? 2 : 1;
     m.richardson_zaki = s.richardson_zaki;
-    set(m.smoothing_velocity, s.smoothing_velocity);
+    m.smoothing_velocity = s.smoothing_velocity;
+    m.exponent_by_grains = s.richardson_zaki_law == "by-grains";
+    m.mixing_by_solids = s.drag_mixing == "solids-fraction";
+    m.mixing_exponent = s.drag_mixing_exponent;
     set(m.block_size, s.block_size);
     set(m.sound_speed, s.sound_speed);
     using VirtualMass = StructuredMaterial::VirtualMass;

@@ -131,6 +131,20 @@ std::string budget_table(const RunResult& r) {
     if (r.exchanges)
         table.number("Eroded from the bed", grouped(r.volume_eroded), "m³")
             .number("Deposited on the bed", grouped(r.volume_deposited), "m³");
+    if (r.phases)
+        table.number("Solids: came in, inside at the end, left",
+                     grouped(r.phases->entered.solids) + ", " + grouped(r.phases->inside.solids) + ", " +
+                         grouped(r.phases->left.solids),
+                     "m³")
+            .number("Confined water: came in, set free, inside at the end, left",
+                    grouped(r.phases->entered.confined) + ", " + grouped(r.phases->released) + ", " +
+                        grouped(r.phases->inside.confined) + ", " + grouped(r.phases->left.confined),
+                    "m³")
+            .number("Free water: came in, inside at the end, left",
+                    grouped(r.phases->entered.free) + ", " + grouped(r.phases->inside.free) + ", " +
+                        grouped(r.phases->left.free),
+                    "m³")
+            .number("Cohesion left, mean of the solids inside", figure(r.phases->cohesion_left, 3), "of 1");
     return table.number("Inside at the end", grouped(r.volume_final), "m³")
         .number("Left the computed ground", grouped(r.volume_left), "m³")
         .number("Error of the budget", figure(relative_volume_error(r), 2), "of all that came in")

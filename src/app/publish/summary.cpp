@@ -49,6 +49,20 @@ void write_cost(JsonWriter& json, const RunResult& result, const SummaryFacts& f
     json.integer("peak_memory_bytes", facts.peak_memory_bytes);
 }
 
+void write_phases(JsonWriter& json, const PhaseBudget& budget) {
+    const auto volumes = [&](const char* name, const PhaseVolumes& v) {
+        json.begin_object(name).number("solids_m3", v.solids).number("confined_water_m3", v.confined);
+        json.number("free_water_m3", v.free).end_object();
+    };
+    json.begin_object("phases");
+    volumes("entered", budget.entered);
+    volumes("inside", budget.inside);
+    volumes("left_domain", budget.left);
+    json.number("released_water_m3", budget.released);
+    json.number("cohesion_left", budget.cohesion_left);
+    json.number("rms_velocity_difference_ms", budget.rms_apart).end_object();
+}
+
 void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts& facts) {
     json.begin_object("volume")
         .number("initial_m3", result.volume_initial)
@@ -62,6 +76,7 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
         json.number("eroded_m3", result.volume_eroded).number("deposited_m3", result.volume_deposited);
     json.number("relative_error", relative_volume_error(result));
     json.end_object();
+    if (result.phases) write_phases(json, *result.phases);
     if (result.exchanges) json.number("deposited_momentum_kg_m_s", result.momentum_deposited);
     if (curvature(facts.spec.numerics)) json.integer("unsupported_node_steps", result.unsupported);
     if (result.jumps) {

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "bench/set_up/lattice.h"
+#include "models/structured/solid/column_state.h"
 #include "models/structured/solid/placement.h"
 #include "models/structured/step.h"
 
@@ -55,7 +56,9 @@ struct SolidBlock {
         laws.solid.wave_speed = laws.solid.elastic.wave_speed(lightest);
         laws.solid.viscosity.length = laws.solid.kernel.length();
         laws.solid.viscosity.sound = laws.solid.wave_speed;
-        const structured::SolidStages stages = structured::choose_solid_stages(material.cohesion > 0, wet);
+        structured::SolidStages stages = structured::choose_solid_stages(material.cohesion > 0, wet);
+        if (laws.solid.earth_pressure == structured::EarthPressure::passive)
+            stages.fields = stages.fields | structured::k_passive_fields;
         const auto of_place = [this](Point) { return material; };
         const ParticleSet solids =
             structured::give_material(structured::split_phases(columns, of_place), stages.fields, of_place);

@@ -91,6 +91,7 @@ struct StructuredSpec {
     std::optional<std::string> phases;
     double fluid_density = 1000, fluid_viscosity = 0, viscosity_growth = 10, velocity_shape = 3;
     double mobility = 1, solids_shape = 2, manning = 0.1, dry_depth = 1e-4;
+    std::string manning_depth = "free";
     std::optional<std::string> zones;
     std::optional<SourceSpec> initial_fluid_depth;
     std::string placement = "lattice";
@@ -101,10 +102,14 @@ struct StructuredSpec {
     std::optional<SourceSpec> cohesion, internal_friction_angle, bed_friction_angle;
     double dilatancy_angle = 0, young_modulus = 12e6, bulk_modulus = 23e6;
     double critical_strain = 0.05;
-    std::string damage = "volumetric", earth_pressure = "hydrostatic";
+    std::string damage = "equivalent-plastic", earth_pressure = "hydrostatic";
+    double initial_structured_share = 1, softening = 1, pic_share = 0;
+    std::string yield_check = "total", broken_material = "earth-pressure";
     double pore_pressure_share = 0;
     double drag_exponent = 2, richardson_zaki = 2.4;
-    std::optional<double> smoothing_velocity, block_size, sound_speed;
+    double smoothing_velocity = 1, drag_mixing_exponent = 1;
+    std::string richardson_zaki_law = "constant", drag_mixing = "quotient";
+    std::optional<double> block_size, sound_speed;
     std::string virtual_mass = "pudasaini-2012";
     double linear_viscosity = 1, quadratic_viscosity = 1, artificial_stress = 0.5;
 };

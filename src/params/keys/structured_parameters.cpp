@@ -31,6 +31,9 @@ void add_fluid(std::vector<Parameter>& list) {
                           "Shape of the velocity over depth, chi, in the viscous shear at the bed."));
     list.push_back(number("structured.manning", FRANA_MEMBER(structured.manning), "s/m^(1/3)", Range{0, 1},
                           "Manning's n of the ground under free fluid; 0: smooth."));
+    list.push_back(choice("structured.manning-depth", FRANA_MEMBER(structured.manning_depth), {"free", "total"},
+                          "The depth that Manning's law reads where there are solids: the free fluid's, or "
+                          "that of everything."));
     list.push_back(by_place("structured.initial-fluid-depth", FRANA_MEMBER(structured.initial_fluid_depth),
                             "m", Range{0, 1000},
                             "Depth of free fluid that lies on the ground or on the solids at the start, "
@@ -67,7 +70,8 @@ void add_solids(std::vector<Parameter>& list) {
                "Where particles stand at the start: on a square lattice, or in each cell as many as its "
                "depth calls for along the R2 sequence."));
     list.push_back(number("structured.dilatancy-angle", FRANA_MEMBER(structured.dilatancy_angle), "degrees",
-                          Range{0, 30}, "Dilatancy angle of plastic flow."));
+                          Range{0, 5}, "Dilatancy angle of plastic flow; with more, a column pressed from its sides would "
+                          "widen without end."));
     list.push_back(number("structured.young-modulus", FRANA_MEMBER(structured.young_modulus), "Pa",
                           Range{1e3, 1e13}, "Young's modulus E; under 9 times the bulk modulus."));
     list.push_back(number("structured.bulk-modulus", FRANA_MEMBER(structured.bulk_modulus), "Pa",
@@ -76,8 +80,18 @@ void add_solids(std::vector<Parameter>& list) {
                           Range{1e-6, 10},
                           "Strain of yielding material at which half of the cohesion is lost."));
     list.push_back(choice("structured.damage", FRANA_MEMBER(structured.damage),
-                          {"volumetric", "equivalent-plastic"},
-                          "What counts as that strain: opening, or distortion."));
+                          {"equivalent-plastic", "volumetric"},
+                          "What counts as that strain: distortion, or opening alone."));
+    list.push_back(number("structured.initial-structured-share",
+                          FRANA_MEMBER(structured.initial_structured_share), "", Range{0, 1},
+                          "Share of the solids that is structured in whole material."));
+    list.push_back(choice("structured.yield-check", FRANA_MEMBER(structured.yield_check), {"total", "particle"},
+                          "The stress that the strength is compared with: with the overburden, whose vertical "
+                          "part stays as the weight gives it, or the strained material's own alone."));
+    list.push_back(choice("structured.broken-material", FRANA_MEMBER(structured.broken_material),
+                          {"earth-pressure", "elastic"},
+                          "Stress of material without cohesion: its earth pressure, or elastic and frictional "
+                          "as while it is whole."));
     list.push_back(
         choice("structured.earth-pressure", FRANA_MEMBER(structured.earth_pressure),
                {"hydrostatic", "active", "active-passive"},
@@ -93,6 +107,11 @@ void add_solids(std::vector<Parameter>& list) {
     list.push_back(number("structured.artificial-sound-speed", FRANA_MEMBER(structured.sound_speed), "m/s",
                           Range{0, 1e5, true}, "Speed of sound in the artificial viscosity.",
                           "that of the elastic waves"));
+    list.push_back(number("structured.softening", FRANA_MEMBER(structured.softening), "", Range{1, 100},
+                          "Divides both moduli; elastic waves slow down by its root and substeps become as "
+                          "much longer."));
+    list.push_back(number("structured.pic-share", FRANA_MEMBER(structured.pic_share), "", Range{0, 1},
+                          "Share of the cells' velocity that solids take over in a step."));
     list.push_back(number("structured.artificial-stress", FRANA_MEMBER(structured.artificial_stress), "",
                           Range{0, 1}, "Strength of the stress against clumping in tension."));
 }
@@ -109,8 +128,17 @@ void add_coupling(std::vector<Parameter>& list) {
     list.push_back(exponent);
     list.push_back(number("structured.richardson-zaki", FRANA_MEMBER(structured.richardson_zaki), "",
                           Range{1, 5}, "Richardson and Zaki's exponent M of hindered settling."));
+    list.push_back(choice("structured.richardson-zaki-law", FRANA_MEMBER(structured.richardson_zaki_law),
+                          {"constant", "by-grains"},
+                          "That exponent as given, or from the grains' Reynolds number."));
     list.push_back(number("structured.smoothing-velocity", FRANA_MEMBER(structured.smoothing_velocity), "m/s",
-                          Range{0, 1000, true}, "K of the drag's smoothing term.", "the mixture's flux"));
+                          Range{0, 1000}, "K of the drag's smoothing term; 0: the mixture's flux."));
+    list.push_back(choice("structured.drag-mixing", FRANA_MEMBER(structured.drag_mixing),
+                          {"quotient", "solids-fraction"},
+                          "Fluid-like share of the drag, P: by what solids and fluid are loose, or by the "
+                          "solids' fraction."));
+    list.push_back(number("structured.drag-mixing-exponent", FRANA_MEMBER(structured.drag_mixing_exponent), "",
+                          Range{0, 10}, "Exponent of that share."));
     list.push_back(number("structured.block-size", FRANA_MEMBER(structured.block_size), "m",
                           Range{0, 1000, true}, "Size of structured blocks, for the drag.",
                           "the local depth"));

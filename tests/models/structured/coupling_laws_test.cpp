@@ -56,13 +56,29 @@ TEST(Drag, CoefficientsOfTheStillCell) {
 }
 
 TEST(Drag, DecaysExactly) {
-    // lambda = h C (1 / m_c + 1 / m_u) of the still cell, h = 1 m.
-    const double linear = 171.41 * (1 / 1200.0 + 1 / 500.0), quadratic = 8.5576 * (1 / 1200.0 + 1 / 500.0);
-    EXPECT_NEAR(1 / linear, 2.059, 1e-3);
-    EXPECT_NEAR(quadratic, 0.024247, 1e-6);
-    for (const double dt : {1e-3, 1.0, 1e6}) {
-        EXPECT_DOUBLE_EQ(drag_decay(1, linear, 3, dt), std::exp(-linear * dt));
-        EXPECT_DOUBLE_EQ(drag_decay(2, quadratic, 3, dt), 1 / (1 + quadratic * 3 * dt));
+    // lambda = h C (1 / m_c + 1 / m_u) of the still cell, h = 1 m: from the worked coefficients, and from the law as the
+    // exchange of a cell uses it.
+    Drag worked;
+    for (const auto& [exponent, lambda] : {std::pair{1, 1 / 2.059}, {2, 0.024247}}) {
+        worked.exponent = exponent;
+        EXPECT_NEAR(worked.loose(still_cell(), 0.1, 100, 0.5, 10) * (1 / 1200.0 + 1 / 500.0), lambda, 5e-4 * lambda);
+    }
+    CellPhases cell;
+    cell.solids = cell.free = 0.5;
+    cell.coupled_mass = 1200;
+    cell.coupled_velocity = {1, 0};
+    cell.free_velocity = {4, 0};
+    CouplingLaws laws;
+    laws.virtual_mass.law = VirtualMassLaw::none;
+    laws.drag.smoothing_velocity = 10;
+    for (const int exponent : {1, 2}) {
+        laws.drag.exponent = exponent;
+        const double lambda = laws.drag(still_cell()) * (1 / 1200.0 + 1 / 500.0);
+        for (const double dt : {1e-3, 1.0, 1e6}) {
+            const Point impulse = exchange(laws, cell, dt);
+            const double left = 3 - impulse.x * (1 / 1200.0 + 1 / 500.0);
+            EXPECT_NEAR(left, exponent == 1 ? 3 * std::exp(-lambda * dt) : 3 / (1 + lambda * 3 * dt), 1e-12);
+        }
     }
 }
 

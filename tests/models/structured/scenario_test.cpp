@@ -48,7 +48,7 @@ Outcome slide(double cohesion) {
 }
 
 TEST(Scenario, TheWeakerTheMoreBreaks) {
-    const Outcome strong = slide(5e6), middling = slide(1e5), weak = slide(1e4);
+    const Outcome strong = slide(5e6), middling = slide(2e5), weak = slide(1e4);
     EXPECT_EQ(strong.lost, 0);
     EXPECT_GT(middling.lost, 0);
     EXPECT_GT(weak.lost, 2 * middling.lost);

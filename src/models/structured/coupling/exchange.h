@@ -17,13 +17,14 @@ struct CellPhases {
     double friction = 0;                        ///< greatest shear stress of the bed on the solids [Pa]
     Point coupled_velocity, free_velocity;      ///< u_c before the step, u_u after the fluid's own [m/s]
     Point push;       ///< acceleration of the solids by everything else than friction and fluid drag [m/s2]
-    Point free_push;  ///< acceleration of the fluid by its pressure [m/s2]
+    Point free_push;  ///< acceleration of the fluid by all that acts on it but drag: pressure, stress, resistance [m/s2]
 };
 
 /// Impulse per unit area that the solids gain and the fluid loses over dt by virtual mass and drag [kg/(m s)].
 ///
-/// The virtual mass acts between the accelerations that both would have, the solids' friction at the bed included, so
-/// that solids that the bed holds do not stir a fluid at rest. The drag is then solved exactly for the relative
+/// The virtual mass acts between the accelerations that both would have, the bed's friction on the solids and its
+/// resistance to the fluid included, so that it does nothing where neither speeds up: solids that the bed holds do not stir
+/// a fluid at rest, and a steady stream over them stays as it is. The drag is then solved exactly for the relative
 /// velocity w, with the reduced mass m_r = m_c m_u / (m_c + m_u) + m_v:  lambda = h C / m_r  (drag_decay).
 inline Point exchange(const CouplingLaws& laws, const CellPhases& cell, double dt) noexcept {
     const double fluid_density = laws.drag.fluid.density;

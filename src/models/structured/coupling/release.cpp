@@ -16,7 +16,7 @@ Released release_fluid(SolidState& solid, const NodeGrid& grid, const FluidLaws&
     for (std::size_t p = 0; p < particles.size(); ++p) {
         double& volume = particles[Field::released][p];
         if (!(volume > 0)) continue;
-        double &mx = particles[Field::released_x][p], &my = particles[Field::released_y][p];
+        if (particles[Field::cohesion_ratio][p] == 0) volume = particles[Field::confined][p];  // all, whatever rounding left
         const CubicStencil stencil(particles[Field::x][p], particles[Field::y][p], grid, solid.nodes);
         (stencil.any ? released.inside : released.outside) += volume;
         for (std::size_t b = 0; stencil.any && b < 4; ++b) {
@@ -24,10 +24,12 @@ Released release_fluid(SolidState& solid, const NodeGrid& grid, const FluidLaws&
                 const double w = stencil.weight[b][a] * inverse_area;
                 if (!(w > 0)) continue;
                 const std::size_t cell = stencil.first + b * static_cast<std::size_t>(grid.stride()) + a;
-                sources.push_back({cell, w * volume, w * mx, w * my});
+                const double depth = w * volume;
+                sources.push_back({cell, depth, depth * particles[Field::u][p], depth * particles[Field::v][p]});
             }
         }
-        volume = mx = my = 0;
+        particles[Field::confined][p] -= volume;
+        volume = 0;
     }
     const double refused = receive(sources, fluid, laws) / inverse_area;
     released.inside -= refused;

@@ -13,7 +13,7 @@ struct Released {
 };
 
 /// Gives the confined fluid that particles have set free to the grid, volume and momentum, and clears their accounts.
-/// Reads and writes released*; in the particles' order.
+/// Reads u, v; reads and writes confined and released; in the particles' order.
 Released release_fluid(SolidState& solid, const NodeGrid& grid, const FluidLaws& laws, FluidState& fluid);
 
 }  // namespace frana::structured

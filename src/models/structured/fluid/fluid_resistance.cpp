@@ -51,7 +51,7 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
         v += dt * pull_v;
         // Quadratic: Manning, along the bed. The speed V after the step solves V (1 + dt linear + dt a V) = V*.
         const double n = laws.manning_by_cell.empty() ? laws.manning : laws.manning_by_cell[cell];
-        double speed = u * u + v * v, thickness = h;
+        double speed = u * u + v * v, thickness = laws.manning_on_total ? total : h;
         if (laws.steep) {
             const double climb = half_inverse * (u * (nodes.bed[cell + 1] - nodes.bed[cell - 1]) +
                                                  v * (nodes.bed[cell + up] - nodes.bed[cell - up]));

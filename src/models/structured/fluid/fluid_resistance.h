@@ -22,9 +22,8 @@ double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcep
 ///
 ///     u (1 + dt (R_n + R_v + R_s)) = u* + dt R_s u_c
 ///     R_n = g n^2 V / d^(4/3)                       Manning (paper, equation 46): V the speed along the bed,
-///     d = h_u cos
-///                                                   the thickness normal to it; V = |u|, d = h_u on gentle
-///                                                   ground
+///                                                   d = h_u cos the thickness normal to it, or (h_u + h_c) cos;
+///                                                   V = |u|, d = h_u on gentle ground
 ///     R_v = chi nu / h^2                            viscous shear at the bed (equation 56)
 ///     R_s = nu_A zeta alpha_s (1 - f_sc) / h^2      damping by the solids' profile (equation 45; the sign is
 ///     ours)

@@ -48,6 +48,7 @@ struct FluidLaws {
     bool wall = false;            ///< the edge of the grid; false: open
     bool gaps_are_open = true;    ///< flow may enter cells without terrain (and is counted); false: walls
     double manning = 0;           ///< n [s/m^(1/3)]
+    bool manning_on_total = false;  ///< R_n by the depth of solids and fluid together (paper, equation 46), not the fluid's
     std::vector<double> manning_by_cell;  ///< padded; empty: manning everywhere
     double density = 1000;        ///< rho_u [kg/m3]
     double viscosity = 0;         ///< a_eta: eta = a_eta exp(b_eta alpha_s) [Pa s]; 0: no viscous term
@@ -68,6 +69,9 @@ struct FluidState {
     std::vector<std::int64_t> tiles;  ///< that hold moving fluid, and their neighbours; ascending
     double volume_left = 0;           ///< through open boundaries, into gaps included [m3]
     double volume_into_gaps = 0;      ///< of which into cells without terrain [m3]
+
+    /// What stress and resistance changed the velocity by in the last advance [m/s]; only where solids are.
+    ZeroArray<double> held_x, held_y;
 
     // Kept by fluid_step.cpp.
     std::vector<std::int64_t> touched;  ///< tiles that were ever in `tiles`; ascending
@@ -93,11 +97,11 @@ void serialise(Archive& archive, FluidFields& fields) {
     return own(state.tiles) && own(state.touched);
 }
 
-/// All but what set_ground makes.
+/// All but what set_ground and advance make.
 template <class Archive>
 void serialise(Archive& archive, FluidState& state) {
-    [[maybe_unused]] auto& [now, grid, tiles, volume_left, volume_into_gaps, touched, stage, next, wet, cell_kind,
-                            slope_factor] = state;
+    [[maybe_unused]] auto& [now, grid, tiles, volume_left, volume_into_gaps, held_x, held_y, touched, stage, next, wet,
+                            cell_kind, slope_factor] = state;
     archive(now, tiles, volume_left, volume_into_gaps, touched, stage, next, wet);
 }
 

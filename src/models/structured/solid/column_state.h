@@ -23,8 +23,10 @@ inline constexpr FieldMask k_solid_fields =
 inline constexpr FieldMask k_cohesion_fields{Field::cohesion, Field::cohesion_ratio, Field::damage};
 inline constexpr FieldMask k_wet_fields{Field::confined, Field::pores, Field::submergence,
                                         Field::grain_diameter};
-inline constexpr FieldMask k_release_fields{Field::confined_start, Field::released, Field::released_x,
-                                            Field::released_y};
+inline constexpr FieldMask k_release_fields{Field::confined_start, Field::released};
+
+/// Besides, where thrust depends on whether material is pushed together.
+inline constexpr FieldMask k_passive_fields{Field::divergence};
 
 /// The fields of a scene's solids.
 inline constexpr FieldMask solid_fields(bool cohesive, bool wet) {
@@ -45,11 +47,10 @@ struct ColumnState {
     double thrust = 0;     ///< P_lat [N/m]
 };
 
-/// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density of particle p.
-/// @param pushed_together whether broken material converges
+/// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density and, for passive thrust,
+/// divergence of particle p.
 template <class Kind>
-ColumnState column_state(const SolidLaws& laws, const ParticleSet& particles, std::size_t p,
-                         bool pushed_together = false) noexcept {
+ColumnState column_state(const SolidLaws& laws, const ParticleSet& particles, std::size_t p) noexcept {
     constexpr double k_broken_from = 0.05;  // cohesion ratio
     const double solids = particles[Field::volume][p], inverse_area = 1 / particles[Field::area][p];
     const double grain_density = particles[Field::grain_density][p], friction = particles[Field::friction][p];
@@ -70,7 +71,7 @@ ColumnState column_state(const SolidLaws& laws, const ParticleSet& particles, st
     const bool broken = ratio < k_broken_from;
     if (broken && laws.earth_pressure == EarthPressure::hydrostatic) {
         s.thrust = active_thrust(1, s.load, s.depth, s.cohesion);
-    } else if (broken && pushed_together && laws.earth_pressure == EarthPressure::passive) {
+    } else if (broken && laws.earth_pressure == EarthPressure::passive && particles[Field::divergence][p] < 0) {
         s.thrust = passive_thrust(1 / active_coefficient(friction), s.load, s.depth, s.cohesion);
     } else {
         s.thrust = active_thrust(active_coefficient(friction), s.load, s.depth, s.cohesion);

@@ -11,7 +11,7 @@ namespace frana::structured {
 /// What makes a yielding material lose its cohesion.
 enum class DamageMeasure {
     volumetric,  ///< opening, max(0, tr e) (paper, equation 26): pure shear harms nothing
-    equivalent,  ///< distortion, sqrt(2/3 dev e : dev e)
+    equivalent,  ///< distortion, sqrt(2/3 dev e : dev e); comes closest to what the paper tells of its scenarios
 };
 
 /// Loss of cohesion while the material yields. Strength spread evenly over 0 to 2 c_0 makes the loss linear in the
@@ -20,7 +20,7 @@ enum class DamageMeasure {
 /// Confined fluid and structured fraction go with it: equations 27 and 28 integrate to f = f_0 c / c_0.
 struct Fragmentation {
     double critical_strain = 0.05;  ///< eps_c [-]
-    DamageMeasure measure = DamageMeasure::volumetric;
+    DamageMeasure measure = DamageMeasure::equivalent;
 
     /// Rate of D of a yielding material [1/s].
     [[nodiscard]] double rate(const VelocityGradient& l) const noexcept {

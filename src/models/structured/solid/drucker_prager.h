@@ -24,6 +24,13 @@ struct DruckerPrager {
     [[nodiscard]] double yield(const Stress& s) const noexcept {
         return std::sqrt(s.j2()) + slope * s.i1() - strength;
     }
+    /// Least pressure that a column under a vertical pressure must have from every side not to yield [Pa]; 0 up to the
+    /// uniaxial strength k / (1 / sqrt(3) - a). In plane strain, where the law is matched, the least is Rankine's active
+    /// pressure; where both sides give way, as here, the law asks for more.
+    [[nodiscard]] double active_pressure(double vertical) const noexcept {
+        constexpr double k_root = 0.57735026918962576;  // 1 / sqrt(3)
+        return std::max(0.0, ((k_root - slope) * vertical - strength) / (k_root + 2 * slope));
+    }
 };
 
 struct Returned {
@@ -31,45 +38,64 @@ struct Returned {
     bool yielded = false;
 };
 
-/// Brings a stress back to the yield surface (paper, Appendix B after Bui et al. 2008, corrected): first tension beyond
-/// the apex is cut off, then the deviator is scaled, at unchanged I1.
-inline Returned return_to_yield(const DruckerPrager& law, Stress s) noexcept {
-    bool yielded = false;
-    const double beyond = law.slope * s.i1() - law.strength;
-    if (law.slope > 0 && beyond > 0) {
-        const double cut = beyond / (3 * law.slope);
-        s = {s.xx - cut, s.yy - cut, s.zz - cut, s.xy};
-        yielded = true;
+/// Brings a stress back to the yield surface at its vertical component, which the weight gives (plane-stress plasticity
+/// with a normal stress that is not zero; Simo and Hughes, Computational Inelasticity, 3.4): what gives way is the
+/// column's vertical strain. Backward Euler for the potential g = sqrt(J2) + 3 I1 sin(psi) (paper, equation 17 corrected)
+/// with the stiffness in the plane that the elastic trial had. With X the mean in the plane less the vertical stress, R
+/// the radius of its Mohr circle and T = k - 3 a szz the strength where all three are equal,
+///     f = sqrt(R^2 + X^2 / 3) + 2 a X - T,   R = r R',   X = [r X' - 18 m s T (1 - r)] / [r + m (1 - 36 a s) (1 - r)]
+/// m = (K + G / 3) / (3 G), s = sin(psi), ' the trial, r = 1 / (1 + G lambda / sqrt(J2)): one equation f(r) = 0 on
+/// (0, 1), whose left end is inside the surface for psi < 5.5 degrees; beyond it a column pressed from the sides would
+/// widen without end.
+inline Returned return_under_load(const DruckerPrager& law, const Elasticity& elastic, double sin_dilatancy,
+                                  const Stress& trial) noexcept {
+    constexpr double k_rounding = 1e-12, k_solved = 1e-14;
+    constexpr int k_most_steps = 60;
+    const double mean = 0.5 * (trial.xx + trial.yy), half = 0.5 * (trial.xx - trial.yy);
+    const double radius = std::sqrt(half * half + trial.xy * trial.xy);
+    const double bears = law.strength - 3 * law.slope * trial.zz, offset = mean - trial.zz;
+    if (!(bears > 0)) return {{trial.zz, trial.zz, trial.zz, 0}, offset != 0 || radius > 0};
+    const auto beyond = [&](double x, double r) {
+        return std::sqrt(r * r + x * x / 3) + 2 * law.slope * x - bears;
+    };
+    const double outside = beyond(offset, radius);
+    if (!(outside > k_rounding * bears)) return {trial, false};
+
+    const double m = (elastic.bulk + elastic.shear / 3) / (3 * elastic.shear);
+    const double opening = 18 * m * sin_dilatancy * bears, fall = m * (1 - 36 * law.slope * sin_dilatancy);
+    double low = 0, high = 1, f = beyond(-opening / fall, 0);
+    double kept = f / (f - outside), x = offset;  // where f were a line
+    for (int i = 0; i < k_most_steps; ++i) {
+        const double below = kept + fall * (1 - kept), above = kept * offset - opening * (1 - kept);
+        x = above / below;
+        const double r = kept * radius, root = std::sqrt(r * r + x * x / 3);
+        f = root + 2 * law.slope * x - bears;
+        if (std::abs(f) <= k_solved * (bears + root)) break;
+        (f > 0 ? high : low) = kept;
+        const double dx = ((offset + opening) * below - above * (1 - fall)) / (below * below);
+        const double slope = (r * radius + x * dx / 3) / root + 2 * law.slope * dx;
+        const double next = kept - f / slope;
+        kept = next > low && next < high ? next : 0.5 * (low + high);
     }
-    const double allowed = std::max(law.strength - law.slope * s.i1(), 0.0), j2 = s.j2();
-    if (j2 > allowed * allowed) {
-        const double ratio = allowed / std::sqrt(j2), mean = s.i1() / 3;
-        s = {mean + ratio * (s.xx - mean), mean + ratio * (s.yy - mean), mean + ratio * (s.zz - mean), ratio * s.xy};
-        yielded = true;
-    }
-    return {s, yielded};
+    return {{trial.zz + x + kept * half, trial.zz + x - kept * half, trial.zz, kept * trial.xy}, true};
 }
 
-/// Rate of the plastic multiplier for the potential g = sqrt(J2) + 3 I1 sin(psi) (paper, equation 22 corrected), of a
-/// stress on the yield surface; 0 where the strain unloads it.
-inline double plastic_multiplier(const DruckerPrager& law, const Elasticity& elastic, double sin_dilatancy,
-                                 const Stress& s, const VelocityGradient& l) noexcept {
-    const double root = std::sqrt(s.j2()), mean = s.i1() / 3, tr = l.divergence();
-    const double along = (s.xx - mean) * l.xx + (s.yy - mean) * l.yy + 2 * s.xy * l.shear();
-    const double shearing = root > 0 ? elastic.shear / root * along : 0;
-    const double rate = (3 * law.slope * elastic.bulk * tr + shearing) /
-                        (27 * law.slope * elastic.bulk * sin_dilatancy + elastic.shear);
-    return std::max(rate, 0.0);
-}
-
-/// Change of stress that a plastic multiplier (rate times dt) takes back.
-inline Stress plastic_decrement(const Elasticity& elastic, double sin_dilatancy, const Stress& s,
-                                double multiplier) noexcept {
-    const double root = std::sqrt(s.j2()), mean = s.i1() / 3;
-    const double hydrostatic = multiplier * 9 * elastic.bulk * sin_dilatancy;
-    const double deviator = root > 0 ? multiplier * elastic.shear / root : 0;
-    return {hydrostatic + deviator * (s.xx - mean), hydrostatic + deviator * (s.yy - mean),
-            hydrostatic + deviator * (s.zz - mean), deviator * s.xy};
+/// The same where the vertical stress is the material's own and no load is known: in three dimensions it is closed,
+///     lambda = f' / (G + 27 a K sin(psi)),   I1 = I1' - 27 K sin(psi) lambda,   s = s' (1 - G lambda / sqrt(J2'))
+/// and what would pass the apex ends there. For psi = 0 it is the paper's Appendix B (after Bui et al. 2008, corrected).
+inline Returned return_by_itself(const DruckerPrager& law, const Elasticity& elastic, double sin_dilatancy,
+                                 const Stress& s) noexcept {
+    constexpr double k_rounding = 1e-12;
+    const double i1 = s.i1(), root = std::sqrt(s.j2()), beyond = root + law.slope * i1 - law.strength;
+    if (!(beyond > k_rounding * (law.strength + law.slope * std::abs(i1)))) return {s, false};
+    const double lambda = beyond / (elastic.shear + 27 * law.slope * elastic.bulk * sin_dilatancy);
+    if (law.slope > 0 && root <= elastic.shear * lambda) {
+        const double apex = law.strength / (3 * law.slope);
+        return {{apex, apex, apex, 0}, true};
+    }
+    const double kept = root > 0 ? std::max(0.0, 1 - elastic.shear * lambda / root) : 0, old = i1 / 3;
+    const double mean = old - 9 * elastic.bulk * sin_dilatancy * lambda;
+    return {{mean + kept * (s.xx - old), mean + kept * (s.yy - old), mean + kept * (s.zz - old), kept * s.xy}, true};
 }
 
 }  // namespace frana::structured

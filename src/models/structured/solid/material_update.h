@@ -9,38 +9,31 @@
 namespace frana::structured {
 
 /// Stress after dt of the velocity gradient l: turned with the material, elastic trial, return to the yield surface of
-/// what the particle carries together with the geostatic stress.
+/// what the particle carries together with the geostatic stress, -diag(p, p, N / 2). That vertical stress stays as the
+/// weight gives it, so the particle's own is zero. p is the column's thrust over its depth or, where that is less than the
+/// strength asks for with both sides giving way, the strength's active pressure: the state at rest never yields.
 inline Returned next_stress(const SolidLaws& laws, const ColumnState& column, double friction,
                             const VelocityGradient& l, double dt, Stress stress) noexcept {
     const auto strength = DruckerPrager::of(friction, column.cohesion);
-    Stress geostatic;
-    if (!laws.strength_of_particle_stress) {
-        const double lateral = -column.thrust / column.depth;
-        geostatic = {lateral, lateral, -0.5 * column.load, 0};
-    }
-    stress = rotated(stress, dt * l.spin());
-    if (laws.sin_dilatancy > 0) {
-        const Stress total = stress + geostatic;
-        if (strength.yield(total) >= 0) {
-            const double multiplier =
-                dt * plastic_multiplier(strength, laws.elastic, laws.sin_dilatancy, total, l);
-            stress = stress - plastic_decrement(laws.elastic, laws.sin_dilatancy, total, multiplier);
-        }
-    }
-    Returned r = return_to_yield(strength, stress + laws.elastic.increment(l, dt) + geostatic);
-    r.stress = r.stress - geostatic;
-    return r;
+    const Stress trial = rotated(stress, dt * l.spin()) + laws.elastic.increment(l, dt);
+    if (laws.strength_of_particle_stress) return return_by_itself(strength, laws.elastic, laws.sin_dilatancy, trial);
+    const double load = 0.5 * column.load;
+    const double lateral = std::max(column.thrust / column.depth, strength.active_pressure(load));
+    const Returned r = return_under_load(strength, laws.elastic, laws.sin_dilatancy,
+                                         {trial.xx - lateral, trial.yy - lateral, -load, trial.xy});
+    if (!r.yielded) return {{trial.xx, trial.yy, 0, trial.xy}, false};
+    return {{r.stress.xx + lateral, r.stress.yy + lateral, 0, r.stress.xy}, true};
 }
 
 /// Stress, strain, damage and release of confined fluid over dt, and what the next sums over neighbours need. Reads the
-/// velocity gradients in `w`; writes t_*, e_*, damage, cohesion_ratio, confined, released*; mass, density, t, r and
-/// resistance in `w`.
+/// velocity gradients in `w`; writes t_*, e_*, damage, cohesion_ratio, released; mass, density, t, r and resistance in `w`.
 template <class Kind>
 void update_material(ParticleRun run, double dt, const SolidLaws& laws, ParticleSet& particles, PairWork& w) {
     for (std::size_t p = run.begin; p < run.end; ++p) {
         const VelocityGradient l{w[PairWork::l_xx][p], w[PairWork::l_xy][p], w[PairWork::l_yx][p],
                                  w[PairWork::l_yy][p]};
-        ColumnState column = column_state<Kind>(laws, particles, p, l.divergence() < 0);
+        if (laws.earth_pressure == EarthPressure::passive) particles[Field::divergence][p] = l.divergence();
+        const ColumnState column = column_state<Kind>(laws, particles, p);
         const bool flows = flows_freely(laws, column);
         const Stress old{particles[Field::t_xx][p], particles[Field::t_yy][p], particles[Field::t_zz][p],
                          particles[Field::t_xy][p]};
@@ -63,13 +56,9 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, Particle
                 particles[Field::damage][p] = damage;
                 particles[Field::cohesion_ratio][p] = after;
                 if constexpr (Kind::wet) {
-                    const double free = particles[Field::confined][p] * (1 - after / before);
-                    particles[Field::confined][p] -= free;
-                    particles[Field::released][p] += free;
-                    particles[Field::released_x][p] += free * w[PairWork::u][p];
-                    particles[Field::released_y][p] += free * w[PairWork::v][p];
-                    column.mass -= laws.basal.fluid_density * free;
-                    column.depth -= free / particles[Field::area][p];
+                    // It goes with the particle until the step is done: the nodes' push was for both.
+                    const double held = particles[Field::confined][p] - particles[Field::released][p];
+                    particles[Field::released][p] += held * (1 - after / before);
                 }
             }
         }

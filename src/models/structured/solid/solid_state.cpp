@@ -94,12 +94,6 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
         state.left.mass += m;
         state.left.px += m * u;
         state.left.py += m * v;
-        if (particles[Field::released] == nullptr) continue;
-        // What it set free in this step has not reached the grid.
-        state.left.confined += particles[Field::released][p];
-        state.left.mass += laws.basal.fluid_density * particles[Field::released][p];
-        state.left.px += laws.basal.fluid_density * particles[Field::released_x][p];
-        state.left.py += laws.basal.fluid_density * particles[Field::released_y][p];
     }
     state.order.sort(particles, keep, pool);
     state.mean = mass > 0 ? Point{px / mass, py / mass} : Point{};

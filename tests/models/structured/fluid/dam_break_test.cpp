@@ -101,6 +101,29 @@ TEST(FluidDamBreak, StokerWithinTwoPercent) {
     EXPECT_LT(error(channel(5, 400, 0.005, 0.001, 6, 1e-7, false), 5, 0.005, 0.001, 6, false), 0.02);
 }
 
+// The plateau behind the shock and the shock's place, as the solver has them: 1 m over 0.1 m, and 5 mm over 1 mm.
+TEST(FluidDamBreak, StokerPlateauAndShock) {
+    struct Wanted {
+        double half, left, right, dry, time, depth, velocity, shock;
+    };
+    for (const Wanted& w : {Wanted{50, 1, 0.1, 1e-6, 6, 0.396175, 2.321355, 3.105134},
+                            Wanted{5, 0.005, 0.001, 1e-7, 6, 0.00253936, 0.127280, 0.209963}}) {
+        constexpr std::int64_t k_cells = 800;
+        const Basin basin = channel(w.half, k_cells, w.left, w.right, w.time, w.dry, false);
+        const double dx = 2 * w.half / k_cells;
+        const auto cell = [&](double x) { return static_cast<std::int64_t>((w.half + x) / dx); };
+        // Half way between the rarefaction's foot, (u - c) t, and the shock.
+        const double foot = w.velocity - std::sqrt(9.81 * w.depth);
+        const std::int64_t middle = cell(0.5 * (foot + w.shock) * w.time);
+        EXPECT_NEAR(basin.depth(middle, 1), w.depth, 0.005 * w.depth);
+        EXPECT_NEAR(basin.u(middle, 1), w.velocity, 0.005 * w.velocity);
+        // The shock is where the depth is half way between those on its sides: within two cells.
+        std::int64_t i = middle;
+        while (basin.depth(i, 1) > 0.5 * (w.depth + w.right)) ++i;
+        EXPECT_NEAR((static_cast<double>(i) * dx - w.half) / w.time, w.shock, 2 * dx / w.time);
+    }
+}
+
 // A scheme of second order is of first order at a shock; the mark is 0.8.
 TEST(FluidDamBreak, StokerConvergesWithOrderPointEight) {
     const auto at = [](std::int64_t cells) {

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blocks that their own weight breaks: what the vertical load, which is given, makes of strength.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "solid_cases.h"
+
+namespace frana::structured::test {
+namespace {
+
+struct Spread {
+    double area = 0;     // of cells ever deeper than 0.1 m [m2]
+    double deepest = 0;  // at the end [m]
+};
+
+// A dry block, 8 m thick and 100 m x 80 m, on 35 degrees that end on 5; cells of 10 m, 40 s.
+Spread slide_off(double cohesion, DamageMeasure measure) {
+    ThreadPool pool(1);
+    Case c(10);
+    c.laws.solid.fragmentation.measure = measure;
+    c.material.cohesion = cohesion;
+    c.material.bed_friction = std::tan(20 * k_degree);
+    c.fill(50, 210, 30, 24, [](Point) { return bench::Seed{8}; });
+    const Raster bed = bench::sample_raster(bench::plain_grid(90, 50, 10), [](Point p) {
+        return p.x < 350 ? 200 + (350 - p.x) * std::tan(35 * k_degree) : 200 - (p.x - 350) * std::tan(5 * k_degree);
+    });
+    State state = c.start(bed, pool);
+    std::vector<bool> touched(state.solid->nodes.depth.size(), false);
+    Spread spread;
+    for (double t = 0.5; t < 40.1; t += 0.5) {
+        advance_to(state, c.laws, t, pool);
+        spread.deepest = 0;
+        for (std::size_t n = 0; n < touched.size(); ++n) {
+            const double depth = state.solid->nodes.depth[n];
+            spread.deepest = std::max(spread.deepest, depth);
+            if (depth > 0.1 && !touched[n]) {
+                touched[n] = true;
+                spread.area += 100;
+            }
+        }
+    }
+    return spread;
+}
+
+TEST(WeakBlock, OnePascalIsNearlyNone) {
+    for (const DamageMeasure measure : {DamageMeasure::equivalent, DamageMeasure::volumetric}) {
+        const Spread none = slide_off(0, measure), little = slide_off(1, measure);
+        EXPECT_NEAR(little.area, none.area, 0.1 * none.area);
+        EXPECT_LT(little.deepest, 1.25 * none.deepest);
+    }
+}
+
+// A column of 10 kPa, 28 degrees and 1700 kg/m3 bears what its strength, 2.00 c, is to the mean of its load, N / 2.
+struct Column {
+    /// @param side in particles
+    /// @param young E [Pa]
+    Column(double share, int side, double young) : pool(1), c(2), state(make(share, side, young)) {}
+
+    State make(double share, int side, double young) {
+        c.material.cohesion = 1e4;
+        c.laws.solid.elastic = Elasticity::from_young_and_bulk(young, young / 1.5);
+        c.material.bed_friction = std::tan(12 * k_degree);
+        const double critical = 2 * 1.9991 * 1e4 / (1700 * 9.81);
+        c.fill(20, 20, side, side, [&](Point) { return bench::Seed{share * critical}; });
+        return c.start(flat(35, 35, 2), pool);
+    }
+    ThreadPool pool;
+    Case c;
+    State state;
+};
+
+TEST(WeakBlock, StandsForEverUnderItsCriticalHeight) {
+    Column column(0.95, 9, 1e6);  // small and soft: fewer steps
+    const ParticleSet start = column.state.solid->particles;
+    advance_to(column.state, column.c.laws, 600, column.pool);
+    const ParticleSet& p = column.state.solid->particles;
+    for (const Field f : {Field::x, Field::y, Field::cohesion_ratio})
+        EXPECT_EQ(std::memcmp(p[f], start[f], p.size() * sizeof(double)), 0);
+    for (std::size_t i = 0; i < p.size(); ++i) EXPECT_EQ(std::hypot(p[Field::u][i], p[Field::v][i]), 0);
+}
+
+TEST(WeakBlock, FailsAtItsFreeSidesOverIt) {
+    Column column(3, 36, 1e7);
+    const auto lost = [&](bool rim) {
+        const ParticleSet& p = column.state.solid->particles;
+        double sum = 0;
+        int count = 0;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double off = std::max(std::abs(p[Field::x][i] - 32), std::abs(p[Field::y][i] - 32));
+            if (rim ? off < 9 : off > 5) continue;
+            sum += 1 - p[Field::cohesion_ratio][i];
+            ++count;
+        }
+        return sum / count;
+    };
+    advance_to(column.state, column.c.laws, 0.3, column.pool);
+    EXPECT_GT(lost(true), 0.03);
+    EXPECT_LT(lost(false), 0.3 * lost(true));
+    advance_to(column.state, column.c.laws, 3, column.pool);
+    EXPECT_GT(lost(true), 0.3);
+}
+
+}  // namespace
+}  // namespace frana::structured::test
