@@ -177,7 +177,7 @@ std::optional<PhaseBudget> StructuredFlow::phase_budget() {
     if (!state_.solid) return std::nullopt;
     PhaseBudget budget;
     budget.entered = entered_;
-    budget.released = state_.released;
+    budget.released = state_.released + state_.released_outside;
     budget.left = {state_.solid->left.solids, state_.solid->left.confined, state_.released_outside};
     const ParticleSet& p = state_.solid->particles;
     for (std::size_t i = 0; i < p.size(); ++i) {

@@ -77,6 +77,10 @@ inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& o
         report.apart2 = std::max(report.apart2, apart2);
         report.acceleration2 = std::max(report.acceleration2, ax * ax + ay * ay);
         report.non_finite += finite ? 0 : 1;
+        // Whatever the length of the next substep, rounding included.
+        constexpr double k_margin = 1e-9;
+        const double hold = (1 - k_margin) * w[PairWork::resistance][p];
+        report.rests = report.rests && speed2 == 0 && ax * ax + ay * ay <= hold * hold;
     }
     return report;
 }

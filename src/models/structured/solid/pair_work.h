@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace frana::structured {
@@ -33,11 +34,13 @@ struct PairWork {
     const double* operator[](Array a) const noexcept { return arrays[a].data(); }
 
     std::array<std::vector<double>, count> arrays;
+    /// By cell of the order, row by row: nothing there changes in this substep (rest.h); empty: everywhere something may.
+    std::vector<std::uint8_t> asleep;
 };
 
 template <class Archive>
 void serialise(Archive& archive, PairWork& work) {
-    auto& [arrays] = work;
+    [[maybe_unused]] auto& [arrays, asleep] = work;
     archive(arrays);
 }
 

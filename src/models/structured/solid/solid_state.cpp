@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "models/structured/solid/material_update.h"
+#include "models/structured/solid/rest.h"
 #include "models/structured/solid/transfer.h"
 
 namespace frana::structured {
@@ -119,19 +120,36 @@ int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& 
                  const Obstacles& obstacles, double dt, SolidReport& seen, ThreadPool& pool) {
     constexpr double k_least_share = 1e-6;  // of a step in a substep; elastic waves take some hundred
     int count = 0;
+    Rest rest;
+    rest.begin(state.order, state.work);
+    // Runs of awake cells of a row.
+    const auto over_awake = [&](std::int64_t row, const auto& task) {
+        for (std::int64_t column = 0; column < state.order.columns(); ++column) {
+            if (Rest::asleep(state.work, rest.index(row, column))) continue;
+            ParticleRun run = state.order.cell(row, column);
+            while (column + 1 < state.order.columns() && !Rest::asleep(state.work, rest.index(row, column + 1)))
+                run.end = state.order.cell(row, ++column).end;
+            if (run.begin < run.end) task(run);
+        }
+    };
     for (double left = dt; left > 0; ++count) {
         const double stable = stable_substep(state, laws);
         if (!(stable > k_least_share * dt)) {  // a speed or force that is none
             ++seen.non_finite;
-            return count;
+            break;
         }
         // Equal substeps for what is left, so that no sliver remains.
         const double part = left / std::ceil(left / stable * (1 - 1e-12));
         if (state.drift + part * std::sqrt(state.last.apart2) > 0.5 * state.order.slack())
+        {
             sort_solids(state, laws, grid, pool);
+            rest.begin(state.order, state.work);
+        }
         over_rows(state.order, pool, [&](std::int64_t row) {
             stages.pairs->velocity_gradients(state.order, row, laws.kernel, state.work);
-            stages.update_material(state.order.whole_rows(row, row), part, laws, state.particles, state.work);
+            over_awake(row, [&](ParticleRun run) {
+                stages.update_material(run, part, laws, state.particles, state.work);
+            });
             return SolidReport{};
         });
         const SolidReport pairs = over_rows(state.order, pool, [&](std::int64_t row) {
@@ -140,16 +158,27 @@ int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& 
             return report;
         });
         state.last = over_rows(state.order, pool, [&](std::int64_t row) {
-            return move_particles(state.order.whole_rows(row, row), part, obstacles, state.mean,
-                                  state.particles, state.work);
+            SolidReport report;
+            for (std::int64_t column = 0; column < state.order.columns(); ++column) {
+                const std::size_t cell = rest.index(row, column);
+                const ParticleRun run = state.order.cell(row, column);
+                if (run.begin < run.end && !Rest::asleep(state.work, cell))
+                    rest.see(cell, move_particles(run, part, obstacles, state.mean, state.particles, state.work));
+                else if (run.begin == run.end) rest.see(cell, {});
+                else report.slept += static_cast<std::int64_t>(run.end - run.begin);
+                report.merge(rest.seen(cell));
+            }
+            return report;
         });
+        if (laws.sleeps) rest.end_substep(state.work);
         state.last.approach = pairs.approach;
         state.drift += part * std::sqrt(state.last.apart2);
         state.moved += part * std::sqrt(state.last.speed2);
         seen.merge(state.last);
         left = left - part > 1e-9 * dt ? left - part : 0;
-        if (state.last.non_finite > 0) return count + 1;
+        if (state.last.non_finite > 0) return state.work.asleep.clear(), count + 1;
     }
+    state.work.asleep.clear();
     return count;
 }
 

@@ -36,6 +36,7 @@ struct VelocityGradient {
 /// Turns a stress with its material by `angle` [rad], exactly: R sigma R^T keeps the invariants, which the explicit
 /// Jaumann rate does not (share/doc/structured.md, "Solids with confined fluid").
 inline Stress rotated(const Stress& s, double angle) noexcept {
+    if (angle == 0) return s;  // to the bit
     const double turn = 2 * angle;
     double sine, cosine;
     if (std::abs(turn) < 0.02) {  // to all digits of a double there

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "models/structured/solid/pair_work.h"
+#include "models/structured/solid/solid_report.h"
+#include "particles/cell_order.h"
+
+namespace frana::structured {
+
+/// Which cells of the order nothing changes in from one substep of a step to the next, so that their sums, stresses and
+/// moves need not be computed again and come out the same to the bit. With Z_k(C): in cell C all velocities are zero
+/// after substep k (and, but for k = -1, friction holds what pushes them by a margin),
+///
+///     C sleeps in k + 1  if  Z_k and Z_k-1 hold in it and four cells around, which is twice what its particles see
+///
+/// Then velocity gradients are zero in it and as far as it sees, in k and k + 1: areas, damage and, the return to the yield
+/// surface being idempotent, stresses stay as k left them, and so do the accelerations that they give. What the grid
+/// gives (push, submergence) changes from step to step alone: every step begins awake.
+class Rest {
+  public:
+    /// Before the first substep of a step, and whenever particles were sorted.
+    void begin(const CellOrder& order, PairWork& work) {
+        columns_ = order.columns();
+        rows_ = order.rows();
+        const auto cells = static_cast<std::size_t>(rows_ * columns_);
+        before_.assign(cells, 1);
+        now_.assign(cells, 0);
+        seen_.assign(cells, SolidReport{});
+        for (std::int64_t row = 0; row < rows_; ++row) {
+            for (std::int64_t column = 0; column < columns_; ++column) {
+                const ParticleRun run = order.cell(row, column);
+                for (std::size_t p = run.begin; p < run.end; ++p)
+                    if (work[PairWork::u][p] != 0 || work[PairWork::v][p] != 0) before_[index(row, column)] = 0;
+            }
+        }
+        work.asleep.clear();
+    }
+    [[nodiscard]] static bool asleep(const PairWork& work, std::size_t cell) noexcept {
+        return !work.asleep.empty() && work.asleep[cell] != 0;
+    }
+    [[nodiscard]] std::size_t index(std::int64_t row, std::int64_t column) const noexcept {
+        return static_cast<std::size_t>(row * columns_ + column);
+    }
+    /// What a cell showed when it was last awake.
+    [[nodiscard]] const SolidReport& seen(std::size_t cell) const noexcept { return seen_[cell]; }
+    void see(std::size_t cell, const SolidReport& report) {
+        seen_[cell] = report;
+        now_[cell] = report.rests;
+    }
+    /// After a substep: who sleeps in the next.
+    void end_substep(PairWork& work) {
+        both_.resize(now_.size());
+        for (std::size_t c = 0; c < now_.size(); ++c) both_[c] = now_[c] & before_[c];
+        before_ = now_;
+        along_.assign(now_.size(), 1);
+        work.asleep.assign(now_.size(), 1);
+        erode(both_, along_, columns_, 1);
+        erode(along_, work.asleep, rows_, columns_);
+    }
+
+  private:
+    static constexpr std::int64_t k_far = 2 * CellOrder::k_near;
+
+    // The least of nine neighbours along one direction; beyond the ends lies nothing that could move.
+    void erode(const std::vector<std::uint8_t>& from, std::vector<std::uint8_t>& to, std::int64_t length,
+               std::int64_t stride) const {
+        const std::int64_t lines = static_cast<std::int64_t>(from.size()) / std::max<std::int64_t>(length, 1);
+        for (std::int64_t line = 0; line < lines; ++line) {
+            const std::int64_t first = stride == 1 ? line * length : line;
+            for (std::int64_t i = 0; i < length; ++i) {
+                std::uint8_t least = 1;
+                for (std::int64_t k = std::max(i - k_far, std::int64_t{0}); k <= std::min(i + k_far, length - 1); ++k)
+                    least &= from[static_cast<std::size_t>(first + k * stride)];
+                to[static_cast<std::size_t>(first + i * stride)] = least;
+            }
+        }
+    }
+
+    std::int64_t rows_ = 0, columns_ = 0;
+    std::vector<std::uint8_t> now_, before_, both_, along_;
+    std::vector<SolidReport> seen_;
+};
+
+}  // namespace frana::structured
