@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// What becomes of a column: damage and the water it sets free, and the thrust on its neighbours.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models/structured/coupling/release.h"
+#include "models/structured/solid/material_update.h"
+#include "solid_cases.h"
+
+namespace frana::structured::test {
+namespace {
+
+// Opening at a steady rate beyond the yield surface: cohesion falls in line with the strain, and the confined
+// fluid with it; what is released has the particle's momentum.
+TEST(Fragmentation, ReleasesInProportion) {
+    ThreadPool pool(1);
+    Case c(2);
+    c.material.solid_fraction = 0.5;
+    c.material.cohesion = 1e3;
+    c.laws.solid.fragmentation.measure = DamageMeasure::volumetric;
+    c.fill(40, 40, 1, 1, [](Point) { return bench::Seed{4, 3, -1}; });
+    State state = c.start(flat(50, 50, 2), pool, true);
+    ParticleSet& p = state.solid->particles;
+    PairWork& w = state.solid->work;
+    const double confined = p[Field::confined][0], solids = p[Field::volume][0];
+    const double eps = c.laws.solid.fragmentation.critical_strain;
+    constexpr double dt = 0.01;
+    w[PairWork::l_xx][0] = 0.1;
+    w[PairWork::l_yy][0] = 0.1;
+    w[PairWork::l_xy][0] = w[PairWork::l_yx][0] = 0;
+    double opened = 0;
+    for (int i = 0; i < 60; ++i) {
+        const double before = p[Field::cohesion_ratio][0];
+        state.stages.update_material({0, 1}, dt, c.laws.solid, p, w);
+        opened = p[Field::damage][0];
+        // The integral of tr e = 0.2 per second, from the first step on: 8 m of overburden have it at its yield surface.
+        EXPECT_NEAR(opened, std::min((i + 1) * dt * 0.2, 2 * eps), 1e-12);
+        EXPECT_LE(p[Field::cohesion_ratio][0], before);
+        EXPECT_NEAR(p[Field::cohesion_ratio][0], std::max(0.0, 1 - opened / (2 * eps)), 1e-14);
+        EXPECT_NEAR(confined - p[Field::released][0], confined * p[Field::cohesion_ratio][0], 1e-13 * confined);
+        EXPECT_EQ(w[PairWork::mass][0], 1700 * solids + 1000 * confined);  // it goes with the particle till the step's end
+    }
+    EXPECT_EQ(p[Field::cohesion_ratio][0], 0);
+    EXPECT_GE(opened, 2 * eps);
+    release_fluid(*state.solid, state.grid, c.laws.fluid, *state.fluid);
+    EXPECT_EQ(p[Field::confined][0], 0);
+    double x = 0, y = 0;
+    for (std::size_t n = 0; n < state.fluid->now.qx.size(); ++n) {
+        x += 4 * state.fluid->now.qx[n];
+        y += 4 * state.fluid->now.qy[n];
+    }
+    EXPECT_NEAR(x, 3 * confined, 1e-12 * confined);
+    EXPECT_NEAR(y, -confined, 1e-12 * confined);
+    // And closing harms nothing.
+    State again = c.start(flat(50, 50, 2), pool, true);
+    PairWork& closing = again.solid->work;
+    closing[PairWork::l_xx][0] = closing[PairWork::l_yy][0] = -0.1;
+    closing[PairWork::l_xy][0] = closing[PairWork::l_yx][0] = 0;
+    for (int i = 0; i < 60; ++i)
+        again.stages.update_material({0, 1}, dt, c.laws.solid, again.solid->particles, closing);
+    EXPECT_EQ(again.solid->particles[Field::cohesion_ratio][0], 1);
+}
+
+// A column's thrust as the solver computes it: Rankine's active K_a N h / 2 without cohesion, none with much; where broken
+// material is pushed together, passive (Pitman & Le 2005).
+TEST(Thrust, OfColumns) {
+    ThreadPool pool(1);
+    const double k_a = (1 - std::sin(28 * k_degree)) / (1 + std::sin(28 * k_degree));
+    const double load = 1700 * 9.81 * 4, savage_hutter = 0.5 * load * 4;
+    const auto thrust = [&](double cohesion, EarthPressure law, double divergence) {
+        Case c(2);
+        c.material.cohesion = cohesion;
+        c.laws.solid.earth_pressure = law;
+        c.fill(40, 40, 1, 1, [](Point) { return bench::Seed{4}; });
+        State state = c.start(flat(50, 50, 2), pool);
+        ParticleSet& p = state.solid->particles;
+        if (p[Field::divergence] != nullptr) p[Field::divergence][0] = divergence;
+        return cohesion > 0 ? column_state<SolidKind<true, false>>(c.laws.solid, p, 0).thrust
+                            : column_state<SolidKind<false, false>>(c.laws.solid, p, 0).thrust;
+    };
+    EXPECT_NEAR(thrust(0, EarthPressure::active, 0), k_a * savage_hutter, 1e-9 * load);
+    EXPECT_EQ(thrust(1e6, EarthPressure::active, 0), 0);
+    EXPECT_NEAR(thrust(0, EarthPressure::hydrostatic, 0), savage_hutter, 1e-9 * load);
+    EXPECT_NEAR(thrust(0, EarthPressure::passive, 0.1), k_a * savage_hutter, 1e-9 * load);
+    EXPECT_NEAR(thrust(0, EarthPressure::passive, -0.1), savage_hutter / k_a, 1e-9 * load);
+}
+
+// Two halves of loose material that run into each other: passive thrust is K_p / K_a times the active one from the first
+// step on, and stops them the sooner.
+TEST(Thrust, PassiveActsOnMotion) {
+    ThreadPool pool(1);
+    const auto run = [&](EarthPressure law, double time, double& force) {
+        Case c(2);
+        c.material.cohesion = 0;
+        c.material.bed_friction = 0;
+        c.laws.solid.earth_pressure = law;
+        c.fill(20, 20, 60, 30, [](Point p) { return bench::Seed{4, -0.3 * (p.x - 40), 0}; });
+        State state = c.start(flat(40, 30, 2), pool);
+        step(state, c.laws, 0.01, pool);
+        force = 0;
+        const ZeroArray<SolidSums>& sums = state.solid->nodes.sums;
+        for (std::size_t n = 0; n < sums.size(); ++n) force += std::abs(sums[n].fx);
+        advance_to(state, c.laws, time, pool);
+        double kinetic = 0;
+        const ParticleSet& p = state.solid->particles;
+        for (std::size_t i = 0; i < p.size(); ++i) kinetic += p[Field::u][i] * p[Field::u][i];
+        return kinetic;
+    };
+    double active = 0, passive = 0;
+    const double left = run(EarthPressure::active, 1, active), less = run(EarthPressure::passive, 1, passive);
+    const double k_p = (1 + std::sin(28 * k_degree)) / (1 - std::sin(28 * k_degree));
+    EXPECT_NEAR(passive / active, k_p * k_p, 0.02 * k_p * k_p);
+    EXPECT_LT(less, 0.7 * left);
+}
+
+// A particle that breaks and leaves within one step takes what it set free along.
+TEST(Fragmentation, WhatLeavesWithItsFreedFluidIsCounted) {
+    ThreadPool pool(1);
+    Case c(2);
+    c.material.solid_fraction = 0.5;
+    c.material.cohesion = 1e3;
+    c.fill(40, 40, 2, 1, [](Point) { return bench::Seed{4, -3, 0}; });
+    State state = c.start(flat(50, 50, 2), pool, true);
+    SolidState& solid = *state.solid;
+    ParticleSet& p = solid.particles;
+    const double confined = p[Field::confined][0], solids = p[Field::volume][0], freed = 0.25 * confined;
+    p[Field::released][0] = freed;
+    p[Field::x][0] = -0.1;
+    sort_solids(solid, c.laws.solid, state.grid, pool);
+    EXPECT_EQ(p.size(), 1U);
+    EXPECT_NEAR(solid.left.confined, confined, 1e-12 * confined);
+    EXPECT_NEAR(solid.left.mass, 1700 * solids + 1000 * confined, 1e-9 * solids);
+    EXPECT_NEAR(solid.left.px, -3 * solid.left.mass, 1e-12 * solid.left.mass);
+}
+
+}  // namespace
+}  // namespace frana::structured::test
