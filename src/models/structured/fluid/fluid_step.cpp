@@ -200,6 +200,11 @@ double receive(std::span<const FluidSource> sources, FluidState& state, const Fl
     }
     std::sort(state.tiles.begin(), state.tiles.end());
     state.tiles.erase(std::unique(state.tiles.begin(), state.tiles.end()), state.tiles.end());
+    // A film that is never wet is never active, but there.
+    std::vector<std::int64_t> touched;
+    std::set_union(state.touched.begin(), state.touched.end(), state.tiles.begin(), state.tiles.end(),
+                   std::back_inserter(touched));
+    state.touched = std::move(touched);
     return refused;
 }
 

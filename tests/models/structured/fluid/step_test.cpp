@@ -44,6 +44,16 @@ TEST(FluidStep, KeepsItsVolumeOverDryHills) {
     basin.for_cells([&](Point, std::size_t cell) { EXPECT_GE(basin.state.now.depth[cell], 0); });
 }
 
+// A film under the dry depth does not move; what came as one is counted all the same, however long it lies.
+TEST(FluidStep, AFilmThatWasNeverWetIsCounted) {
+    Basin basin(hills(80), rough_laws());
+    basin.fill([&](Point p) { return Water{p.x < 20 && p.y < 20 ? 0.5 * basin.laws.dry : 0}; });
+    const double volume = basin.volume();
+    EXPECT_GT(volume, 0);
+    for (int i = 0; i < 3; ++i) basin.advance(1);
+    EXPECT_EQ(basin.volume(), volume);
+}
+
 TEST(FluidStep, WhatLeavesIsCounted) {
     FluidLaws laws = rough_laws();
     laws.wall = false;
