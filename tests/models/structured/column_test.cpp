@@ -114,6 +114,29 @@ TEST(Thrust, PassiveActsOnMotion) {
     EXPECT_LT(less, 0.7 * left);
 }
 
+// A column that spreads on and on gets no wider than the nodes see a lone particle; its area weighs in its neighbours'
+// velocity gradients, and one without bound would throw them off.
+TEST(Column, GetsNoWiderThanTheNodesSeeIt) {
+    ThreadPool pool(1);
+    Case c(2);
+    c.material.cohesion = 0;
+    c.material.bed_friction = 0;
+    c.laws.solid.gravity = 0;
+    c.fill(40, 40, 2, 1, [](Point) { return bench::Seed{4}; });
+    State state = c.start(flat(50, 50, 2), pool);
+    SolidState& solid = *state.solid;
+    const double mean = 0.5 * c.laws.solid.spacing;  // they swing to and fro, drawn apart faster than together
+    for (int i = 0; i < 4000; ++i) {
+        for (std::size_t p = 0; p < 2; ++p) {
+            solid.particles[Field::x][p] = solid.work[PairWork::x][p] = 41 + (p == 0 ? -mean : mean);
+            solid.particles[Field::u][p] = solid.work[PairWork::u][p] = p == 0 ? -1 : 1;
+        }
+        SolidReport seen;
+        run_substeps(solid, state.stages, c.laws.solid, state.grid, {&state.grid}, 0.01, seen, pool);
+    }
+    for (std::size_t p = 0; p < 2; ++p) EXPECT_LE(solid.particles[Field::area][p], 5 * 2 * 2);
+}
+
 // A particle that breaks and leaves within one step takes what it set free along.
 TEST(Fragmentation, WhatLeavesWithItsFreedFluidIsCounted) {
     ThreadPool pool(1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "models/structured/solid/pair_work.h"
@@ -30,8 +31,10 @@ struct Obstacles {
 /// that takes it there and keeps its place in that direction; walls are smooth.
 ///
 /// Reads a_*, resistance, l_* of `w`, push_*; writes x, y, u, v, area there and in the particles.
+/// @param widest that a column may become [m2]: the sums of its neighbours' velocity gradients weigh it with its area, so
+/// that one without bound would run away where few are near
 /// @param mean a velocity near most particles', against which nearness is lost [m/s]
-inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& obstacles, Point mean,
+inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& obstacles, double widest, Point mean,
                                   ParticleSet& particles, PairWork& w) {
     SolidReport report;
     const bool open = obstacles.none();
@@ -64,7 +67,8 @@ inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& o
         }
         const double half = 0.5 * dt * (w[PairWork::l_xx][p] + w[PairWork::l_yy][p]);
         const bool sane = std::abs(half) < 0.5;
-        if (sane) particles[Field::area][p] *= (1 + half) / (1 - half);
+        double& area = particles[Field::area][p];
+        if (sane) area = std::min(area * ((1 + half) / (1 - half)), std::max(area, widest));
         report.clamped += sane ? 0 : 1;
         particles[Field::x][p] = w[PairWork::x][p] = x;
         particles[Field::y][p] = w[PairWork::y][p] = y;
