@@ -91,13 +91,15 @@ TEST_F(OlderCheckpoint, OriginOutsideOfTheGridIsRefused) {
 
 TEST_F(OlderCheckpoint, OfAnotherFormatIsRefusedInASentence) {
     run_to_end({});
-    for (const auto& [format, age] : {std::pair<std::uint32_t, std::string>{1, "an older"}, {6, "an older"}, {9, "a newer"}}) {
+    for (const auto& [format, age] : {std::pair<std::uint32_t, std::string>{1, "an older"},
+                                      {app::k_checkpoint_format - 1, "an older"},
+                                      {app::k_checkpoint_format + 1, "a newer"}}) {
         const std::string other = in_format(format, read_text(file()));
         std::ofstream(file(), std::ios::binary) << other;
         const Outcome outcome = frana({"run", path("scene.ini"), "--out", "result", "--resume"});
         EXPECT_EQ(outcome.exit_code, 2);
         EXPECT_NE(outcome.err.find("was written by " + age + " frana, in format " + std::to_string(format) +
-                                   "; this one reads 7"),
+                                   "; this one reads " + std::to_string(app::k_checkpoint_format)),
                   std::string::npos)
             << outcome.err;
     }
