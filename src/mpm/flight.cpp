@@ -69,7 +69,7 @@ Point landed_velocity(const NodeGrid& nodes, Point place, Point velocity, double
     return BedFrame::of({bed.z.dx, bed.z.dy}).along_bed(u, v);
 }
 
-// From jump.from on, until it lands. Returns the steepest fall of the ground in its direction.
+// From jump.from on, until it lands. Returns the steepest fall of the edge in its direction.
 double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
     const NodeScale grid = nodes.scale();
     const double look = k_look * grid.dx, start = ground_at(nodes, jump.from).value;
@@ -96,7 +96,8 @@ double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
         double ahead = dt;
         const Interpolated ground = ground_at(nodes, next);
         const double speed = std::hypot(velocity.x, velocity.y);
-        if (speed > 0) steepest = std::max(steepest, -(velocity.x * ground.dx + velocity.y * ground.dy) / speed);
+        if (speed > 0 && speed * time < k_edge_width * grid.dx)
+            steepest = std::max(steepest, -(velocity.x * ground.dx + velocity.y * ground.dy) / speed);
         if (height(time + dt) <= ground.value) {
             double above = 0;
             for (int i = 0; i < k_halvings; ++i) {

@@ -20,6 +20,9 @@ namespace frana {
 /// no edge from roughness.
 inline constexpr double k_least_clearance = 0.1;
 
+/// How wide an edge may be, from where it begins to throw to its steepest fall [cells]: the splines make two of a step.
+inline constexpr double k_edge_width = 2;
+
 /// A free fall from a place on the bed to the next.
 struct Jump {
     Point from;           ///< local metres
@@ -42,7 +45,7 @@ struct Jump {
 struct JumpRules {
     double gravity = 9.81;  ///< [m/s2]
     bool wall = false;      ///< edges are walls; what meets one falls down it
-    double edge = 0;        ///< least fall of the ground in the direction of motion under a jump [-]
+    double edge = 0;        ///< least fall of an edge in the direction of motion [-]
 };
 
 /// The jump of a particle that moves straight on along its bed for a time `reach` [s], if it makes one: it begins at the
@@ -50,10 +53,10 @@ struct JumpRules {
 ///
 ///     v . grad grad Z . v < -g,
 ///
-/// from which the parabola clears the ground by more than `clearance` [m] over ground that falls by JumpRules::edge or more
-/// in its direction. A fast flow bends away from gentler ground too, but not as a whole: what the bed no longer bears there
+/// from which the parabola clears the ground by more than `clearance` [m], if the edge falls by JumpRules::edge or more in its
+/// direction within k_edge_width. A fast flow bends away from gentler ground too, but not as a whole: what the bed no longer bears there
 /// the layer's upper part, and drag, still hold. Without that bound every bump of a gully threw particles, which then had
-/// no friction: 126 m/s where twelve codes have 30 to 60 (share/doc/numerics.md). On landing the part of the velocity normal to
+/// no friction: 126 m/s where most codes have 41 to 53 (share/doc/model.md). On landing the part of the velocity normal to
 /// the bed is lost.
 /// @param along velocity along the bed (BedFrame) [m/s]
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,

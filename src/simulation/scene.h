@@ -183,7 +183,7 @@ struct Numerics {
     SlopeCorrection slope_correction = SlopeCorrection::normal;
     bool curvature = true;  ///< motion along a curved bed (Curved); not without slope correction
     bool flight = true;     ///< what the bed throws off flies; only with curvature and the default scheme
-    double flight_slope = 1.7320508075688772;  ///< tangent: least fall of an edge in the direction of motion [-]
+    double flight_slope = 2.7474774194546216;  ///< tangent: least fall of an edge in the direction of motion [-]
     Boundary boundary = Boundary::open;
     NodataPolicy nodata = NodataPolicy::stop;
     double gravity = 9.81;        ///< [m/s2]

@@ -134,7 +134,7 @@ struct NumericsSpec {
     std::string slope_correction = "auto";
     std::optional<bool> curvature;
     std::optional<bool> flight;
-    double flight_slope = 60;  // degrees
+    double flight_slope = 70;  // degrees
     std::string boundary = "open";
     double gravity = 9.81;
     double minimum_depth = 0.01;
