@@ -202,11 +202,13 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         if (!(node.mass > 0)) return;
         const NodeDrive drive = drive_of<Slope>(nodes, k, i, column, row);
         const Point old{node.px / node.mass, node.py / node.mass};
-        const AlongBed bed = Slope::metric ? AlongBed{drive.slope_x, drive.slope_y} : AlongBed{};
+        AlongBed bed = Slope::metric ? AlongBed{drive.slope_x, drive.slope_y} : AlongBed{};
         BedFrame frame;
         Point turned = old;
         if constexpr (Slope::curved) {
             frame = node_frame(nodes, i, column, row);
+            // In the frame in which it was gathered: what flows level over a lip is not as fast as the face is steep.
+            bed = {frame.slope_x, frame.slope_y};
             turn_by_bed(drive.curvature, frame, levels ? (1 - levels[i].ponding) * k.dt : k.dt, turned.x, turned.y);
         }
         const Point driven{turned.x + k.dt * drive.ax, turned.y + k.dt * drive.ay};

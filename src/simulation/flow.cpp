@@ -256,25 +256,27 @@ Flow::NodalFields Flow::nodal_fields() {
     return fields;
 }
 
+double Flow::speed_along_bed(std::size_t node, Point v) const {
+    if (!metric()) return std::hypot(v.x, v.y);
+    const auto n = static_cast<std::int64_t>(node), stride = state_.nodes.stride();
+    if (!stages_.follows_bed) {
+        const Point slope = node_slope(state_.nodes, node, n % stride, n / stride);
+        return AlongBed{slope.x, slope.y}.speed(v);
+    }
+    const BedFrame frame = node_frame(state_.nodes, node, n % stride, n / stride);
+    return AlongBed{frame.slope_x, frame.slope_y}.speed(v);
+}
+
 Flow::Snapshot Flow::snapshot() {
     const NodalFields fields = nodal_fields();
     Snapshot shot{Raster(grid_, k_no_data), Raster(grid_, k_no_data)};
-    const std::vector<double>& bed = state_.nodes.bed;
-    for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t) {
+    for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t node) {
         const std::size_t c = shot.depth.index(row, column);
         const double depth = fields.depth.values[c];
         if (depth < laws_.minimum_depth) return;
         const double u = fields.momentum_x.values[c] / depth, v = fields.momentum_y.values[c] / depth;
-        double climb = 0;
-        if (metric()) {
-            const std::int64_t j = grid_.rows - 1 - row;
-            const NodeGrid& n = state_.nodes;
-            climb = (u * (bed[n.index(column + 1, j)] - bed[n.index(column - 1, j)]) +
-                     v * (bed[n.index(column, j + 1)] - bed[n.index(column, j - 1)])) /
-                    (2 * grid_.cell_size);
-        }
         shot.depth.values[c] = depth;
-        shot.speed.values[c] = std::sqrt(u * u + v * v + climb * climb);
+        shot.speed.values[c] = speed_along_bed(node, {u, v});
     });
     return shot;
 }

@@ -113,6 +113,8 @@ class Flow {
     /// First stable step from the present state [s].
     [[nodiscard]] double stable_step() const;
 
+    /// Speed along the bed of a velocity in map view at a node [m/s], in the frame in which the node gathered it.
+    [[nodiscard]] double speed_along_bed(std::size_t node, Point v) const;
     /// Depth and speed along the bed of the particles as they are, as north-up rasters; NaN under the minimum
     /// depth.
     struct Snapshot {

@@ -77,14 +77,7 @@ Recorder::NodeState Recorder::state_of(const Flow& flow, std::size_t node) const
     state.v = brought.y;
     state.moved_x = state.held * sums.px;
     state.moved_y = state.held * sums.py;
-    double climb = 0;
-    if (metric_) {
-        const auto row = static_cast<std::size_t>(stride);
-        climb = (state.u * (nodes.bed[node + 1] - nodes.bed[node - 1]) +
-                 state.v * (nodes.bed[node + row] - nodes.bed[node - row])) /
-                (2 * cell_size_);
-    }
-    state.speed = std::sqrt(state.u * state.u + state.v * state.v + climb * climb);
+    state.speed = flow.speed_along_bed(node, brought);
     return state;
 }
 
