@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mpm/curvature.h"
+#include "mpm/nodes_to_particles.h"
 #include "mpm/shape.h"
 
 namespace frana {
@@ -14,6 +15,9 @@ namespace {
 // How fine a way over the bed is looked at [cells], and how often an end of a free fall is halved: to 1e-9 of that.
 constexpr double k_look = 0.25;
 constexpr int k_halvings = 30;
+
+// Least factor of an area in one flight.
+constexpr double k_least_stretch = 0.5;
 
 // The bed of the quadratic splines.
 struct Bed {
@@ -172,7 +176,30 @@ double Flights::kinetic(double time, double gravity) const noexcept {
     return sum;
 }
 
-void Flights::begin(const ParticleRow& particle, const Jump& jump, double time) {
+namespace {
+
+// In the air neighbours fly apart, or together, as their velocities differed when they left: x -> x + T v(x), whose gradient
+// is F = I + T C. The area grows by det F, the shape becomes F Q F^T; neither by more than splitting and the sums of area
+// can make good.
+void stretch(ParticleRow& row, double time, double cell_area) {
+    const double xx = 1 + time * get(row, Field::c_xx), xy = time * get(row, Field::c_xy);
+    const double yx = time * get(row, Field::c_yx), yy = 1 + time * get(row, Field::c_yy);
+    const double area = get(row, Field::area);
+    const double most = std::max(1.0, k_largest_claim * cell_area / area);
+    const double growth = std::clamp(xx * yy - xy * yx, k_least_stretch, most);
+    get(row, Field::area) = growth * area;
+    double &a = get(row, Field::q_xx), &b = get(row, Field::q_xy), &c = get(row, Field::q_yy);
+    const double qa = xx * xx * a + 2 * xx * xy * b + xy * xy * c, qb = xx * yx * a + (xx * yy + xy * yx) * b + xy * yy * c,
+                 qc = yx * yx * a + 2 * yx * yy * b + yy * yy * c;
+    const double fit = std::min(1.0, k_largest_claim * cell_area / (qa + qc));
+    a = fit * qa;
+    b = fit * qb;
+    c = fit * qc;
+}
+
+}  // namespace
+
+void Flights::begin(const ParticleRow& particle, const Jump& jump, double time, double cell_area) {
     Flight flight;
     flight.particle = particle;
     flight.begins = time + jump.glide;
@@ -185,6 +212,7 @@ void Flights::begin(const ParticleRow& particle, const Jump& jump, double time) 
     get(row, Field::y) = jump.to.y;
     get(row, Field::u) = jump.landed.x;
     get(row, Field::v) = jump.landed.y;
+    stretch(row, jump.duration, cell_area);
     for (const Field c : {Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy}) get(row, c) = 0;
     next_landing_ = std::min(next_landing_, flight.ends);
     flights_.push_back(flight);
@@ -226,7 +254,7 @@ void Flights::take_off(const ParticleSet& particles, const TileOrder& order, con
         for (const auto& [p, jump] : jumps) {
             if (keep.empty()) keep.assign(particles.size(), 1);
             keep[p] = 0;
-            begin(particles.row(p), jump, time);
+            begin(particles.row(p), jump, time, nodes.cell_size() * nodes.cell_size());
         }
     }
 }

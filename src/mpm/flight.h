@@ -128,7 +128,7 @@ class Flights {
         }
     };
 
-    void begin(const ParticleRow& particle, const Jump& jump, double time);
+    void begin(const ParticleRow& particle, const Jump& jump, double time, double cell_area);
 
     std::vector<Flight> flights_;
     ZeroArray<float> heights_;

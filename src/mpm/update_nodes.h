@@ -234,11 +234,12 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         const double cell_depth = shown_depth(node.mass, node.area, support, std::abs(node.area_bed), inverse_area);
         // The particles' own mean velocity: the new nodal one overshoots where a node holds next to nothing.
         const double brought = bed.speed(old);
-        if (brought > k.moving_speed) report.moving += node.mass;
+        // Ghosts mirror what nodes inside hold already.
+        if (!ghost && brought > k.moving_speed) report.moving += node.mass;
         if (cell_depth < k.minimum_depth) {
-            report.thin += node.mass;
+            if (!ghost) report.thin += node.mass;
         } else {
-            ++report.covered;
+            report.covered += ghost ? 0 : 1;
             report.max_depth = std::max(report.max_depth, cell_depth);
             report.max_speed = std::max(report.max_speed, brought);
             if constexpr (Slope::curved) report.unsupported += drive.load <= -k.gravity;

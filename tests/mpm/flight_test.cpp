@@ -103,6 +103,28 @@ TEST(Flight, AnEdgeThatIsTooGentleOrTooLowThrowsNothing) {
     EXPECT_TRUE(find_jump(flow.nodes(), {k_gravity, true}, {98, 8}, {20, 0}, 1, 0.5));
 }
 
+// What flows level over the lip is not as fast as the face below is steep, and what has spread in the air covers more ground.
+TEST(Flight, AThickFilmIsNoFasterAtTheLipAndShowsItsVolumeAfterwards) {
+    Strip strip{5, cliff, 20, 400};
+    strip.thickness = 1;
+    Flow flow = film_on(strip);
+    const double volume = flow.volume();
+    double fastest = 0;
+    while (flow.time() < 9) fastest = std::max(fastest, flow.advance(9 - flow.time()).nodes.max_speed);
+    EXPECT_LT(fastest, 20 + 2 * std::sqrt(k_gravity * 1));  // the tip of a dam break
+    EXPECT_GT(flow.flights().figures().volume, 0.5 * volume);
+    double shown = 0;
+    for (const double depth : flow.snapshot().depth.values) shown += std::isnan(depth) ? 0 : depth * 25;
+    EXPECT_NEAR(shown, volume, 0.1 * volume);  // without the stretch in the air a third more
+}
+
+TEST(Flight, AMovingFilmBetweenWallsIsNoMoreThanItsVolume) {
+    Flow flow = film_on({2, [](double) { return 0.0; }});
+    flow.set_moving_speed(0.1);
+    const auto report = flow.advance(0.1);
+    EXPECT_NEAR(report.nodes.moving, flow.volume(), 1e-9 * flow.volume());
+}
+
 TEST(Flight, OffKeepsToTheBedAndCostsNothing) {
     Strip strip{2, cliff};
     strip.flight = false;
