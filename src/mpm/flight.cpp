@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mpm/curvature.h"
+#include "mpm/node_tiles.h"
 #include "mpm/nodes_to_particles.h"
 #include "mpm/shape.h"
 
@@ -81,6 +82,8 @@ double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
     Point place = jump.from, velocity = jump.velocity;
     double time = 0, steepest = 0;
     for (bool flies = true; flies;) {
+        const double way = std::hypot(velocity.x, velocity.y) * time;
+        if (way >= k_edge_width * grid.dx && steepest < rules.edge) return steepest;  // no edge: the rest does not matter
         const double climb = jump.climb - rules.gravity * time;
         const double fastest = std::max({std::hypot(velocity.x, velocity.y), std::abs(climb), std::sqrt(rules.gravity * look)});
         const double dt = look / fastest;
@@ -230,20 +233,53 @@ void Flights::begin(const ParticleRow& particle, const Jump& jump, double time, 
         heights_[place.node] = std::max(heights_[place.node], static_cast<float>(place.height));
 }
 
+namespace {
+
+// Whether the splines' bed over a tile's nodes may be as steep as an edge: its gradient is a mean of differences between
+// neighbours, no greater than the greatest of them.
+bool may_hold_edge(const NodeRange& range, const NodeGrid& nodes, double edge) {
+    const double* bed = nodes.bed.data();
+    const auto row = static_cast<std::size_t>(nodes.stride());
+    double across = 0, along = 0;
+    range.for_each(nodes.stride(), [&](std::size_t n, std::int64_t i, std::int64_t j) {
+        if (i + 1 < nodes.stride()) across = std::max(across, std::abs(bed[n + 1] - bed[n]));
+        if (j + 1 < nodes.padded_rows()) along = std::max(along, std::abs(bed[n + row] - bed[n]));
+    });
+    return std::hypot(across, along) >= edge * nodes.cell_size();
+}
+
+}  // namespace
+
+// The answer is kept while the bed is the terrain's.
+bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, double edge) {
+    std::uint8_t& known = edges_[static_cast<std::size_t>(tile)];
+    if (known == k_unknown || nodes.bed_changes)
+        known = may_hold_edge(NodeRange(tile, tiles, nodes), nodes, edge) ? k_edge : k_none;
+    return known == k_edge;
+}
+
 void Flights::take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const NodeReport* seen,
                        const JumpRules& rules, double time, double reach, std::vector<std::uint8_t>& keep,
                        ThreadPool& pool) {
     const auto& tiles = order.tiles();
     const double *x = particles[Field::x], *y = particles[Field::y], *u = particles[Field::u], *v = particles[Field::v];
     const double *volume = particles[Field::volume], *area = particles[Field::area];
+    edges_.resize(static_cast<std::size_t>(order.grid().tiles_x() * order.grid().tiles_y()), k_unknown);
+    std::vector<std::uint8_t> looks(tiles.size(), 0);
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+        bool lifted = false, steep = false;
+        for (std::int64_t b = tiles[t].y0; b <= tiles[t].y1; ++b)
+            for (std::int64_t a = tiles[t].x0; a <= tiles[t].x1; ++a)
+                lifted = lifted || seen[b * order.grid().tiles_x() + a].unsupported > 0;
+        for (std::int64_t b = tiles[t].y0; b <= tiles[t].y1 && lifted; ++b)
+            for (std::int64_t a = tiles[t].x0; a <= tiles[t].x1; ++a)
+                steep = steep || has_edge(b * order.grid().tiles_x() + a, order.grid(), nodes, rules.edge);
+        looks[t] = lifted && steep;
+    }
     std::vector<std::vector<std::pair<std::size_t, Jump>>> found(tiles.size());
     pool.for_each(tiles.size(), [&](std::size_t t) {
         const ParticleTile& tile = tiles[t];
-        bool lifted = false;
-        for (std::int64_t b = tile.y0; b <= tile.y1; ++b)
-            for (std::int64_t a = tile.x0; a <= tile.x1; ++a)
-                lifted = lifted || seen[b * order.grid().tiles_x() + a].unsupported > 0;
-        if (!lifted) return;
+        if (looks[t] == 0) return;
         for (std::size_t p = tile.begin; p < tile.end; ++p) {
             const double clearance = std::max(volume[p] / area[p], k_least_clearance * nodes.cell_size());
             if (auto jump = find_jump(nodes, rules, {x[p], y[p]}, {u[p], v[p]}, reach, clearance))

@@ -112,7 +112,8 @@ class Flights {
 
     template <class Archive>
     void serialise(Archive& archive) {
-        archive(flights_, heights_, next_landing_, figures_);
+        [[maybe_unused]] auto& [flights, heights, next_landing, figures, edges] = *this;
+        archive(flights, heights, next_landing, figures);  // edges are those of the bed
     }
 
   private:
@@ -130,10 +131,14 @@ class Flights {
 
     void begin(const ParticleRow& particle, const Jump& jump, double time, double cell_area);
 
+    static constexpr std::uint8_t k_unknown = 0, k_none = 1, k_edge = 2;
+    [[nodiscard]] bool has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, double edge);
+
     std::vector<Flight> flights_;
     ZeroArray<float> heights_;
     double next_landing_ = std::numeric_limits<double>::infinity();
     JumpFigures figures_;
+    std::vector<std::uint8_t> edges_;  // by tile: whether its bed is anywhere as steep as an edge
 };
 
 }  // namespace frana
