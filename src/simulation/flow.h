@@ -61,6 +61,8 @@ class Flow {
     }
     /// Velocity of a particle in map view [m/s]. Particles that follow a curved bed carry theirs along the bed (BedFrame).
     [[nodiscard]] Point map_velocity(std::size_t p) const;
+    /// Whether particles carry the velocity along the bed.
+    [[nodiscard]] bool follows_bed() const noexcept { return stages_.follows_bed; }
     [[nodiscard]] bool empty() const noexcept { return state_.particles.size() == 0 && state_.flights.empty(); }
     /// What is in the air.
     [[nodiscard]] const Flights& flights() const noexcept { return state_.flights; }

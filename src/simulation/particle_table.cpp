@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "models/structured/solid/stress.h"
+#include "mpm/curvature.h"
 
 namespace frana {
 namespace {
@@ -36,11 +37,16 @@ Ground ground_under(const NodeGrid& nodes, double x, double y) {
     return ground;
 }
 
+double speed_on(Point slope, Point v, bool metric) {
+    return metric ? AlongBed{slope.x, slope.y}.speed(v) : std::hypot(v.x, v.y);
+}
+
 // What particles of either model have.
 // @param velocity of a particle in map view
-template <class Velocity>
-PointTable common_table(const ParticleSet& particles, const GridSpec& grid, const NodeGrid& nodes, bool metric,
-                        const Velocity& velocity) {
+// @param speed along the bed, from its number, that velocity and the ground's slope
+template <class Velocity, class Speed>
+PointTable common_table(const ParticleSet& particles, const GridSpec& grid, const NodeGrid& nodes,
+                        const Velocity& velocity, const Speed& speed) {
     PointTable table;
     const std::size_t count = particles.size();
     table.places.reserve(count);
@@ -53,9 +59,8 @@ PointTable common_table(const ParticleSet& particles, const GridSpec& grid, cons
     for (std::size_t p = 0; p < count; ++p) {
         const Ground ground = ground_under(nodes, x[p], y[p]);
         const auto [u, v] = velocity(p);
-        const double climb = metric ? u * ground.slope.x + v * ground.slope.y : 0;
         const double volume = particles[Field::volume][p] + (confined != nullptr ? confined[p] : 0);
-        const double values[] = {volume / particles[Field::area][p], ground.height, std::hypot(u, v, climb), u, v,
+        const double values[] = {volume / particles[Field::area][p], ground.height, speed(p, Point{u, v}, ground.slope), u, v,
                                  volume};
         for (std::size_t c = 0; c < std::size(values); ++c) table.columns[c].values[p] = values[c];
     }
@@ -71,16 +76,22 @@ double greatest_strain(const ParticleSet& particles, std::size_t p) {
 }
 
 PointTable particle_table(const Flow& flow) {
-    return common_table(flow.particles(), flow.grid(), flow.nodes(), flow.metric(),
-                        [&](std::size_t p) { return flow.map_velocity(p); });
+    return common_table(flow.particles(), flow.grid(), flow.nodes(), [&](std::size_t p) { return flow.map_velocity(p); },
+                        [&](std::size_t p, Point v, Point slope) {
+                            // What it carries: over an edge its velocity in map view and the slope there do not belong together.
+                            const ParticleSet& particles = flow.particles();
+                            return flow.follows_bed() ? std::hypot(particles[Field::u][p], particles[Field::v][p])
+                                                      : speed_on(slope, v, flow.metric());
+                        });
 }
 
 PointTable particle_table(const StructuredFlow& flow) {
     if (!flow.state().solid) return {};
     const ParticleSet& particles = flow.state().solid->particles;
-    PointTable table = common_table(particles, flow.grid(), flow.nodes(), flow.metric(), [&](std::size_t p) {
-        return Point{particles[Field::u][p], particles[Field::v][p]};
-    });
+    PointTable table = common_table(
+        particles, flow.grid(), flow.nodes(),
+        [&](std::size_t p) { return Point{particles[Field::u][p], particles[Field::v][p]}; },
+        [&](std::size_t, Point v, Point slope) { return speed_on(slope, v, flow.metric()); });
     const std::size_t count = particles.size();
     const auto fill = [&](const char* name, const auto& value) {
         std::vector<double>& values = table.add(name);
