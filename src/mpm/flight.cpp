@@ -8,6 +8,7 @@
 #include "mpm/curvature.h"
 #include "mpm/node_tiles.h"
 #include "mpm/nodes_to_particles.h"
+#include "mpm/particle_shape.h"
 #include "mpm/shape.h"
 
 namespace frana {
@@ -20,43 +21,35 @@ constexpr int k_halvings = 30;
 // Least factor of an area in one flight.
 constexpr double k_least_stretch = 0.5;
 
+using Spline = Stencil<QuadraticSplineShape>;
+
 // The bed of the quadratic splines.
 struct Bed {
     Interpolated z;
-    double xx, xy, yy;  // [1/m]
+    BedCurvature curvature;
 
     [[nodiscard]] Point map_velocity(Point along) const noexcept {
         return BedFrame::of({z.dx, z.dy}).in_map(along.x, along.y);
     }
-    [[nodiscard]] bool throws(Point v, double gravity) const noexcept {
-        return v.x * v.x * xx + 2 * v.x * v.y * xy + v.y * v.y * yy < -gravity;
-    }
+    [[nodiscard]] bool throws(Point v, double gravity) const noexcept { return curvature.load(v.x, v.y) < -gravity; }
 };
 
 Interpolated ground_at(const NodeGrid& nodes, Point p) noexcept {
-    return interpolate(Stencil<QuadraticSplineShape>(p.x, p.y, nodes.scale()), nodes.bed.data(), nodes.stride());
+    return interpolate(Spline(p.x, p.y, nodes.scale()), nodes.bed.data(), nodes.stride());
 }
 
 Bed bed_at(const NodeGrid& nodes, Point p) noexcept {
     const NodeScale grid = nodes.scale();
-    const Stencil<QuadraticSplineShape> s(p.x, p.y, grid);
-    const double bend[3] = {grid.inverse_dx * grid.inverse_dx, -2 * grid.inverse_dx * grid.inverse_dx,
-                            grid.inverse_dx * grid.inverse_dx};
-    Bed bed{{0, 0, 0}, 0, 0, 0};
+    const Spline s(p.x, p.y, grid);
+    const double inverse_dx2 = grid.inverse_dx * grid.inverse_dx, bend[3] = {inverse_dx2, -2 * inverse_dx2, inverse_dx2};
+    Bed bed{interpolate(s, nodes.bed.data(), nodes.stride()), {}};
     for (int b = 0; b < 3; ++b) {
-        const double* row = nodes.bed.data() + s.first + b * nodes.stride();
-        double value = 0, slope = 0, curve = 0;
         for (int a = 0; a < 3; ++a) {
-            value += s.wx[a] * row[a];
-            slope += s.gx[a] * row[a];
-            curve += bend[a] * row[a];
+            const double z = nodes.bed[s.first + static_cast<std::size_t>(b * nodes.stride() + a)];
+            bed.curvature.xx += s.wy[b] * bend[a] * z;
+            bed.curvature.xy += s.gy[b] * s.gx[a] * z;
+            bed.curvature.yy += bend[b] * s.wx[a] * z;
         }
-        bed.z.value += s.wy[b] * value;
-        bed.z.dx += s.wy[b] * slope;
-        bed.z.dy += s.gy[b] * value;
-        bed.xx += s.wy[b] * curve;
-        bed.xy += s.gy[b] * slope;
-        bed.yy += bend[b] * value;
     }
     return bed;
 }
@@ -67,11 +60,9 @@ Point at(Point from, Point velocity, double time) noexcept {
 
 // The velocity at the end loses its part normal to the bed.
 Point landed_velocity(const NodeGrid& nodes, Point place, Point velocity, double climb) {
-    const Bed bed = bed_at(nodes, place);
-    const double into = (climb - velocity.x * bed.z.dx - velocity.y * bed.z.dy) /
-                        (1 + bed.z.dx * bed.z.dx + bed.z.dy * bed.z.dy);
-    const double u = velocity.x + into * bed.z.dx, v = velocity.y + into * bed.z.dy;
-    return BedFrame::of({bed.z.dx, bed.z.dy}).along_bed(u, v);
+    const Interpolated z = ground_at(nodes, place);
+    const double into = (climb - velocity.x * z.dx - velocity.y * z.dy) / (1 + z.dx * z.dx + z.dy * z.dy);
+    return BedFrame::of({z.dx, z.dy}).along_bed(velocity.x + into * z.dx, velocity.y + into * z.dy);
 }
 
 // From jump.from on, until it lands. Returns the steepest fall of the edge in its direction.
@@ -82,11 +73,11 @@ double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
     Point place = jump.from, velocity = jump.velocity;
     double time = 0, steepest = 0;
     for (bool flies = true; flies;) {
-        const double way = std::hypot(velocity.x, velocity.y) * time;
-        if (way >= k_edge_width * grid.dx && steepest < rules.edge) return steepest;  // no edge: the rest does not matter
+        const double speed = std::hypot(velocity.x, velocity.y);
+        const bool at_edge = speed * time < k_edge_width * grid.dx;
+        if (!at_edge && steepest < rules.edge) return steepest;  // no edge: the rest does not matter
         const double climb = jump.climb - rules.gravity * time;
-        const double fastest = std::max({std::hypot(velocity.x, velocity.y), std::abs(climb), std::sqrt(rules.gravity * look)});
-        const double dt = look / fastest;
+        const double dt = look / std::max({speed, std::abs(climb), std::sqrt(rules.gravity * look)});
         Point next = at(place, velocity, dt);
         const bool outside = !nodes.bounds().holds(next.x, next.y);
         const bool leaves = outside && !rules.wall;
@@ -102,8 +93,7 @@ double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
         }
         double ahead = dt;
         const Interpolated ground = ground_at(nodes, next);
-        const double speed = std::hypot(velocity.x, velocity.y);
-        if (speed > 0 && speed * time < k_edge_width * grid.dx)
+        if (at_edge && (velocity.x != 0 || velocity.y != 0))
             steepest = std::max(steepest, -(velocity.x * ground.dx + velocity.y * ground.dy) / speed);
         if (height(time + dt) <= ground.value) {
             double above = 0;
@@ -132,14 +122,13 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
                               double clearance) {
     const double look = k_look * nodes.cell_size();
     double time = 0, before = 0;
-    Point last = place;
+    Point last = place, way{};
     while (nodes.bounds().holds(place.x, place.y)) {
         Bed bed = bed_at(nodes, place);
         Point velocity = bed.map_velocity(along);
         if (bed.throws(velocity, rules.gravity)) {
             // The place where this begins, between the last one looked at and this one.
             double held = 0, thrown = time - before;
-            const Point way = bed_at(nodes, last).map_velocity(along);
             for (int i = 0; i < k_halvings && thrown > held; ++i) {
                 const double middle = 0.5 * (held + thrown);
                 const Bed there = bed_at(nodes, at(last, way, middle));
@@ -158,6 +147,7 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
         if (!(time < reach) || !(speed > 0)) return std::nullopt;
         before = time;
         last = place;
+        way = velocity;
         time = std::min(reach, time + look / speed);
         place = at(place, velocity, time - before);
     }
@@ -189,15 +179,12 @@ void stretch(ParticleRow& row, double time, double cell_area) {
     const double yx = time * get(row, Field::c_yx), yy = 1 + time * get(row, Field::c_yy);
     const double area = get(row, Field::area);
     const double most = std::max(1.0, k_largest_claim * cell_area / area);
-    const double growth = std::clamp(xx * yy - xy * yx, k_least_stretch, most);
-    get(row, Field::area) = growth * area;
-    double &a = get(row, Field::q_xx), &b = get(row, Field::q_xy), &c = get(row, Field::q_yy);
-    const double qa = xx * xx * a + 2 * xx * xy * b + xy * xy * c, qb = xx * yx * a + (xx * yy + xy * yx) * b + xy * yy * c,
-                 qc = yx * yx * a + 2 * yx * yy * b + yy * yy * c;
-    const double fit = std::min(1.0, k_largest_claim * cell_area / (qa + qc));
-    a = fit * qa;
-    b = fit * qb;
-    c = fit * qc;
+    get(row, Field::area) = area * std::clamp(xx * yy - xy * yx, k_least_stretch, most);
+    const auto q = deformed<double>({get(row, Field::q_xx), get(row, Field::q_xy), get(row, Field::q_yy)}, xx, xy, yx, yy);
+    const double fit = std::min(1.0, k_largest_claim * cell_area / (q.xx + q.yy));
+    get(row, Field::q_xx) = fit * q.xx;
+    get(row, Field::q_xy) = fit * q.xy;
+    get(row, Field::q_yy) = fit * q.yy;
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ struct JumpRules {
 /// from which the parabola clears the ground by more than `clearance` [m], if the edge falls by JumpRules::edge or more in its
 /// direction within k_edge_width. A fast flow bends away from gentler ground too, but not as a whole: what the bed no longer bears there
 /// the layer's upper part, and drag, still hold. Without that bound every bump of a gully threw particles, which then had
-/// no friction: 126 m/s where most codes have 41 to 53 (share/doc/model.md). On landing the part of the velocity normal to
+/// no friction: 71 m/s where most codes have 41 to 53 (share/doc/model.md). On landing the part of the velocity normal to
 /// the bed is lost.
 /// @param along velocity along the bed (BedFrame) [m/s]
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,

@@ -13,7 +13,7 @@ struct NodeReport {
     double max_depth = 0;          ///< [m]
     double max_speed = 0;          ///< along the bed [m/s]
     std::int64_t covered = 0;      ///< nodes deeper than the minimum
-    std::int64_t unsupported = 0;  ///< of those, nodes whose motion over a convex bed lifts them off it
+    std::int64_t unsupported = 0;  ///< nodes, however thin, whose motion over a convex bed lifts them off it
     bool moves = false;            ///< whether any node moves on
     double moving = 0;             ///< volume that is faster than NodeUpdate::moving_speed, however thin [m3]
     double thin = 0;               ///< volume on nodes that are not as deep as the minimum [m3]

@@ -6,6 +6,7 @@
 
 #include "mpm/curvature.h"
 #include "mpm/node_grid.h"
+#include "mpm/particle_shape.h"
 #include "mpm/shape.h"
 #include "mpm/shifting.h"
 #include "particles/particle_set.h"
@@ -278,11 +279,9 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             if (growth < 1 && (share < k_full_share || tower)) growth = 1;
         }
         double new_area = area[p] * growth;
-        if constexpr (Relaxed && Transfer::affine) {  // Q <- F Q F^T, F = I + dt grad v
-            const double fxx = 1 + k.dt * u_x, fxy = k.dt * u_y, fyx = k.dt * v_x, fyy = 1 + k.dt * v_y;
-            const double axx = fxx * q_xx[p] + fxy * q_xy[p], axy = fxx * q_xy[p] + fxy * q_yy[p];
-            const double ayx = fyx * q_xx[p] + fyy * q_xy[p], ayy = fyx * q_xy[p] + fyy * q_yy[p];
-            const double xx = axx * fxx + axy * fxy, xy = axx * fyx + axy * fyy, yy = ayx * fyx + ayy * fyy;
+        if constexpr (Relaxed && Transfer::affine) {  // F = I + dt grad v
+            const auto [xx, xy, yy] = deformed<double>({q_xx[p], q_xy[p], q_yy[p]}, 1 + k.dt * u_x, k.dt * u_y, k.dt * v_x,
+                                                       1 + k.dt * v_y);
             if (volume[p] > k.film * area[p]) report.longest = std::max(report.longest, xx + yy);
             const double fit = std::min(1.0, k_largest_claim * cell_area / (xx + yy));
             q_xx[p] = fit * xx;

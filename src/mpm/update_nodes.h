@@ -236,13 +236,13 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         const double brought = bed.speed(old);
         // Ghosts mirror what nodes inside hold already.
         if (!ghost && brought > k.moving_speed) report.moving += node.mass;
+        if constexpr (Slope::curved) report.unsupported += drive.load <= -k.gravity;  // however thin: tips fly first
         if (cell_depth < k.minimum_depth) {
             if (!ghost) report.thin += node.mass;
         } else {
             report.covered += ghost ? 0 : 1;
             report.max_depth = std::max(report.max_depth, cell_depth);
             report.max_speed = std::max(report.max_speed, brought);
-            if constexpr (Slope::curved) report.unsupported += drive.load <= -k.gravity;
             observe(i, cell_depth, brought);
         }
         report.moves = report.moves || after.x != 0 || after.y != 0;

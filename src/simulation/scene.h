@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "core/geometry.h"
 #include "core/grid_spec.h"
 #include "core/raster.h"
+#include "params/keys/default_values.h"
 
 namespace frana {
 
@@ -183,7 +186,7 @@ struct Numerics {
     SlopeCorrection slope_correction = SlopeCorrection::normal;
     bool curvature = true;  ///< motion along a curved bed (Curved); not without slope correction
     bool flight = true;     ///< what the bed throws off flies; only with curvature and the default scheme
-    double flight_slope = 2.7474774194546216;  ///< tangent: least fall of an edge in the direction of motion [-]
+    double flight_slope = std::tan(k_flight_slope_degrees * std::numbers::pi / 180);  ///< tangent: least fall of an edge in the direction of motion [-]
     Boundary boundary = Boundary::open;
     NodataPolicy nodata = NodataPolicy::stop;
     double gravity = 9.81;        ///< [m/s2]

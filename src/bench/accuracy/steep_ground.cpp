@@ -28,13 +28,13 @@ class FilmRun {
   public:
     /// @param film where it lies and how fast it starts (depth is not looked at but for its sign)
     FilmRun(double length, double width, double cell_size, Scheme scheme, Surface ground,
-            const std::function<Seed(Point)>& film)
+            const std::function<Seed(Point)>& film, double thickness = k_film)
         : ground_(std::move(ground)) {
         setup_.bed = sample_raster(plain_grid(std::llround(length / cell_size), std::llround(width / cell_size), cell_size),
                                    ground_);
         setup_.seeds = fill_lattice(setup_.bed.grid, 2, 0, [&](Point p) {
             const Seed seed = film(p);
-            return Seed{seed.depth > 0 ? k_film : 0, seed.u, seed.v};
+            return Seed{seed.depth > 0 ? thickness : 0, seed.u, seed.v};
         });
         setup_.material = water();
         setup_.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::open);
@@ -163,11 +163,11 @@ constexpr double k_margin = 80, k_radius = 12;
 
 // A film that flows along a profile, at an angle to the grid.
 FilmRun along(const Profile& profile, double length, double start, double height, double angle_deg, double cell_size,
-              Scheme scheme) {
+              Scheme scheme, double thickness = k_film) {
     const Turned frame({k_margin, k_margin}, angle_deg);
     return FilmRun(2 * k_margin + length * frame.cosine, 2 * k_margin + length * frame.sine, cell_size, scheme,
                    [=](Point p) { return profile(frame.in(p).x); },
-                   [&](Point p) { return flowing(frame, p, {start, 0}, k_radius, height, profile); });
+                   [&](Point p) { return flowing(frame, p, {start, 0}, k_radius, height, profile); }, thickness);
 }
 
 constexpr double k_angles[] = {0.0, 30.0};
@@ -333,6 +333,7 @@ CaseFigures run_ridge(double cell_size, Scheme scheme) {
 }
 
 // At 20 m/s over an edge of 50 m: a parabola, then on at 20 m/s.
+template <int Centimetres>
 CaseFigures run_cliff_jump(double cell_size, Scheme scheme) {
     constexpr double k_speed = 20, k_edge = 100, k_drop = 50;
     const double flies = std::sqrt(2 * k_drop / k_gravity);
@@ -341,7 +342,8 @@ CaseFigures run_cliff_jump(double cell_size, Scheme scheme) {
     for (const double angle : k_angles) {
         const Turned frame({k_margin, k_margin}, angle);
         const auto profile = [=](double s) { return s < k_edge ? k_drop : 0; };
-        FilmRun run = along(profile, 300, 40, k_drop + square(k_speed) / (2 * k_gravity), angle, cell_size, scheme);
+        FilmRun run = along(profile, 300, 40, k_drop + square(k_speed) / (2 * k_gravity), angle, cell_size, scheme,
+                            0.01 * Centimetres);
         run.advance_to(9, [](const Film&) {});
         own.push_back({text_of("mean length of the jump over the parabola's - 1, turned by %g%.0s%.0s", angle, 0, 0),
                        run.mean_jump() / (k_speed * flies) - 1, 0.05});
@@ -362,7 +364,8 @@ std::vector<AccuracyCase> steep_ground() {
             {"slope-step", "film without friction from 40 to 10 degrees", cells, false, run_slope_step},
             {"gully-bend", "film without friction down a half-pipe round a bend", cells, false, run_gully_bend},
             {"ridge", "film without friction against a ridge that a part overtops", cells, false, run_ridge},
-            {"cliff-jump", "film without friction over an edge of 50 m", cells, false, run_cliff_jump}};
+            {"cliff-jump", "film of 30 cm without friction over an edge of 50 m", cells, false, run_cliff_jump<30>},
+            {"thin-cliff-jump", "film of 10 cm without friction over an edge of 50 m", cells, false, run_cliff_jump<10>}};
 }
 
 }  // namespace frana::bench

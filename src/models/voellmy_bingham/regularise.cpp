@@ -37,14 +37,8 @@ std::vector<std::uint8_t> resting(const State& state) {
     return rests;
 }
 
-// Greatest speed of a particle with its wave [m/s].
-double wave_of(const ParticleSet& particles, std::size_t p, const Laws& laws) {
-    return std::hypot(particles[Field::u][p], particles[Field::v][p]) +
-           std::sqrt(laws.gravity * laws.stress.wave_factor * particles[Field::volume][p] / particles[Field::area][p]);
-}
-
-}  // namespace
-
+// Sorts by tile, dropping what has left (if any may have) and where `keep` is 0 (if it is not empty), and forgets the nodes
+// that no particle can touch any more: their old sums must not be read as a neighbour's.
 void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, ThreadPool& pool) {
     if (drop) {
         const double *x = state.particles[Field::x], *y = state.particles[Field::y];
@@ -66,16 +60,29 @@ void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, Thr
             state.active.forget(tile);
         }
     }
+}
+
+// The same when particles may have drifted as far as they are let.
+void sort_anew(State& state, bool drop, ThreadPool& pool) {
+    sort_particles(state, drop, {}, pool);
     state.drift = 0;
     state.since_sort = 0;
 }
+
+// Greatest speed of a particle with its wave [m/s].
+double wave_of(const ParticleSet& particles, std::size_t p, const Laws& laws) {
+    return std::hypot(particles[Field::u][p], particles[Field::v][p]) +
+           std::sqrt(laws.gravity * laws.stress.wave_factor * particles[Field::volume][p] / particles[Field::area][p]);
+}
+
+}  // namespace
 
 bool shifts_now(const State& state, const Stages& stages) {
     return stages.resamples && state.since_sort % k_shift_steps == 0;
 }
 
 void prepare(State& state, const Laws& laws, ThreadPool& pool) {
-    sort_particles(state, true, {}, pool);
+    sort_anew(state, true, pool);
     state.active.wake(state.order);
     state.wave_speed = 0;
     for (std::size_t p = 0; p < state.particles.size(); ++p)
@@ -101,7 +108,7 @@ void regularise(Step& now) {
     const bool stretched =
         now.stages.resamples && seen.longest > k_long_shape * dx * dx && state.since_sort >= k_sort_pause;
     if (!(seen.outside > 0 || stretched || state.drift + moved + shift > k_drift_limit)) return;
-    sort_particles(state, seen.outside > 0, {}, now.pool);
+    sort_anew(state, seen.outside > 0, now.pool);
     now.watch.ends(Stage::sort);
     if (!now.stages.resamples) return;
     now.report.resampled = resample(state.particles, state.order, now.laws.resample, resting(state), now.pool);
@@ -128,12 +135,7 @@ void leave_and_land(Step& now) {
         state.wave_speed = std::max(state.wave_speed, wave_of(state.particles, p, now.laws));
         state.active.wake_round(state.order.tile_of(state.particles[Field::x][p], state.particles[Field::y][p]));
     }
-    // Sorted, but neither shifted nor split: the steps since the last sort go on counting.
-    const double drift = state.drift;
-    const int since_sort = state.since_sort;
-    sort_particles(state, false, std::move(keep), now.pool);
-    state.drift = drift;
-    state.since_sort = since_sort;
+    sort_particles(state, false, std::move(keep), now.pool);  // neither shifted nor split: that keeps its own schedule
     now.watch.ends(Stage::sort);
 }
 

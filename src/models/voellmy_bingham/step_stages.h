@@ -66,12 +66,6 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool);
 /// anything.
 void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, Maxima& maxima, ThreadPool& pool);
 
-/// Sorts by tile, dropping what has left, and forgets the nodes that no particle can touch any more: their old
-/// sums must not be read as a neighbour's.
-/// @param drop whether any particle may have left
-/// @param keep 0 for particles to drop besides; may be empty
-void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, ThreadPool& pool);
-
 /// Shifting needs what splitting does: the default scheme with its affine velocities.
 [[nodiscard]] bool shifts_now(const State& state, const Stages& stages);
 

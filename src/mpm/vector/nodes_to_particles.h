@@ -235,13 +235,10 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         const Quad::Mask tower = mass * g.share * cell_area > k_tower * old_area * g.cell_depth;
         growth = select((growth < 1) & ((g.share < k_full_share) | tower), 1.0, growth);
         Quad new_area = old_area * growth;
-        {  // Q <- F Q F^T, F = I + dt grad v
-            const Quad old_xx = load_some(q_xx + p, n), old_xy = load_some(q_xy + p, n),
-                       old_yy = load_some(q_yy + p, n);
-            const Quad fxx = 1 + k.dt * g.u_x, fxy = k.dt * g.u_y, fyx = k.dt * g.v_x, fyy = 1 + k.dt * g.v_y;
-            const Quad axx = fxx * old_xx + fxy * old_xy, axy = fxx * old_xy + fxy * old_yy;
-            const Quad ayx = fyx * old_xx + fyy * old_xy, ayy = fyx * old_xy + fyy * old_yy;
-            const Quad xx = axx * fxx + axy * fxy, xy = axx * fyx + axy * fyy, yy = ayx * fyx + ayy * fyy;
+        {  // F = I + dt grad v
+            const ParticleShape<Quad> old{load_some(q_xx + p, n), load_some(q_xy + p, n), load_some(q_yy + p, n)};
+            const auto [xx, xy, yy] =
+                deformed<Quad>(old, 1 + k.dt * g.u_x, k.dt * g.u_y, k.dt * g.v_x, 1 + k.dt * g.v_y);
             const Quad trace = xx + yy;
             longest = select(real & (mass > k.film * old_area), max(longest, trace), longest);
             Quad fit = 1.0;

@@ -10,6 +10,7 @@
 #include "core/grid_spec.h"
 #include "params/grammar/source.h"
 #include "params/grammar/thickness.h"
+#include "params/keys/default_values.h"
 
 namespace frana {
 
@@ -134,7 +135,7 @@ struct NumericsSpec {
     std::string slope_correction = "auto";
     std::optional<bool> curvature;
     std::optional<bool> flight;
-    double flight_slope = 70;  // degrees
+    double flight_slope = k_flight_slope_degrees;
     std::string boundary = "open";
     double gravity = 9.81;
     double minimum_depth = 0.01;
