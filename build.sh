@@ -11,8 +11,8 @@ packages=(
   libavformat-dev libavcodec-dev libswscale-dev libavutil-dev
   libboost-program-options-dev zlib1g-dev libxxhash-dev libgtest-dev
 )
-# Kernels' instructions and times (.ci/kernel_instructions, kernel_benchmark); readers of what frana writes.
-test_packages=(libbenchmark-dev valgrind poppler-utils python3-xarray python3-zarr python3-netcdf4)
+# Kernels' instructions and times (.ci/kernel_instructions, kernel_benchmark); layout of the source; readers of what frana writes.
+test_packages=(libbenchmark-dev valgrind clang-format-14 poppler-utils python3-xarray python3-zarr python3-netcdf4)
 
 say() { printf '== %s\n' "$*"; }
 

@@ -17,9 +17,9 @@ constexpr int k_rim_points = 120;
 double rim_distance(double angle) {
     const double along = std::cos(angle) / k_half_length, across = std::sin(angle) / k_half_width;
     const double ellipse = 1 / std::sqrt(along * along + across * across);
-    return ellipse * (1 - 0.045 * std::cos(angle) + 0.030 * std::sin(2 * angle + 0.4) +
-                      0.026 * std::sin(3 * angle + 1.9) + 0.018 * std::sin(5 * angle + 0.7) +
-                      0.013 * std::sin(9 * angle + 2.2) + 0.009 * std::sin(14 * angle + 4.1));
+    return ellipse *
+           (1 - 0.045 * std::cos(angle) + 0.030 * std::sin(2 * angle + 0.4) + 0.026 * std::sin(3 * angle + 1.9) +
+            0.018 * std::sin(5 * angle + 0.7) + 0.013 * std::sin(9 * angle + 2.2) + 0.009 * std::sin(14 * angle + 4.1));
 }
 
 double angle_of(Point local) {
@@ -72,12 +72,11 @@ Ring scar_outline() {
     struct Station {
         double y, west, east;
     };
-    static const Station stations[] = {{1112, 750, 777}, {1101, 729, 799}, {1083, 705, 818}, {1057, 689, 833},
-                                       {1031, 677, 838}, {1002, 664, 843}, {974, 657, 848},  {947, 648, 846},
-                                       {918, 641, 845},  {889, 636, 847},  {861, 640, 841},  {832, 631, 834},
-                                       {803, 627, 833},  {776, 622, 823},  {748, 618, 826},  {721, 622, 819},
-                                       {694, 617, 808},  {667, 624, 802},  {641, 631, 789},  {617, 646, 778},
-                                       {598, 665, 757},  {586, 690, 731}};
+    static const Station stations[] = {
+        {1112, 750, 777}, {1101, 729, 799}, {1083, 705, 818}, {1057, 689, 833}, {1031, 677, 838}, {1002, 664, 843},
+        {974, 657, 848},  {947, 648, 846},  {918, 641, 845},  {889, 636, 847},  {861, 640, 841},  {832, 631, 834},
+        {803, 627, 833},  {776, 622, 823},  {748, 618, 826},  {721, 622, 819},  {694, 617, 808},  {667, 624, 802},
+        {641, 631, 789},  {617, 646, 778},  {598, 665, 757},  {586, 690, 731}};
     Ring outline;
     for (const Station& station : stations) outline.push_back({station.west, station.y});
     for (std::size_t i = std::size(stations); i-- > 0;) outline.push_back({stations[i].east, stations[i].y});

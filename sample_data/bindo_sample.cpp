@@ -45,16 +45,14 @@ void write_bindo_sample(const std::string& folder) {
     const auto file = [&](const char* name) { return (std::filesystem::path(folder) / name).string(); };
     GridSpec grid = bindo_grid();
     grid.crs_wkt = gis::crs_from_user("EPSG:32632", "");
-    const std::map<std::string, std::string> origin{
-        {"ORIGIN", "Synthetic: made by frana's sample generator"}};
+    const std::map<std::string, std::string> origin{{"ORIGIN", "Synthetic: made by frana's sample generator"}};
     gis::write_geotiff(file("dtm.tif"), sampled(grid, bindo_height),
                        {"dtm", "Synthetic terrain before the failure", "m", origin});
     gis::write_geotiff(file("thickness.tif"), sampled(grid, release_thickness),
                        {"thickness", "Synthetic thickness of the failing mass, vertical", "m", origin});
-    write_shapefile(file("perimeter.shp"), 4326,
-                    moved(release_rim(), grid, gis::crs_from_user("EPSG:4326", ""), 1e9), "failing mass");
-    write_shapefile(file("scar.shp"), 3003,
-                    moved(scar_outline(), grid, gis::crs_from_user("EPSG:3003", ""), 1e3),
+    write_shapefile(file("perimeter.shp"), 4326, moved(release_rim(), grid, gis::crs_from_user("EPSG:4326", ""), 1e9),
+                    "failing mass");
+    write_shapefile(file("scar.shp"), 3003, moved(scar_outline(), grid, gis::crs_from_user("EPSG:3003", ""), 1e3),
                     "outline after the event");
 }
 

@@ -74,11 +74,10 @@ constexpr std::array<Gully, 9> k_gullies{{{1085, -0.16, 26, 34, 60, 1150, 501},
                                           {905, 0.05, 7, 15, 90, 560, 577}}};
 
 double incision(const Gully& gully, double x, double distance) {
-    const double along = smooth_step(gully.from, gully.from + 160, distance) *
-                         (1 - smooth_step(gully.to - 420, gully.to, distance));
+    const double along =
+        smooth_step(gully.from, gully.from + 160, distance) * (1 - smooth_step(gully.to - 420, gully.to, distance));
     if (along <= 0) return 0;
-    const double middle = gully.x + gully.drift * (distance - 500) +
-                          34 * noise(distance / 170, 0.37, gully.seed) +
+    const double middle = gully.x + gully.drift * (distance - 500) + 34 * noise(distance / 170, 0.37, gully.seed) +
                           11 * noise(distance / 55, 0.71, gully.seed + 1);
     const double aside = std::abs(x - middle) / (gully.width * (0.7 + 0.5 * along));
     // A V rounded at the bottom, with shoulders that fade into the slope.
@@ -155,8 +154,7 @@ double bindo_height(Point p) {
         deepest = std::max(deepest, incision(gully, p.x, distance));
         if (gully.from <= k_valley_edge) highest = std::max(highest, fan(gully, p));
     }
-    return height + rise(k_north_side, distance) + hillside_relief(p, distance) + slide_body(p) - deepest +
-           highest;
+    return height + rise(k_north_side, distance) + hillside_relief(p, distance) + slide_body(p) - deepest + highest;
 }
 
 }  // namespace frana::sample

@@ -39,8 +39,7 @@ double noise(double x, double y, unsigned seed) {
     const auto c = static_cast<std::int64_t>(column), r = static_cast<std::int64_t>(row);
     const double u = fade(dx), v = fade(dy);
     const double south = (1 - u) * pull(c, r, dx, dy, seed) + u * pull(c + 1, r, dx - 1, dy, seed);
-    const double north =
-        (1 - u) * pull(c, r + 1, dx, dy - 1, seed) + u * pull(c + 1, r + 1, dx - 1, dy - 1, seed);
+    const double north = (1 - u) * pull(c, r + 1, dx, dy - 1, seed) + u * pull(c + 1, r + 1, dx - 1, dy - 1, seed);
     return 1.6 * ((1 - v) * south + v * north);
 }
 

@@ -21,8 +21,7 @@ void write_shapefile(const std::string& path, int epsg, const Ring& outline, con
         CPLStringList options;
         options.SetNameValue("DBF_DATE_LAST_UPDATE", "2002-12-01");
         options.SetNameValue("ENCODING", "UTF-8");
-        OGRLayer* layer =
-            dataset ? dataset->CreateLayer("outline", &crs, wkbPolygon, options.List()) : nullptr;
+        OGRLayer* layer = dataset ? dataset->CreateLayer("outline", &crs, wkbPolygon, options.List()) : nullptr;
         OGRFieldDefn field("name", OFTString);
         field.SetWidth(40);
         if (layer && layer->CreateField(&field) == OGRERR_NONE) {
@@ -38,9 +37,8 @@ void write_shapefile(const std::string& path, int epsg, const Ring& outline, con
         }
     }
     if (!good || session.failed()) {
-        throw Error(ErrorKind::environment,
-                    Problem{"the shapefile cannot be written: " + session.last_message(), path, "", "",
-                            "Check that the folder exists and may be written"});
+        throw Error(ErrorKind::environment, Problem{"the shapefile cannot be written: " + session.last_message(), path,
+                                                    "", "", "Check that the folder exists and may be written"});
     }
 }
 

@@ -23,11 +23,11 @@ void CPL_STDCALL keep(CPLErr kind, CPLErrorNum, const char* message) {
 
 /// Users set these for work of their own; a file that somebody sent must not profit by it.
 constexpr std::pair<const char*, const char*> k_settings[] = {
-    {"GDAL_VRT_ENABLE_PYTHON", "NO"},             // a VRT's pixel functions are programs
-    {"OGR_SQLITE_LOAD_EXTENSIONS", ""},           // SQLite's extensions are programs
-    {"GML_SKIP_RESOLVE_ELEMS", "ALL"},            // GML's references are followed anywhere, and a file written
-    {"SHAPE_RESTORE_SHX", "NO"},                  // writes beside the shapefile
-    {"CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO"},     // writes beside the archive
+    {"GDAL_VRT_ENABLE_PYTHON", "NO"},          // a VRT's pixel functions are programs
+    {"OGR_SQLITE_LOAD_EXTENSIONS", ""},        // SQLite's extensions are programs
+    {"GML_SKIP_RESOLVE_ELEMS", "ALL"},         // GML's references are followed anywhere, and a file written
+    {"SHAPE_RESTORE_SHX", "NO"},               // writes beside the shapefile
+    {"CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO"},  // writes beside the archive
 };
 
 /// Drivers that start a program (GPSBabel) or write a database beside the file (VFK).

@@ -73,11 +73,8 @@ void JsonMembers::end_value() {
     taking_ = false;
     const auto from = taken_.find_first_not_of(" \t\r\n"), to = taken_.find_last_not_of(" \t\r\n");
     JsonMember member{from == std::string::npos ? "" : taken_.substr(from, to - from + 1), taken_at_ == 1};
-    const auto same = [&](const JsonMember& one) {
-        return one.text == member.text && one.at_top == member.at_top;
-    };
-    if (found_.size() < k_most && std::none_of(found_.begin(), found_.end(), same))
-        found_.push_back(std::move(member));
+    const auto same = [&](const JsonMember& one) { return one.text == member.text && one.at_top == member.at_top; };
+    if (found_.size() < k_most && std::none_of(found_.begin(), found_.end(), same)) found_.push_back(std::move(member));
 }
 
 }  // namespace frana::gis

@@ -16,8 +16,7 @@ struct JsonMember {
 /// objects under the member `besides` are left out.
 class JsonMembers {
   public:
-    JsonMembers(std::string name, std::string besides)
-        : name_(std::move(name)), besides_(std::move(besides)) {}
+    JsonMembers(std::string name, std::string besides) : name_(std::move(name)), besides_(std::move(besides)) {}
 
     void read(const char* bytes, std::size_t count);
     /// Without repetitions, in their order.

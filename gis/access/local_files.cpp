@@ -28,26 +28,17 @@ class LocalFiles : public VSIFilesystemHandler {
   public:
     explicit LocalFiles(VSIFilesystemHandler& files) : files_(files) {}
 
-    VSIVirtualHandle* Open(const char* path, const char* access, bool set_error,
-                           CSLConstList options) override {
+    VSIVirtualHandle* Open(const char* path, const char* access, bool set_error, CSLConstList options) override {
         if (writes(access) && refuse_writing()) return nullptr;
         if (refuse_special_file(path)) return nullptr;
         return files_.Open(path, access, set_error, options);
     }
-    int Stat(const char* path, VSIStatBufL* status, int flags) override {
-        return files_.Stat(path, status, flags);
-    }
+    int Stat(const char* path, VSIStatBufL* status, int flags) override { return files_.Stat(path, status, flags); }
     int Unlink(const char* path) override { return refuse_writing() ? -1 : files_.Unlink(path); }
-    int Mkdir(const char* path, long mode) override {
-        return refuse_writing() ? -1 : files_.Mkdir(path, mode);
-    }
+    int Mkdir(const char* path, long mode) override { return refuse_writing() ? -1 : files_.Mkdir(path, mode); }
     int Rmdir(const char* path) override { return refuse_writing() ? -1 : files_.Rmdir(path); }
-    int RmdirRecursive(const char* path) override {
-        return refuse_writing() ? -1 : files_.RmdirRecursive(path);
-    }
-    int Rename(const char* from, const char* to) override {
-        return refuse_writing() ? -1 : files_.Rename(from, to);
-    }
+    int RmdirRecursive(const char* path) override { return refuse_writing() ? -1 : files_.RmdirRecursive(path); }
+    int Rename(const char* from, const char* to) override { return refuse_writing() ? -1 : files_.Rename(from, to); }
     char** ReadDir(const char* path) override { return files_.ReadDir(path); }
     char** ReadDirEx(const char* path, int most) override { return files_.ReadDirEx(path, most); }
     char** SiblingFiles(const char* path) override { return files_.SiblingFiles(path); }
@@ -86,8 +77,7 @@ void guard_local_files() {
     static VSIFilesystemHandler* const streams[] = {VSIFileManager::GetHandler("/vsistdin/"),
                                                     VSIFileManager::GetHandler("/vsistdin?")};
     (void)streams;
-    for (const char* prefix : {"/vsistdin/", "/vsistdin?"})
-        VSIFileManager::InstallHandler(prefix, new NoStream);
+    for (const char* prefix : {"/vsistdin/", "/vsistdin?"}) VSIFileManager::InstallHandler(prefix, new NoStream);
 }
 
 bool refuse_special_file(const char* path) {

@@ -34,13 +34,12 @@ constexpr const char* k_file_systems[] = {"/vsicurl",
                                           "/vsihdfs",
                                           "/vsiwebhdfs"};
 
-constexpr const char* k_drivers[] = {
-    "AmigoCloud", "Carto",        "Cloudant",      "CouchDB",  "CSW",           "DAAS",       "DODS",
-    "EEDA",       "EEDAI",        "Elasticsearch", "GMLAS",    "HANA",          "HTTP",       "MongoDB",
-    "MongoDBv3",  "MSSQLSpatial", "MySQL",         "NGW",      "OAPIF",         "OCI",        "ODBC",
-    "OGCAPI",     "OGR_OGDI",     "PGeo",          "PLMOSAIC", "PLSCENES",      "PostGISRaster",
-    "PostgreSQL", "Rasdaman",     "STACIT",        "STACTA",   "WCS",           "WFS",        "WMS",
-    "WMTS"};
+constexpr const char* k_drivers[] = {"AmigoCloud", "Carto",    "Cloudant",      "CouchDB",       "CSW",      "DAAS",
+                                     "DODS",       "EEDA",     "EEDAI",         "Elasticsearch", "GMLAS",    "HANA",
+                                     "HTTP",       "MongoDB",  "MongoDBv3",     "MSSQLSpatial",  "MySQL",    "NGW",
+                                     "OAPIF",      "OCI",      "ODBC",          "OGCAPI",        "OGR_OGDI", "PGeo",
+                                     "PLMOSAIC",   "PLSCENES", "PostGISRaster", "PostgreSQL",    "Rasdaman", "STACIT",
+                                     "STACTA",     "WCS",      "WFS",           "WMS",           "WMTS"};
 
 constexpr const char* k_remedy = "Copy it to this machine, or start frana with --allow-network";
 
@@ -80,9 +79,8 @@ bool names_network(const std::string& path) {
         return true;
     const std::string driver = path.substr(0, path.find(':'));
     return driver.size() < path.size() &&
-           (EQUAL(driver.c_str(), "PG") ||
-            std::any_of(std::begin(k_drivers), std::end(k_drivers),
-                        [&](const char* name) { return EQUAL(driver.c_str(), name); }));
+           (EQUAL(driver.c_str(), "PG") || std::any_of(std::begin(k_drivers), std::end(k_drivers),
+                                                       [&](const char* name) { return EQUAL(driver.c_str(), name); }));
 }
 
 }  // namespace

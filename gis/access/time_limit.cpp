@@ -43,9 +43,8 @@ void watch_over() {
     std::int64_t told_of = 0, next_word = 0;
     for (;;) {
         w.changed.wait(lock, [&] { return !w.limits.empty(); });
-        const auto next =
-            *std::min_element(w.limits.begin(), w.limits.end(),
-                              [](const auto* a, const auto* b) { return a->deadline() < b->deadline(); });
+        const auto next = *std::min_element(w.limits.begin(), w.limits.end(),
+                                            [](const auto* a, const auto* b) { return a->deadline() < b->deadline(); });
         const std::int64_t time = now(), left = next->deadline() - time;
         std::int64_t wait = left;
         if (w.tell != nullptr) {

@@ -12,16 +12,15 @@ constexpr double k_least_area_degrees = 0.005;  // some 500 m: small against any
 ProjPointer<PJ> make_crs(PJ_CONTEXT* context, const std::string& wkt) {
     ProjPointer<PJ> crs(proj_create(context, wkt.c_str()));
     if (!crs) {
-        throw Error(ErrorKind::input, Problem{"PROJ does not know this coordinate reference system", "",
-                                              crs_name(wkt), "", "Name it by its EPSG code"});
+        throw Error(ErrorKind::input, Problem{"PROJ does not know this coordinate reference system", "", crs_name(wkt),
+                                              "", "Name it by its EPSG code"});
     }
     return crs;
 }
 
-ProjPointer<PJ_OBJ_LIST> operations(PJ_CONTEXT* context, const PJ* from, const PJ* to,
-                                    std::optional<Bounds> degrees, PROJ_GRID_AVAILABILITY_USE grids) {
-    const ProjPointer<PJ_OPERATION_FACTORY_CONTEXT> factory(
-        proj_create_operation_factory_context(context, nullptr));
+ProjPointer<PJ_OBJ_LIST> operations(PJ_CONTEXT* context, const PJ* from, const PJ* to, std::optional<Bounds> degrees,
+                                    PROJ_GRID_AVAILABILITY_USE grids) {
+    const ProjPointer<PJ_OPERATION_FACTORY_CONTEXT> factory(proj_create_operation_factory_context(context, nullptr));
     proj_operation_factory_context_set_spatial_criterion(context, factory.get(),
                                                          PROJ_SPATIAL_CRITERION_PARTIAL_INTERSECTION);
     proj_operation_factory_context_set_grid_availability_use(context, factory.get(), grids);
@@ -35,8 +34,8 @@ ProjPointer<PJ_OBJ_LIST> operations(PJ_CONTEXT* context, const PJ* from, const P
         // PROJ tells an area across the antimeridian by west > east.
         if (degrees->east > 180) degrees->east -= 360;
         if (degrees->west < -180) degrees->west += 360;
-        proj_operation_factory_context_set_area_of_interest(context, factory.get(), degrees->west,
-                                                            degrees->south, degrees->east, degrees->north);
+        proj_operation_factory_context_set_area_of_interest(context, factory.get(), degrees->west, degrees->south,
+                                                            degrees->east, degrees->north);
     }
     return ProjPointer<PJ_OBJ_LIST>(proj_create_operations(context, from, to, factory.get()));
 }
@@ -62,8 +61,8 @@ std::string missing_grid(PJ_CONTEXT* context, const PJ* operation) {
     for (int i = 0; i < proj_coordoperation_get_grid_used_count(context, operation); ++i) {
         const char* name = nullptr;
         int available = 0;
-        if (proj_coordoperation_get_grid_used(context, operation, i, &name, nullptr, nullptr, nullptr,
-                                              nullptr, nullptr, &available) &&
+        if (proj_coordoperation_get_grid_used(context, operation, i, &name, nullptr, nullptr, nullptr, nullptr, nullptr,
+                                              &available) &&
             !available && name) {
             return name;
         }
@@ -85,20 +84,18 @@ ProjPointer<PJ_CONTEXT> make_proj_context() {
     return context;
 }
 
-CoordinateOperation choose_operation(PJ_CONTEXT* context, const std::string& from_wkt,
-                                     const std::string& to_wkt, std::optional<Bounds> degrees) {
+CoordinateOperation choose_operation(PJ_CONTEXT* context, const std::string& from_wkt, const std::string& to_wkt,
+                                     std::optional<Bounds> degrees) {
     const ProjPointer<PJ> from = make_crs(context, from_wkt);
     const ProjPointer<PJ> to = make_crs(context, to_wkt);
-    const ProjPointer<PJ> usable =
-        first(context, operations(context, from.get(), to.get(), degrees,
-                                  PROJ_GRID_AVAILABILITY_DISCARD_OPERATION_IF_MISSING_GRID));
+    const ProjPointer<PJ> usable = first(context, operations(context, from.get(), to.get(), degrees,
+                                                             PROJ_GRID_AVAILABILITY_DISCARD_OPERATION_IF_MISSING_GRID));
     CoordinateOperation chosen;
     if (usable) chosen.pj.reset(proj_normalize_for_visualization(context, usable.get()));
     if (!chosen.pj) {
-        throw Error(ErrorKind::input,
-                    Problem{"there is no way from one coordinate reference system to the other", "",
-                            crs_name(from_wkt) + " to " + crs_name(to_wkt), "",
-                            "Check that both are meant for this part of the world"});
+        throw Error(ErrorKind::input, Problem{"there is no way from one coordinate reference system to the other", "",
+                                              crs_name(from_wkt) + " to " + crs_name(to_wkt), "",
+                                              "Check that both are meant for this part of the world"});
     }
     chosen.info.operation = name_of(usable.get());
     const bool by_formula = exact(context, usable.get());

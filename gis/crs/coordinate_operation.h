@@ -34,7 +34,7 @@ struct CoordinateOperation {
 
 /// PROJ's best operation between two CRSs (WKT) among those whose grids are installed; `degrees` is the area
 /// of interest in longitude and latitude. Throws Error(input) when there is none.
-CoordinateOperation choose_operation(PJ_CONTEXT* context, const std::string& from_wkt,
-                                     const std::string& to_wkt, std::optional<Bounds> degrees);
+CoordinateOperation choose_operation(PJ_CONTEXT* context, const std::string& from_wkt, const std::string& to_wkt,
+                                     std::optional<Bounds> degrees);
 
 }  // namespace frana::gis

@@ -98,8 +98,7 @@ bool is_projected_in_metres(const std::string& wkt) {
     auto crs = parse(wkt);
     if (!crs) return false;
     drop_heights(*crs);
-    return crs->IsProjected() && std::abs(crs->GetLinearUnits() - 1.0) < 1e-9 &&
-           axes_run_east_and_north(*crs);
+    return crs->IsProjected() && std::abs(crs->GetLinearUnits() - 1.0) < 1e-9 && axes_run_east_and_north(*crs);
 }
 
 double metres_per_unit(const std::string& wkt) {

@@ -50,8 +50,7 @@ bool leaves_in_place(PJ* operation, const std::vector<Point>& points, bool degre
     const double tolerance = degrees ? 1e-8 : 1e-3;
     return std::all_of(points.begin(), points.end(), [&](Point point) {
         const PJ_COORD to = transformed(operation, PJ_FWD, point);
-        return good(to) && std::abs(to.xy.x - point.x) <= tolerance &&
-               std::abs(to.xy.y - point.y) <= tolerance;
+        return good(to) && std::abs(to.xy.x - point.x) <= tolerance && std::abs(to.xy.y - point.y) <= tolerance;
     });
 }
 
@@ -68,8 +67,7 @@ std::optional<Bounds> box(const std::vector<Point>& points) {
     return found;
 }
 
-std::optional<Bounds> in_degrees(PJ_CONTEXT* context, const std::string& wkt,
-                                 const std::vector<Point>& points) {
+std::optional<Bounds> in_degrees(PJ_CONTEXT* context, const std::string& wkt, const std::vector<Point>& points) {
     const CoordinateOperation to_degrees = choose_operation(context, wkt, "OGC:CRS84", std::nullopt);
     std::vector<Point> found;
     for (const Point& point : points) {
@@ -140,8 +138,7 @@ bool CrsTransform::apply(std::span<double> x, std::span<double> y, bool backward
     if (parts_->identity) return true;
     bool all_good = true;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const PJ_COORD moved =
-            transformed(parts_->operation.pj.get(), backwards ? PJ_INV : PJ_FWD, {x[i], y[i]});
+        const PJ_COORD moved = transformed(parts_->operation.pj.get(), backwards ? PJ_INV : PJ_FWD, {x[i], y[i]});
         const bool this_good = good(moved);
         x[i] = this_good ? moved.xy.x : std::numeric_limits<double>::quiet_NaN();
         y[i] = this_good ? moved.xy.y : std::numeric_limits<double>::quiet_NaN();

@@ -12,12 +12,11 @@ namespace frana::gis {
 
 /// What was done between two CRSs, for the log and the check of inputs.
 struct TransformInfo {
-    std::string operation;  ///< PROJ's name for it; "none" where coordinates stay as they are
-    double accuracy_m = 0;  ///< stated accuracy [m]; below 0: unknown
-    bool needs_missing_grid =
-        false;                       ///< a more accurate operation exists, but its grid file is not installed
-    std::string missing_grid;        ///< that file's name, where PROJ knows it
-    double missing_accuracy_m = -1;  ///< stated accuracy with that file [m]; below 0: unknown
+    std::string operation;            ///< PROJ's name for it; "none" where coordinates stay as they are
+    double accuracy_m = 0;            ///< stated accuracy [m]; below 0: unknown
+    bool needs_missing_grid = false;  ///< a more accurate operation exists, but its grid file is not installed
+    std::string missing_grid;         ///< that file's name, where PROJ knows it
+    double missing_accuracy_m = -1;   ///< stated accuracy with that file [m]; below 0: unknown
 };
 
 /// Coordinates from one CRS to another, x to the east (longitude) and y to the north (latitude) on both sides

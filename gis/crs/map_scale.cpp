@@ -27,8 +27,8 @@ MapScale map_scale(const std::string& wkt, Point map) {
     geod_geodesic ellipsoid;
     geod_init(&ellipsoid, k_wgs84_a, k_wgs84_f);
     MapScale scale{HUGE_VAL, 0};
-    for (const Point half : {Point{0.5, 0}, Point{0, 0.5}, Point{M_SQRT1_2 / 2, M_SQRT1_2 / 2},
-                             Point{M_SQRT1_2 / 2, -M_SQRT1_2 / 2}}) {
+    for (const Point half :
+         {Point{0.5, 0}, Point{0, 0.5}, Point{M_SQRT1_2 / 2, M_SQRT1_2 / 2}, Point{M_SQRT1_2 / 2, -M_SQRT1_2 / 2}}) {
         const Point a = to_degrees({map.x - k_baseline * half.x, map.y - k_baseline * half.y});
         const Point b = to_degrees({map.x + k_baseline * half.x, map.y + k_baseline * half.y});
         double ground = 0;

@@ -54,8 +54,7 @@ VerticalUnit vertical_unit_named(const std::string& name) {
     if (name == "metre") return {"metre", 1, true, true};
     if (name == "foot") return {"foot", k_foot, true, true};
     if (name == "us-survey-foot") return {"US survey foot", k_us_survey_foot, true, true};
-    throw Error(ErrorKind::input,
-                Problem{"unknown vertical unit", "", name, "metre, foot, us-survey-foot", ""});
+    throw Error(ErrorKind::input, Problem{"unknown vertical unit", "", name, "metre, foot, us-survey-foot", ""});
 }
 
 }  // namespace frana::gis

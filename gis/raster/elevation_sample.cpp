@@ -14,21 +14,18 @@ namespace frana::gis {
 
 std::vector<ElevationSample> sample_elevations(const RasterInfo& dtm, const std::string& target_crs_wkt,
                                                const Bounds& window, int most_per_side,
-                                               const std::string& vertical_unit,
-                                               std::optional<double> nodata_value) {
+                                               const std::string& vertical_unit, std::optional<double> nodata_value) {
     const GdalSession session;
     RasterSource source(dtm.path, dtm.path);
     if (nodata_value) source.declare_nodata(*nodata_value);
     const double unit =
         vertical_unit == "auto" ? dtm.vertical_scale_to_metres : vertical_unit_named(vertical_unit).metres;
     const CrsTransform back(target_crs_wkt, target_crs_wkt.empty() ? "" : dtm.crs_wkt, window);
-    const CrsTransform to_target(target_crs_wkt.empty() ? "" : dtm.crs_wkt, target_crs_wkt,
-                                 back.around(window));
+    const CrsTransform to_target(target_crs_wkt.empty() ? "" : dtm.crs_wkt, target_crs_wkt, back.around(window));
     // A grid as coarse as the sample, only to find the part of the file that lies under it.
     GridSpec grid{window.west,   window.north,  std::max(window.width(), window.height()) / most_per_side,
                   most_per_side, most_per_side, target_crs_wkt};
-    const Window cells =
-        RasterWarp(source, to_target, GRA_NearestNeighbour, unit).source_window(grid, Point{1, 1});
+    const Window cells = RasterWarp(source, to_target, GRA_NearestNeighbour, unit).source_window(grid, Point{1, 1});
     if (cells.empty()) return {};
     const int columns = std::min(cells.columns, most_per_side), rows = std::min(cells.rows, most_per_side);
     const std::vector<double> values = source.read_coarse(cells, columns, rows, unit);

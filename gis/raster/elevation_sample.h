@@ -20,7 +20,6 @@ struct ElevationSample {
 /// data are left out. `vertical_unit`, `nodata_value` as in read_raster_on. Throws Error(input).
 std::vector<ElevationSample> sample_elevations(const RasterInfo& dtm, const std::string& target_crs_wkt,
                                                const Bounds& window, int most_per_side,
-                                               const std::string& vertical_unit,
-                                               std::optional<double> nodata_value);
+                                               const std::string& vertical_unit, std::optional<double> nodata_value);
 
 }  // namespace frana::gis

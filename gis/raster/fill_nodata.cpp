@@ -13,19 +13,17 @@
 namespace frana::gis {
 
 std::int64_t fill_nodata(Raster& raster, double max_distance_cells) {
-    if (std::none_of(raster.values.begin(), raster.values.end(), [](double v) { return std::isnan(v); }))
-        return 0;
+    if (std::none_of(raster.values.begin(), raster.values.end(), [](double v) { return std::isnan(v); })) return 0;
     const GdalSession session;
     std::vector<double> filled = raster.values;
     const GdalDataset dataset =
         wrap_values(filled.data(), static_cast<int>(raster.grid.columns), static_cast<int>(raster.grid.rows));
     CPLStringList options;
     options.SetNameValue("TEMP_FILE_DRIVER", "MEM");
-    if (GDALFillNodata(GDALGetRasterBand(dataset.get(), 1), nullptr, max_distance_cells, 0, 0, options.List(),
-                       nullptr, nullptr) != CE_None) {
-        throw Error(ErrorKind::input,
-                    Problem{"cells without data cannot be filled: " + session.last_message(), "", "", "",
-                            "Use nodata-policy = stop or wall"});
+    if (GDALFillNodata(GDALGetRasterBand(dataset.get(), 1), nullptr, max_distance_cells, 0, 0, options.List(), nullptr,
+                       nullptr) != CE_None) {
+        throw Error(ErrorKind::input, Problem{"cells without data cannot be filled: " + session.last_message(), "", "",
+                                              "", "Use nodata-policy = stop or wall"});
     }
     // GDAL computes in single precision; cells that had data keep theirs to the last bit.
     std::int64_t count = 0;

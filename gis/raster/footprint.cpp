@@ -26,8 +26,8 @@ struct Window {
 Window window_round(const MultiPolygon& outline, const GridSpec& grid) {
     const Bounds box = bounds(outline);
     const auto cell = [&](double distance, std::int64_t count, std::int64_t beyond) {
-        return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(distance / grid.cell_size)) + beyond,
-                                        0, count);
+        return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(distance / grid.cell_size)) + beyond, 0,
+                                        count);
     };
     Window window{grid, cell(grid.north - box.north, grid.rows, -1), cell(box.west - grid.west, grid.columns, -1)};
     window.grid.rows = cell(grid.north - box.south, grid.rows, 2) - window.row;
@@ -53,8 +53,8 @@ bool visit_cells(const MultiPolygon& outline, const GridSpec& grid, Cover cover,
     const Window window = window_round(outline, grid);
     if (window.grid.rows <= 0 || window.grid.columns <= 0) return false;
     Raster mask(window.grid, 0.0);
-    const GdalDataset dataset = wrap_values(mask.values.data(), static_cast<int>(window.grid.columns),
-                                            static_cast<int>(window.grid.rows));
+    const GdalDataset dataset =
+        wrap_values(mask.values.data(), static_cast<int>(window.grid.columns), static_cast<int>(window.grid.rows));
     double geo[6] = {window.grid.west, grid.cell_size, 0, window.grid.north, 0, -grid.cell_size};
     GDALSetGeoTransform(dataset.get(), geo);
     bool any_thin = false;

@@ -36,9 +36,8 @@ struct FrameStack::Parts {
     Array depth, velocity;
 
     [[noreturn]] void refuse() const {
-        throw Error(ErrorKind::environment,
-                    Problem{"the frames cannot be written: " + session.last_message(), path, "", "",
-                            "Check that the folder exists, may be written and has room"});
+        throw Error(ErrorKind::environment, Problem{"the frames cannot be written: " + session.last_message(), path, "",
+                                                    "", "Check that the folder exists, may be written and has room"});
     }
     template <class T>
     const T& must(const T& made) const {
@@ -46,17 +45,15 @@ struct FrameStack::Parts {
         return made;
     }
     /// A coordinate along one dimension.
-    std::shared_ptr<GDALDimension> axis(const std::string& name, const std::string& type,
-                                        const std::string& direction, const std::vector<double>& values,
-                                        const std::map<std::string, std::string>& texts,
-                                        const std::string& unit) {
+    std::shared_ptr<GDALDimension> axis(const std::string& name, const std::string& type, const std::string& direction,
+                                        const std::vector<double>& values,
+                                        const std::map<std::string, std::string>& texts, const std::string& unit) {
         auto dimension = must(root->CreateDimension(name, type, direction, values.size()));
         const Array array =
             must(root->CreateMDArray(name, {dimension}, GDALExtendedDataType::Create(GDT_Float64), nullptr));
         const GUInt64 start = 0;
         const size_t count = values.size();
-        if (!array->Write(&start, &count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float64),
-                          values.data()))
+        if (!array->Write(&start, &count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float64), values.data()))
             refuse();
         array->SetUnit(unit);
         for (const auto& [key, text] : texts) set_text(*array, key, text);
@@ -66,8 +63,8 @@ struct FrameStack::Parts {
     }
 };
 
-FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& grid,
-                       const std::vector<double>& times, const std::map<std::string, std::string>& metadata)
+FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& grid, const std::vector<double>& times,
+                       const std::map<std::string, std::string>& metadata)
     : parts_(std::make_unique<Parts>()) {
     Parts& p = *parts_;
     p.path = std::move(path);
@@ -100,7 +97,8 @@ FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& gri
             p.must(p.root->CreateMDArray(k_mapping, {}, GDALExtendedDataType::Create(GDT_Int32), nullptr));
         for (const char* name : {"crs_wkt", "spatial_ref"}) set_text(*mapping, name, grid.crs_wkt);
         const std::int32_t any = 1;  // readers ask for it, though it says nothing
-        if (!mapping->Write(nullptr, nullptr, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Int32), &any)) p.refuse();
+        if (!mapping->Write(nullptr, nullptr, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Int32), &any))
+            p.refuse();
     }
     CPLStringList options;
     options.SetNameValue("COMPRESS", netcdf ? "DEFLATE" : "ZLIB");
@@ -108,8 +106,8 @@ FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& gri
                                        std::to_string(std::min(k_block, grid.columns)))
                                           .c_str());
     const auto field = [&](const std::string& name, const std::string& long_name, const std::string& unit) {
-        Array array = p.must(p.root->CreateMDArray(
-            name, {time, north, east}, GDALExtendedDataType::Create(GDT_Float32), options.List()));
+        Array array = p.must(p.root->CreateMDArray(name, {time, north, east}, GDALExtendedDataType::Create(GDT_Float32),
+                                                   options.List()));
         if (!array->SetNoDataValue(k_file_nodata)) p.refuse();
         array->SetUnit(unit);
         set_text(*array, "long_name", long_name);
@@ -133,10 +131,8 @@ void FrameStack::add(std::size_t index, const Raster& depth, const Raster& veloc
             return std::isfinite(value) ? static_cast<float>(value) : static_cast<float>(k_file_nodata);
         });
         const GUInt64 start[3] = {index, 0, 0};
-        const size_t count[3] = {1, static_cast<size_t>(raster.grid.rows),
-                                 static_cast<size_t>(raster.grid.columns)};
-        if (!array->Write(start, count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float32),
-                          values.data()))
+        const size_t count[3] = {1, static_cast<size_t>(raster.grid.rows), static_cast<size_t>(raster.grid.columns)};
+        if (!array->Write(start, count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float32), values.data()))
             p.refuse();
     };
     write(p.depth, depth);

@@ -34,9 +34,9 @@ GdalDataset opened(const std::string& path, const std::string& crs_wkt, const st
     GdalDataset dataset(GDALOpen(path.c_str(), GA_ReadOnly));
     if (const auto cause = take_refusal()) throw refuse(cause->what, cause->value, "", cause->remedy);
     if (!dataset) {
-        throw refuse(std::filesystem::exists(path) ? "the file is not a raster that can be read"
-                                                   : "the file does not exist",
-                     "", "", "Name an orthophoto or a topographic map");
+        throw refuse(
+            std::filesystem::exists(path) ? "the file is not a raster that can be read" : "the file does not exist", "",
+            "", "Name an orthophoto or a topographic map");
     }
     std::array<double, 6> geo{};
     if (GDALGetGeoTransform(dataset.get(), geo.data()) != CE_None) {
@@ -93,8 +93,8 @@ GdalDataset in_colours(GDALDatasetH source) {
             words.AddString(grey ? "1" : std::to_string(k).c_str());
         }
         const int last = grey ? 2 : 4;
-        const bool alpha = bands >= last && GDALGetRasterColorInterpretation(GDALGetRasterBand(source, last)) ==
-                                                GCI_AlphaBand;
+        const bool alpha =
+            bands >= last && GDALGetRasterColorInterpretation(GDALGetRasterBand(source, last)) == GCI_AlphaBand;
         if (alpha) {
             words.AddString("-b");
             words.AddString(std::to_string(last).c_str());

@@ -41,8 +41,8 @@ GdalDataset in_memory(const PicturePixels& picture, const std::string& path, con
 }
 
 void set_place(GDALDatasetH dataset, const Bounds& box, const std::string& crs_wkt) {
-    std::array<double, 6> geo{box.west,  box.width() / GDALGetRasterXSize(dataset),  0,
-                              box.north, 0, -box.height() / GDALGetRasterYSize(dataset)};
+    std::array<double, 6> geo{box.west, box.width() / GDALGetRasterXSize(dataset),  0, box.north,
+                              0,        -box.height() / GDALGetRasterYSize(dataset)};
     GDALSetGeoTransform(dataset, geo.data());
     if (crs_wkt.empty()) return;
     OGRSpatialReferenceH crs = OSRNewSpatialReference(crs_wkt.c_str());

@@ -19,8 +19,8 @@ struct PicturePixels {
 
 /// Where a map on a page lies on the ground.
 struct PicturePlace {
-    Bounds page;         ///< of the whole picture, margins included, in map coordinates
-    Bounds map;          ///< inside the map's frame
+    Bounds page;  ///< of the whole picture, margins included, in map coordinates
+    Bounds map;   ///< inside the map's frame
     std::string crs_wkt;
 };
 

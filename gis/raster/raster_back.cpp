@@ -14,9 +14,8 @@ Raster read_result_raster(const std::string& path) {
     const RasterSource source(path, path, true);
     const RasterInfo& info = source.info();
     const auto refuse = [&](const std::string& what, const std::string& value) {
-        return Error(ErrorKind::input,
-                     Problem{what, path, value, "north-up rasters with square cells, in metres",
-                             "Warp it first (gdalwarp -t_srs EPSG:... -tr SIZE SIZE)"});
+        return Error(ErrorKind::input, Problem{what, path, value, "north-up rasters with square cells, in metres",
+                                               "Warp it first (gdalwarp -t_srs EPSG:... -tr SIZE SIZE)"});
     };
     const GeoTransform& g = source.geo_transform();
     if (info.rotated || g[1] <= 0 || g[5] >= 0) throw refuse("the raster is not north up", "");
@@ -38,8 +37,8 @@ Raster read_result_raster(const std::string& path) {
     grid.crs_wkt = info.crs_wkt.empty() ? "" : horizontal_crs(info.crs_wkt);
     Raster raster;
     raster.grid = grid;
-    raster.values = source.read({0, 0, static_cast<int>(info.columns), static_cast<int>(info.rows)},
-                                info.vertical_scale_to_metres);
+    raster.values =
+        source.read({0, 0, static_cast<int>(info.columns), static_cast<int>(info.rows)}, info.vertical_scale_to_metres);
     return raster;
 }
 

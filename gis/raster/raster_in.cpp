@@ -24,8 +24,7 @@ constexpr double k_wall_cells = 2;
 
 /// The grid's upper left corner in the source's rows and columns, when the cells of both are the same. The
 /// source may be stored from the south.
-bool cells_coincide(const RasterSource& source, const CrsTransform& to_grid, const GridSpec& grid,
-                    Point& corner) {
+bool cells_coincide(const RasterSource& source, const CrsTransform& to_grid, const GridSpec& grid, Point& corner) {
     const GeoTransform& g = source.geo_transform();
     if (!to_grid.is_identity() || source.info().rotated || g[1] <= 0) return false;
     const double down = g[5] < 0 ? 1 : -1;  // rows of the source per row of the grid
@@ -45,8 +44,7 @@ void copy_cells(const RasterSource& source, Point corner, double unit, Raster& t
     const bool from_south = source.geo_transform()[5] > 0;
     const auto c0 = static_cast<std::int64_t>(corner.x);
     const auto r0 = static_cast<std::int64_t>(corner.y) - (from_south ? grid.rows : 0);
-    const std::int64_t first_column = std::max<std::int64_t>(c0, 0),
-                       first_row = std::max<std::int64_t>(r0, 0);
+    const std::int64_t first_column = std::max<std::int64_t>(c0, 0), first_row = std::max<std::int64_t>(r0, 0);
     const Window window{static_cast<int>(first_column), static_cast<int>(first_row),
                         static_cast<int>(std::min(source.info().columns, c0 + grid.columns) - first_column),
                         static_cast<int>(std::min(source.info().rows, r0 + grid.rows) - first_row)};
@@ -54,14 +52,12 @@ void copy_cells(const RasterSource& source, Point corner, double unit, Raster& t
     const int rows_at_once = std::max(1, k_cells_at_once / window.columns);
     for (int start = 0; start < window.rows; start += rows_at_once) {
         const int rows = std::min(rows_at_once, window.rows - start);
-        const std::vector<double> values =
-            source.read({window.column, window.row + start, window.columns, rows}, unit);
+        const std::vector<double> values = source.read({window.column, window.row + start, window.columns, rows}, unit);
         for (int row = 0; row < rows; ++row) {
             const std::int64_t down = window.row + start + row - r0;
             const std::int64_t to = from_south ? grid.rows - 1 - down : down;
-            std::copy_n(
-                values.begin() + static_cast<std::int64_t>(row) * window.columns, window.columns,
-                target.values.begin() + static_cast<std::ptrdiff_t>(target.index(to, window.column - c0)));
+            std::copy_n(values.begin() + static_cast<std::int64_t>(row) * window.columns, window.columns,
+                        target.values.begin() + static_cast<std::ptrdiff_t>(target.index(to, window.column - c0)));
         }
     }
 }
@@ -99,8 +95,7 @@ Method method_for(Resampling wanted, Point source_cells_per_cell) {
 
 std::string unit_warning(const RasterInfo& info, const VerticalUnit& unit, const std::string& crs) {
     if (!unit.known) {
-        return info.path + ": its values are in \"" + unit.name +
-               "\", which is no unit of length; taken as they are";
+        return info.path + ": its values are in \"" + unit.name + "\", which is no unit of length; taken as they are";
     }
     if (!unit.stated && std::abs(metres_per_unit(crs) - 1) > 1e-9) {
         return info.path +
@@ -113,8 +108,7 @@ std::string unit_warning(const RasterInfo& info, const VerticalUnit& unit, const
 /// The operation is chosen for the grid's surroundings, not for all the ground the file may cover.
 CrsTransform transform_to_grid(const std::string& source_crs, const GridSpec& grid) {
     if (grid.crs_wkt.empty()) return {"", ""};
-    return {source_crs, grid.crs_wkt,
-            CrsTransform(grid.crs_wkt, source_crs, grid.bounds()).around(grid.bounds())};
+    return {source_crs, grid.crs_wkt, CrsTransform(grid.crs_wkt, source_crs, grid.bounds()).around(grid.bounds())};
 }
 
 void read_onto(const RasterSource& source, const std::string& source_crs, Resampling resampling,
@@ -145,19 +139,17 @@ void read_onto(const RasterSource& source, const std::string& source_crs, Resamp
 
 }  // namespace
 
-RasterRead read_raster_on(const std::string& path, const GridSpec& target,
-                          const std::string& source_crs_override, Resampling resampling,
-                          const std::string& vertical_unit, std::optional<double> nodata_value,
+RasterRead read_raster_on(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
+                          Resampling resampling, const std::string& vertical_unit, std::optional<double> nodata_value,
                           const std::string& where) {
     const GdalSession session;
     RasterSource source(path, where.empty() ? path : where);
     if (nodata_value) source.declare_nodata(*nodata_value);
     const std::string crs = source_crs_override.empty() ? source.info().crs_wkt : source_crs_override;
     if (crs.empty() && !target.crs_wkt.empty()) {
-        throw Error(
-            ErrorKind::input,
-            Problem{"the raster names no coordinate reference system", path, "", "",
-                    "Assign one (gdal_edit.py -a_srs EPSG:32632 FILE), or use crs = local throughout"});
+        throw Error(ErrorKind::input,
+                    Problem{"the raster names no coordinate reference system", path, "", "",
+                            "Assign one (gdal_edit.py -a_srs EPSG:32632 FILE), or use crs = local throughout"});
     }
     RasterRead read;
     read.raster = Raster(target, k_no_data);

@@ -60,9 +60,8 @@ struct RasterRead {
 /// `vertical_unit`: "auto" (as the file says), "metre", "foot", "us-survey-foot". `nodata_value`: one more
 /// stored value that means "no data". `where` names the key for messages.
 /// Throws Error(input).
-RasterRead read_raster_on(const std::string& path, const GridSpec& target,
-                          const std::string& source_crs_override, Resampling resampling,
-                          const std::string& vertical_unit = "auto",
+RasterRead read_raster_on(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
+                          Resampling resampling, const std::string& vertical_unit = "auto",
                           std::optional<double> nodata_value = std::nullopt, const std::string& where = {});
 
 /// A whole raster on its own grid, as frana writes them: north up, square cells. Throws Error(input)

@@ -21,15 +21,14 @@
 namespace frana::gis {
 namespace {
 
-constexpr int k_block =
-    256;  // cells; a landslide's raster is small, so that 512 would leave it without overviews
+constexpr int k_block = 256;  // cells; a landslide's raster is small, so that 512 would leave it without overviews
 constexpr std::uint8_t k_no_class = 0;
 
 [[noreturn]] void refuse(const std::string& path, const GdalSession& session) {
     const std::string message = session.last_message();
     throw Error(ErrorKind::environment,
-                Problem{"the raster cannot be written" + (message.empty() ? "" : ": " + message), path, "",
-                        "", "Check that the folder exists, may be written and has room"});
+                Problem{"the raster cannot be written" + (message.empty() ? "" : ": " + message), path, "", "",
+                        "Check that the folder exists, may be written and has room"});
 }
 
 GdalDataset in_memory(const GridSpec& grid, GDALDataType type, double nodata) {
@@ -90,8 +89,8 @@ void build_overviews(GDALDatasetH dataset, const char* resampling, const std::st
     const int longest = std::max(GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset));
     for (int factor = 2; longest > k_block * factor / 2; factor *= 2) factors.push_back(factor);
     if (factors.empty()) return;
-    if (GDALBuildOverviews(dataset, resampling, static_cast<int>(factors.size()), factors.data(), 0, nullptr,
-                           nullptr, nullptr) != CE_None) {
+    if (GDALBuildOverviews(dataset, resampling, static_cast<int>(factors.size()), factors.data(), 0, nullptr, nullptr,
+                           nullptr) != CE_None) {
         refuse(path, session);
     }
 }
@@ -109,8 +108,8 @@ void write_cog(const std::string& path, GDALDatasetH dataset, const char* resamp
     options.SetNameValue("OVERVIEW_RESAMPLING", resampling);
     options.SetNameValue("NUM_THREADS", "ALL_CPUS");  // the file is the same for any number
     {
-        const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("COG"), memory.place_of(path).c_str(),
-                                                 dataset, TRUE, options.List(), nullptr, nullptr));
+        const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("COG"), memory.place_of(path).c_str(), dataset,
+                                                 TRUE, options.List(), nullptr, nullptr));
         if (!written) refuse(path, session);
         GDALFlushCache(written.get());
     }
@@ -165,27 +164,25 @@ void write_ascii_grid(const std::string& path, const Raster& raster) {
     memory.write_beside(path);
 }
 
-void write_class_geotiff(const std::string& path, const Raster& raster,
-                         const std::vector<ClassEntry>& classes, const BandText& text) {
+void write_class_geotiff(const std::string& path, const Raster& raster, const std::vector<ClassEntry>& classes,
+                         const BandText& text) {
     const GdalSession session;
     std::vector<std::uint8_t> values(raster.values.size(), k_no_class);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double value = raster.values[i];
         if (std::isnan(value) || value == k_no_class) continue;
-        const auto entry = std::find_if(classes.begin(), classes.end(),
-                                        [value](const ClassEntry& one) { return value == one.value; });
+        const auto entry =
+            std::find_if(classes.begin(), classes.end(), [value](const ClassEntry& one) { return value == one.value; });
         if (entry == classes.end()) {
-            throw Error(ErrorKind::input,
-                        Problem{"a cell holds a value that is no class", path, shortest_text(value),
-                                std::to_string(classes.size()) + " named classes", ""});
+            throw Error(ErrorKind::input, Problem{"a cell holds a value that is no class", path, shortest_text(value),
+                                                  std::to_string(classes.size()) + " named classes", ""});
         }
         values[i] = entry->value;
     }
     const GdalDataset dataset = in_memory(raster.grid, GDT_Byte, k_no_class);
     GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
     const int columns = static_cast<int>(raster.grid.columns), rows = static_cast<int>(raster.grid.rows);
-    if (GDALRasterIO(band, GF_Write, 0, 0, columns, rows, values.data(), columns, rows, GDT_Byte, 0, 0) !=
-        CE_None) {
+    if (GDALRasterIO(band, GF_Write, 0, 0, columns, rows, values.data(), columns, rows, GDT_Byte, 0, 0) != CE_None) {
         refuse(path, session);
     }
     GDALColorTableH colours = GDALCreateColorTable(GPI_RGB);

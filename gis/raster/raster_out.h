@@ -40,7 +40,7 @@ struct ClassEntry {
 
 /// The same with one byte per cell (NaN becomes 0, which is nodata), the classes' names and colours inside.
 /// Throws Error(input) for a value that is no class.
-void write_class_geotiff(const std::string& path, const Raster& raster,
-                         const std::vector<ClassEntry>& classes, const BandText& text);
+void write_class_geotiff(const std::string& path, const Raster& raster, const std::vector<ClassEntry>& classes,
+                         const BandText& text);
 
 }  // namespace frana::gis

@@ -39,8 +39,8 @@ GdalDataset open(const std::string& path, const std::string& where) {
     (void)take_refusal();
     const TimeLimit limit(where + ": " + path);
     if (const auto remedy = network_remedy(path)) refuse("the file is read over the network", where, path, *remedy);
-    GdalDataset dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                                   nullptr, nullptr, nullptr));
+    GdalDataset dataset(
+        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr, nullptr));
     throw_if_refused(where, path);
     if (dataset) return dataset;
     VSIStatBufL status;
@@ -103,11 +103,11 @@ void refuse_huge_blocks(GDALDatasetH dataset, GDALRasterBandH band, const std::s
     const int bands = interleaving != nullptr && EQUAL(interleaving, "PIXEL") ? GDALGetRasterCount(dataset) : 1;
     const double bytes_per_cell = GDALGetDataTypeSizeBytes(GDALGetRasterDataType(band));
     if (bytes_per_cell * columns * rows * bands <= k_most_bytes) return;
-    throw Error(ErrorKind::input,
-                Problem{"the raster cannot be read in parts: one block of " + path + " takes too much memory", where,
-                        std::to_string(columns) + " x " + std::to_string(rows) + " cells, " + std::to_string(bands) +
-                            " bands",
-                        "up to 1 GB", "Convert it: gdal_translate -b 1 -co TILED=YES"});
+    throw Error(
+        ErrorKind::input,
+        Problem{"the raster cannot be read in parts: one block of " + path + " takes too much memory", where,
+                std::to_string(columns) + " x " + std::to_string(rows) + " cells, " + std::to_string(bands) + " bands",
+                "up to 1 GB", "Convert it: gdal_translate -b 1 -co TILED=YES"});
 }
 
 }  // namespace
@@ -132,8 +132,7 @@ RasterSource::RasterSource(const std::string& path, const std::string& where, bo
     }
     refuse_huge_blocks(dataset, band_, where, path);
     const auto finite = [](double term) { return std::isfinite(term); };
-    if (GDALGetGeoTransform(dataset, geo_.data()) != CE_None ||
-        !std::all_of(geo_.begin(), geo_.end(), finite) ||
+    if (GDALGetGeoTransform(dataset, geo_.data()) != CE_None || !std::all_of(geo_.begin(), geo_.end(), finite) ||
         !GDALInvGeoTransform(geo_.data(), inverse_.data())) {
         refuse("the raster does not say where it lies", where, path,
                "Add a world file or a geotransform (gdal_translate -a_ullr)");
@@ -175,8 +174,7 @@ std::vector<double> RasterSource::read_stored(const Window& w, int columns, int 
     std::vector<double> values(count);
     std::vector<std::uint8_t> valid(count);
     const auto fetch = [&](GDALRasterBandH band, void* into, GDALDataType type) {
-        return GDALRasterIO(band, GF_Read, w.column, w.row, w.columns, w.rows, into, columns, rows, type, 0,
-                            0);
+        return GDALRasterIO(band, GF_Read, w.column, w.row, w.columns, w.rows, into, columns, rows, type, 0, 0);
     };
     const bool read = fetch(band_, values.data(), GDT_Float64) == CE_None &&
                       fetch(GDALGetMaskBand(band_), valid.data(), GDT_Byte) == CE_None;
@@ -200,8 +198,7 @@ std::vector<double> RasterSource::read(const Window& window, double unit) const 
     return values;
 }
 
-std::vector<double> RasterSource::read_coarse(const Window& window, int columns, int rows,
-                                              double unit) const {
+std::vector<double> RasterSource::read_coarse(const Window& window, int columns, int rows, double unit) const {
     std::vector<double> values = read_stored(window, columns, rows);
     for (double& value : values) value = (value * scale_ + offset_) * unit;
     return values;

@@ -42,8 +42,7 @@ class RasterSource {
     [[nodiscard]] std::vector<double> read(const Window& window, double unit) const;
 
     /// The same at so many columns and rows, each value that of one cell somewhere in its part of the window.
-    [[nodiscard]] std::vector<double> read_coarse(const Window& window, int columns, int rows,
-                                                  double unit) const;
+    [[nodiscard]] std::vector<double> read_coarse(const Window& window, int columns, int rows, double unit) const;
 
     /// One more stored value that means "no data", whatever the file says.
     void declare_nodata(double stored) noexcept { declared_ = stored; }

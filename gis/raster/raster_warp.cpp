@@ -45,8 +45,7 @@ struct RasterWarp::Strip {
     Window window;
 };
 
-RasterWarp::RasterWarp(const RasterSource& source, const CrsTransform& to_grid, GDALResampleAlg algorithm,
-                       double unit)
+RasterWarp::RasterWarp(const RasterSource& source, const CrsTransform& to_grid, GDALResampleAlg algorithm, double unit)
     : source_(source), to_grid_(to_grid), algorithm_(algorithm), unit_(unit) {}
 
 int RasterWarp::transform(void* self, int to_source, int count, double* x, double* y, double*, int* good) {
@@ -56,9 +55,8 @@ int RasterWarp::transform(void* self, int to_source, int count, double* x, doubl
     const auto n = static_cast<std::size_t>(count);
     const std::span<double> xs(x, n), ys(y, n);
     for (std::size_t i = 0; i < n; ++i) {
-        const Point map =
-            to_source ? Point{grid.west + x[i] * grid.cell_size, grid.north - y[i] * grid.cell_size}
-                      : warp.source_.map_from_cell({x[i] + strip.window.column, y[i] + strip.window.row});
+        const Point map = to_source ? Point{grid.west + x[i] * grid.cell_size, grid.north - y[i] * grid.cell_size}
+                                    : warp.source_.map_from_cell({x[i] + strip.window.column, y[i] + strip.window.row});
         x[i] = map.x;
         y[i] = map.y;
     }
@@ -94,8 +92,7 @@ Point RasterWarp::source_cells_per_cell(const GridSpec& grid) const {
     const auto cell_at = [&](double dx, double dy) {
         return source_cell(to_grid_.inverse({centre.x + dx, centre.y + dy}));
     };
-    const Point east = cell_at(half, 0), west = cell_at(-half, 0), north = cell_at(0, half),
-                south = cell_at(0, -half);
+    const Point east = cell_at(half, 0), west = cell_at(-half, 0), north = cell_at(0, half), south = cell_at(0, -half);
     return {std::hypot(east.x - west.x, east.y - west.y), std::hypot(north.x - south.x, north.y - south.y)};
 }
 
@@ -120,11 +117,8 @@ Window RasterWarp::source_window(const GridSpec& strip, Point scale) const {
     if (!std::isfinite(west)) return {};
     const double pad_x = k_kernel_radius_cells * std::max(1.0, scale.x),
                  pad_y = k_kernel_radius_cells * std::max(1.0, scale.y);
-    const auto columns = static_cast<double>(source_.info().columns),
-               rows = static_cast<double>(source_.info().rows);
-    const auto whole = [](double value, double limit) {
-        return static_cast<int>(std::clamp(value, 0.0, limit));
-    };
+    const auto columns = static_cast<double>(source_.info().columns), rows = static_cast<double>(source_.info().rows);
+    const auto whole = [](double value, double limit) { return static_cast<int>(std::clamp(value, 0.0, limit)); };
     Window window;
     window.column = whole(std::floor(west - pad_x), columns);
     window.row = whole(std::floor(top - pad_y), rows);
@@ -174,11 +168,9 @@ void RasterWarp::fill_strip(const GridSpec& grid, Point scale, double* values) c
 
     GDALWarpOperation operation;
     if (operation.Initialize(options.get()) != CE_None ||
-        operation.ChunkAndWarpImage(0, 0, static_cast<int>(grid.columns), static_cast<int>(grid.rows)) !=
-            CE_None) {
-        throw Error(ErrorKind::input,
-                    Problem{"the raster cannot be brought onto the grid: " + session.last_message(),
-                            source_.info().path, "", "", "Check its coordinate reference system"});
+        operation.ChunkAndWarpImage(0, 0, static_cast<int>(grid.columns), static_cast<int>(grid.rows)) != CE_None) {
+        throw Error(ErrorKind::input, Problem{"the raster cannot be brought onto the grid: " + session.last_message(),
+                                              source_.info().path, "", "", "Check its coordinate reference system"});
     }
 }
 
@@ -194,8 +186,7 @@ void RasterWarp::average_strip(const GridSpec& strip, Point scale, int points, d
             double sum = 0;
             int count = 0;
             for (int a = 0; a < points; ++a) {
-                const double* const at =
-                    surface.data() + (row * points + a) * fine.columns + column * points;
+                const double* const at = surface.data() + (row * points + a) * fine.columns + column * points;
                 for (int b = 0; b < points; ++b) {
                     if (std::isnan(at[b])) continue;
                     sum += at[b];
@@ -213,8 +204,8 @@ void RasterWarp::fill(Raster& target) const {
     const int points = algorithm_ == GRA_Average ? points_per_side(scale) : 1;
     const double cells_per_row = static_cast<double>(grid.columns) * std::max({1.0, scale.x, double(points)}) *
                                  std::max({1.0, scale.y, double(points)});
-    const auto rows_at_once = static_cast<std::int64_t>(
-        std::clamp(k_cells_at_once / cells_per_row, 1.0, static_cast<double>(grid.rows)));
+    const auto rows_at_once =
+        static_cast<std::int64_t>(std::clamp(k_cells_at_once / cells_per_row, 1.0, static_cast<double>(grid.rows)));
     for (std::int64_t row = 0; row < grid.rows; row += rows_at_once) {
         GridSpec strip = grid;
         strip.north = grid.north - static_cast<double>(row) * grid.cell_size;

@@ -12,8 +12,7 @@ namespace frana::gis {
 class RasterWarp {
   public:
     /// `to_grid` leads from the source's CRS to the grid's. `unit`: metres per unit of the source's values.
-    RasterWarp(const RasterSource& source, const CrsTransform& to_grid, GDALResampleAlg algorithm,
-               double unit);
+    RasterWarp(const RasterSource& source, const CrsTransform& to_grid, GDALResampleAlg algorithm, double unit);
 
     /// Source cells per cell of the grid along columns and rows at the grid's centre.
     [[nodiscard]] Point source_cells_per_cell(const GridSpec& grid) const;

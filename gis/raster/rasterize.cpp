@@ -21,8 +21,7 @@ Error fault(const std::string& what, const GdalSession& session) {
 
 GdalDataset on_grid(Raster& raster) {
     const GridSpec& g = raster.grid;
-    GdalDataset dataset =
-        wrap_values(raster.values.data(), static_cast<int>(g.columns), static_cast<int>(g.rows));
+    GdalDataset dataset = wrap_values(raster.values.data(), static_cast<int>(g.columns), static_cast<int>(g.rows));
     double geo[6] = {g.west, g.cell_size, 0, g.north, 0, -g.cell_size};
     GDALSetGeoTransform(dataset.get(), geo);
     return dataset;
@@ -59,8 +58,8 @@ Raster coverage(const MultiPolygon& polygons, const GridSpec& grid) {
     }
     int band = 1;
     const std::vector<double> ones(handles.size(), 1.0);
-    if (GDALRasterizeGeometries(dataset.get(), 1, &band, static_cast<int>(handles.size()), handles.data(),
-                                nullptr, nullptr, ones.data(), nullptr, nullptr, nullptr) != CE_None) {
+    if (GDALRasterizeGeometries(dataset.get(), 1, &band, static_cast<int>(handles.size()), handles.data(), nullptr,
+                                nullptr, ones.data(), nullptr, nullptr, nullptr) != CE_None) {
         throw fault("the outline cannot be rasterised", session);
     }
     GDALFlushCache(dataset.get());
@@ -77,8 +76,7 @@ MultiPolygon polygonise(const Raster& mask) {
     GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
     const MemoryLayer shapes = memory_layer(wkbPolygon, "inside");
     // The band serves as its own mask: zeros are left out.
-    if (GDALPolygonize(band, band, OGRLayer::ToHandle(shapes.layer), 0, nullptr, nullptr, nullptr) !=
-        CE_None) {
+    if (GDALPolygonize(band, band, OGRLayer::ToHandle(shapes.layer), 0, nullptr, nullptr, nullptr) != CE_None) {
         throw fault("the area's outline cannot be traced", session);
     }
     MultiPolygon outlines;

@@ -68,8 +68,7 @@ const char* sld_map_type(StyleKind kind) {
 
 std::string qml(const std::vector<ColourStop>& stops, const std::string& unit, StyleKind kind) {
     std::ostringstream out;
-    const double least = stops.empty() ? 0 : stops.front().value,
-                 most = stops.empty() ? 1 : stops.back().value;
+    const double least = stops.empty() ? 0 : stops.front().value, most = stops.empty() ? 1 : stops.back().value;
     out << "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
         << "<qgis version=\"3.22.0\" styleCategories=\"Symbology\">\n  <pipe>\n"
         << "    <rasterrenderer type=\"singlebandpseudocolor\" band=\"1\" opacity=\"1\" alphaBand=\"-1\" "
@@ -80,9 +79,8 @@ std::string qml(const std::vector<ColourStop>& stops, const std::string& unit, S
     for (std::size_t i = 0; i < stops.size(); ++i) {
         // QGIS leaves what lies above the last class uncoloured; its maps always end in infinity.
         const bool last_class = kind == StyleKind::classed && i + 1 == stops.size();
-        out << "          <item value=\"" << (last_class ? "inf" : shortest_text(stops[i].value))
-            << "\" color=\"" << hex(stops[i].colour) << "\" alpha=\"255\" label=\"" << escaped(stops[i].label)
-            << "\"/>\n";
+        out << "          <item value=\"" << (last_class ? "inf" : shortest_text(stops[i].value)) << "\" color=\""
+            << hex(stops[i].colour) << "\" alpha=\"255\" label=\"" << escaped(stops[i].label) << "\"/>\n";
     }
     out << "          <rampLegendSettings suffix=\"" << escaped(unit.empty() ? "" : " " + unit) << "\"/>\n"
         << "        </colorrampshader>\n      </rastershader>\n    </rasterrenderer>\n"
@@ -98,16 +96,15 @@ std::string sld(const std::string& name, const std::vector<ColourStop>& stops, c
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         << "<StyledLayerDescriptor version=\"1.0.0\" xmlns=\"http://www.opengis.net/sld\" "
         << "xmlns:ogc=\"http://www.opengis.net/ogc\">\n"
-        << "  <NamedLayer>\n    <Name>" << escaped(name) << "</Name>\n    <UserStyle>\n      <Title>"
-        << escaped(title)
+        << "  <NamedLayer>\n    <Name>" << escaped(name) << "</Name>\n    <UserStyle>\n      <Title>" << escaped(title)
         << "</Title>\n      <FeatureTypeStyle>\n        <Rule>\n          <RasterSymbolizer>\n"
         << "            <ColorMap type=\"" << sld_map_type(kind) << "\">\n";
     for (std::size_t i = 0; i < stops.size(); ++i) {
         // The same open end as in the QGIS style, in the largest number a Float32 raster holds.
         const bool last_class = kind == StyleKind::classed && i + 1 == stops.size();
-        out << "              <ColorMapEntry quantity=\""
-            << (last_class ? "3.4e+38" : shortest_text(stops[i].value)) << "\" color=\""
-            << hex(stops[i].colour) << "\" opacity=\"1\" label=\"" << escaped(stops[i].label) << "\"/>\n";
+        out << "              <ColorMapEntry quantity=\"" << (last_class ? "3.4e+38" : shortest_text(stops[i].value))
+            << "\" color=\"" << hex(stops[i].colour) << "\" opacity=\"1\" label=\"" << escaped(stops[i].label)
+            << "\"/>\n";
     }
     out << "            </ColorMap>\n          </RasterSymbolizer>\n        </Rule>\n      "
            "</FeatureTypeStyle>\n"
@@ -130,8 +127,8 @@ std::string polygon_qml(const std::string& attribute, const std::vector<ColourSt
         const Rgb c = stops[i].colour;
         symbols << "      <symbol type=\"fill\" name=\"" << i << "\" alpha=\"" << k_zone_opacity
                 << "\" clip_to_extent=\"1\" force_rhr=\"0\">\n        <layer class=\"SimpleFill\" pass=\"0\" "
-                << "locked=\"0\" enabled=\"1\">\n          <prop k=\"color\" v=\"" << int(c.r) << ','
-                << int(c.g) << ',' << int(c.b) << ",255\"/>\n          <prop k=\"style\" v=\"solid\"/>\n"
+                << "locked=\"0\" enabled=\"1\">\n          <prop k=\"color\" v=\"" << int(c.r) << ',' << int(c.g) << ','
+                << int(c.b) << ",255\"/>\n          <prop k=\"style\" v=\"solid\"/>\n"
                 << "          <prop k=\"outline_style\" v=\"no\"/>\n        </layer>\n      </symbol>\n";
     }
     out << "    </categories>\n    <symbols>\n"
@@ -139,16 +136,14 @@ std::string polygon_qml(const std::string& attribute, const std::vector<ColourSt
     return out.str();
 }
 
-std::string polygon_sld(const std::string& name, const std::string& attribute,
-                        const std::vector<ColourStop>& stops) {
+std::string polygon_sld(const std::string& name, const std::string& attribute, const std::vector<ColourStop>& stops) {
     std::ostringstream out;
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         << "<StyledLayerDescriptor version=\"1.0.0\" xmlns=\"http://www.opengis.net/sld\" "
         << "xmlns:ogc=\"http://www.opengis.net/ogc\">\n  <NamedLayer>\n    <Name>" << escaped(name)
         << "</Name>\n    <UserStyle>\n      <FeatureTypeStyle>\n";
     for (const ColourStop& stop : stops) {
-        out << "        <Rule>\n          <Name>" << escaped(stop.label)
-            << "</Name>\n          <ogc:Filter>\n"
+        out << "        <Rule>\n          <Name>" << escaped(stop.label) << "</Name>\n          <ogc:Filter>\n"
             << "            <ogc:PropertyIsEqualTo><ogc:PropertyName>" << escaped(attribute)
             << "</ogc:PropertyName><ogc:Literal>" << shortest_text(stop.value)
             << "</ogc:Literal></ogc:PropertyIsEqualTo>\n          </ogc:Filter>\n"
@@ -169,9 +164,9 @@ std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<do
     const std::size_t classes = bounds.size() < 2 ? 0 : bounds.size() - 1;
     for (std::size_t i = 0; i < classes; ++i) {
         const double t = classes == 1 ? 0 : static_cast<double>(i) / static_cast<double>(classes - 1);
-        stops.push_back({bounds[i + 1], colour_at(palette, t),
-                         shortest_text(bounds[i]) + " \u2013 " + shortest_text(bounds[i + 1]) +
-                             (unit.empty() ? "" : " " + unit)});
+        stops.push_back(
+            {bounds[i + 1], colour_at(palette, t),
+             shortest_text(bounds[i]) + " \u2013 " + shortest_text(bounds[i + 1]) + (unit.empty() ? "" : " " + unit)});
     }
     return stops;
 }
@@ -189,8 +184,7 @@ void write_polygon_styles(const std::string& gpkg_path, const std::string& attri
     const std::filesystem::path file(gpkg_path);
     std::filesystem::path beside = file;
     write_file(beside.replace_extension(".qml").string(), polygon_qml(attribute, stops));
-    write_file(beside.replace_extension(".sld").string(),
-               polygon_sld(file.stem().string(), attribute, stops));
+    write_file(beside.replace_extension(".sld").string(), polygon_sld(file.stem().string(), attribute, stops));
 }
 
 }  // namespace frana::gis

@@ -24,8 +24,7 @@ enum class StyleKind {
 
 /// Classes bounds[0]..bounds[1], bounds[1]..bounds[2], ... in colours spread evenly over the palette, the
 /// first class at its start and the last at its end, as on the maps. `bounds` as from nice_classes.
-std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds,
-                                    const std::string& unit);
+std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds, const std::string& unit);
 
 /// Writes NAME.qml (QGIS) and NAME.sld (OGC) beside NAME.tif; cells without data stay transparent.
 /// Throws Error(environment).

@@ -87,20 +87,15 @@ GridSpec working_grid(const RasterInfo& dtm, const std::string& working_crs_wkt,
                             "Set terrain.bounds round the slope, or a larger terrain.cell-size"});
     }
     // The DTM's own lattice where its cells are ours, else multiples of the cell size.
-    const bool own_cells =
-        same_crs && square && !dtm.rotated && std::abs(cell - dtm.cell_x) <= k_same * dtm.cell_x;
+    const bool own_cells = same_crs && square && !dtm.rotated && std::abs(cell - dtm.cell_x) <= k_same * dtm.cell_x;
     const Point origin = own_cells ? Point{dtm.bounds.west, dtm.bounds.north} : Point{0, 0};
     if (own_cells) grid.cell_size = dtm.cell_x;
     // Bounds asked for are widened to whole cells, but no cell reaches beyond the DTM: it would have no
     // elevation.
-    const double west =
-        std::max(cells_down(wanted.west - origin.x, cell), cells_up(have.west - origin.x, cell));
-    const double east =
-        std::min(cells_up(wanted.east - origin.x, cell), cells_down(have.east - origin.x, cell));
-    const double south =
-        std::max(cells_down(wanted.south - origin.y, cell), cells_up(have.south - origin.y, cell));
-    const double north =
-        std::min(cells_up(wanted.north - origin.y, cell), cells_down(have.north - origin.y, cell));
+    const double west = std::max(cells_down(wanted.west - origin.x, cell), cells_up(have.west - origin.x, cell));
+    const double east = std::min(cells_up(wanted.east - origin.x, cell), cells_down(have.east - origin.x, cell));
+    const double south = std::max(cells_down(wanted.south - origin.y, cell), cells_up(have.south - origin.y, cell));
+    const double north = std::min(cells_up(wanted.north - origin.y, cell), cells_down(have.north - origin.y, cell));
     if (east - west < 1 || north - south < 1) {
         throw Error(ErrorKind::input,
                     Problem{"the working grid would have no cell", dtm.path, shortest_text(cell) + " m",

@@ -82,8 +82,7 @@ bool is_understood(const std::string& name, const OGRSpatialReference* layers, b
 
 }  // namespace
 
-std::string declared_crs(GDALDataset& dataset, OGRLayer& layer, const VectorSource& source,
-                         const std::string& key) {
+std::string declared_crs(GDALDataset& dataset, OGRLayer& layer, const VectorSource& source, const std::string& key) {
     const OGRSpatialReference* const crs = layer.GetSpatialRef();
     const std::string driver = dataset.GetDriverName();
     if (driver != "GeoJSON" && driver != "GeoJSONSeq" && driver != "OGR_VRT") return layer_crs(crs);
@@ -94,11 +93,10 @@ std::string declared_crs(GDALDataset& dataset, OGRLayer& layer, const VectorSour
         const auto name = name_in(member.text);
         if (name && is_understood(*name, crs, at_top)) continue;
         constexpr std::size_t k_told = 200;
-        throw vector_fault(
-            source,
-            at_top ? "the file's coordinate reference system is not known"
-                   : "a coordinate reference system is named within the file that is not the layer's",
-            name.value_or(member.text.substr(0, k_told)), crs_remedy(source, key));
+        throw vector_fault(source,
+                           at_top ? "the file's coordinate reference system is not known"
+                                  : "a coordinate reference system is named within the file that is not the layer's",
+                           name.value_or(member.text.substr(0, k_told)), crs_remedy(source, key));
     }
     return layer_crs(crs);
 }

@@ -13,8 +13,8 @@ namespace {
 [[noreturn]] void refuse(const std::string& path, const GdalSession& session) {
     const std::string message = session.last_message();
     throw Error(ErrorKind::environment,
-                Problem{"the vector file cannot be written" + (message.empty() ? "" : ": " + message), path,
-                        "", "", "Check that the folder exists, may be written and has room"});
+                Problem{"the vector file cannot be written" + (message.empty() ? "" : ": " + message), path, "", "",
+                        "Check that the folder exists, may be written and has room"});
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ Polyline line_of(const OGRFeature& feature, const VectorSource& source) {
     if (wkbFlatten(straight->getGeometryType()) != wkbLineString) {
         const bool parts = wkbFlatten(straight->getGeometryType()) == wkbMultiLineString;
         throw vector_fault(source, name + (parts ? " has parts that do not join" : " is no line"),
-                    straight->getGeometryName(), "Draw one line per inflow");
+                           straight->getGeometryName(), "Draw one line per inflow");
     }
     Polyline line;
     for (const OGRPoint& point : *straight->toLineString()) line.push_back({point.getX(), point.getY()});

@@ -36,10 +36,8 @@ void take(const OGRGeometry& geometry, const std::string& name, Marks& marks) {
         }
         case wkbLineString: {
             Polyline line;
-            for (const OGRPoint& point : *geometry.toLineString())
-                line.push_back({point.getX(), point.getY()});
-            if (line.size() >= 2)
-                marks.lines.push_back({numbered(name, marks.lines.size()), std::move(line)});
+            for (const OGRPoint& point : *geometry.toLineString()) line.push_back({point.getX(), point.getY()});
+            if (line.size() >= 2) marks.lines.push_back({numbered(name, marks.lines.size()), std::move(line)});
             return;
         }
         case wkbPolygon:
@@ -64,8 +62,7 @@ void transform_places(Marks& marks, const std::string& from, const std::string& 
             for (Point& place : line.line) visit(place);
     };
     each([&](const Point& p) {
-        box = {std::min(box.west, p.x), std::min(box.south, p.y), std::max(box.east, p.x),
-               std::max(box.north, p.y)};
+        box = {std::min(box.west, p.x), std::min(box.south, p.y), std::max(box.east, p.x), std::max(box.north, p.y)};
     });
     if (box.west > box.east) return;
     marks.own_bounds = box;
@@ -115,8 +112,7 @@ Marks read_marks(const std::string& path, const std::string& target_crs_wkt, con
     try {
         transform_places(marks, target_crs_wkt.empty() ? "" : crs, target_crs_wkt);
     } catch (const Error& error) {
-        throw fault(error.problems().front().what, error.problems().front().value,
-                    error.problems().front().remedy);
+        throw fault(error.problems().front().what, error.problems().front().value, error.problems().front().remedy);
     }
     return marks;
 }

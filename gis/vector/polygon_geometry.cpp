@@ -31,8 +31,7 @@ Ring from_ogr_ring(const OGRLinearRing& ring) {
         const Point point{ring.getX(i), ring.getY(i)};
         if (made.empty() || made.back().x != point.x || made.back().y != point.y) made.push_back(point);
     }
-    if (made.size() > 1 && made.front().x == made.back().x && made.front().y == made.back().y)
-        made.pop_back();
+    if (made.size() > 1 && made.front().x == made.back().x && made.front().y == made.back().y) made.pop_back();
     return made;
 }
 
@@ -120,8 +119,7 @@ struct Bend {
     [[nodiscard]] bool away(Point a, Point b, Point to_a, Point to_b) const {
         for (const double t : {0.5, 0.25}) {
             const Point to = transform(Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
-            const double straight_x = to_a.x + t * (to_b.x - to_a.x),
-                         straight_y = to_a.y + t * (to_b.y - to_a.y);
+            const double straight_x = to_a.x + t * (to_b.x - to_a.x), straight_y = to_a.y + t * (to_b.y - to_a.y);
             if (std::hypot(to.x - straight_x, to.y - straight_y) > tolerance) return true;
         }
         return false;

@@ -50,8 +50,7 @@ bool further_south(const Edge& a, const Edge& b) {
 
 Point meeting(const Edge& a, const Edge& b) {
     const Point d{a.last.x - a.first.x, a.last.y - a.first.y}, e{b.last.x - b.first.x, b.last.y - b.first.y};
-    const double t =
-        ((b.first.x - a.first.x) * e.y - (b.first.y - a.first.y) * e.x) / (d.x * e.y - d.y * e.x);
+    const double t = ((b.first.x - a.first.x) * e.y - (b.first.y - a.first.y) * e.x) / (d.x * e.y - d.y * e.x);
     return {a.first.x + t * d.x, a.first.y + t * d.y};
 }
 
@@ -63,9 +62,8 @@ class Sweep {
         places_.resize(edges_.size(), met_.end());
         std::vector<std::size_t> order(vertices_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
-        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return earlier(vertices_[a].place, vertices_[b].place);
-        });
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return earlier(vertices_[a].place, vertices_[b].place); });
         for (std::size_t k = 0; k < order.size() && !crossing; ++k) {
             const Vertex& vertex = vertices_[order[k]];
             if (k > 0 && same(vertex.place, vertices_[order[k - 1]].place)) throw Doubt{};  // rings touch
@@ -115,8 +113,7 @@ class Sweep {
 
     void compare(std::size_t one, std::size_t other) {
         const Edge &a = edges_[one], &b = edges_[other];
-        if (same(a.first, b.first) || same(a.last, b.last) || same(a.first, b.last) ||
-            same(a.last, b.first)) {
+        if (same(a.first, b.first) || same(a.last, b.last) || same(a.first, b.last) || same(a.last, b.first)) {
             // Neighbours along the ring meet in their vertex alone unless one lies on the other: in line, and
             // both to the same side of it.
             if (same(a.first, b.first)) (void)certain(side(a.first, a.last, b.last));

@@ -9,7 +9,7 @@ namespace frana::gis {
 
 /// What a sweep over a polygon's edges tells for certain.
 struct OutlineVerdict {
-    bool sound = false;  ///< no two edges meet but at the vertex they share; holes lie inside, and apart
+    bool sound = false;             ///< no two edges meet but at the vertex they share; holes lie inside, and apart
     std::optional<Point> crossing;  ///< two edges cross here
 };
 

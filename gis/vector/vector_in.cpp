@@ -85,15 +85,12 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
     }
     OutlineCheck check = check_outline(std::move(parts.polygons));
     if (check.crossing) {
-        problem("crosses itself", *check.crossing,
-                "Redraw the outline there, so that inside and outside are certain");
+        problem("crosses itself", *check.crossing, "Redraw the outline there, so that inside and outside are certain");
         return feature;
     }
-    for (const std::string& repair : check.repairs)
-        warnings.add("repair", source.where + ": " + name + ": " + repair);
+    for (const std::string& repair : check.repairs) warnings.add("repair", source.where + ": " + name + ": " + repair);
     for (const auto& polygon : check.polygons) {
-        if (auto part = from_ogr(*polygon); part && area(*part) > 0)
-            feature.parts.push_back(std::move(*part));
+        if (auto part = from_ogr(*polygon); part && area(*part) > 0) feature.parts.push_back(std::move(*part));
     }
     if (feature.parts.empty()) problem("has no area", "", "Draw it anew");
     take_attributes(from, feature);
@@ -116,8 +113,8 @@ std::optional<std::string> long_way_round(const std::vector<PolygonFeature>& fea
             for (std::size_t i = 0; i < part.outer.size(); ++i) {
                 const Point a = part.outer[i], b = part.outer[(i + 1) % part.outer.size()];
                 if (std::abs(a.x - b.x) > turn / 2)
-                    return "from " + shortest_text(a.x) + ", " + shortest_text(a.y) + " to " +
-                           shortest_text(b.x) + ", " + shortest_text(b.y);
+                    return "from " + shortest_text(a.x) + ", " + shortest_text(a.y) + " to " + shortest_text(b.x) +
+                           ", " + shortest_text(b.y);
             }
         }
     }
@@ -152,8 +149,7 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& s
         if (!feature.parts.empty()) features.push_back(std::move(feature));
     }
     if (untold > 0)
-        problems.add(
-            Problem{std::to_string(untold) + " more features have problems", source.where, "", "", ""});
+        problems.add(Problem{std::to_string(untold) + " more features have problems", source.where, "", "", ""});
     problems.throw_if_any();
     warnings = counted.told();
     if (seen == 0) throw vector_fault(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
@@ -230,8 +226,8 @@ bool holds_layer(const std::string& file, const std::string& layer, const std::s
     return holds;
 }
 
-PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt,
-                           const std::string& where, const LayerChoice& choice) {
+PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
+                           const LayerChoice& choice) {
     const GdalSession session;
     const ReadingOnly reading;
     VectorSource source = vector_source(path, where);
@@ -245,8 +241,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     OGRLayer& layer = choose_layer(*dataset, source, may_hold_areas, "areas");
     check_attribute_table(*dataset, layer, source);
     if (!choice.filter.empty()) filter_features(layer, source, choice.filter);
-    const std::string crs =
-        choice.crs.empty() ? declared_crs(*dataset, layer, source, k_crs_key) : choice.crs;
+    const std::string crs = choice.crs.empty() ? declared_crs(*dataset, layer, source, k_crs_key) : choice.crs;
     if (crs.empty() && !target_crs_wkt.empty()) {
         throw vector_fault(source, "the file names no coordinate reference system", "",
                            crs_remedy(source, k_crs_key) + ", or use terrain.crs = local throughout");
@@ -270,8 +265,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt, own);
     read.transform = transform.info();
     read.own_bounds = own;
-    const double tolerance =
-        is_projected_in_metres(target_crs_wkt) ? k_bend_tolerance : k_bend_tolerance_degrees;
+    const double tolerance = is_projected_in_metres(target_crs_wkt) ? k_bend_tolerance : k_bend_tolerance_degrees;
     try {
         for (PolygonFeature& feature : read.features) {
             for (Polygon& part : feature.parts) part = transformed(part, transform, tolerance);

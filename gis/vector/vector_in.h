@@ -33,8 +33,8 @@ struct LayerChoice {
 /// as polygons, long edges are bent as the projection bends them (to 1 mm). An outline that touches itself is
 /// repaired with a warning; one that crosses itself is refused with the place. `where` names the key. Throws
 /// Error(input) with every feature's problem: missing file, no CRS, empty layer, no polygon, crossing.
-PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt,
-                           const std::string& where, const LayerChoice& choice = {});
+PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
+                           const LayerChoice& choice = {});
 
 /// Whether a vector file of a result has a layer of this name with something in it. Throws Error(input) where
 /// the file cannot be read whole.

@@ -32,8 +32,7 @@ struct LineKind {
     static double measured(const LineFeature& feature) {
         double sum = 0;
         for (std::size_t i = 1; i < feature.line.size(); ++i)
-            sum += std::hypot(feature.line[i].x - feature.line[i - 1].x,
-                              feature.line[i].y - feature.line[i - 1].y);
+            sum += std::hypot(feature.line[i].x - feature.line[i - 1].x, feature.line[i].y - feature.line[i - 1].y);
         return sum;
     }
     static std::unique_ptr<OGRGeometry> shape(const LineFeature& feature) {
@@ -112,8 +111,7 @@ bool write_layer(GDALDataset& dataset, OGRSpatialReference* crs, const std::stri
 
 }  // namespace
 
-void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt,
-                    const std::vector<OutlineLayer>& layers) {
+void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt, const std::vector<OutlineLayer>& layers) {
     write_geopackage(gpkg_path, crs_wkt, [&](GDALDataset& dataset, OGRSpatialReference* crs) {
         return std::all_of(layers.begin(), layers.end(), [&](const OutlineLayer& layer) {
             return write_layer<OutlineKind>(dataset, crs, layer.name, layer.features);

@@ -36,8 +36,7 @@ struct PointLayer {
 
 /// A GeoPackage with one multipolygon layer per entry, with an area_m2 column and the features' own
 /// attributes. Written aside and renamed. An empty CRS stays unknown. Throws Error(environment).
-void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt,
-                    const std::vector<OutlineLayer>& layers);
+void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt, const std::vector<OutlineLayer>& layers);
 
 /// A GeoPackage of lines (with their length_m) and points; NaN attributes become NULL. Otherwise as
 /// write_outlines.

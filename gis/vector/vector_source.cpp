@@ -97,9 +97,8 @@ GDALDatasetUniquePtr open_vector(const VectorSource& source, bool is_ours) {
             source, "the file does not exist", "",
             "Check the path: a scene's is relative to the scene file, an option's to the current folder");
     }
-    throw vector_fault(
-        source, "the file is not a vector file that can be read: " + session.last_message(), "",
-        "Give a shapefile (with its .shx and .dbf), GeoPackage, GeoJSON or another file that OGR reads");
+    throw vector_fault(source, "the file is not a vector file that can be read: " + session.last_message(), "",
+                       "Give a shapefile (with its .shx and .dbf), GeoPackage, GeoJSON or another file that OGR reads");
 }
 
 void require_sound(const GdalSession& session, const VectorSource& source, const std::string& remedy) {
@@ -125,8 +124,7 @@ OGRLayer& choose_layer(GDALDataset& dataset, const VectorSource& source, const L
                        const std::string& wanted) {
     if (!source.layer.empty()) {
         if (OGRLayer* layer = dataset.GetLayerByName(source.layer.c_str())) return *layer;
-        throw vector_fault(source, "the file has no such layer", source.layer,
-                           "Its layers: " + layer_names(dataset));
+        throw vector_fault(source, "the file has no such layer", source.layer, "Its layers: " + layer_names(dataset));
     }
     OGRLayer* found = nullptr;
     for (OGRLayer* layer : dataset.GetLayers()) {
@@ -138,14 +136,12 @@ OGRLayer& choose_layer(GDALDataset& dataset, const VectorSource& source, const L
         found = layer;
     }
     if (!found)
-        throw vector_fault(source, "the file holds no layer with " + wanted, layer_names(dataset),
-                           "Give " + wanted);
+        throw vector_fault(source, "the file holds no layer with " + wanted, layer_names(dataset), "Give " + wanted);
     return *found;
 }
 
 void check_attribute_table(GDALDataset& dataset, OGRLayer& layer, const VectorSource& source) {
-    if (std::string(dataset.GetDriverName()) != "ESRI Shapefile" || layer.GetLayerDefn()->GetFieldCount() > 0)
-        return;
+    if (std::string(dataset.GetDriverName()) != "ESRI Shapefile" || layer.GetLayerDefn()->GetFieldCount() > 0) return;
     const std::string table = CPLResetExtension(source.file.c_str(), "dbf");
     VSIStatBufL status;
     if (VSIStatL(table.c_str(), &status) == 0)

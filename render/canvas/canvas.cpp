@@ -109,14 +109,10 @@ void Canvas::fill(const PageBox& box, Rgb colour, double opacity) {
 
 void Canvas::frame(const PageBox& box, const LineStyle& style) {
     const double half = style.width_px / 2;
-    fill(PageBox{box.left - half, box.top - half, box.right + half, box.top + half}, style.colour,
-         style.opacity);
-    fill(PageBox{box.left - half, box.bottom - half, box.right + half, box.bottom + half}, style.colour,
-         style.opacity);
-    fill(PageBox{box.left - half, box.top + half, box.left + half, box.bottom - half}, style.colour,
-         style.opacity);
-    fill(PageBox{box.right - half, box.top + half, box.right + half, box.bottom - half}, style.colour,
-         style.opacity);
+    fill(PageBox{box.left - half, box.top - half, box.right + half, box.top + half}, style.colour, style.opacity);
+    fill(PageBox{box.left - half, box.bottom - half, box.right + half, box.bottom + half}, style.colour, style.opacity);
+    fill(PageBox{box.left - half, box.top + half, box.left + half, box.bottom - half}, style.colour, style.opacity);
+    fill(PageBox{box.right - half, box.top + half, box.right + half, box.bottom - half}, style.colour, style.opacity);
 }
 
 LayerImage Canvas::covered() const {
@@ -160,8 +156,8 @@ LayerImage Canvas::draw() const {
         const double height = 0.9 * static_cast<double>(triangle) / static_cast<double>(n_corners);
         positions->SetTuple3(i, corners_[2 * k], corners_[2 * k + 1], height);
         for (int band = 0; band < 4; ++band) {
-            shades->SetTypedComponent(
-                i, band, static_cast<unsigned char>(colours_[k] >> (8U * static_cast<unsigned>(band))));
+            shades->SetTypedComponent(i, band,
+                                      static_cast<unsigned char>(colours_[k] >> (8U * static_cast<unsigned>(band))));
         }
         if (i % 3 == 0) triangles->InsertNextCell({i, i + 1, i + 2});
     }
@@ -198,8 +194,7 @@ LayerImage Canvas::draw() const {
         camera->SetPosition(x, y, 1);
         window.render();
         picture = window.read_rgba();
-        for (std::size_t i = 0; i < sum.size(); ++i)
-            sum[i] = static_cast<std::uint16_t>(sum[i] + picture.rgba[i]);
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = static_cast<std::uint16_t>(sum[i] + picture.rgba[i]);
     }
     const unsigned n_samples = k_samples.size();
     for (std::size_t i = 0; i < sum.size(); ++i) {

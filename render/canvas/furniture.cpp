@@ -34,8 +34,7 @@ double scale_bar_height(const PageStyle& style) {
     return bar_thickness(style) + style.label.size_px * 1.5;
 }
 
-ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, double width,
-                        double metres_per_pixel) {
+ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, double width, double metres_per_pixel) {
     const Lettering& lettering = sheet.lettering();
     // The labels stand centred under the bar's ends and must stay within the width as well.
     double metres = nice_step_below(width * metres_per_pixel);
@@ -50,9 +49,8 @@ ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, doub
     canvas.fill(bar, {255, 255, 255});
     constexpr int k_parts = 4;
     for (int i = 0; i < k_parts; i += 2) {
-        canvas.fill(
-            PageBox{left + pixels * i / k_parts, bar.top, left + pixels * (i + 1) / k_parts, bar.bottom},
-            k_ink);
+        canvas.fill(PageBox{left + pixels * i / k_parts, bar.top, left + pixels * (i + 1) / k_parts, bar.bottom},
+                    k_ink);
     }
     canvas.frame(bar, {style.line(1.2), k_ink});
     const double text_y = bar.bottom + 0.45 * style.label.size_px;
@@ -88,8 +86,8 @@ PageBox draw_north_arrow(Sheet& sheet, const PageStyle& style, Point centre, dou
 std::string convergence_words(double convergence_deg) {
     if (std::fabs(convergence_deg) < 0.05) return {};
     std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "true north %.1f\u00B0 %s of grid north",
-                  std::fabs(convergence_deg), convergence_deg > 0 ? "east" : "west");
+    std::snprintf(text.data(), text.size(), "true north %.1f\u00B0 %s of grid north", std::fabs(convergence_deg),
+                  convergence_deg > 0 ? "east" : "west");
     return text.data();
 }
 
@@ -100,8 +98,8 @@ TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, Te
     return style;
 }
 
-TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string& title,
-                        const std::string& subtitle, bool subtitle_later, Point corner, double width) {
+TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string& title, const std::string& subtitle,
+                        bool subtitle_later, Point corner, double width) {
     double y = corner.y;
     constexpr double k_least_share = 0.7;
     if (!title.empty()) {
@@ -112,10 +110,8 @@ TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string&
     if (subtitle_later) {
         result.bottom = y + Sheet::line_height(style.subtitle);
     } else if (!subtitle.empty()) {
-        const TextStyle fitting =
-            shrunk_to_fit(sheet.lettering(), subtitle, style.subtitle, width, k_least_share);
-        result.bottom =
-            sheet.lines(sheet.wrapped(subtitle, fitting, width), {corner.x, y}, fitting, Across::left);
+        const TextStyle fitting = shrunk_to_fit(sheet.lettering(), subtitle, style.subtitle, width, k_least_share);
+        result.bottom = sheet.lines(sheet.wrapped(subtitle, fitting, width), {corner.x, y}, fitting, Across::left);
     }
     return result;
 }

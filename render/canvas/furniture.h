@@ -19,8 +19,7 @@ struct ScaleBar {
 double scale_bar_height(const PageStyle& style);
 /// A bar of a round length, as long as fits into `width` pixels with its labels; `corner` is its upper left
 /// one.
-ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, double width,
-                        double metres_per_pixel);
+ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, double width, double metres_per_pixel);
 
 /// Height that the north arrow takes [px], turned however.
 double north_arrow_height(const PageStyle& style);
@@ -36,8 +35,8 @@ struct TitleResult {
     double bottom = 0;
     Point subtitle_at;
 };
-TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string& title,
-                        const std::string& subtitle, bool subtitle_later, Point corner, double width);
+TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string& title, const std::string& subtitle,
+                        bool subtitle_later, Point corner, double width);
 
 /// A style whose letters are shrunk, to `least_share` at most, so that a text fits `width`.
 TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, TextStyle style, double width,

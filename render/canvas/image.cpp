@@ -17,16 +17,16 @@ namespace frana::render {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
-    throw Error(ErrorKind::environment, Problem{what, path, std::strerror(errno), "",
-                                                "check the folder, its permissions and the free space"});
+    throw Error(ErrorKind::environment,
+                Problem{what, path, std::strerror(errno), "", "check the folder, its permissions and the free space"});
 }
 
 /// False when libpng or the stream fails. libpng leaves by longjmp: nothing here may need a destructor.
 bool encode(std::FILE* stream, const Image& image, double dots_per_inch) {
     png_infop info = nullptr;
     png_structp png = png_create_write_struct(
-        PNG_LIBPNG_VER_STRING, nullptr,
-        [](png_structp failed, png_const_charp) { png_longjmp(failed, 1); }, [](png_structp, png_const_charp) {});
+        PNG_LIBPNG_VER_STRING, nullptr, [](png_structp failed, png_const_charp) { png_longjmp(failed, 1); },
+        [](png_structp, png_const_charp) {});
     if (png == nullptr) return false;
     info = png_create_info_struct(png);
     if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) {

@@ -21,8 +21,8 @@ struct Image {
 
     /// First byte of a pixel; column 0 and row 0 are the upper left corner.
     [[nodiscard]] std::uint8_t* pixel(int column, int row) noexcept {
-        return rgb.data() + 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                                 static_cast<std::size_t>(column));
+        return rgb.data() +
+               3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column));
     }
     [[nodiscard]] const std::uint8_t* pixel(int column, int row) const noexcept {
         return const_cast<Image*>(this)->pixel(column, row);

@@ -29,8 +29,8 @@ std::string find_font(const std::string& name) {
     for (const char* folder : folders) {
         if (std::filesystem::exists(folder + name)) return folder + name;
     }
-    throw Error(ErrorKind::environment, Problem{"a font for maps is missing", folders[0] + name, "", "",
-                                                "install Debian's fonts-dejavu-core"});
+    throw Error(ErrorKind::environment,
+                Problem{"a font for maps is missing", folders[0] + name, "", "", "install Debian's fonts-dejavu-core"});
 }
 
 // More letters fit on no page; setting a text takes as long as its letters are many.
@@ -68,9 +68,9 @@ double draw_with_vtk(const std::string& text, const std::string& font, int size,
         std::array<int, 2> extent{};
         const vtkStdString words(text);
         // Backend FreeType: the default one would read a pair of dollar signs as mathematics.
-        good = renderer->GetMetrics(property, words, metrics, k_dots_per_inch, vtkTextRenderer::FreeType) &&
-               renderer->RenderString(property, words, pixels, extent.data(), k_dots_per_inch,
-                                      vtkTextRenderer::FreeType);
+        good =
+            renderer->GetMetrics(property, words, metrics, k_dots_per_inch, vtkTextRenderer::FreeType) &&
+            renderer->RenderString(property, words, pixels, extent.data(), k_dots_per_inch, vtkTextRenderer::FreeType);
     }
     errors.throw_if_any("a text could not be drawn: \"" + text + "\"");
     if (!good) {
@@ -163,8 +163,7 @@ Glyphs Lettering::set(const std::string& text, const TextStyle& style, Across ac
     return glyphs;
 }
 
-Glyphs Lettering::set(const std::string& text, Point at, const TextStyle& style, Across across,
-                      Upright upright) const {
+Glyphs Lettering::set(const std::string& text, Point at, const TextStyle& style, Across across, Upright upright) const {
     Glyphs glyphs = set(text, style, across, upright);
     glyphs.left += static_cast<int>(std::lround(at.x));
     glyphs.top += static_cast<int>(std::lround(at.y));
@@ -187,8 +186,8 @@ TextBox Lettering::place(const std::string& text, Point at, const TextStyle& sty
     return text_box(text, set(text, at, style, across, upright), style);
 }
 
-TextBox Lettering::write(Image& page, const std::string& text, Point at, const TextStyle& style,
-                         Across across, Upright upright) const {
+TextBox Lettering::write(Image& page, const std::string& text, Point at, const TextStyle& style, Across across,
+                         Upright upright) const {
     const Glyphs glyphs = set(text, at, style, across, upright);
     blend(page, glyphs, style);
     return text_box(text, glyphs, style);

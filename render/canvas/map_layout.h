@@ -51,7 +51,7 @@ struct MapLayout {
     PageBox north_arrow;
     std::optional<PageBox> inset;  ///< inside of its frame, where there is one
     Bounds inset_window;           ///< map coordinates shown in it
-    double font_px = 0;  ///< of ordinary labels
+    double font_px = 0;            ///< of ordinary labels
     std::vector<TextBox> texts;
     std::vector<LegendEntry> legend;
 };

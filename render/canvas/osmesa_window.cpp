@@ -60,8 +60,7 @@ namespace {
 
 /// A wrong OpenGL would end in a segmentation fault deep inside a driver; say it here instead.
 void check_that_opengl_is_osmesa() {
-    const std::string remedy =
-        "link libOSMesa before any other OpenGL library, and do not preload another libGL";
+    const std::string remedy = "link libOSMesa before any other OpenGL library, and do not preload another libGL";
     Dl_info info{};
     void* clear = dlsym(RTLD_DEFAULT, "glClear");
     if (clear == nullptr || dladdr(clear, &info) == 0 || info.dli_fname == nullptr ||
@@ -101,13 +100,11 @@ class OsmesaWindow::Context {
         make_current();
 
         on_make_current_->SetClientData(this);
-        on_make_current_->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
-            static_cast<Context*>(self)->make_current();
-        });
+        on_make_current_->SetCallback(
+            [](vtkObject*, unsigned long, void* self, void*) { static_cast<Context*>(self)->make_current(); });
         on_is_current_->SetClientData(this);
         on_is_current_->SetCallback([](vtkObject*, unsigned long, void* self, void* answer) {
-            *static_cast<bool*>(answer) =
-                OSMesaGetCurrentContext() == static_cast<Context*>(self)->osmesa_.get();
+            *static_cast<bool*>(answer) = OSMesaGetCurrentContext() == static_cast<Context*>(self)->osmesa_.get();
         });
         window_->AddObserver(vtkCommand::WindowMakeCurrentEvent, on_make_current_);
         window_->AddObserver(vtkCommand::WindowIsCurrentEvent, on_is_current_);
@@ -153,9 +150,9 @@ class OsmesaWindow::Context {
 
 OsmesaWindow::OsmesaWindow(int width, int height) {
     if (width < 1 || height < 1 || width > 16384 || height > 16384) {
-        throw Error(ErrorKind::input, Problem{"picture size is out of range", "",
-                                              std::to_string(width) + " x " + std::to_string(height),
-                                              "1 to 16384 pixels a side", ""});
+        throw Error(ErrorKind::input,
+                    Problem{"picture size is out of range", "", std::to_string(width) + " x " + std::to_string(height),
+                            "1 to 16384 pixels a side", ""});
     }
     VtkErrors errors;
     context_ = std::make_unique<Context>(width, height);

@@ -11,14 +11,10 @@ Raster raster_window(const Raster& raster, const Bounds& window, std::int64_t mo
     const auto clamped = [](double cell, std::int64_t count) {
         return static_cast<std::int64_t>(std::clamp(cell, 0.0, static_cast<double>(count)));
     };
-    const std::int64_t first_column =
-        clamped(std::floor((window.west - grid.west) / grid.cell_size) - 1, grid.columns);
-    const std::int64_t last_column =
-        clamped(std::ceil((window.east - grid.west) / grid.cell_size) + 1, grid.columns);
-    const std::int64_t first_row =
-        clamped(std::floor((grid.north - window.north) / grid.cell_size) - 1, grid.rows);
-    const std::int64_t last_row =
-        clamped(std::ceil((grid.north - window.south) / grid.cell_size) + 1, grid.rows);
+    const std::int64_t first_column = clamped(std::floor((window.west - grid.west) / grid.cell_size) - 1, grid.columns);
+    const std::int64_t last_column = clamped(std::ceil((window.east - grid.west) / grid.cell_size) + 1, grid.columns);
+    const std::int64_t first_row = clamped(std::floor((grid.north - window.north) / grid.cell_size) - 1, grid.rows);
+    const std::int64_t last_row = clamped(std::ceil((grid.north - window.south) / grid.cell_size) + 1, grid.rows);
     Raster part;
     if (last_column <= first_column || last_row <= first_row) return part;
 
@@ -35,8 +31,7 @@ Raster raster_window(const Raster& raster, const Bounds& window, std::int64_t mo
         for (std::int64_t column = 0; column < spec.columns; ++column) {
             double sum = 0;
             std::int64_t count = 0;
-            for (std::int64_t r = first_row + row * block;
-                 r < std::min(first_row + (row + 1) * block, last_row); ++r) {
+            for (std::int64_t r = first_row + row * block; r < std::min(first_row + (row + 1) * block, last_row); ++r) {
                 for (std::int64_t c = first_column + column * block;
                      c < std::min(first_column + (column + 1) * block, last_column); ++c) {
                     sum += raster.at(r, c);

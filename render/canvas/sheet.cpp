@@ -8,13 +8,12 @@
 namespace frana::render {
 namespace {
 
-constexpr std::size_t k_most_letters = 2000;   // of a paragraph
-constexpr std::size_t k_longest_line = 500;    // bytes; what is longer need not be measured
+constexpr std::size_t k_most_letters = 2000;  // of a paragraph
+constexpr std::size_t k_longest_line = 500;   // bytes; what is longer need not be measured
 
 }  // namespace
 
-const TextBox& Sheet::text(const std::string& words, Point at, const TextStyle& style, Across across,
-                           Upright upright) {
+const TextBox& Sheet::text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) {
     texts_.push_back({lettering_.set(words, at, style, across, upright), style});
     return boxes_.emplace_back(text_box(words, texts_.back().glyphs, style));
 }
@@ -27,8 +26,7 @@ double Sheet::lines(const std::vector<std::string>& words, Point top, const Text
     return top.y;
 }
 
-std::vector<std::string> Sheet::wrapped(const std::string& words, const TextStyle& style,
-                                        double width) const {
+std::vector<std::string> Sheet::wrapped(const std::string& words, const TextStyle& style, double width) const {
     const auto fits = [&](const std::string& candidate) {
         return candidate.size() <= k_longest_line && lettering_.width(candidate, style) <= width;
     };

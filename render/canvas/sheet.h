@@ -34,8 +34,7 @@ class Sheet {
     [[nodiscard]] const std::vector<TextBox>& texts() const noexcept { return boxes_; }
 
     /// Puts a text over all lines and shapes.
-    const TextBox& text(const std::string& words, Point at, const TextStyle& style, Across across,
-                        Upright upright);
+    const TextBox& text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright);
     /// The lines one below the other, from the capitals' top of the first; returns the y under the last.
     double lines(const std::vector<std::string>& words, Point top, const TextStyle& style, Across across);
 

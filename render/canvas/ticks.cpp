@@ -33,8 +33,7 @@ double nice_step_below(double most) {
 
 std::vector<double> multiples(double from, double to, double step) {
     std::vector<double> all;
-    for (double k = std::ceil(from / step - k_slack); k * step <= to + k_slack * step; k += 1)
-        all.push_back(k * step);
+    for (double k = std::ceil(from / step - k_slack); k * step <= to + k_slack * step; k += 1) all.push_back(k * step);
     return all;
 }
 
@@ -42,8 +41,8 @@ std::string number(double value) {
     std::array<char, 32> text{};
     // Six digits hide what decimal steps lose in binary (0.30000000000000004) and keep every bound a person
     // writes.
-    std::snprintf(text.data(), text.size(),
-                  std::fabs(value) >= 1e5 && std::fabs(value) < 1e12 ? "%.0f" : "%.6g", value + 0.0);
+    std::snprintf(text.data(), text.size(), std::fabs(value) >= 1e5 && std::fabs(value) < 1e12 ? "%.0f" : "%.6g",
+                  value + 0.0);
     return text.data();
 }
 

@@ -107,8 +107,7 @@ void draw_series(const ChartSeries& series, const Axes& axes, const PageStyle& s
     for (const Point p : series.points)
         if (drawable(p)) places.push_back({axes.across(p.x), axes.down(p.y)});
     sheet.canvas().line(places, chart_line(style, series.colour, k_width, series.stroke));
-    for (const Point place : places)
-        draw_marker(sheet, series.marker, place, 1.2 + style.line(3.2), series.colour);
+    for (const Point place : places) draw_marker(sheet, series.marker, place, 1.2 + style.line(3.2), series.colour);
     layout.points.push_back(std::move(places));
 }
 
@@ -120,11 +119,11 @@ void draw_panel(const ChartPanel& panel, const PageBox& box, const PageStyle& st
     const std::size_t before = layout.points.size();
     axes.draw(style, sheet);
     for (const ChartSeries& series : panel.series) draw_series(series, axes, style, sheet, layout);
-    const bool empty = std::all_of(layout.points.begin() + static_cast<std::ptrdiff_t>(before),
-                                   layout.points.end(), [](const auto& places) { return places.empty(); });
+    const bool empty = std::all_of(layout.points.begin() + static_cast<std::ptrdiff_t>(before), layout.points.end(),
+                                   [](const auto& places) { return places.empty(); });
     if (empty && !panel.note.empty()) {
-        sheet.text(panel.note, {(box.left + box.right) / 2, (box.top + box.bottom) / 2}, style.small,
-                   Across::centre, Upright::middle);
+        sheet.text(panel.note, {(box.left + box.right) / 2, (box.top + box.bottom) / 2}, style.small, Across::centre,
+                   Upright::middle);
     }
     layout.panels.push_back(box);
 }
@@ -134,9 +133,8 @@ std::vector<const ChartSeries*> kinds_of(const ChartContent& content) {
     std::vector<const ChartSeries*> kinds;
     for (const ChartPanel& panel : content.panels) {
         for (const ChartSeries& series : panel.series) {
-            const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const ChartSeries* kind) {
-                return kind->label == series.label;
-            });
+            const bool known = std::any_of(kinds.begin(), kinds.end(),
+                                           [&](const ChartSeries* kind) { return kind->label == series.label; });
             if (!known) kinds.push_back(&series);
         }
     }
@@ -166,8 +164,7 @@ Decades decades_of(const std::vector<double>& values) {
         if (!(value > 0) || !std::isfinite(value)) continue;
         const int low = static_cast<int>(std::floor(std::log10(value)));
         const int high = static_cast<int>(std::ceil(std::log10(value)));
-        decades =
-            any ? Decades{std::min(decades.low, low), std::max(decades.high, high)} : Decades{low, high};
+        decades = any ? Decades{std::min(decades.low, low), std::max(decades.high, high)} : Decades{low, high};
         any = true;
     }
     if (decades.high == decades.low) ++decades.high;
@@ -179,10 +176,10 @@ Image draw_chart(const ChartContent& content, int width, int height, ChartLayout
     Sheet sheet(width, height);
     ChartLayout drawn;
     double y = style.margin;
-    y = sheet.lines(sheet.wrapped(content.title, style.title, width - 2 * style.margin), {style.margin, y},
-                    style.title, Across::left);
-    y = sheet.lines(sheet.wrapped(content.subtitle, style.subtitle, width - 2 * style.margin),
-                    {style.margin, y}, style.subtitle, Across::left);
+    y = sheet.lines(sheet.wrapped(content.title, style.title, width - 2 * style.margin), {style.margin, y}, style.title,
+                    Across::left);
+    y = sheet.lines(sheet.wrapped(content.subtitle, style.subtitle, width - 2 * style.margin), {style.margin, y},
+                    style.subtitle, Across::left);
     y = draw_key(content, style, width, y + style.label.size_px, sheet);
 
     const int across = std::max(1, content.panels_across);

@@ -38,16 +38,12 @@ void grid_level(Sheet& sheet, const PageBox& box, double y, const LineStyle& lin
     sheet.canvas().line(std::array{Point{box.left, y}, Point{box.right, y}}, line);
 }
 
-void number_below(Sheet& sheet, const PageStyle& style, const PageBox& box, double x,
-                  const std::string& words) {
-    sheet.text(words, {x, box.bottom + k_off_frame * style.small.size_px}, style.small, Across::centre,
-               Upright::top);
+void number_below(Sheet& sheet, const PageStyle& style, const PageBox& box, double x, const std::string& words) {
+    sheet.text(words, {x, box.bottom + k_off_frame * style.small.size_px}, style.small, Across::centre, Upright::top);
 }
 
-void number_beside(Sheet& sheet, const PageStyle& style, const PageBox& box, double y,
-                   const std::string& words) {
-    sheet.text(words, {box.left - k_off_frame * style.small.size_px, y}, style.small, Across::right,
-               Upright::middle);
+void number_beside(Sheet& sheet, const PageStyle& style, const PageBox& box, double y, const std::string& words) {
+    sheet.text(words, {box.left - k_off_frame * style.small.size_px, y}, style.small, Across::right, Upright::middle);
 }
 
 void upright_name(Sheet& sheet, TextStyle style, Point middle, const std::string& words) {
@@ -55,8 +51,7 @@ void upright_name(Sheet& sheet, TextStyle style, Point middle, const std::string
     sheet.text(words, middle, style, Across::centre, Upright::middle);
 }
 
-ChartKey::ChartKey(const Sheet& sheet, const TextStyle& style, const std::vector<std::string>& names,
-                   double width)
+ChartKey::ChartKey(const Sheet& sheet, const TextStyle& style, const std::vector<std::string>& names, double width)
     : style_(style), names_(names) {
     const double letter = style.size_px;
     double x = 0, y = 0;

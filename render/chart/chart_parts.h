@@ -18,10 +18,8 @@ LineStyle chart_line(const PageStyle& style, Rgb colour, double width_px, Stroke
 void grid_upright(Sheet& sheet, const PageBox& box, double x, const LineStyle& line);
 void grid_level(Sheet& sheet, const PageBox& box, double y, const LineStyle& line);
 /// The numbers along a panel's frame: under it at x, left of it at y.
-void number_below(Sheet& sheet, const PageStyle& style, const PageBox& box, double x,
-                  const std::string& words);
-void number_beside(Sheet& sheet, const PageStyle& style, const PageBox& box, double y,
-                   const std::string& words);
+void number_below(Sheet& sheet, const PageStyle& style, const PageBox& box, double x, const std::string& words);
+void number_beside(Sheet& sheet, const PageStyle& style, const PageBox& box, double y, const std::string& words);
 /// The name of an upright axis, read from below.
 void upright_name(Sheet& sheet, TextStyle style, Point middle, const std::string& words);
 
@@ -32,8 +30,7 @@ class ChartKey {
 
     [[nodiscard]] double height() const noexcept { return height_; }
     /// From the key's upper left corner; `swatch` draws the i-th one between two points.
-    void draw(Sheet& sheet, Point corner,
-              const std::function<void(std::size_t i, Point from, Point to)>& swatch) const;
+    void draw(Sheet& sheet, Point corner, const std::function<void(std::size_t i, Point from, Point to)>& swatch) const;
 
   private:
     TextStyle style_;

@@ -113,8 +113,7 @@ void fill_under(const Curve& curve, const LinearAxes& axes, Sheet& sheet) {
     }
 }
 
-void draw_curve(const Curve& curve, const LinearAxes& axes, const PageStyle& style, Sheet& sheet,
-                ChartLayout& layout) {
+void draw_curve(const Curve& curve, const LinearAxes& axes, const PageStyle& style, Sheet& sheet, ChartLayout& layout) {
     std::vector<Point> run, all;
     const auto flush = [&] {
         if (run.size() > 1) sheet.canvas().line(run, stroke_of(curve, style));

@@ -26,10 +26,10 @@ struct Curve {
 struct CurvePanel {
     std::string title, x_label, y_label;
     std::vector<Curve> curves;
-    bool from_zero = false;            ///< 0 is on the y axis
-    bool log_x = false;                ///< points at x of 0 and less are left out
-    std::optional<double> mark_x{};    ///< an upright dashed line
-    double share = 1;                  ///< of the page's height, compared with the panels beside it
+    bool from_zero = false;          ///< 0 is on the y axis
+    bool log_x = false;              ///< points at x of 0 and less are left out
+    std::optional<double> mark_x{};  ///< an upright dashed line
+    double share = 1;                ///< of the page's height, compared with the panels beside it
 };
 
 /// A page of panels, one row below the other, each row `across` panels wide.

@@ -16,10 +16,9 @@ const Spec& with_fixed_scale(const Spec& base) {
     const bool fixed = !base.classes.empty() || base.maximum || !base.categories.empty() ||
                        (base.layer != nullptr && !value_range(*base.layer).empty());
     if (!fixed) {
-        throw Error(
-            ErrorKind::input,
-            Problem{"an animation's colour scale is not fixed", "", "", "",
-                    "give class bounds, a maximum, or the greatest values over time as the base's layer"});
+        throw Error(ErrorKind::input,
+                    Problem{"an animation's colour scale is not fixed", "", "", "",
+                            "give class bounds, a maximum, or the greatest values over time as the base's layer"});
     }
     return base;
 }

@@ -79,8 +79,8 @@ IndexedImage reduce_colours(const Image& image) {
     std::vector<Box> boxes;
     if (!used.empty()) boxes.push_back(measured(used));
     while (boxes.size() < k_most_colours) {
-        const auto worst = std::max_element(boxes.begin(), boxes.end(),
-                                            [](const Box& a, const Box& b) { return a.error < b.error; });
+        const auto worst =
+            std::max_element(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.error < b.error; });
         if (worst == boxes.end() || worst->cells.size() < 2 || worst->error <= 0) break;
         const std::span<Cell> cells = worst->cells;
         const std::size_t channel = worst->widest;
@@ -90,8 +90,7 @@ IndexedImage reduce_colours(const Image& image) {
         std::uint64_t total = 0, half = 0;
         for (const Cell& cell : cells) total += cell.count;
         std::size_t cut = 0;
-        while (cut + 1 < cells.size() && (cut == 0 || half + cells[cut].count <= total / 2))
-            half += cells[cut++].count;
+        while (cut + 1 < cells.size() && (cut == 0 || half + cells[cut].count <= total / 2)) half += cells[cut++].count;
         *worst = measured(cells.first(cut));
         boxes.push_back(measured(cells.subspan(cut)));
     }

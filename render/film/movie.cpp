@@ -27,8 +27,7 @@ enum class Kind { mp4, gif };
 
 Kind kind_of(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
     if (ending == ".mp4") return Kind::mp4;
     if (ending == ".gif") return Kind::gif;
     throw Error(ErrorKind::input, Problem{"unknown kind of film", path, ending, ".mp4 or .gif", ""});
@@ -64,8 +63,7 @@ class MovieWriter::Encoder {
                                     std::to_string(frames_per_second) + " frames per second",
                                 "at least 2 x 2 pixels, over 0 and up to 1000 frames per second", ""});
         }
-        av_log_set_level(
-            AV_LOG_QUIET);  // its faults come back as codes; its chatter would reach the terminal
+        av_log_set_level(AV_LOG_QUIET);  // its faults come back as codes; its chatter would reach the terminal
         open_codec(frames_per_second);
         open_file();
     }
@@ -119,12 +117,10 @@ class MovieWriter::Encoder {
 
     void open_codec(double frames_per_second) {
         const bool mp4 = kind_ == Kind::mp4;
-        const AVCodec* encoder =
-            mp4 ? avcodec_find_encoder_by_name("libx264") : avcodec_find_encoder(AV_CODEC_ID_GIF);
+        const AVCodec* encoder = mp4 ? avcodec_find_encoder_by_name("libx264") : avcodec_find_encoder(AV_CODEC_ID_GIF);
         if (encoder == nullptr) {
-            throw Error(ErrorKind::environment,
-                        Problem{"a film's encoder is missing", file_.path(), mp4 ? "libx264" : "gif", "",
-                                "install Debian's libavcodec59"});
+            throw Error(ErrorKind::environment, Problem{"a film's encoder is missing", file_.path(),
+                                                        mp4 ? "libx264" : "gif", "", "install Debian's libavcodec59"});
         }
         own(codec_, avcodec_alloc_context3(encoder));
         codec_->width = mp4 ? source_width_ / 2 * 2 : source_width_;
@@ -133,8 +129,7 @@ class MovieWriter::Encoder {
         codec_->framerate = av_d2q(frames_per_second, 100000);
         codec_->time_base = av_inv_q(codec_->framerate);
         if (mp4) {
-            codec_->gop_size =
-                std::max(1, static_cast<int>(std::lround(2 * frames_per_second)));  // two seconds
+            codec_->gop_size = std::max(1, static_cast<int>(std::lround(2 * frames_per_second)));  // two seconds
             codec_->colorspace = AVCOL_SPC_BT709;
             codec_->color_primaries = AVCOL_PRI_BT709;
             codec_->color_trc = AVCOL_TRC_BT709;
@@ -143,10 +138,8 @@ class MovieWriter::Encoder {
             // As many threads as processors would give other bytes on every machine.
             codec_->thread_count = 1;
             // "animation" suits flat colours with sharp edges; quality 20 shows no blur round letters.
-            check(av_opt_set(codec_->priv_data, "preset", "veryfast", 0),
-                  "a film's encoder refuses an option");
-            check(av_opt_set(codec_->priv_data, "tune", "animation", 0),
-                  "a film's encoder refuses an option");
+            check(av_opt_set(codec_->priv_data, "preset", "veryfast", 0), "a film's encoder refuses an option");
+            check(av_opt_set(codec_->priv_data, "tune", "animation", 0), "a film's encoder refuses an option");
             // Without looking far ahead it needs a fifth of the memory, and flat pictures lose nothing.
             check(av_opt_set(codec_->priv_data, "x264-params",
                              "rc-lookahead=3:sync-lookahead=0:bframes=1:ref=2:cpu-independent=1", 0),
@@ -161,9 +154,9 @@ class MovieWriter::Encoder {
         own(packet_, av_packet_alloc());
         if (mp4) {
             make_frame(picture_, AV_PIX_FMT_RGB24);
-            own(scaler_, sws_getContext(codec_->width, codec_->height, AV_PIX_FMT_RGB24, codec_->width,
-                                        codec_->height, AV_PIX_FMT_YUV420P, SWS_BILINEAR | SWS_ACCURATE_RND,
-                                        nullptr, nullptr, nullptr));
+            own(scaler_,
+                sws_getContext(codec_->width, codec_->height, AV_PIX_FMT_RGB24, codec_->width, codec_->height,
+                               AV_PIX_FMT_YUV420P, SWS_BILINEAR | SWS_ACCURATE_RND, nullptr, nullptr, nullptr));
             const int* rec709 = sws_getCoefficients(SWS_CS_ITU709);
             constexpr int k_one = 1 << 16;
             sws_setColorspaceDetails(scaler_.get(), rec709, 1, rec709, 0, 0, k_one, k_one);
@@ -190,8 +183,7 @@ class MovieWriter::Encoder {
         stream_->time_base = codec_->time_base;
         stream_->avg_frame_rate = codec_->framerate;
         check(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), "a film cannot be started");
-        check(avio_open(&format_->pb, file_.partial_path().c_str(), AVIO_FLAG_WRITE),
-              "a film cannot be written");
+        check(avio_open(&format_->pb, file_.partial_path().c_str(), AVIO_FLAG_WRITE), "a film cannot be written");
         AVDictionary* options = nullptr;
         if (kind_ == Kind::mp4) av_dict_set(&options, "movflags", "+faststart", 0);
         const int code = avformat_write_header(format_.get(), &options);
@@ -221,8 +213,7 @@ class MovieWriter::Encoder {
         std::memcpy(frame_->data[1], colours.data(), sizeof colours);
         for (int row = 0; row < image.height; ++row) {
             std::memcpy(frame_->data[0] + static_cast<std::ptrdiff_t>(row) * frame_->linesize[0],
-                        reduced.indices.data() +
-                            static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width),
+                        reduced.indices.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width),
                         static_cast<std::size_t>(image.width));
         }
     }
@@ -235,8 +226,7 @@ class MovieWriter::Encoder {
             packet_->stream_index = stream_->index;
             packet_->duration = 1;
             av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
-            check(av_interleaved_write_frame(format_.get(), packet_.get()),
-                  "a film's frame cannot be written");
+            check(av_interleaved_write_frame(format_.get(), packet_.get()), "a film's frame cannot be written");
         }
     }
 

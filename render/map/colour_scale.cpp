@@ -11,7 +11,7 @@ namespace frana::render {
 namespace {
 
 constexpr int k_usual_classes = 8;  // more cannot be told apart in a legend
-constexpr int k_slices = 24;       // between two bounds: steps of less than one part in 150 of the whole scale
+constexpr int k_slices = 24;        // between two bounds: steps of less than one part in 150 of the whole scale
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 /// Whether equal classes would put half of all values into the lowest one.
@@ -30,8 +30,7 @@ bool mostly_small(const Raster* layer, const ValueRange& range) {
 /// for 17.
 std::vector<double> progressive_classes(double maximum) {
     std::vector<double> bounds{nice_step_above(maximum)};
-    while (bounds.size() < k_usual_classes - 1)
-        bounds.insert(bounds.begin(), nice_step_below(0.9 * bounds.front()));
+    while (bounds.size() < k_usual_classes - 1) bounds.insert(bounds.begin(), nice_step_below(0.9 * bounds.front()));
     bounds.insert(bounds.begin(), 0);
     return bounds;
 }
@@ -63,19 +62,16 @@ ValueRange value_range(const Raster& raster) {
 ColourScale::ColourScale(const ScaleRequest& request) {
     Problems problems;
     if (!request.categories.empty() && (!request.classes.empty() || request.maximum)) {
-        problems.add({"a map's layer has both categories and class bounds or a maximum", "", "", "",
-                      "give one of them"});
+        problems.add(
+            {"a map's layer has both categories and class bounds or a maximum", "", "", "", "give one of them"});
     }
     if (request.maximum && !(*request.maximum > 0 && std::isfinite(*request.maximum))) {
-        problems.add(
-            {"the end of a colour scale must be positive", "", number(*request.maximum), "over 0", ""});
+        problems.add({"the end of a colour scale must be positive", "", number(*request.maximum), "over 0", ""});
     }
-    const bool rising =
-        std::adjacent_find(request.classes.begin(), request.classes.end(),
-                           [](double a, double b) { return !(a < b); }) == request.classes.end();
+    const bool rising = std::adjacent_find(request.classes.begin(), request.classes.end(),
+                                           [](double a, double b) { return !(a < b); }) == request.classes.end();
     if (request.classes.size() == 1 || !rising) {
-        problems.add(
-            {"class bounds must be at least two and rise", "", "", "", "for example 0, 0.5, 1, 2, 5"});
+        problems.add({"class bounds must be at least two and rise", "", "", "", "for example 0, 0.5, 1, 2, 5"});
     }
     problems.throw_if_any();
 

@@ -10,8 +10,7 @@
 namespace frana::render {
 namespace {
 
-using Edge =
-    std::int64_t;  ///< between two neighbouring centres: 2 i towards the east, 2 i + 1 towards the south
+using Edge = std::int64_t;  ///< between two neighbouring centres: 2 i towards the east, 2 i + 1 towards the south
 
 struct Segment {
     Edge from, to;
@@ -50,11 +49,9 @@ class Squares {
     }
 
     [[nodiscard]] Point point(Edge edge, double level) const {
-        const std::int64_t cell = edge / 2, row = cell / raster_.grid.columns,
-                           column = cell % raster_.grid.columns;
+        const std::int64_t cell = edge / 2, row = cell / raster_.grid.columns, column = cell % raster_.grid.columns;
         const bool down = edge % 2 == 1;
-        const double a = raster_.at(row, column),
-                     b = down ? raster_.at(row + 1, column) : raster_.at(row, column + 1);
+        const double a = raster_.at(row, column), b = down ? raster_.at(row + 1, column) : raster_.at(row, column + 1);
         const double share = std::clamp((level - a) / (b - a), 0.0, 1.0) * raster_.grid.cell_size;
         const Point centre = raster_.grid.cell_centre(row, column);
         return down ? Point{centre.x, centre.y - share} : Point{centre.x + share, centre.y};

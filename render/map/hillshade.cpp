@@ -31,8 +31,8 @@ Raster hillshade(const Raster& terrain, double exaggeration) {
         const double azimuth = k_lights[i].azimuth_deg * std::numbers::pi / 180;
         const double elevation = k_lights[i].elevation_deg * std::numbers::pi / 180;
         const double weight = k_lights[i].weight;
-        lights[i] = {weight * std::cos(elevation) * std::sin(azimuth),
-                     weight * std::cos(elevation) * std::cos(azimuth), weight * std::sin(elevation)};
+        lights[i] = {weight * std::cos(elevation) * std::sin(azimuth), weight * std::cos(elevation) * std::cos(azimuth),
+                     weight * std::sin(elevation)};
     }
     for (std::int64_t row = 0; row < grid.rows; ++row) {
         for (std::int64_t column = 0; column < grid.columns; ++column) {

@@ -79,14 +79,13 @@ double legend_width(const LegendContent& content, const PageStyle& style, const 
     for (const Outline& outline : *content.outlines) {
         width = std::max(width, text_offset(style) + lettering.width(outline.label, style.label));
     }
-    for (const std::string& note : *content.notes)
-        width = std::max(width, lettering.width(note, style.label));
+    for (const std::string& note : *content.notes) width = std::max(width, lettering.width(note, style.label));
     width = std::max(width, lettering.width(full_title(content), style.heading));
     return std::min(most, std::ceil(width) + 2);
 }
 
-double draw_legend(const LegendContent& content, const PageStyle& style, Point corner, double width,
-                   Sheet& sheet, std::vector<LegendEntry>& entries) {
+double draw_legend(const LegendContent& content, const PageStyle& style, Point corner, double width, Sheet& sheet,
+                   std::vector<LegendEntry>& entries) {
     const BoxSize size = swatch(style);
     const double line_height = Sheet::line_height(style.label);
     double y = corner.y;
@@ -94,8 +93,7 @@ double draw_legend(const LegendContent& content, const PageStyle& style, Point c
         // A label of several lines begins where a label of one line would stand.
         double line_y = y + row_height / 2;
         for (const std::string& line : sheet.wrapped(label, style.label, width - text_offset(style))) {
-            sheet.text(line, {corner.x + text_offset(style), line_y}, style.label, Across::left,
-                       Upright::middle);
+            sheet.text(line, {corner.x + text_offset(style), line_y}, style.label, Across::left, Upright::middle);
             line_y += line_height;
         }
         y = std::max(y + row_height, line_y - line_height + row_height / 2);
@@ -103,8 +101,8 @@ double draw_legend(const LegendContent& content, const PageStyle& style, Point c
 
     const std::vector<ColourClass>& classes = content.scale->classes();
     if (!classes.empty()) {
-        y = sheet.lines(sheet.wrapped(full_title(content), style.heading, width), {corner.x, y},
-                        style.heading, Across::left) +
+        y = sheet.lines(sheet.wrapped(full_title(content), style.heading, width), {corner.x, y}, style.heading,
+                        Across::left) +
             0.15 * style.heading.size_px;
         const bool apart = content.scale->categorical();  // ranges touch, categories stand apart
         std::vector<const ColourClass*> order;

@@ -24,8 +24,8 @@ double legend_width(const LegendContent& content, const PageStyle& style, const 
 
 /// Draws a legend from its upper left corner downwards: title with unit, a box per class (greatest on top), a
 /// line per outline, the notes. Returns the y under it.
-double draw_legend(const LegendContent& content, const PageStyle& style, Point corner, double width,
-                   Sheet& sheet, std::vector<LegendEntry>& entries);
+double draw_legend(const LegendContent& content, const PageStyle& style, Point corner, double width, Sheet& sheet,
+                   std::vector<LegendEntry>& entries);
 
 /// Dashes of an outline of this width; empty if it is unbroken.
 std::vector<double> outline_dashes(const Outline& outline, double width_px);

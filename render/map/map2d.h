@@ -30,7 +30,7 @@ struct Outline {
     Rgb colour{0, 0, 0};
     double width_px = 2.5;  ///< on a page 1200 pixels high; grows and shrinks with the page
     bool dashed = false;
-    std::vector<Polyline> lines{};      ///< open ones
+    std::vector<Polyline> lines{};     ///< open ones
     std::vector<NamedPlace> places{};  ///< small triangles; no names in a perspective view
 };
 
@@ -71,12 +71,11 @@ struct MapSpec {
     /// Has values wherever a layer of the same series of maps has some: fixes the window, and contours' labels keep off
     /// it. May be absent: the layer itself.
     const Raster* extent = nullptr;
-    const Dots* dots = nullptr;       ///< over the layer, in the same colours; may be absent
-    std::string palette = "depth";    ///< name known to core/colour.h
-    std::optional<double>
-        maximum;                  ///< end of the colour scale; values above it get an open class of their own
-    std::vector<double> classes;  ///< rising class bounds; empty: nice classes up to the maximum
-    bool continuous = false;      ///< colours run through between the bounds
+    const Dots* dots = nullptr;          ///< over the layer, in the same colours; may be absent
+    std::string palette = "depth";       ///< name known to core/colour.h
+    std::optional<double> maximum;       ///< end of the colour scale; values above it get an open class of their own
+    std::vector<double> classes;         ///< rising class bounds; empty: nice classes up to the maximum
+    bool continuous = false;             ///< colours run through between the bounds
     std::vector<ClassLabel> categories;  ///< not empty: the layer's values are classes, exactly these
     std::vector<Outline> outlines;
     std::vector<std::string> side_notes;  ///< lines of figures beside the map, under the legend

@@ -30,8 +30,7 @@ ReliefTones::ReliefTones(const Raster& shade) {
 double ReliefTones::fit(std::vector<double>& values) {
     // One cell in a hundred may be a cliff or a wall; it must not set the tones of the rest.
     const auto quantile = [&values](double share) {
-        const auto place =
-            values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+        const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
         std::nth_element(values.begin(), place, values.end());
         return *place;
     };
@@ -74,9 +73,9 @@ void paint_background(Image& page, const MapFrame& frame, const Background& back
     constexpr double k_lighter = 0.18;  // of the way to white
     for (int row = 0; row < frame.height; ++row) {
         for (int column = 0; column < frame.width; ++column) {
-            const std::uint8_t* from = picture.rgba.data() + 4 * (static_cast<std::size_t>(row) *
-                                                                      static_cast<std::size_t>(frame.width) +
-                                                                  static_cast<std::size_t>(column));
+            const std::uint8_t* from =
+                picture.rgba.data() + 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.width) +
+                                           static_cast<std::size_t>(column));
             std::uint8_t* to = page.pixel(frame.left + column, frame.top + row);
             for (int k = 0; k < 3; ++k) {  // colours come multiplied by their opacity
                 const double under = to[k] * (255 - from[3]) / 255.0;

@@ -20,13 +20,11 @@ struct MapFrame {
     [[nodiscard]] double metres_per_pixel() const { return window.width() / width; }
     /// Map coordinates of a pixel's centre.
     [[nodiscard]] Point ground(int column, int row) const {
-        return {window.west + (column + 0.5) * metres_per_pixel(),
-                window.north - (row + 0.5) * metres_per_pixel()};
+        return {window.west + (column + 0.5) * metres_per_pixel(), window.north - (row + 0.5) * metres_per_pixel()};
     }
     /// Pixels of the page, from its upper left corner.
     [[nodiscard]] Point page(Point map) const {
-        return {left + (map.x - window.west) / metres_per_pixel(),
-                top + (window.north - map.y) / metres_per_pixel()};
+        return {left + (map.x - window.west) / metres_per_pixel(), top + (window.north - map.y) / metres_per_pixel()};
     }
     [[nodiscard]] PageBox box() const {
         return {static_cast<double>(left), static_cast<double>(top), static_cast<double>(left + width),

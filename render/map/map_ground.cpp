@@ -30,16 +30,15 @@ bool same(const Outline& a, const Outline& b) {
                       [&](const Polygon& p, const Polygon& q) {
                           return same(p.outer, q.outer) && same_lines(p.holes, q.holes);
                       }) &&
-           std::equal(a.places.begin(), a.places.end(), b.places.begin(), b.places.end(),
-                      [](const NamedPlace& p, const NamedPlace& q) {
-                          return p.name == q.name && same(p.place, q.place);
-                      });
+           std::equal(
+               a.places.begin(), a.places.end(), b.places.begin(), b.places.end(),
+               [](const NamedPlace& p, const NamedPlace& q) { return p.name == q.name && same(p.place, q.place); });
 }
 
 bool same(const MapFrame& a, const MapFrame& b) {
     return a.left == b.left && a.top == b.top && a.width == b.width && a.height == b.height &&
-           a.window.west == b.window.west && a.window.south == b.window.south &&
-           a.window.east == b.window.east && a.window.north == b.window.north;
+           a.window.west == b.window.west && a.window.south == b.window.south && a.window.east == b.window.east &&
+           a.window.north == b.window.north;
 }
 
 /// The cells that the layer, or all layers of a series, may colour.
@@ -66,11 +65,10 @@ void draw_lines(const MapSpec& spec, const PageStyle& style, MapGround& ground) 
     const MapFrame& frame = ground.frame;
     draw_place_names(sheet, style, frame, spec.outlines);
     if (spec.terrain != nullptr && spec.contours)
-        ground.contour_interval =
-            draw_contours(sheet, style, frame, *spec.terrain, ground.kept_clear, spec.outlines);
+        ground.contour_interval = draw_contours(sheet, style, frame, *spec.terrain, ground.kept_clear, spec.outlines);
     draw_outlines(sheet, style, frame, spec.outlines);
-    cover_outside(sheet.canvas(),
-                  {0, 0, static_cast<double>(ground.width), static_cast<double>(ground.height)}, frame.box());
+    cover_outside(sheet.canvas(), {0, 0, static_cast<double>(ground.width), static_cast<double>(ground.height)},
+                  frame.box());
     draw_coordinates(sheet, style, frame, !map_grid(spec).crs_wkt.empty());
     if (spec.longitude_latitude) draw_graticule(sheet, style, frame, spec.longitude_latitude);
     sheet.canvas().frame(frame.box(), {style.line(2), k_ink, 1, {}});
@@ -104,12 +102,12 @@ const MapGround& ground_for(const MapSpec& spec, const MapFrame& frame, double d
     const auto fits = [&](const MapGround& one) {
         return one.width == spec.width && one.height == spec.height && one.density == density &&
                same(one.frame, frame) && one.terrain == spec.terrain && one.kept_clear == clear &&
-               std::equal(one.outlines.begin(), one.outlines.end(), spec.outlines.begin(),
-                          spec.outlines.end(), [](const Outline& a, const Outline& b) { return same(a, b); });
+               std::equal(one.outlines.begin(), one.outlines.end(), spec.outlines.begin(), spec.outlines.end(),
+                          [](const Outline& a, const Outline& b) { return same(a, b); });
     };
     if (kept && fits(*kept)) return *kept;
-    auto ground = std::make_shared<MapGround>(MapGround{
-        spec.width, spec.height, density, frame, spec.terrain, clear, spec.outlines, {}, {}, {}, 0});
+    auto ground = std::make_shared<MapGround>(
+        MapGround{spec.width, spec.height, density, frame, spec.terrain, clear, spec.outlines, {}, {}, {}, 0});
     draw_lines(spec, PageStyle(spec.width, spec.height, density), *ground);
     draw_paper(spec, *ground);
     kept = std::move(ground);

@@ -120,8 +120,7 @@ class LabelPlaces {
         const PageBox lonely{box.left - apart, box.top - apart, box.right + apart, box.bottom + apart};
         if (std::any_of(taken_.begin(), taken_.end(), [&](const PageBox& t) { return lonely.overlaps(t); }))
             return false;
-        if (std::any_of(outlines_.begin(), outlines_.end(),
-                        [&](const PageBox& dot) { return dot.overlaps(box); })) {
+        if (std::any_of(outlines_.begin(), outlines_.end(), [&](const PageBox& dot) { return dot.overlaps(box); })) {
             return false;
         }
         return layer_ == nullptr || !layer_lies_under(box, frame_, *layer_);
@@ -149,9 +148,7 @@ double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame
     std::vector<Contour> contours = contour_lines(part, interval);
     const LineStyle thin{style.line(0.9), k_contour, 0.34, {}};
     const LineStyle strong{style.line(1.7), k_contour, 0.5, {}};
-    const auto is_index = [&](const Contour& c) {
-        return std::lround(c.level / interval) % k_index_every == 0;
-    };
+    const auto is_index = [&](const Contour& c) { return std::lround(c.level / interval) % k_index_every == 0; };
     for (Contour& contour : contours) {
         for (Point& p : contour.points) p = frame.page(p);
         sheet.canvas().line(contour.points, is_index(contour) ? strong : thin);
@@ -167,14 +164,11 @@ double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame
     return interval;
 }
 
-void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
-                   const std::vector<Outline>& outlines) {
+void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const std::vector<Outline>& outlines) {
     const PageBox box = frame.box();
-    const auto far_outside =
-        [&](Point p) {  // keeps coordinates small; the caller covers what leaves the frame
-            return p.x < box.left - 1e5 || p.x > box.right + 1e5 || p.y < box.top - 1e5 ||
-                   p.y > box.bottom + 1e5;
-        };
+    const auto far_outside = [&](Point p) {  // keeps coordinates small; the caller covers what leaves the frame
+        return p.x < box.left - 1e5 || p.x > box.right + 1e5 || p.y < box.top - 1e5 || p.y > box.bottom + 1e5;
+    };
     const auto stroke = [&](const Polyline& map_line, const LineStyle& line, bool closed) {
         Polyline points;
         for (const Point map : map_line) points.push_back(frame.page(map));
@@ -280,8 +274,7 @@ void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& fram
     for (const double easting : eastings) {
         for (const double northing : northings) {
             const Point p = frame.page({easting, northing});
-            if (p.x < box.left + arm || p.x > box.right - arm || p.y < box.top + arm ||
-                p.y > box.bottom - arm)
+            if (p.x < box.left + arm || p.x > box.right - arm || p.y < box.top + arm || p.y > box.bottom - arm)
                 continue;
             const std::array<Point, 2> level{{{p.x - arm, p.y}, {p.x + arm, p.y}}};
             const std::array<Point, 2> plumb{{{p.x, p.y - arm}, {p.x, p.y + arm}}};

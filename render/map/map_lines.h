@@ -17,8 +17,7 @@ double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame
                      const Raster* layer, const std::vector<Outline>& outlines);
 
 /// Outlines, each on a light rim so that they show on any colour.
-void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
-                   const std::vector<Outline>& outlines);
+void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const std::vector<Outline>& outlines);
 
 /// The sign of a place: a triangle on a light rim.
 void draw_place(Canvas& canvas, const PageStyle& style, Point at, Rgb colour);

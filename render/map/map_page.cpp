@@ -55,8 +55,7 @@ struct Column {
 double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spec, const MapFrame& frame,
                         const Column& column, bool words_at_foot, MapLayout& layout) {
     double y = column.bottom - scale_bar_height(style);
-    const ScaleBar bar =
-        draw_scale_bar(sheet, style, {column.left, y}, column.width, frame.metres_per_pixel());
+    const ScaleBar bar = draw_scale_bar(sheet, style, {column.left, y}, column.width, frame.metres_per_pixel());
     layout.scale_bar = bar.box;
     layout.scale_bar_metres = bar.metres;
     y -= style.gap;
@@ -69,8 +68,7 @@ double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spe
     }
     const double reach = north_arrow_height(style) / 2;
     y -= 2 * reach;
-    layout.north_arrow =
-        draw_north_arrow(sheet, style, {column.left + reach, y + reach}, spec.convergence_deg);
+    layout.north_arrow = draw_north_arrow(sheet, style, {column.left + reach, y + reach}, spec.convergence_deg);
     layout.north_arrow_deg = spec.convergence_deg;
     return y;
 }
@@ -82,9 +80,8 @@ MapPage::MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const Map
     const bool has_values = (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
                             (spec.dots != nullptr && !spec.dots->dots.empty());
     if (has_values || for_frames) {
-        scale_ =
-            ColourScale({spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer,
-                         for_frames});
+        scale_ = ColourScale(
+            {spec.palette, spec.maximum, spec.classes, spec.continuous, spec.categories, spec.layer, for_frames});
     }
     arrange(spec, for_frames, ground);
 }
@@ -113,8 +110,8 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         // In steps, so that the maps of a series have the same frame although their legends differ a little.
         const double step = 0.04 * page.width();
         const double wanted = legend_width(content, style, sheet, k_most_of_page * page.width());
-        const double column_width = std::clamp(step * std::ceil(wanted / step), k_least_of_page * page.width(),
-                                               k_most_of_page * page.width());
+        const double column_width =
+            std::clamp(step * std::ceil(wanted / step), k_least_of_page * page.width(), k_most_of_page * page.width());
         const double band = tick_band(style), graticule_band = spec.longitude_latitude ? band : 0;
         // The contours' interval is known later; any takes about as much room.
         const auto foot_parts = [&](double interval) {
@@ -131,8 +128,8 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
 
         frame_.left = static_cast<int>(std::lround(style.margin + band));
         frame_.top = static_cast<int>(std::lround(titles.bottom + style.gap + graticule_band));
-        frame_.width = static_cast<int>(page.right - style.margin - column_width - 1.6 * style.gap - graticule_band) -
-                       frame_.left;
+        frame_.width =
+            static_cast<int>(page.right - style.margin - column_width - 1.6 * style.gap - graticule_band) - frame_.left;
         frame_.height = static_cast<int>(foot_top - band - style.gap / 2) - frame_.top;
         if (frame_.width < 80 || frame_.height < 60) {
             lacking = 60;
@@ -158,9 +155,9 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         draw_foot(sheet, style, foot_parts(ground.contour_interval), style.margin, page.bottom - style.margin, inner);
         std::optional<MapFrame> inset;
         if (spec.inset && spec.terrain != nullptr) {
-            inset = inset_frame(spec.terrain->grid.bounds(), frame_.window, style,
-                                {column.left, legend_bottom + style.gap, column.left + column_width,
-                                 arrow_top - style.gap});
+            inset = inset_frame(
+                spec.terrain->grid.bounds(), frame_.window, style,
+                {column.left, legend_bottom + style.gap, column.left + column_width, arrow_top - style.gap});
         }
         if (inset) {
             inset_ = draw_inset(sheet, style, *inset, *spec.terrain, frame_.window);
@@ -182,11 +179,10 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         words_ = sheet.draw();
         return;
     }
-    throw Error(ErrorKind::input,
-                Problem{"the page is too small for the map's legend and notes", "",
-                        std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels",
-                        "about " + number(std::ceil(lacking)) + " pixels more in height",
-                        "draw a larger picture, or fewer classes, outlines or notes"});
+    throw Error(ErrorKind::input, Problem{"the page is too small for the map's legend and notes", "",
+                                          std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels",
+                                          "about " + number(std::ceil(lacking)) + " pixels more in height",
+                                          "draw a larger picture, or fewer classes, outlines or notes"});
 }
 
 Image MapPage::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) const {
@@ -206,9 +202,8 @@ Image MapPage::draw(const Raster* layer, const Dots* dots, const std::string& su
     if (!subtitle.empty()) {
         const Lettering lettering;
         const double width = image.width - 2 * style.margin;
-        lettering.write(image, subtitle, subtitle_at_,
-                        shrunk_to_fit(lettering, subtitle, style.subtitle, width, 0.5), Across::left,
-                        Upright::top);
+        lettering.write(image, subtitle, subtitle_at_, shrunk_to_fit(lettering, subtitle, style.subtitle, width, 0.5),
+                        Across::left, Upright::top);
     }
     return image;
 }

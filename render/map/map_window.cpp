@@ -46,8 +46,7 @@ Bounds map_window(const MapSpec& spec, double aspect) {
             constexpr double k_margin = 0.14, k_least_cells = 20;
             const double side = std::max({shown->width(), shown->height(), k_least_cells * grid.cell_size});
             const double margin = k_margin * side;
-            *shown = {shown->west - margin, shown->south - margin, shown->east + margin,
-                      shown->north + margin};
+            *shown = {shown->west - margin, shown->south - margin, shown->east + margin, shown->north + margin};
         } else {
             shown = spec.terrain != nullptr ? spec.terrain->grid.bounds() : grid.bounds();
         }

@@ -20,7 +20,8 @@ struct Plate {
     std::vector<PlatePart> parts;
 };
 
-/// Grows beyond the size asked for where parts would be smaller than 480 x 360. Throws as the parts do. `texts`, if given, receives the plate's own texts.
+/// Grows beyond the size asked for where parts would be smaller than 480 x 360. Throws as the parts do. `texts`, if
+/// given, receives the plate's own texts.
 Image draw_plate(const Plate& plate, int width, int height, std::vector<TextBox>* texts = nullptr);
 
 }  // namespace frana::render

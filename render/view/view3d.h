@@ -33,8 +33,8 @@ struct ViewSpec {
     std::vector<double> classes;
     bool continuous = false;
     std::vector<ClassLabel> categories;
-    const Raster* terrain = nullptr;    ///< needed
-    const Raster* layer = nullptr;      ///< draped over it; may be absent
+    const Raster* terrain = nullptr;  ///< needed
+    const Raster* layer = nullptr;    ///< draped over it; may be absent
     /// Has values wherever a layer of the same series of views has some: fixes the part of the terrain shown and the
     /// camera. May be absent: the layer itself.
     const Raster* extent = nullptr;
@@ -48,7 +48,7 @@ struct ViewSpec {
     std::string crs_label;
     int width = 1600;
     int height = 1200;
-    bool sky = true;  ///< behind the terrain; else white
+    bool sky = true;               ///< behind the terrain; else white
     std::optional<Camera> camera;  ///< default: from the front of the flow, obliquely uphill
 };
 

@@ -30,8 +30,7 @@ Axes axes_of(double azimuth_deg, double elevation_deg) {
 
 Point PlacedCamera::project(const ScenePoint& point) const {
     const double east = target.x - position.x, north = target.y - position.y, up = target.z - position.z;
-    const Axes axes =
-        axes_of(std::atan2(east, north) / k_degree, -std::atan2(up, std::hypot(east, north)) / k_degree);
+    const Axes axes = axes_of(std::atan2(east, north) / k_degree, -std::atan2(up, std::hypot(east, north)) / k_degree);
     const ScenePoint ray{point.x - position.x, point.y - position.y, point.z - position.z};
     const double distance = dot(ray, axes.forward) * std::tan(opening_deg / 2 * k_degree);
     return {dot(ray, axes.right) / distance, dot(ray, axes.up) / distance};
@@ -41,8 +40,7 @@ Camera find_camera(std::span<const ScenePoint> flow) {
     Camera camera;
     if (flow.size() < 2) return camera;
     std::vector<ScenePoint> points(flow.begin(), flow.end());
-    std::sort(points.begin(), points.end(),
-              [](const ScenePoint& a, const ScenePoint& b) { return a.z < b.z; });
+    std::sort(points.begin(), points.end(), [](const ScenePoint& a, const ScenePoint& b) { return a.z < b.z; });
     const auto centre = [&](std::size_t begin, std::size_t end) {
         Point sum;
         for (std::size_t i = begin; i < end; ++i) {

@@ -12,7 +12,7 @@
 namespace frana::render {
 namespace {
 
-constexpr std::int64_t k_mesh_cells = 200;    // a side: 80,000 triangles, finer than the eye can tell under a texture
+constexpr std::int64_t k_mesh_cells = 200;     // a side: 80,000 triangles, finer than the eye can tell under a texture
 constexpr std::int64_t k_texels = 2048;        // a side at most
 constexpr std::int64_t k_texels_per_cell = 3;  // keeps the edges of cells sharp between interpolated texels
 
@@ -21,8 +21,7 @@ Bounds shown_part(const Raster& terrain, const Raster* layer) {
     const std::optional<Bounds> data = layer != nullptr ? data_bounds(*layer) : std::nullopt;
     if (!data) return all;
     constexpr double k_around = 0.75;  // of the flow's greater side, on each side
-    const double margin =
-        std::max(k_around * std::max(data->width(), data->height()), 20 * layer->grid.cell_size);
+    const double margin = std::max(k_around * std::max(data->width(), data->height()), 20 * layer->grid.cell_size);
     return {std::max(all.west, data->west - margin), std::max(all.south, data->south - margin),
             std::min(all.east, data->east + margin), std::min(all.north, data->north + margin)};
 }
@@ -74,15 +73,13 @@ void ViewGround::lay(const LayerImage& picture) {
         for (std::size_t column = 0; column < static_cast<std::size_t>(texture_columns_); ++column) {
             const std::uint8_t* ink = picture.rgba.data() + 4 * (from + column);
             std::uint8_t* texel = relief_.data() + 3 * (to + column);
-            for (int k = 0; k < 3; ++k)
-                texel[k] = static_cast<std::uint8_t>(ink[k] + texel[k] * (255 - ink[3]) / 255);
+            for (int k = 0; k < 3; ++k) texel[k] = static_cast<std::uint8_t>(ink[k] + texel[k] * (255 - ink[3]) / 255);
         }
     }
 }
 
 ScenePoint ViewGround::scene(Point map, double above) const {
-    return {map.x - origin_.x, map.y - origin_.y,
-            exaggeration_ * (interpolated(heights_, map) + above - base_)};
+    return {map.x - origin_.x, map.y - origin_.y, exaggeration_ * (interpolated(heights_, map) + above - base_)};
 }
 
 bool ViewGround::hides(const ScenePoint& eye, const ScenePoint& point) const {
@@ -126,21 +123,18 @@ std::vector<std::uint8_t> ViewGround::colours(const Raster* layer, const ColourS
     const int last_row = texel((data->north - box.south) / high + 1, texture_rows_);
     const int last_column = texel((data->east - box.west) / wide + 1, texture_columns_);
     for (int row = texel((data->south - box.south) / high, texture_rows_); row < last_row; ++row) {
-        for (int column = texel((data->west - box.west) / wide, texture_columns_); column < last_column;
-             ++column) {
+        for (int column = texel((data->west - box.west) / wide, texture_columns_); column < last_column; ++column) {
             const Point map{box.west + (column + 0.5) * wide, box.south + (row + 0.5) * high};
             const ColourClass* found = scale.find(cell_value(*layer, map));
             if (found == nullptr) continue;
-            std::uint8_t* p = bytes.data() + 3 * (static_cast<std::size_t>(row) *
-                                                      static_cast<std::size_t>(texture_columns_) +
-                                                  static_cast<std::size_t>(column));
+            std::uint8_t* p =
+                bytes.data() + 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(texture_columns_) +
+                                    static_cast<std::size_t>(column));
             // Where the relief is dark the colour is darkened too, but less, to stay the legend's.
             constexpr double k_least_light = 0.88;
             const double light =
                 std::clamp(k_least_light + (1 - k_least_light) * (p[1] - 138) / 90.0, k_least_light, 1.0);
-            const auto lit = [light](std::uint8_t v) {
-                return static_cast<std::uint8_t>(std::lround(light * v));
-            };
+            const auto lit = [light](std::uint8_t v) { return static_cast<std::uint8_t>(std::lround(light * v)); };
             p[0] = lit(found->colour.r);
             p[1] = lit(found->colour.g);
             p[2] = lit(found->colour.b);

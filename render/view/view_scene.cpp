@@ -30,8 +30,7 @@ namespace frana::render {
 namespace {
 
 /// Three looks through each pixel, averaged: smooth edges with the memory of one picture.
-constexpr std::array<std::array<double, 2>, 3> k_samples{
-    {{-1.0 / 3, 0}, {0, 1.0 / 3}, {1.0 / 3, -1.0 / 3}}};
+constexpr std::array<std::array<double, 2>, 3> k_samples{{{-1.0 / 3, 0}, {0, 1.0 / 3}, {1.0 / 3, -1.0 / 3}}};
 
 void colour(vtkActor& actor, Rgb c) {
     actor.GetProperty()->SetColor(c.r / 255.0, c.g / 255.0, c.b / 255.0);
@@ -42,8 +41,7 @@ void colour(vtkActor& actor, Rgb c) {
 
 class ViewScene::Parts {
   public:
-    Parts(const ViewGround& ground, int width, int height)
-        : ground_(ground), window_(width, height) {
+    Parts(const ViewGround& ground, int width, int height) : ground_(ground), window_(width, height) {
         VtkErrors errors;
         build_ground();
         build_walls();
@@ -151,8 +149,7 @@ class ViewScene::Parts {
             window_.render();
             image = window_.read_rgb();
             sum.resize(image.rgb.size());
-            for (std::size_t i = 0; i < sum.size(); ++i)
-                sum[i] = static_cast<std::uint16_t>(sum[i] + image.rgb[i]);
+            for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = static_cast<std::uint16_t>(sum[i] + image.rgb[i]);
         }
         constexpr unsigned k_count = k_samples.size();
         for (std::size_t i = 0; i < sum.size(); ++i) {
@@ -184,9 +181,7 @@ class ViewScene::Parts {
                                  1 - (static_cast<double>(row) + 0.5) / static_cast<double>(rows));
                 if (row + 1 == rows || column + 1 == columns) continue;
                 const std::array<vtkIdType, 4> corner{i, i + columns, i + 1, i + columns + 1};
-                const auto gap = [&](vtkIdType k) {
-                    return std::isnan(heights.values[static_cast<std::size_t>(k)]);
-                };
+                const auto gap = [&](vtkIdType k) { return std::isnan(heights.values[static_cast<std::size_t>(k)]); };
                 if (std::none_of(corner.begin(), corner.begin() + 3, gap)) {
                     triangles->InsertNextCell({corner[0], corner[1], corner[2]});
                 }

@@ -30,8 +30,8 @@ const ViewSpec& checked(const ViewSpec& spec) {
                       "320 x 240 to 8192 x 8192 pixels", ""});
     }
     if (!(spec.vertical_exaggeration > 0 && spec.vertical_exaggeration <= 20)) {
-        problems.add({"the vertical exaggeration is out of range", "", number(spec.vertical_exaggeration),
-                      "over 0 to 20", ""});
+        problems.add(
+            {"the vertical exaggeration is out of range", "", number(spec.vertical_exaggeration), "over 0 to 20", ""});
     }
     if (spec.camera &&
         !(spec.camera->elevation_deg >= 1 && spec.camera->elevation_deg <= 89 && spec.camera->zoom > 0)) {
@@ -52,8 +52,7 @@ std::string direction_words(double azimuth_deg) {
 }
 
 std::string scale_words(double exaggeration) {
-    return exaggeration == 1 ? "heights true to scale"
-                             : "heights exaggerated " + number(exaggeration) + " times";
+    return exaggeration == 1 ? "heights true to scale" : "heights exaggerated " + number(exaggeration) + " times";
 }
 
 const Raster* extent_of(const ViewSpec& spec) {
@@ -74,8 +73,7 @@ void draw_rim(Image& page, const PageBox& box, int thick) {
     const int out = (thick + 1) / 2, in = thick / 2;
     for (int row = std::max(0, top - out); row < std::min(page.height, bottom + out); ++row) {
         for (int column = std::max(0, left - out); column < std::min(page.width, right + out); ++column) {
-            const bool inside =
-                row >= top + in && row < bottom - in && column >= left + in && column < right - in;
+            const bool inside = row >= top + in && row < bottom - in && column >= left + in && column < right - in;
             if (inside) {
                 column = right - in - 1;
                 continue;
@@ -108,8 +106,8 @@ class ViewStage::Scene {
         flow_ = ground_.sample(extent_of(spec), k_sample);
         const std::vector<ScenePoint>& flow = flow_;
         if (flow.empty()) {
-            throw Error(ErrorKind::input, Problem{"a view needs terrain where its layer is", "", "", "",
-                                                  "is it the right DTM?"});
+            throw Error(ErrorKind::input,
+                        Problem{"a view needs terrain where its layer is", "", "", "", "is it the right DTM?"});
         }
         layout_.camera =
             spec.camera.value_or(find_camera(has_values ? std::span(flow) : std::span<const ScenePoint>()));
@@ -151,8 +149,7 @@ class ViewStage::Scene {
         const auto begin = static_cast<std::ptrdiff_t>(std::clamp(share, 0.0, 1.0) * (1 - k_seen) * count);
         const auto length = std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(k_seen * count));
         const std::vector<ScenePoint> seen(flow_.begin() + begin,
-                                           flow_.begin() + std::min<std::ptrdiff_t>(begin + length,
-                                                                                    std::ssize(flow_)));
+                                           flow_.begin() + std::min<std::ptrdiff_t>(begin + length, std::ssize(flow_)));
         layout_.camera = first_camera_;
         layout_.camera.azimuth_deg = std::fmod(first_camera_.azimuth_deg + k_turn_deg * (share - 0.5) + 360, 360);
         arrange(spec_, for_frames_, false);
@@ -167,8 +164,7 @@ class ViewStage::Scene {
         const Image picture = scene_->draw();
         Image page(static_cast<int>(layout_.page.width()), static_cast<int>(layout_.page.height()));
         for (int row = 0; row < picture.height; ++row) {
-            std::memcpy(page.pixel(static_cast<int>(layout_.picture.left),
-                                   static_cast<int>(layout_.picture.top) + row),
+            std::memcpy(page.pixel(static_cast<int>(layout_.picture.left), static_cast<int>(layout_.picture.top) + row),
                         picture.pixel(0, row), 3 * static_cast<std::size_t>(picture.width));
         }
         const PageStyle look(page.width, page.height);
@@ -176,10 +172,9 @@ class ViewStage::Scene {
         above_.put(page);
         if (!subtitle.empty()) {
             const Lettering lettering;
-            lettering.write(
-                page, subtitle, subtitle_at_,
-                shrunk_to_fit(lettering, subtitle, look.subtitle, page.width - 2 * look.margin, 0.5),
-                Across::left, Upright::top);
+            lettering.write(page, subtitle, subtitle_at_,
+                            shrunk_to_fit(lettering, subtitle, look.subtitle, page.width - 2 * look.margin, 0.5),
+                            Across::left, Upright::top);
         }
         return page;
     }
@@ -202,12 +197,11 @@ class ViewStage::Scene {
             Sheet sheet(spec.width, spec.height);
             layout_.legend.clear();
             const double inner = spec.width - 2 * style.margin;
-            const TitleResult titles = draw_titles(sheet, style, spec.title, spec.subtitle, for_frames,
-                                                   {style.margin, style.margin}, inner);
+            const TitleResult titles =
+                draw_titles(sheet, style, spec.title, spec.subtitle, for_frames, {style.margin, style.margin}, inner);
             subtitle_at_ = titles.subtitle_at;
             const double foot_top = draw_foot(sheet, style, foot, style.margin, spec.height - style.margin, inner);
-            const double column =
-                std::max(0.15 * spec.width, legend_width(content, style, sheet, 0.32 * spec.width));
+            const double column = std::max(0.15 * spec.width, legend_width(content, style, sheet, 0.32 * spec.width));
             layout_.picture = {std::round(style.margin), std::round(titles.bottom + style.gap),
                                std::round(spec.width - style.margin - column - 1.6 * style.gap),
                                std::round(foot_top - style.gap)};
@@ -252,8 +246,8 @@ class ViewStage::Scene {
 
     [[nodiscard]] double pixel_in_the_middle(const PlacedCamera& camera) const {
         const ScenePoint middle = flow_[flow_.size() / 2];
-        const double away = std::hypot(middle.x - camera.position.x, middle.y - camera.position.y,
-                                       middle.z - camera.position.z);
+        const double away =
+            std::hypot(middle.x - camera.position.x, middle.y - camera.position.y, middle.z - camera.position.z);
         return 2 * away * std::tan(camera.opening_deg / 2 * std::numbers::pi / 180) / layout_.picture.height();
     }
 
@@ -291,8 +285,7 @@ class ViewStage::Scene {
             const double width = style.line(outline.width_px);
             for (const Polygon& polygon : outline.polygons) {
                 add_line(polygon.outer, true, outline, width, cell, spec.thickness);
-                for (const Ring& hole : polygon.holes)
-                    add_line(hole, true, outline, width, cell, spec.thickness);
+                for (const Ring& hole : polygon.holes) add_line(hole, true, outline, width, cell, spec.thickness);
             }
             for (const Polyline& line : outline.lines) {
                 add_line(line, false, outline, width, cell, spec.thickness);
@@ -310,8 +303,7 @@ class ViewStage::Scene {
                 const double length = std::hypot(to.x - from.x, to.y - from.y);
                 const int parts = std::clamp(static_cast<int>(length / (cell / 2)), 1, 100000);
                 for (int k = 1; k < parts; ++k) {
-                    closed.push_back(
-                        {from.x + (to.x - from.x) * k / parts, from.y + (to.y - from.y) * k / parts});
+                    closed.push_back({from.x + (to.x - from.x) * k / parts, from.y + (to.y - from.y) * k / parts});
                 }
             }
             closed.push_back(to);
@@ -339,8 +331,7 @@ class ViewStage::Scene {
         if (dashes.empty()) {
             put(closed, 0.6 * cell, width, outline.colour);
         } else {
-            for (const Polyline& stroke : dashed(closed, dashes))
-                put(stroke, 0.6 * cell, width, outline.colour);
+            for (const Polyline& stroke : dashed(closed, dashes)) put(stroke, 0.6 * cell, width, outline.colour);
         }
     }
 
@@ -350,7 +341,7 @@ class ViewStage::Scene {
     std::shared_ptr<ViewPlace> place_;
     const ViewGround& ground_;
     std::vector<ScenePoint> flow_;  // some points of it
-    double metres_per_pixel_ = 1;  // in the middle of the flow
+    double metres_per_pixel_ = 1;   // in the middle of the flow
     Camera first_camera_;
     ViewLayout layout_;
     Overlay above_;

@@ -14,8 +14,8 @@ constexpr double k_least_order = 0.5, k_greatest_order = 2;
 
 void require_three(std::size_t levels) {
     if (levels >= 3) return;
-    throw Error(ErrorKind::input, Problem{"convergence needs three resolutions", "--levels",
-                                          std::to_string(levels), "3 or more", ""});
+    throw Error(ErrorKind::input,
+                Problem{"convergence needs three resolutions", "--levels", std::to_string(levels), "3 or more", ""});
 }
 
 double held(double order) {
@@ -25,8 +25,7 @@ double held(double order) {
 // Bilinear at a map place; cells without data count as zero, beyond the edge the edge counts.
 double sample(const Raster& raster, Point map) {
     const GridSpec& grid = raster.grid;
-    const double column = (map.x - grid.west) / grid.cell_size - 0.5,
-                 row = (grid.north - map.y) / grid.cell_size - 0.5;
+    const double column = (map.x - grid.west) / grid.cell_size - 0.5, row = (grid.north - map.y) / grid.cell_size - 0.5;
     const double c0 = std::floor(column), r0 = std::floor(row);
     double sum = 0;
     bool reached = false;
@@ -65,8 +64,7 @@ const char* describe(Trend trend) {
 
 GridConvergence grid_convergence(const std::vector<Refinement>& levels) {
     require_three(levels.size());
-    const Refinement &coarse = levels[levels.size() - 3], &middle = levels[levels.size() - 2],
-                     &fine = levels.back();
+    const Refinement &coarse = levels[levels.size() - 3], &middle = levels[levels.size() - 2], &fine = levels.back();
     const double ratio = middle.cell_size / fine.cell_size;
     const double before = middle.value - coarse.value, last = fine.value - middle.value;
     GridConvergence result;
@@ -93,8 +91,7 @@ GridConvergence grid_convergence(const std::vector<Refinement>& levels) {
 
 Raster field_uncertainty(const std::vector<Raster>& levels) {
     require_three(levels.size());
-    const Raster &coarse = levels[levels.size() - 3], &middle = levels[levels.size() - 2],
-                 &fine = levels.back();
+    const Raster &coarse = levels[levels.size() - 3], &middle = levels[levels.size() - 2], &fine = levels.back();
     const double ratio = middle.grid.cell_size / fine.grid.cell_size;
     Raster last(fine.grid, k_no_data);
     double sum_before = 0, sum_last = 0;

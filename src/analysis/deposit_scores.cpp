@@ -9,8 +9,8 @@ namespace frana {
 
 DepositScores compare_deposit(const Raster& simulated, const Raster& observed, double threshold) {
     if (!simulated.grid.same_cells(observed.grid)) {
-        throw Error(ErrorKind::input, Problem{"simulated and observed deposit do not have the same cells",
-                                              "comparison", "", "", "Bring both onto one grid"});
+        throw Error(ErrorKind::input, Problem{"simulated and observed deposit do not have the same cells", "comparison",
+                                              "", "", "Bring both onto one grid"});
     }
     double count = 0, sum_s = 0, sum_o = 0, absolute = 0, squares = 0, ss = 0, oo = 0, so = 0;
     for (std::size_t i = 0; i < simulated.values.size(); ++i) {
@@ -28,8 +28,8 @@ DepositScores compare_deposit(const Raster& simulated, const Raster& observed, d
         so += s * o;
     }
     if (count == 0) {
-        throw Error(ErrorKind::input, Problem{"neither the simulation nor the survey shows a deposit",
-                                              "comparison", "", "", "Lower the threshold"});
+        throw Error(ErrorKind::input, Problem{"neither the simulation nor the survey shows a deposit", "comparison", "",
+                                              "", "Lower the threshold"});
     }
     const double cell = simulated.grid.cell_area();
     DepositScores scores;
@@ -42,8 +42,7 @@ DepositScores compare_deposit(const Raster& simulated, const Raster& observed, d
     const double variance_s = ss - sum_s * sum_s / count, variance_o = oo - sum_o * sum_o / count;
     // Equal values leave a rest of rounding.
     const bool both_vary = variance_s > 1e-12 * ss && variance_o > 1e-12 * oo;
-    scores.correlation =
-        both_vary ? (so - sum_s * sum_o / count) / std::sqrt(variance_s * variance_o) : k_no_data;
+    scores.correlation = both_vary ? (so - sum_s * sum_o / count) / std::sqrt(variance_s * variance_o) : k_no_data;
     return scores;
 }
 

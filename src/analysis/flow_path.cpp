@@ -46,9 +46,7 @@ std::vector<std::uint8_t> search(const GridSpec& grid, const std::vector<float>&
     struct Entry {
         double cost;
         std::size_t cell;
-        bool operator>(const Entry& other) const {
-            return cost != other.cost ? cost > other.cost : cell > other.cell;
-        }
+        bool operator>(const Entry& other) const { return cost != other.cost ? cost > other.cost : cell > other.cell; }
     };
     std::vector<double> best(costs.size(), std::numeric_limits<double>::infinity());
     std::vector<std::uint8_t> came(costs.size(), 8);
@@ -176,8 +174,7 @@ double path_coordinate(const Polyline& line, Point point) {
         const Point a = line[i - 1], b = line[i];
         const double dx = b.x - a.x, dy = b.y - a.y, piece = std::hypot(dx, dy);
         if (piece == 0) continue;
-        const double t =
-            std::clamp(((point.x - a.x) * dx + (point.y - a.y) * dy) / (piece * piece), 0.0, 1.0);
+        const double t = std::clamp(((point.x - a.x) * dx + (point.y - a.y) * dy) / (piece * piece), 0.0, 1.0);
         const double off = std::hypot(point.x - a.x - t * dx, point.y - a.y - t * dy);
         if (off < nearest) {
             nearest = off;

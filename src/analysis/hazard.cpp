@@ -66,11 +66,10 @@ HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits) 
     if (name == "swiss-debris-flow")
         return {name, k_swiss, {{2, "Medium intensity", k_middle}, {3, "High intensity", k_dark}}, {}};
     if (name == "swiss-flood")
-        return {
-            name,
-            k_swiss,
-            {{1, "Low intensity", k_light}, {2, "Medium intensity", k_middle}, {3, "High intensity", k_dark}},
-            {}};
+        return {name,
+                k_swiss,
+                {{1, "Low intensity", k_light}, {2, "Medium intensity", k_middle}, {3, "High intensity", k_dark}},
+                {}};
     if (name == "austrian-torrent")
         return {name,
                 "BMLFUW (2011): Richtlinie fuer die Gefahrenzonenplanung, Vienna (torrents, design event)",

@@ -23,8 +23,7 @@ HighValues high_values(const Raster& raster, const Raster& mask) {
     std::vector<double> inside;
     for (std::size_t i = 0; i < raster.values.size(); ++i) {
         const double marked = mask.values[i];
-        if (marked != 0 && !std::isnan(marked) && !std::isnan(raster.values[i]))
-            inside.push_back(raster.values[i]);
+        if (marked != 0 && !std::isnan(marked) && !std::isnan(raster.values[i])) inside.push_back(raster.values[i]);
     }
     return {maximum(raster), percentile(inside, 0.999), percentile(inside, 0.99)};
 }

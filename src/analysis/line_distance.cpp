@@ -74,9 +74,8 @@ LineDistance distance_statistics(std::vector<double> distances) {
 
 LineDistance distance_between(const LineSet& one, const LineSet& other, double spacing) {
     if (one.empty() || other.empty()) {
-        throw Error(ErrorKind::input,
-                    Problem{"an outline is empty, so its distance from the other is not known", "comparison",
-                            "", "", "Lower the depth threshold or check the files"});
+        throw Error(ErrorKind::input, Problem{"an outline is empty, so its distance from the other is not known",
+                                              "comparison", "", "", "Lower the depth threshold or check the files"});
     }
     std::vector<double> distances;
     for (const Point& point : one.samples(spacing)) distances.push_back(other.distance(point));

@@ -21,8 +21,8 @@ bool is_observed(double value) {
 
 void check_same_cells(const Raster& depth, const Raster& mask) {
     if (depth.grid.same_cells(mask.grid)) return;
-    throw Error(ErrorKind::input, Problem{"simulated and observed rasters do not have the same cells",
-                                          "comparison", "", "", "Bring both onto one grid"});
+    throw Error(ErrorKind::input, Problem{"simulated and observed rasters do not have the same cells", "comparison", "",
+                                          "", "Bring both onto one grid"});
 }
 
 /// Area under the curve of true against false positive rate, from (0, 0) with the deepest cells first to (1,
@@ -68,8 +68,8 @@ ComparisonFigures figures_at(const Raster& simulated_depth, const Raster& observ
     }
     const double positives = hits + misses;
     if (positives == 0) {
-        throw Error(ErrorKind::input, Problem{"no cell lies inside the observed outline", "comparison", "",
-                                              "", "Check the outline's place and CRS, or use smaller cells"});
+        throw Error(ErrorKind::input, Problem{"no cell lies inside the observed outline", "comparison", "", "",
+                                              "Check the outline's place and CRS, or use smaller cells"});
     }
 
     ComparisonFigures figures;
@@ -94,8 +94,8 @@ ComparisonFigures figures_at(const Raster& simulated_depth, const Raster& observ
 
 ComparisonFigures compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
     ComparisonFigures figures = figures_at(simulated_depth, observed_mask, threshold);
-    figures.auroc = area_under_roc(simulated_depth, observed_mask,
-                                   figures.observed_area_m2 / observed_mask.grid.cell_area());
+    figures.auroc =
+        area_under_roc(simulated_depth, observed_mask, figures.observed_area_m2 / observed_mask.grid.cell_area());
     return figures;
 }
 
@@ -119,9 +119,7 @@ Raster agreement(const Raster& simulated_depth, const Raster& observed_mask, dou
         const bool simulated = simulated_depth.values[i] > threshold;
         const bool observed = is_observed(observed_mask.values[i]);
         if (simulated || observed) {
-            const Agreement kind = !observed   ? Agreement::false_alarm
-                                   : simulated ? Agreement::hit
-                                               : Agreement::miss;
+            const Agreement kind = !observed ? Agreement::false_alarm : simulated ? Agreement::hit : Agreement::miss;
             classes.values[i] = static_cast<double>(kind);
         }
     }

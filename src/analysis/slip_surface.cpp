@@ -90,8 +90,8 @@ class RadiusShare {
         const Point d = minus(point, centre_);
         // Rounding may choose the edge beside.
         constexpr std::size_t k_beside = 2;
-        const auto after = static_cast<std::size_t>(
-            std::upper_bound(turned_.begin(), turned_.end(), turn_to(d)) - turned_.begin());
+        const auto after =
+            static_cast<std::size_t>(std::upper_bound(turned_.begin(), turned_.end(), turn_to(d)) - turned_.begin());
         const std::size_t n = ring_.size(), count = std::min(n, 2 * k_beside + 1);
         std::array<std::size_t, 2 * k_beside + 1> near{};
         for (std::size_t k = 0; k < count; ++k) near[k] = (after + n + k - k_beside) % n;

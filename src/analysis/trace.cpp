@@ -8,8 +8,7 @@ namespace frana {
 
 Raster trace_mask(const Raster& depth, double threshold) {
     Raster mask(depth.grid);
-    for (std::size_t i = 0; i < depth.values.size(); ++i)
-        mask.values[i] = depth.values[i] > threshold ? 1 : 0;
+    for (std::size_t i = 0; i < depth.values.size(); ++i) mask.values[i] = depth.values[i] > threshold ? 1 : 0;
     return mask;
 }
 

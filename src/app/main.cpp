@@ -57,14 +57,9 @@ struct Command {
     int (*run)(const Arguments&);
 };
 
-constexpr Command k_commands[] = {{"run", cmd_run},
-                                  {"check", cmd_check},
-                                  {"render", cmd_render},
-                                  {"compare", cmd_compare},
-                                  {"params", cmd_params},
-                                  {"materials", cmd_materials},
-                                  {"converge", cmd_converge},
-                                  {"bench", cmd_bench}};
+constexpr Command k_commands[] = {{"run", cmd_run},           {"check", cmd_check},   {"render", cmd_render},
+                                  {"compare", cmd_compare},   {"params", cmd_params}, {"materials", cmd_materials},
+                                  {"converge", cmd_converge}, {"bench", cmd_bench}};
 
 int dispatch(Arguments words) {
     // Whoever starts the program decides this, never a scene.
@@ -91,9 +86,9 @@ int dispatch(Arguments words) {
         names.emplace_back(command.name);
     }
     const std::string nearest = nearest_name(name, names);
-    throw Error(ErrorKind::input, Problem{"unknown command", "command line", name, "",
-                                          nearest.empty() ? "`frana --help` lists the commands"
-                                                          : "Did you mean " + nearest + "?"});
+    throw Error(ErrorKind::input,
+                Problem{"unknown command", "command line", name, "",
+                        nearest.empty() ? "`frana --help` lists the commands" : "Did you mean " + nearest + "?"});
 }
 
 int report(const Error& error) {
@@ -141,8 +136,7 @@ int main(int count, char** words) {
         const frana::app::MemoryBound bound = frana::app::machine_memory();
         return frana::app::report(
             {frana::ErrorKind::environment,
-             frana::Problem{"out of memory", "", "",
-                            frana::app::bytes_text(bound.bytes) + ", which " + bound.what,
+             frana::Problem{"out of memory", "", "", frana::app::bytes_text(bound.bytes) + ", which " + bound.what,
                             frana::system_remedy(ENOMEM)}});
     } catch (const std::filesystem::filesystem_error& error) {
         // What no path can be is a word of the user's, whatever was done with it.
@@ -152,8 +146,8 @@ int main(int count, char** words) {
                                                   word ? "" : frana::system_remedy(error.code().value())}});
     } catch (const std::system_error& error) {  // a thread that was not given
         return frana::app::report(
-            {frana::ErrorKind::environment, frana::Problem{error.code().message(), "the system", "", "",
-                                                           frana::system_remedy(error.code().value())}});
+            {frana::ErrorKind::environment,
+             frana::Problem{error.code().message(), "the system", "", "", frana::system_remedy(error.code().value())}});
     } catch (const std::exception& error) {
         std::cerr << "frana: " << error.what()
                   << ". Where memory, threads or open files run out, allow more (ulimit -a) or take fewer --threads\n";

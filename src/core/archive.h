@@ -125,7 +125,7 @@ void serialise(Archive& archive, ZeroArray<T>& array) {
         StateReader::require(array.size() == size);  // the scene decides
         array = ZeroArray<T>(array.size());
     }
-    if constexpr (requires(T& value) { value.serialise(archive); }) {
+    if constexpr (requires(T & value) { value.serialise(archive); }) {
         for (std::size_t i = 0; i < array.size(); ++i) archive(array[i]);
         return;
     }
@@ -145,8 +145,7 @@ void serialise(Archive& archive, ZeroArray<T>& array) {
         }
         archive(first, last);
         if constexpr (Archive::k_reads) StateReader::require(first <= last && last <= blocks);
-        if (first < last)
-            archive.bytes(data + first * k_block, (last - first - 1) * k_block + length(last - 1));
+        if (first < last) archive.bytes(data + first * k_block, (last - first - 1) * k_block + length(last - 1));
     } while (first < last);
 }
 

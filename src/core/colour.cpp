@@ -50,8 +50,7 @@ const std::array<Palette, 3>& palettes() {
 
 Rgb colour_at(const Palette& palette, double t) {
     const std::vector<Rgb>& anchors = palette.anchors;
-    const double place =
-        std::clamp(std::isnan(t) ? 0.0 : t, 0.0, 1.0) * static_cast<double>(anchors.size() - 1);
+    const double place = std::clamp(std::isnan(t) ? 0.0 : t, 0.0, 1.0) * static_cast<double>(anchors.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
     const double share = place - static_cast<double>(below);
     const auto mix = [share](std::uint8_t a, std::uint8_t b) {

@@ -40,8 +40,7 @@ fs::path folder_of(const fs::path& path) {
 // Whether a file of this name is in the making by a process that runs: more digits are no process's number.
 bool is_being_made_by(const std::string& process) {
     constexpr std::size_t k_most_digits = 9;
-    return process.size() > k_most_digits || ::kill(static_cast<pid_t>(std::stol(process)), 0) == 0 ||
-           errno != ESRCH;
+    return process.size() > k_most_digits || ::kill(static_cast<pid_t>(std::stol(process)), 0) == 0 || errno != ESRCH;
 }
 
 // What killed processes left in the folders that this process writes to. Each folder is looked through once:
@@ -63,8 +62,8 @@ class AbandonedFiles {
 
     static void look_through(const fs::path& folder, Left& left) {
         std::error_code ignored;
-        for (auto entry = fs::directory_iterator(folder.empty() ? "." : folder, ignored);
-             entry != fs::end(entry); entry.increment(ignored)) {
+        for (auto entry = fs::directory_iterator(folder.empty() ? "." : folder, ignored); entry != fs::end(entry);
+             entry.increment(ignored)) {
             const auto made = file_in_making(entry->path().filename().string());
             if (made && made->abandoned && !made->is_beside) left.emplace(made->name, entry->path());
         }
@@ -137,8 +136,7 @@ void FileAside::fail(const std::string& what, int reason) const {
 void FileAside::bring_to_disk() const {
     const Descriptor named(descriptor_ < 0 ? partial_ : "", O_RDONLY);
     const int descriptor = descriptor_ >= 0 ? descriptor_ : named.number();
-    if (const int reason = sync_descriptor(descriptor); reason != 0)
-        fail("cannot be brought to the disk", reason);
+    if (const int reason = sync_descriptor(descriptor); reason != 0) fail("cannot be brought to the disk", reason);
 }
 
 void FileAside::rename_into_place() {

@@ -20,13 +20,12 @@ std::vector<fs::directory_entry> folder_entries(const fs::path& folder) {
         for (; !failure && entry != fs::end(entry); entry.increment(failure)) entries.push_back(*entry);
         if (failure != std::errc::interrupted) break;
     }
-    const bool nowhere =
-        failure == std::errc::no_such_file_or_directory || failure == std::errc::not_a_directory ||
-        failure == std::errc::too_many_symbolic_link_levels || failure == std::errc::filename_too_long;
+    const bool nowhere = failure == std::errc::no_such_file_or_directory || failure == std::errc::not_a_directory ||
+                         failure == std::errc::too_many_symbolic_link_levels || failure == std::errc::filename_too_long;
     if (nowhere) return {};
     if (failure)
-        throw Error(ErrorKind::environment, Problem{"cannot be read: " + failure.message(), folder.string(),
-                                                    "", "", system_remedy(failure.value())});
+        throw Error(ErrorKind::environment, Problem{"cannot be read: " + failure.message(), folder.string(), "", "",
+                                                    system_remedy(failure.value())});
     std::sort(entries.begin(), entries.end());
     return entries;
 }

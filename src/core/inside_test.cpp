@@ -10,8 +10,8 @@ InsideTest::InsideTest(const MultiPolygon& polygons) {
     const auto add = [&](const Ring& ring, std::size_t polygon, std::size_t number) {
         for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
             if (ring[i].y != ring[j].y)
-                edges_.push_back({ring[i], ring[j], static_cast<std::uint32_t>(polygon),
-                                  static_cast<std::uint32_t>(number)});
+                edges_.push_back(
+                    {ring[i], ring[j], static_cast<std::uint32_t>(polygon), static_cast<std::uint32_t>(number)});
         }
     };
     for (std::size_t p = 0; p < polygons.size(); ++p) {
@@ -30,8 +30,7 @@ InsideTest::InsideTest(const MultiPolygon& polygons) {
     }
     // As many bands as edges, but so few that an edge is in eight of them on average at most.
     const double n = static_cast<double>(edges_.size());
-    const auto bands =
-        static_cast<std::size_t>(std::max(1.0, std::min(n, 7 * n * (north_ - south_) / heights)));
+    const auto bands = static_cast<std::size_t>(std::max(1.0, std::min(n, 7 * n * (north_ - south_) / heights)));
     height_ = (north_ - south_) / static_cast<double>(bands);
     begins_.assign(bands + 1, 0);
     const auto each_band = [&](const auto& visit) {

@@ -37,8 +37,8 @@ std::size_t NearestSegment::build(std::size_t first, std::size_t last) {
     Bounds box{k_far, k_far, -k_far, -k_far};
     for (std::size_t i = first; i < last; ++i) {
         const auto [a, b] = segments_[i];
-        box = {std::min({box.west, a.x, b.x}), std::min({box.south, a.y, b.y}),
-               std::max({box.east, a.x, b.x}), std::max({box.north, a.y, b.y})};
+        box = {std::min({box.west, a.x, b.x}), std::min({box.south, a.y, b.y}), std::max({box.east, a.x, b.x}),
+               std::max({box.north, a.y, b.y})};
     }
     box = {box.west - k_rounding, box.south - k_rounding, box.east + k_rounding, box.north + k_rounding};
     const std::size_t self = boxes_.size();
@@ -58,13 +58,11 @@ std::size_t NearestSegment::build(std::size_t first, std::size_t last) {
 void NearestSegment::search(std::size_t self, Point point, double& nearest) const {
     const Box& box = boxes_[self];
     if (box.halves[1] == 0) {
-        for (std::size_t i = box.first; i < box.last; ++i)
-            nearest = std::min(nearest, square_to(segments_[i], point));
+        for (std::size_t i = box.first; i < box.last; ++i) nearest = std::min(nearest, square_to(segments_[i], point));
         return;
     }
     std::array<std::pair<double, std::size_t>, 2> halves;
-    for (std::size_t k = 0; k < 2; ++k)
-        halves[k] = {square_to(boxes_[box.halves[k]].bounds, point), box.halves[k]};
+    for (std::size_t k = 0; k < 2; ++k) halves[k] = {square_to(boxes_[box.halves[k]].bounds, point), box.halves[k]};
     if (halves[1].first < halves[0].first) std::swap(halves[0], halves[1]);
     for (const auto& [square, half] : halves)
         if (square <= nearest) search(half, point, nearest);

@@ -26,12 +26,8 @@ struct Raster {
     [[nodiscard]] std::size_t index(std::int64_t row, std::int64_t column) const noexcept {
         return static_cast<std::size_t>(row * grid.columns + column);
     }
-    [[nodiscard]] double at(std::int64_t row, std::int64_t column) const noexcept {
-        return values[index(row, column)];
-    }
-    [[nodiscard]] double& at(std::int64_t row, std::int64_t column) noexcept {
-        return values[index(row, column)];
-    }
+    [[nodiscard]] double at(std::int64_t row, std::int64_t column) const noexcept { return values[index(row, column)]; }
+    [[nodiscard]] double& at(std::int64_t row, std::int64_t column) noexcept { return values[index(row, column)]; }
     [[nodiscard]] bool has_data(std::int64_t row, std::int64_t column) const noexcept {
         return !std::isnan(at(row, column));
     }

@@ -12,9 +12,7 @@ namespace frana {
 
 int read_blocks(const std::string& path, const std::function<void(std::string_view)>& take) {
     int descriptor = -1;
-    do
-        descriptor =
-            ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a FIFO would wait for a writer
+    do descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a FIFO would wait for a writer
     while (descriptor < 0 && errno == EINTR);
     if (descriptor < 0) return errno;
     struct stat found {};

@@ -60,8 +60,7 @@ void ThreadPool::work() {
     constexpr std::uint64_t k_left = (std::uint64_t{1} << k_count_bits) - 1;
     std::uint64_t ticket = tickets_.load(std::memory_order_acquire);
     while ((ticket & k_left) != 0) {
-        if (!tickets_.compare_exchange_weak(ticket, ticket - 1, std::memory_order_acq_rel,
-                                            std::memory_order_acquire)) {
+        if (!tickets_.compare_exchange_weak(ticket, ticket - 1, std::memory_order_acq_rel, std::memory_order_acquire)) {
             continue;
         }
         call_(task_, static_cast<std::size_t>((ticket & k_left) - 1));

@@ -52,8 +52,7 @@ class ThreadPool {
     std::vector<std::thread> workers_;
     std::atomic<std::uint32_t> epoch_{0};
     static constexpr int k_count_bits = 32;
-    std::atomic<std::uint64_t> tickets_{
-        0};  ///< number of the loop, and in the low bits how many tasks are left
+    std::atomic<std::uint64_t> tickets_{0};  ///< number of the loop, and in the low bits how many tasks are left
     std::atomic<std::size_t> done_{0};
     std::atomic<bool> stop_{false};
     Call call_ = nullptr;

@@ -51,9 +51,8 @@ void serialise(Archive& archive, ExchangeReport& report) {
 /// exchange.
 /// @param density [kg/m3]  @param dt [s]  @param film least depth that deposition leaves [m]
 template <bool Metric, class Erosion, class Deposition>
-void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Deposition& deposition,
-                       double density, double dt, double film, const BedState* states, const NodeGrid& nodes,
-                       BedLayer* layers) {
+void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Deposition& deposition, double density,
+                       double dt, double film, const BedState* states, const NodeGrid& nodes, BedLayer* layers) {
     const double half_inverse_dx = 0.5 / nodes.cell_size(), cell_area = nodes.cell_size() * nodes.cell_size();
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
     const std::uint8_t* solid = nodes.solid();
@@ -109,9 +108,8 @@ inline void move_bed(const NodeRange& range, const BedLayer* layers, NodeGrid& n
 /// before particles move. Reads x, y, BedLayer; reads and writes volume; writes the share of their velocity
 /// that particles keep.
 template <class Shape>
-void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid& nodes,
-                             const BedLayer* layers, ParticleSet& particles, double* kept, double* lost,
-                             ExchangeReport& report) {
+void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid& nodes, const BedLayer* layers,
+                             ParticleSet& particles, double* kept, double* lost, ExchangeReport& report) {
     const NodeScale grid = nodes.scale();
     double* volume = particles[Field::volume];
     for (std::size_t p = begin; p < end; ++p) {

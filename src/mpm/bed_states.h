@@ -20,8 +20,7 @@ void fill_bed_states(const NodeRange& range, const NodeUpdate& k, const NodeGrid
 
 /// Adds one law to the nodes of a tile.
 template <class Law>
-void add_friction(const NodeRange& range, const NodeUpdate& k, Law law, const NodeGrid& nodes,
-                  BedState* states) {
+void add_friction(const NodeRange& range, const NodeUpdate& k, Law law, const NodeGrid& nodes, BedState* states) {
     if constexpr (requires { law.effective_share; }) law.effective_share = k.effective_share;
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t, std::int64_t) {
         if (nodes.sums[i].mass > 0) law(states[i], i);

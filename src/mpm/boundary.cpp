@@ -83,8 +83,8 @@ void mirror_exchange(const NodeGrid& nodes, BedLayer* layers) {
 }
 
 void mirror_bed(NodeGrid& nodes) {
-    for_each_mirror_pair(
-        nodes, [&](std::size_t ghost, std::size_t inner, bool) { nodes.bed[ghost] = nodes.bed[inner]; });
+    for_each_mirror_pair(nodes,
+                         [&](std::size_t ghost, std::size_t inner, bool) { nodes.bed[ghost] = nodes.bed[inner]; });
 }
 
 }  // namespace frana

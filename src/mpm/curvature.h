@@ -27,9 +27,7 @@ struct BedCurvature {
                                     ///< differences along rows and columns alone point aside, and would turn what
                                     ///< crosses it (from 45 to 70 degrees by up to 33 degrees; with these by 5)
 
-    [[nodiscard]] double load(double u, double v) const noexcept {
-        return u * u * xx + 2 * u * v * xy + v * v * yy;
-    }
+    [[nodiscard]] double load(double u, double v) const noexcept { return u * u * xx + 2 * u * v * xy + v * v * yy; }
 };
 
 /// @param column, row padded; 0 on the outermost ring, which no particle reaches
@@ -82,8 +80,8 @@ struct BedFrame {
     }
 };
 
-/// A velocity in map view [m/s] after a time dt in which nothing but the bed turned it. Where the fall line turns under the
-/// motion, w turns as well, at the rate
+/// A velocity in map view [m/s] after a time dt in which nothing but the bed turned it. Where the fall line turns under
+/// the motion, w turns as well, at the rate
 ///
 ///     (grad Z x grad grad Z u) / (root (root + 1)),
 ///

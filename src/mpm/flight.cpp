@@ -41,7 +41,8 @@ Interpolated ground_at(const NodeGrid& nodes, Point p) noexcept {
 Bed bed_at(const NodeGrid& nodes, Point p) noexcept {
     const NodeScale grid = nodes.scale();
     const Spline s(p.x, p.y, grid);
-    const double inverse_dx2 = grid.inverse_dx * grid.inverse_dx, bend[3] = {inverse_dx2, -2 * inverse_dx2, inverse_dx2};
+    const double inverse_dx2 = grid.inverse_dx * grid.inverse_dx,
+                 bend[3] = {inverse_dx2, -2 * inverse_dx2, inverse_dx2};
     Bed bed{interpolate(s, nodes.bed.data(), nodes.stride()), {}};
     for (int b = 0; b < 3; ++b) {
         for (int a = 0; a < 3; ++a) {
@@ -171,16 +172,17 @@ double Flights::kinetic(double time, double gravity) const noexcept {
 
 namespace {
 
-// In the air neighbours fly apart, or together, as their velocities differed when they left: x -> x + T v(x), whose gradient
-// is F = I + T C. The area grows by det F, the shape becomes F Q F^T; neither by more than splitting and the sums of area
-// can make good.
+// In the air neighbours fly apart, or together, as their velocities differed when they left: x -> x + T v(x), whose
+// gradient is F = I + T C. The area grows by det F, the shape becomes F Q F^T; neither by more than splitting and the
+// sums of area can make good.
 void stretch(ParticleRow& row, double time, double cell_area) {
     const double xx = 1 + time * get(row, Field::c_xx), xy = time * get(row, Field::c_xy);
     const double yx = time * get(row, Field::c_yx), yy = 1 + time * get(row, Field::c_yy);
     const double area = get(row, Field::area);
     const double most = std::max(1.0, k_largest_claim * cell_area / area);
     get(row, Field::area) = area * std::clamp(xx * yy - xy * yx, k_least_stretch, most);
-    const auto q = deformed<double>({get(row, Field::q_xx), get(row, Field::q_xy), get(row, Field::q_yy)}, xx, xy, yx, yy);
+    const auto q =
+        deformed<double>({get(row, Field::q_xx), get(row, Field::q_xy), get(row, Field::q_yy)}, xx, xy, yx, yy);
     const double fit = std::min(1.0, k_largest_claim * cell_area / (q.xx + q.yy));
     get(row, Field::q_xx) = fit * q.xx;
     get(row, Field::q_xy) = fit * q.xy;
@@ -222,8 +224,8 @@ void Flights::begin(const ParticleRow& particle, const Jump& jump, double time, 
 
 namespace {
 
-// Whether the splines' bed over a tile's nodes may be as steep as an edge: its gradient is a mean of differences between
-// neighbours, no greater than the greatest of them.
+// Whether the splines' bed over a tile's nodes may be as steep as an edge: its gradient is a mean of differences
+// between neighbours, no greater than the greatest of them.
 bool may_hold_edge(const NodeRange& range, const NodeGrid& nodes, double edge) {
     const double* bed = nodes.bed.data();
     const auto row = static_cast<std::size_t>(nodes.stride());
@@ -245,9 +247,9 @@ bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid&
     return known == k_edge;
 }
 
-void Flights::take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const NodeReport* seen,
-                       const JumpRules& rules, double time, double reach, std::vector<std::uint8_t>& keep,
-                       ThreadPool& pool) {
+void Flights::take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes,
+                       const NodeReport* seen, const JumpRules& rules, double time, double reach,
+                       std::vector<std::uint8_t>& keep, ThreadPool& pool) {
     const auto& tiles = order.tiles();
     const double *x = particles[Field::x], *y = particles[Field::y], *u = particles[Field::u], *v = particles[Field::v];
     const double *volume = particles[Field::volume], *area = particles[Field::area];

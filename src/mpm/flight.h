@@ -16,8 +16,8 @@
 
 namespace frana {
 
-/// A jump must clear the ground by the flow's own depth, and by this share of a cell, under which the terrain's cells tell
-/// no edge from roughness.
+/// A jump must clear the ground by the flow's own depth, and by this share of a cell, under which the terrain's cells
+/// tell no edge from roughness.
 inline constexpr double k_least_clearance = 0.1;
 
 /// How wide an edge may be, from where it begins to throw to its steepest fall [cells]: the splines make two of a step.
@@ -48,16 +48,16 @@ struct JumpRules {
     double edge = 0;        ///< least fall of an edge in the direction of motion [-]
 };
 
-/// The jump of a particle that moves straight on along its bed for a time `reach` [s], if it makes one: it begins at the
-/// first place where the bed of the quadratic splines falls away faster than a free fall,
+/// The jump of a particle that moves straight on along its bed for a time `reach` [s], if it makes one: it begins at
+/// the first place where the bed of the quadratic splines falls away faster than a free fall,
 ///
 ///     v . grad grad Z . v < -g,
 ///
-/// from which the parabola clears the ground by more than `clearance` [m], if the edge falls by JumpRules::edge or more in its
-/// direction within k_edge_width. A fast flow bends away from gentler ground too, but not as a whole: what the bed no longer bears there
-/// the layer's upper part, and drag, still hold. Without that bound every bump of a gully threw particles, which then had
-/// no friction: 71 m/s where most codes have 41 to 53 (share/doc/model.md). On landing the part of the velocity normal to
-/// the bed is lost.
+/// from which the parabola clears the ground by more than `clearance` [m], if the edge falls by JumpRules::edge or more
+/// in its direction within k_edge_width. A fast flow bends away from gentler ground too, but not as a whole: what the
+/// bed no longer bears there the layer's upper part, and drag, still hold. Without that bound every bump of a gully
+/// threw particles, which then had no friction: 71 m/s where most codes have 41 to 53 (share/doc/model.md). On landing
+/// the part of the velocity normal to the bed is lost.
 /// @param along velocity along the bed (BedFrame) [m/s]
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,
                               double clearance);
@@ -77,8 +77,8 @@ struct JumpFigures {
 };
 
 /// Particles in free fall, kept apart from those on the ground, which pay nothing for them. Where the bed falls away
-/// faster than a free fall, a depth-averaged layer has no bed: no friction and no pressure act until it lands. The whole
-/// way is known when it begins, since nothing but gravity acts.
+/// faster than a free fall, a depth-averaged layer has no bed: no friction and no pressure act until it lands. The
+/// whole way is known when it begins, since nothing but gravity acts.
 class Flights {
   public:
     Flights() = default;
@@ -96,8 +96,8 @@ class Flights {
     /// Greatest height above the ground at which each padded node's cell was flown over [m]; 0 where it was not.
     [[nodiscard]] const ZeroArray<float>& heights() const noexcept { return heights_; }
 
-    /// Takes the particles that leave the bed within the time `reach`: marks them 0 in `keep`, one byte a particle, which
-    /// stays empty when there are none. Looks near nodes whose motion lifts them off (NodeReport::unsupported).
+    /// Takes the particles that leave the bed within the time `reach`: marks them 0 in `keep`, one byte a particle,
+    /// which stays empty when there are none. Looks near nodes whose motion lifts them off (NodeReport::unsupported).
     /// @param seen by tile
     /// @param time of the particles' positions [s]
     void take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const NodeReport* seen,

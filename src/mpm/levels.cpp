@@ -14,7 +14,8 @@ constexpr double k_level_ratio = 0.2 * 0.2, k_sloping_ratio = 0.5 * 0.5;
 // Squared spread of the bed, in cells, under which it counts as level: both references are then the same.
 constexpr double k_flat = 1e-6;
 
-// Share of a cell to which it is known how much of its ground a level floods: less than that does not make a shore a front.
+// Share of a cell to which it is known how much of its ground a level floods: less than that does not make a shore a
+// front.
 constexpr double k_known_share = 0.06;
 
 double smooth_step(double from, double to, double value) {
@@ -26,9 +27,8 @@ double smooth_step(double from, double to, double value) {
 /// ground that lies on the near side of a straight shoreline.
 double near_side(double distance) {
     const double far = 1.5 - std::min(std::abs(distance), 1.5);
-    const double beyond = std::abs(distance) < 0.5
-                              ? 0.5 - std::abs(distance) * (0.75 - distance * distance / 3)
-                              : far * far * far / 6;
+    const double beyond =
+        std::abs(distance) < 0.5 ? 0.5 - std::abs(distance) * (0.75 - distance * distance / 3) : far * far * far / 6;
     return distance > 0 ? 1 - beyond : beyond;
 }
 
@@ -53,16 +53,14 @@ void mean_levels(const NodeRange& range, NodeGrid& nodes) {
         const double surface_spread = std::max(0.0, s.fy / s.area - (depth + above) * (depth + above));
         levels[n].depth = depth;
         levels[n].level = nodes.bed[n] + above + depth;
-        levels[n].ponding =
-            1 - smooth_step(k_level_ratio, k_sloping_ratio, surface_spread / (bed_spread + flat));
+        levels[n].ponding = 1 - smooth_step(k_level_ratio, k_sloping_ratio, surface_spread / (bed_spread + flat));
         s.fx = s.fy = 0;
     });
 }
 
 void forget_squares(const NodeRange& range, NodeGrid& nodes) {
-    range.for_each(nodes.stride(), [&](std::size_t n, std::int64_t, std::int64_t) {
-        nodes.sums[n].fx = nodes.sums[n].fy = 0;
-    });
+    range.for_each(nodes.stride(),
+                   [&](std::size_t n, std::int64_t, std::int64_t) { nodes.sums[n].fx = nodes.sums[n].fy = 0; });
 }
 
 void node_references(const NodeRange& range, NodeGrid& nodes) {

@@ -18,8 +18,8 @@ struct NodeUpdate {
     double minimum_depth = 0;             ///< depth from which a node counts in the maxima [m]
     double effective_share = 1;           ///< 1 - r_u: what pore pressure leaves of the normal stress [-]
     double moving_speed = 0;              ///< speed from which a node's volume counts as moving [m/s]
-    bool change_only = false;  ///< particles take the change of the velocity (FLIP), not the velocity
-    bool wall = false;         ///< ghost nodes mirror those inside
+    bool change_only = false;             ///< particles take the change of the velocity (FLIP), not the velocity
+    bool wall = false;                    ///< ghost nodes mirror those inside
     Point* brought = nullptr;  ///< padded, for those who look: velocity that the particles brought, in map view [m/s]
 };
 

@@ -19,8 +19,7 @@ void extend_into_gaps(std::vector<double>& bed, std::int64_t stride, std::int64_
                 double sum = 0;
                 int n = 0;
                 for (std::int64_t b = std::max<std::int64_t>(j - 1, 0); b <= std::min(j + 1, rows - 1); ++b) {
-                    for (std::int64_t a = std::max<std::int64_t>(i - 1, 0); a <= std::min(i + 1, stride - 1);
-                         ++a) {
+                    for (std::int64_t a = std::max<std::int64_t>(i - 1, 0); a <= std::min(i + 1, stride - 1); ++a) {
                         const double z = before[static_cast<std::size_t>(b * stride + a)];
                         if (std::isnan(z)) continue;
                         sum += z;
@@ -47,9 +46,8 @@ Ground::Ground(const Raster& bed) : terrain(bed), datum(std::numeric_limits<doub
 
 NodeGrid::NodeGrid(const Ground& ground)
     // One element more than nodes: the fast kernels read rows of three nodes four at a time.
-    : bed(static_cast<std::size_t>((ground.terrain.grid.columns + 2 * k_ghost) *
-                                       (ground.terrain.grid.rows + 2 * k_ghost) +
-                                   1)),
+    : bed(static_cast<std::size_t>(
+          (ground.terrain.grid.columns + 2 * k_ghost) * (ground.terrain.grid.rows + 2 * k_ghost) + 1)),
       columns_(ground.terrain.grid.columns),
       rows_(ground.terrain.grid.rows),
       origin_column_(ground.terrain.grid.origin_column),
@@ -58,8 +56,7 @@ NodeGrid::NodeGrid(const Ground& ground)
       datum_(ground.datum),
       bounds_(ground.terrain.grid.local_bounds()) {
     const Raster& terrain = ground.terrain;
-    const bool gaps =
-        std::any_of(terrain.values.begin(), terrain.values.end(), [](double z) { return std::isnan(z); });
+    const bool gaps = std::any_of(terrain.values.begin(), terrain.values.end(), [](double z) { return std::isnan(z); });
     if (gaps) solid_.assign(bed.size(), 0);
     for (std::int64_t j = 0; j < rows_; ++j) {
         for (std::int64_t i = 0; i < columns_; ++i) {
@@ -79,14 +76,12 @@ void NodeGrid::extend_beyond_edges() {
         const double slope = std::isnan(bed[inner]) ? 0 : bed[edge] - bed[inner];
         bed[ghost] = bed[edge] + steps * slope;
     };
-    const std::int64_t in_x = std::min<std::int64_t>(1, columns_ - 1),
-                       in_y = std::min<std::int64_t>(1, rows_ - 1);
+    const std::int64_t in_x = std::min<std::int64_t>(1, columns_ - 1), in_y = std::min<std::int64_t>(1, rows_ - 1);
     for (std::int64_t j = 0; j < rows_; ++j) {
         for (std::int64_t k = 1; k <= k_ghost; ++k) {
             const auto steps = static_cast<double>(k);
             extrapolate(index(-k, j), index(0, j), index(in_x, j), steps);
-            extrapolate(index(columns_ - 1 + k, j), index(columns_ - 1, j), index(columns_ - 1 - in_x, j),
-                        steps);
+            extrapolate(index(columns_ - 1 + k, j), index(columns_ - 1, j), index(columns_ - 1 - in_x, j), steps);
         }
     }
     for (std::int64_t i = -k_ghost; i < columns_ + k_ghost; ++i) {

@@ -40,8 +40,8 @@ struct NodeLevel {
 /// Share of a cell from which it counts as filled (share/doc/numerics.md, "Reference level").
 inline constexpr double k_filled_share = 0.6;
 
-/// Share of a cell from which its particles lie on top of each other rather than unevenly side by side: their claims then
-/// shrink faster, and they are not shifted.
+/// Share of a cell from which its particles lie on top of each other rather than unevenly side by side: their claims
+/// then shrink faster, and they are not shifted.
 inline constexpr double k_crowded_share = 1.1;
 
 /// A terrain, and the elevation that the engine counts from so that sums keep their digits: a run counts from
@@ -104,9 +104,7 @@ class NodeGrid {
     [[nodiscard]] bool is_gap(std::size_t node) const noexcept { return !solid_.empty() && solid_[node] == k_gap; }
     [[nodiscard]] bool is_wall(std::size_t node) const noexcept { return !solid_.empty() && solid_[node] == k_wall; }
     [[nodiscard]] bool any_solid() const noexcept { return !solid_.empty(); }
-    [[nodiscard]] const std::uint8_t* solid() const noexcept {
-        return solid_.empty() ? nullptr : solid_.data();
-    }
+    [[nodiscard]] const std::uint8_t* solid() const noexcept { return solid_.empty() ? nullptr : solid_.data(); }
 
     /// Makes the cells that are 1 in a north-up raster solid; their bed stays as it is.
     void mark_walls(const Raster& walls);

@@ -42,12 +42,12 @@ struct NodeReport {
         taken += r.taken;
     }
 
-    /// Counts a node's energy in the step in which its velocity in map view goes from `before` (`turned` by the bed) over
-    /// `driven`, with all that drives it, to `after`, with friction and walls too. Those take what they change of the
-    /// velocity times the mean of before and after: what is held in place does no work.
+    /// Counts a node's energy in the step in which its velocity in map view goes from `before` (`turned` by the bed)
+    /// over `driven`, with all that drives it, to `after`, with friction and walls too. Those take what they change of
+    /// the velocity times the mean of before and after: what is held in place does no work.
     /// @param height of its middle [m]
-    void count_energy(double volume_held, double height, double gravity, const AlongBed& bed, Point before, Point turned,
-                      Point driven, Point after) noexcept {
+    void count_energy(double volume_held, double height, double gravity, const AlongBed& bed, Point before,
+                      Point turned, Point driven, Point after) noexcept {
         const double motion = 0.25 * volume_held * (bed.dot(before, before) + bed.dot(after, after));
         volume += volume_held;
         kinetic += motion;

@@ -16,8 +16,9 @@
 namespace frana {
 
 /// Gain per Courant number of the relaxation of areas (share/doc/numerics.md, "Area relaxation"); 0.2 bounds it.
-/// Particles that crowd (k_crowded_share) shrink faster: friction and maps would see a layer thinner than the ground does.
-/// Not from a share of 1 on, where half of all evenly spread irregular particles are: ritter-irregular would be worse by 1/3.
+/// Particles that crowd (k_crowded_share) shrink faster: friction and maps would see a layer thinner than the ground
+/// does. Not from a share of 1 on, where half of all evenly spread irregular particles are: ritter-irregular would be
+/// worse by 1/3.
 inline constexpr double k_relaxation_gain = 0.03, k_crowded_gain = 0.2, k_relaxation_limit = 0.2;
 
 /// Least factor by which an area may change in a step; the stable step keeps well clear of it.
@@ -52,9 +53,9 @@ struct ApicTransfer {
 };
 
 struct ParticleUpdate {
-    double dt = 0;    ///< for which the positions move [s]
+    double dt = 0;  ///< for which the positions move [s]
     double gravity = 0;
-    double film = 0;            ///< depth under which a particle is not split [m]
+    double film = 0;    ///< depth under which a particle is not split [m]
     bool wall = false;  ///< particles are kept inside; otherwise they may leave
     Point origin;       ///< release centroid, for the front distance, local metres
     double pull = 0;    ///< gravity times the time for which forces acted [m/s]; for what follows the bed
@@ -138,16 +139,16 @@ inline constexpr double k_work_limit = 0.5;
 /// (shifting.h). A particle that leaves through an open boundary stays in the arrays until the next sort and is
 /// counted `outside`.
 ///
-/// FollowsBed: u, v are the velocity along the bed (BedFrame), which the nodes give back in fx, fy; positions move with the
-/// nodes' velocity in map view. Gravity's work at the nodes, whose slopes are differences over two cells, is not what the
-/// particle's way up or down the bed takes: the speed is set right by
+/// FollowsBed: u, v are the velocity along the bed (BedFrame), which the nodes give back in fx, fy; positions move with
+/// the nodes' velocity in map view. Gravity's work at the nodes, whose slopes are differences over two cells, is not
+/// what the particle's way up or down the bed takes: the speed is set right by
 ///
 ///     work = pull support (sum N_i v_i . grad Z_i - m . grad Z),   m = v - dt/2 ((grad v) v - M^-1 (grad w) v)
 ///
-/// with grad Z of the splines' bed where the particle was when gravity acted, and m the mean of the map velocities with which
-/// it came there and went on, but for what forces changed of them: on a plane m = v, and nothing is set right. M^-1 w is
-/// BedFrame::in_map. What moves slower than sqrt(g h) is driven by pressure as much as by gravity, which this does not
-/// balance: there the correction fades with w^2 / (w^2 + g h), so that what is still stays so.
+/// with grad Z of the splines' bed where the particle was when gravity acted, and m the mean of the map velocities with
+/// which it came there and went on, but for what forces changed of them: on a plane m = v, and nothing is set right.
+/// M^-1 w is BedFrame::in_map. What moves slower than sqrt(g h) is driven by pressure as much as by gravity, which this
+/// does not balance: there the correction fades with w^2 / (w^2 + g h), so that what is still stays so.
 template <class Shape, class Transfer, class Stress, bool Relaxed, bool FollowsBed = false>
 ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate& k, const Stress& stress,
                                   const NodeGrid& nodes, ParticleSet& particles) {
@@ -225,8 +226,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             }
         }
         const double celerity = std::sqrt(k.gravity * volume[p] / area[p]);
-        // Of the splines the inverse of the second moment; hat functions: the affine part is the gradient itself (Jiang et
-        // al. 2015).
+        // Of the splines the inverse of the second moment; hat functions: the affine part is the gradient itself (Jiang
+        // et al. 2015).
         [[maybe_unused]] const double d = Shape::width == 3 ? 4 * inverse_dx * inverse_dx : 1;
         if constexpr (Transfer::affine) {
             c_xx[p] = d * m_xx;
@@ -234,8 +235,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
             c_yx[p] = d * m_yx;
             c_yy[p] = d * m_yy;
             if constexpr (Relaxed) {
-                const double across = dx * std::sqrt(c_xx[p] * c_xx[p] + c_xy[p] * c_xy[p] + c_yx[p] * c_yx[p] +
-                                                     c_yy[p] * c_yy[p]);
+                const double across =
+                    dx * std::sqrt(c_xx[p] * c_xx[p] + c_xy[p] * c_xy[p] + c_yx[p] * c_yx[p] + c_yy[p] * c_yy[p]);
                 double bound = k_front_shear * celerity;  // of velocities in map view
                 if constexpr (FollowsBed) {
                     const double in_map = un * un + vn * vn;
@@ -255,7 +256,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         if constexpr (FollowsBed && Relaxed) {
             const Interpolated z = interpolate(s, nodes.bed.data(), stride);
             const double half = 0.5 * k.dt;
-            const Point driven = BedFrame::of({z.dx, z.dy}).in_map(d * (m_xx * un + m_xy * vn), d * (m_yx * un + m_yy * vn));
+            const Point driven =
+                BedFrame::of({z.dx, z.dy}).in_map(d * (m_xx * un + m_xy * vn), d * (m_yx * un + m_yy * vn));
             const double mean_u = un - half * (u_x * un + u_y * vn - driven.x);
             const double mean_v = vn - half * (v_x * un + v_y * vn - driven.y);
             const double work = k.pull * support * (climb - (mean_u * z.dx + mean_v * z.dy));
@@ -280,8 +282,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         }
         double new_area = area[p] * growth;
         if constexpr (Relaxed && Transfer::affine) {  // F = I + dt grad v
-            const auto [xx, xy, yy] = deformed<double>({q_xx[p], q_xy[p], q_yy[p]}, 1 + k.dt * u_x, k.dt * u_y, k.dt * v_x,
-                                                       1 + k.dt * v_y);
+            const auto [xx, xy, yy] =
+                deformed<double>({q_xx[p], q_xy[p], q_yy[p]}, 1 + k.dt * u_x, k.dt * u_y, k.dt * v_x, 1 + k.dt * v_y);
             if (volume[p] > k.film * area[p]) report.longest = std::max(report.longest, xx + yy);
             const double fit = std::min(1.0, k_largest_claim * cell_area / (xx + yy));
             q_xx[p] = fit * xx;
@@ -309,8 +311,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         }
         double px = x[p] + k.dt * un, py = y[p] + k.dt * vn;
         if constexpr (Relaxed && Transfer::affine) {
-            const Shift<double> shift = shift_of(k.shift, speed * courant, support, least, share, share_x, share_y, cell_depth,
-                                                 depth_x, depth_y, dx);
+            const Shift<double> shift = shift_of(k.shift, speed * courant, support, least, share, share_x, share_y,
+                                                 cell_depth, depth_x, depth_y, dx);
             px += shift.x;
             py += shift.y;
             area[p] *= shift.growth;

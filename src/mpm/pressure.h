@@ -11,19 +11,19 @@
 
 namespace frana {
 
-/// Linear artificial viscosity under compression, as a share of rho h sqrt(g h) dx (share/doc/numerics.md, "Compression").
+/// Linear artificial viscosity under compression, as a share of rho h sqrt(g h) dx (share/doc/numerics.md,
+/// "Compression").
 inline constexpr double k_shock_viscosity = 0.5;
 
 /// Hydrostatic pressure, bed slope and in-plane stress, to the nodes' forces over density.
 /// Plain form (paper, equation 28): F_i = sum A [ 1/2 g h^2 grad N_i - g h grad Z N_i ] - sum V sigma grad
-/// N_i. Referenced form (share/doc/numerics.md, "Reference level"; NodeLevel): h^2 and h are measured against the node's own
-/// still level or mean depth, which integrates to zero in the continuum, so that a uniform state exerts
+/// N_i. Referenced form (share/doc/numerics.md, "Reference level"; NodeLevel): h^2 and h are measured against the
+/// node's own still level or mean depth, which integrates to zero in the continuum, so that a uniform state exerts
 /// exactly no force whatever the particles' arrangement; update_nodes adds back the weight of a reference
 /// that follows the bed. Reads x, y, volume, area, s_* if Stress, compression if Referenced; reads NodeLevel;
 /// adds to NodeSums fx, fy.
 template <class Shape, bool Referenced, bool Stress>
-void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity,
-                       NodeGrid& nodes) {
+void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity, NodeGrid& nodes) {
     const double* x = particles[Field::x];
     const double* y = particles[Field::y];
     const double* volume = particles[Field::volume];
@@ -63,8 +63,8 @@ void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, d
                 double node_pressure = pressure, weight = depth * w;
                 if constexpr (Referenced) {
                     const NodeLevel& level = levels[i];
-                    const double reference = level.ponding * std::max(0.0, level.level - z.value) +
-                                             (1 - level.ponding) * level.depth;
+                    const double reference =
+                        level.ponding * std::max(0.0, level.level - z.value) + (1 - level.ponding) * level.depth;
                     node_pressure -= half_gravity_area * level.support * reference * reference;
                     weight = (depth - level.support * reference) * w;
                 }

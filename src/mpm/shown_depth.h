@@ -9,21 +9,21 @@
 
 namespace frana {
 
-/// Share of the cells round a node that particles claim, itself included, with binomial weights over (2 Reach + 1)^2 nodes.
-/// All of them must exist.
+/// Share of the cells round a node that particles claim, itself included, with binomial weights over (2 Reach + 1)^2
+/// nodes. All of them must exist.
 /// @param unit cell area where NodeSums::area is in m2, 1 where it is a share
 template <std::int64_t Reach>
 double mean_share(const NodeSums* node, std::int64_t stride, double unit) noexcept {
     static_assert(Reach >= 1 && Reach <= 3);
-    constexpr std::array<double, 4> weights =
-        Reach == 1   ? std::array<double, 4>{2, 1}
-        : Reach == 2 ? std::array<double, 4>{6, 4, 1}
-                     : std::array<double, 4>{20, 15, 6, 1};
+    constexpr std::array<double, 4> weights = Reach == 1   ? std::array<double, 4>{2, 1}
+                                              : Reach == 2 ? std::array<double, 4>{6, 4, 1}
+                                                           : std::array<double, 4>{20, 15, 6, 1};
     // In pairs, so that a mirrored arrangement has the same sum.
     const auto row = [&](std::int64_t b) {
         const NodeSums* n = node + b * stride;
         double sum = weights[0] * n->area;
-        for (std::int64_t a = 1; a <= Reach; ++a) sum += weights[static_cast<std::size_t>(a)] * (n[-a].area + n[a].area);
+        for (std::int64_t a = 1; a <= Reach; ++a)
+            sum += weights[static_cast<std::size_t>(a)] * (n[-a].area + n[a].area);
         return sum;
     };
     double sum = weights[0] * row(0);
@@ -36,10 +36,11 @@ double mean_share(const NodeSums* node, std::int64_t stride, double unit) noexce
 /// unevenness of an arrangement: 0.01 where particles lie at random.
 inline constexpr double k_lasting_from = 1.015, k_lasting_full = 1.03;
 
-/// By how much particles round a node claim more than the ground has, at least 1. Where flow converges, in deposits and in
-/// gullies they do, and lie deeper on the ground by as much than each of them says.
+/// By how much particles round a node claim more than the ground has, at least 1. Where flow converges, in deposits and
+/// in gullies they do, and lie deeper on the ground by as much than each of them says.
 /// @param column, row padded numbers of a node inside the ghosts  @param unit as in mean_share
-inline double crowding(const NodeGrid& nodes, std::size_t node, std::int64_t column, std::int64_t row, double unit) noexcept {
+inline double crowding(const NodeGrid& nodes, std::size_t node, std::int64_t column, std::int64_t row,
+                       double unit) noexcept {
     const NodeSums* const sums = nodes.sums.data() + node;
     const double near = mean_share<1>(sums, nodes.stride(), unit);
     if (!(near > 1)) return 1;
@@ -50,9 +51,10 @@ inline double crowding(const NodeGrid& nodes, std::size_t node, std::int64_t col
 }
 
 /// Depth that a node shows [m]: the mean depth of its particles times their crowding where it is filled, itself and all
-/// round, free of the unevenness of their arrangement; volume over cell area at fronts and films, where the cell is only
-/// partly covered.
-inline double shown_depth(double mass, double area, double support, double crowding, double inverse_cell_area) noexcept {
+/// round, free of the unevenness of their arrangement; volume over cell area at fronts and films, where the cell is
+/// only partly covered.
+inline double shown_depth(double mass, double area, double support, double crowding,
+                          double inverse_cell_area) noexcept {
     const double by_volume = mass * inverse_cell_area;
     if (!(area > 0)) return by_volume;
     const double filled = std::min(1.0, area * inverse_cell_area / k_filled_share);

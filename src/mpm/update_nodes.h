@@ -24,9 +24,9 @@ struct SurfaceSlope {
 struct NormalSlope {
     static constexpr bool metric = true, thin_layer = true, curved = false;
 };
-/// With the load that the motion over a curved bed adds (mpm/curvature.h). Particles and nodes then exchange the velocity
-/// along the bed (BedFrame). What is carried from one slope to another then keeps its energy; velocities in map view,
-/// taken from a gentle slope to a steep one, become faster.
+/// With the load that the motion over a curved bed adds (mpm/curvature.h). Particles and nodes then exchange the
+/// velocity along the bed (BedFrame). What is carried from one slope to another then keeps its energy; velocities in
+/// map view, taken from a gentle slope to a steep one, become faster.
 template <class Slope>
 struct Curved : Slope {
     static constexpr bool curved = true;  // cppcheck-suppress duplInheritedMember; hides it on purpose
@@ -64,8 +64,7 @@ inline BedFrame node_frame(const NodeGrid& nodes, std::size_t i, std::int64_t co
 
 /// The ground under a node and what its curvature adds to gravity; no acceleration yet.
 template <class Slope>
-NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column,
-                    std::int64_t row) {
+NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
     const Point slope = node_slope(nodes, i, column, row);
     NodeDrive d{0, 0, slope.x, slope.y, 1, 0, {}};
     if constexpr (Slope::metric) d.n += d.slope_x * d.slope_x + d.slope_y * d.slope_y;
@@ -105,8 +104,7 @@ inline constexpr double k_least_bearing = 0.5;
 /// The load of the motion over the bed's curvature is not in it: see turn_by_bed.
 /// Reads NodeSums mass, fx, fy; NodeLevel (if allocated); bed.
 template <class Slope>
-NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column,
-                   std::int64_t row) {
+NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
     NodeDrive d = ground_of<Slope>(nodes, k, i, column, row);
     // The part of gravity that the reference state held back from the particles' sum.
     const double weight =
@@ -169,8 +167,7 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& fri
         if (node.px * node.px + node.py * node.py > slow * slow * node.mass * node.mass) return;
         double px = 0, py = 0, bound = 0;
         for (std::int64_t b = std::max<std::int64_t>(row - 1, 0); b <= std::min(row + 1, rows - 1); ++b) {
-            for (std::int64_t a = std::max<std::int64_t>(column - 1, 0);
-                 a <= std::min(column + 1, stride - 1); ++a) {
+            for (std::int64_t a = std::max<std::int64_t>(column - 1, 0); a <= std::min(column + 1, stride - 1); ++a) {
                 const auto n = static_cast<std::size_t>(b * stride + a);
                 if (!(nodes.sums[n].mass > 0)) continue;
                 const Pull& near = pull(n, a, b);
@@ -189,8 +186,8 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& fri
 /// velocity, share, old velocity and support into NodeSums. Calls observe(node, depth, speed) for every node
 /// deeper than the minimum.
 template <class Slope, class Friction, class Observe>
-NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction,
-                        NodeGrid& nodes, const Observe& observe) {
+NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, NodeGrid& nodes,
+                        const Observe& observe) {
     NodeReport report;
     const double inverse_area = 1 / (nodes.cell_size() * nodes.cell_size());
     const std::uint8_t* solid = nodes.solid();
@@ -219,8 +216,9 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
             after = {0, 0};
         } else if (driven_speed > 0 && friction.active()) {
             const double root = Slope::metric ? std::sqrt(drive.n) : 1;
-            const double left = friction.speed_after(i, driven_speed, k, root, k.gravity + drive.load, node.mass / node.area) /
-                                driven_speed;
+            const double left =
+                friction.speed_after(i, driven_speed, k, root, k.gravity + drive.load, node.mass / node.area) /
+                driven_speed;
             after = {left * driven.x, left * driven.y};
         }
         const bool ghost = k.wall && (column < k_ghost || row < k_ghost || column >= nodes.stride() - k_ghost ||

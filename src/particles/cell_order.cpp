@@ -53,12 +53,13 @@ void CellOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& ke
 
     const std::size_t kept = starts_.back();
     if (kept == n && in_order) return;
-    particles.rebuild(kept, (kept + k_block - 1) / k_block,
-                      [&](Field, const double* from, double* to, std::size_t part) {
-                          const std::size_t end = std::min(kept, (part + 1) * k_block);
-                          for (std::size_t i = part * k_block; i < end; ++i) to[i] = from[source_[i]];
-                      },
-                      pool);
+    particles.rebuild(
+        kept, (kept + k_block - 1) / k_block,
+        [&](Field, const double* from, double* to, std::size_t part) {
+            const std::size_t end = std::min(kept, (part + 1) * k_block);
+            for (std::size_t i = part * k_block; i < end; ++i) to[i] = from[source_[i]];
+        },
+        pool);
 }
 
 bool CellOrder::orders(std::size_t count) const {

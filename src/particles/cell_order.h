@@ -30,7 +30,7 @@ class CellOrder {
   public:
     static constexpr std::int64_t k_near = 2;  ///< cells on either side
     static constexpr std::size_t k_rows_near = 2 * k_near + 1;
-    static constexpr double k_slack = 0.125;   ///< over the reach
+    static constexpr double k_slack = 0.125;  ///< over the reach
 
     /// @param reach greatest distance at which particles see each other [m]
     explicit CellOrder(double reach) : reach_(reach), side_(0.5 * reach * (1 + k_slack)) {}

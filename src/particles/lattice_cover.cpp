@@ -48,8 +48,7 @@ bool apart(const MultiPolygon& outline) {
     for (const Polygon& polygon : outline) {
         const Bounds box = bounds({polygon});
         for (const Bounds& b : boxes) {
-            if (box.west < b.east && b.west < box.east && box.south < b.north && b.south < box.north)
-                return false;
+            if (box.west < b.east && b.west < box.east && box.south < b.north && b.south < box.north) return false;
         }
         boxes.push_back(box);
     }
@@ -109,8 +108,8 @@ std::vector<double> LatticeCover::strip_heights(const Band& band) const {
         if (a.x == b.x) continue;
         const double slope = (b.x - a.x) / (b.y - a.y);
         const double one = a.x + (low - a.y) * slope, other = a.x + (high - a.y) * slope;
-        for (double column = std::floor(std::min(one, other) / spacing_) + 1;
-             column * spacing_ < std::max(one, other); ++column)
+        for (double column = std::floor(std::min(one, other) / spacing_) + 1; column * spacing_ < std::max(one, other);
+             ++column)
             heights.push_back(std::clamp(a.y + (column * spacing_ - a.x) / slope, low, high));
     }
     std::sort(heights.begin(), heights.end());
@@ -123,16 +122,14 @@ bool LatticeCover::too_many_strips(const Band& band) const {
     double strips = 0;
     for (const std::size_t e : active_) {
         const Point a = edges_[e].from, b = edges_[e].to;
-        const double part =
-            (std::min(edges_[e].high, band.to) - std::max(edges_[e].low, band.from)) / spacing_;
+        const double part = (std::min(edges_[e].high, band.to) - std::max(edges_[e].low, band.from)) / spacing_;
         strips += 1 + part * std::abs((b.x - a.x) / (b.y - a.y));
     }
     if (strips * static_cast<double>(cells_.size()) > k_most_crossings) return true;
     const std::vector<double> heights = strip_heights(band);
     double work = static_cast<double>(heights.size()) * static_cast<double>(cells_.size());
     for (const std::size_t e : active_) {
-        const auto first =
-            std::lower_bound(heights.begin(), heights.end(), std::max(edges_[e].low, band.from));
+        const auto first = std::lower_bound(heights.begin(), heights.end(), std::max(edges_[e].low, band.from));
         const auto last = std::lower_bound(first, heights.end(), std::min(edges_[e].high, band.to));
         work += static_cast<double>(last - first);
     }
@@ -145,8 +142,7 @@ void LatticeCover::cover_by_strips(const std::vector<double>& heights) {
     std::vector<Interval> inside;
     std::size_t next = 0;
     const auto cut = [&](double y) {
-        for (; next < active_.size() && edges_[active_[next]].low <= y; ++next)
-            crossed.push_back(active_[next]);
+        for (; next < active_.size() && edges_[active_[next]].low <= y; ++next) crossed.push_back(active_[next]);
         std::erase_if(crossed, [&](std::size_t e) { return edges_[e].high <= y; });
         crossings.clear();
         for (const std::size_t e : crossed) {
@@ -169,8 +165,7 @@ void LatticeCover::cover_by_strips(const std::vector<double>& heights) {
             cut(y);
             for (const Interval& piece : inside) {
                 const auto from = static_cast<std::int64_t>(std::floor(piece.from / spacing_));
-                const auto to =
-                    std::min(static_cast<std::int64_t>(std::floor(piece.to / spacing_)), last_column_);
+                const auto to = std::min(static_cast<std::int64_t>(std::floor(piece.to / spacing_)), last_column_);
                 for (std::int64_t column = from; column <= to; ++column) {
                     const double west = std::max(piece.from, static_cast<double>(column) * spacing_);
                     const double east = std::min(piece.to, static_cast<double>(column + 1) * spacing_);
@@ -231,9 +226,8 @@ void LatticeCover::cover_along_edges(const Band& band) {
         moment += beyond_[c].second;
         cell.area = std::clamp(cell.area, 0.0, spacing_ * spacing_);
         const auto inside = [&](double m) { return std::clamp(m, 0.0, cell.area * spacing_); };
-        cell.moment_x =
-            inside(cell.moment_x) +
-            cell.area * static_cast<double>(first_column_ + static_cast<std::int64_t>(c)) * spacing_;
+        cell.moment_x = inside(cell.moment_x) +
+                        cell.area * static_cast<double>(first_column_ + static_cast<std::int64_t>(c)) * spacing_;
         cell.moment_y = inside(cell.moment_y) + cell.area * band.from;
     }
 }

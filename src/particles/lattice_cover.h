@@ -56,8 +56,7 @@ class LatticeCover {
     std::size_t entered_ = 0;
     std::vector<std::size_t> active_;  // edges in the row, by their lower ends
     std::vector<Covered> cells_;
-    std::vector<std::pair<double, double>>
-        beyond_;  // height and its first moment of pieces that end in a cell
+    std::vector<std::pair<double, double>> beyond_;  // height and its first moment of pieces that end in a cell
 };
 
 }  // namespace frana

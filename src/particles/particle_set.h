@@ -26,7 +26,7 @@ enum class Field : unsigned char {
     c_xx,
     c_xy,
     c_yx,
-    c_yy,        // affine velocity (APIC): rows are components, columns directions
+    c_yy,         // affine velocity (APIC): rows are components, columns directions
     compression,  // rate that the artificial viscosity acts on, last step
     s_xx,
     s_xy,
@@ -35,7 +35,7 @@ enum class Field : unsigned char {
     q_xy,
     q_yy,  // squared extents: the shape that the flow has given the particle
     // What structured solids carry besides; `volume` is their solids alone, depth is (volume + confined) / area.
-    confined,  // volume of the confined fluid
+    confined,        // volume of the confined fluid
     confined_start,  // that it held when it was placed
     pores,           // volume of the pores between the solids when they were placed
     t_xx,
@@ -116,16 +116,12 @@ class FieldMask {
     constexpr FieldMask(std::initializer_list<Field> fields) {
         for (Field f : fields) bits_ |= bit(f);
     }
-    [[nodiscard]] constexpr bool has(Field f) const noexcept {
-        return (bits_ & bit(f)) != 0;
-    }
+    [[nodiscard]] constexpr bool has(Field f) const noexcept { return (bits_ & bit(f)) != 0; }
     constexpr FieldMask operator|(FieldMask other) const noexcept {
         other.bits_ |= bits_;
         return other;
     }
-    [[nodiscard]] constexpr std::size_t size() const noexcept {
-        return static_cast<std::size_t>(std::popcount(bits_));
-    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(std::popcount(bits_)); }
 
   private:
     static constexpr std::uint64_t bit(Field f) { return std::uint64_t{1} << static_cast<unsigned>(f); }

@@ -52,8 +52,7 @@ struct Outline {
 Symmetric merged_shape(const Outline& a, const Outline& b) {
     const double wa = a.volume / (a.volume + b.volume), wb = 1 - wa;
     const double dx = a.x - b.x, dy = a.y - b.y, apart = 12 * wa * wb;
-    return {wa * a.shape.xx + wb * b.shape.xx + apart * dx * dx,
-            wa * a.shape.xy + wb * b.shape.xy + apart * dx * dy,
+    return {wa * a.shape.xx + wb * b.shape.xx + apart * dx * dx, wa * a.shape.xy + wb * b.shape.xy + apart * dx * dy,
             wa * a.shape.yy + wb * b.shape.yy + apart * dy * dy};
 }
 
@@ -62,8 +61,8 @@ ParticleRow merged(const ParticleRow& a, const ParticleRow& b) {
     ParticleRow r = a;
     const double va = get(a, Field::volume), vb = get(b, Field::volume), volume = va + vb;
     const double wa = va / volume, wb = vb / volume;
-    for (const Field f : {Field::x, Field::y, Field::u, Field::v, Field::c_xx, Field::c_xy, Field::c_yx,
-                          Field::c_yy, Field::compression, Field::s_xx, Field::s_xy, Field::s_yy}) {
+    for (const Field f : {Field::x, Field::y, Field::u, Field::v, Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy,
+                          Field::compression, Field::s_xx, Field::s_xy, Field::s_yy}) {
         get(r, f) = wa * get(a, f) + wb * get(b, f);
     }
     get(r, Field::volume) = volume;
@@ -84,11 +83,7 @@ class TileResampler {
   public:
     TileResampler(const ResampleLimits& limits, const TileGrid& grid, const ParticleSet& particles,
                   const ParticleTile& tile)
-        : limits_(limits),
-          grid_(grid),
-          particles_(particles),
-          begin_(tile.begin),
-          size_(tile.end - tile.begin) {
+        : limits_(limits), grid_(grid), particles_(particles), begin_(tile.begin), size_(tile.end - tile.begin) {
         const double *x = particles_[Field::x] + begin_, *y = particles_[Field::y] + begin_;
         for (std::size_t p = 0; p < size_; ++p) ++counts_[cell_of(x[p], y[p])];
     }
@@ -127,7 +122,7 @@ class TileResampler {
     void split() {
         const double *x = particles_[Field::x] + begin_, *y = particles_[Field::y] + begin_;
         const double *q_xx = particles_[Field::q_xx] + begin_, *q_xy = particles_[Field::q_xy] + begin_;
-        const double *q_yy = particles_[Field::q_yy] + begin_;
+        const double* q_yy = particles_[Field::q_yy] + begin_;
         const double *volume = particles_[Field::volume] + begin_, *area = particles_[Field::area] + begin_;
         const double limit = limits_.split_extent * limits_.cell_size;
         for (std::size_t p = 0; p < size_; ++p) {
@@ -188,8 +183,7 @@ class TileResampler {
     // Looking at all pairs for each that merges takes the cube of a crowd: where areas of release lie on each
     // other, neighbours along a curve through the cell merge first, all at once.
     template <class Drop>
-    void thin_out(std::vector<std::size_t>& cell, double limit, std::vector<std::uint8_t>& unwanted,
-                  const Drop& drop) {
+    void thin_out(std::vector<std::size_t>& cell, double limit, std::vector<std::uint8_t>& unwanted, const Drop& drop) {
         constexpr std::size_t k_crowd = 8;  // times as many as may stay
         while (cell.size() > k_crowd * static_cast<std::size_t>(limits_.max_per_cell)) {
             std::vector<std::pair<std::uint32_t, std::size_t>> along;
@@ -328,18 +322,19 @@ ResampleCounts resample(ParticleSet& particles, TileOrder& order, const Resample
     }
     if (total.split == 0 && total.merged == 0) return total;
 
-    particles.rebuild(n, tiles.size(),
-                      [&](Field field, const double* from, double* to, std::size_t t) {
-                          double* next = to + begins[t];
-                          std::size_t p = tiles[t].begin;
-                          for (const std::size_t gone : changes[t].gone) {
-                              next = std::copy(from + p, from + tiles[t].begin + gone, next);
-                              p = tiles[t].begin + gone + 1;
-                          }
-                          next = std::copy(from + p, from + tiles[t].end, next);
-                          for (const ParticleRow& row : changes[t].come) *next++ = get(row, field);
-                      },
-                      pool);
+    particles.rebuild(
+        n, tiles.size(),
+        [&](Field field, const double* from, double* to, std::size_t t) {
+            double* next = to + begins[t];
+            std::size_t p = tiles[t].begin;
+            for (const std::size_t gone : changes[t].gone) {
+                next = std::copy(from + p, from + tiles[t].begin + gone, next);
+                p = tiles[t].begin + gone + 1;
+            }
+            next = std::copy(from + p, from + tiles[t].end, next);
+            for (const ParticleRow& row : changes[t].come) *next++ = get(row, field);
+        },
+        pool);
     order.set_counts(sizes);
     return total;
 }

@@ -17,12 +17,12 @@ inline constexpr double k_split_reach = 0.5;
 /// Splitting and merging (share/doc/numerics.md, "Splitting and merging").
 struct ResampleLimits {
     double cell_size = 1;
-    double split_extent = 0.7;   ///< in cells: a particle longer than this becomes two along its longer axis, or four
-    double merge_extent = 0.9;   ///< in cells: two particles merge only if the result is not longer
-    int split_below = 6;  ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
-    int max_per_cell = 10;  ///< more than this in a cell: pairs merge; not less than split_below - 1
+    double split_extent = 0.7;     ///< in cells: a particle longer than this becomes two along its longer axis, or four
+    double merge_extent = 0.9;     ///< in cells: two particles merge only if the result is not longer
+    int split_below = 6;           ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
+    int max_per_cell = 10;         ///< more than this in a cell: pairs merge; not less than split_below - 1
     double minimum_depth = 0.001;  ///< thinner particles are not split [m]
-    Bounds edges;         ///< of the terrain, local metres: no half is put outside
+    Bounds edges;                  ///< of the terrain, local metres: no half is put outside
     const std::uint8_t* marks = nullptr;  ///< of the padded nodes; none: no walls
     std::uint8_t wall_mark = 0;           ///< the mark of a wall: no half is put there
 };

@@ -15,9 +15,7 @@ constexpr double k_spread = 1e-4;
 }  // namespace
 
 void spread_slivers(std::size_t first, double spacing, ParticleSet& particles) {
-    const auto is_sliver = [&](std::size_t p) {
-        return particles[Field::area][p] < k_sliver * spacing * spacing;
-    };
+    const auto is_sliver = [&](std::size_t p) { return particles[Field::area][p] < k_sliver * spacing * spacing; };
     struct Sums {
         double area = 0, volume = 0;
     } slivers, rest;
@@ -26,8 +24,7 @@ void spread_slivers(std::size_t first, double spacing, ParticleSet& particles) {
         of.area += particles[Field::area][p];
         of.volume += particles[Field::volume][p];
     }
-    if (slivers.area == 0 || slivers.area > k_spread * rest.area || slivers.volume > k_spread * rest.volume)
-        return;
+    if (slivers.area == 0 || slivers.area > k_spread * rest.area || slivers.volume > k_spread * rest.volume) return;
     std::size_t kept = first;
     for (std::size_t p = first; p < particles.size(); ++p) {
         if (is_sliver(p)) continue;
@@ -39,8 +36,8 @@ void spread_slivers(std::size_t first, double spacing, ParticleSet& particles) {
     particles.resize(kept);
 }
 
-double fill_outline(const MultiPolygon& outline, double spacing,
-                    const std::function<double(Point)>& thickness, ParticleSet& particles) {
+double fill_outline(const MultiPolygon& outline, double spacing, const std::function<double(Point)>& thickness,
+                    ParticleSet& particles) {
     LatticeCover cover(outline, spacing);
     const std::size_t first = particles.size();
     double volume = 0;

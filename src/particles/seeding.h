@@ -19,8 +19,8 @@ namespace frana {
 /// @param spacing of the lattice [m]; the lattice is anchored at the origin
 /// @param thickness vertical thickness [m] at a local point; NaN or <= 0: no particle
 /// @returns the volume added [m3]
-double fill_outline(const MultiPolygon& outline, double spacing,
-                    const std::function<double(Point)>& thickness, ParticleSet& particles);
+double fill_outline(const MultiPolygon& outline, double spacing, const std::function<double(Point)>& thickness,
+                    ParticleSet& particles);
 
 /// Takes particles that stand for less than a hundred thousandth of a lattice cell out of those from the
 /// first on; the others take their area and volume over, in proportion to theirs. Where there is little else,

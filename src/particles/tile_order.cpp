@@ -56,12 +56,13 @@ void TileOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& ke
     });
     const bool in_order = std::all_of(blocks_.begin(), blocks_.end(), [](const Block& b) { return b.in_order; });
     if (kept != n || !in_order) {
-        particles.rebuild(kept, (kept + block - 1) / block,
-                          [&](Field, const double* from, double* to, std::size_t part) {
-                              const std::size_t end = std::min(kept, (part + 1) * block);
-                              for (std::size_t i = part * block; i < end; ++i) to[i] = from[source_[i]];
-                          },
-                          pool);
+        particles.rebuild(
+            kept, (kept + block - 1) / block,
+            [&](Field, const double* from, double* to, std::size_t part) {
+                const std::size_t end = std::min(kept, (part + 1) * block);
+                for (std::size_t i = part * block; i < end; ++i) to[i] = from[source_[i]];
+            },
+            pool);
     }
     index_tiles(particles, pool);
 }

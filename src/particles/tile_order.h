@@ -21,7 +21,7 @@ inline constexpr double k_drift_limit = 3;
 /// A run of particles that lie in one tile (give or take the drift), and the nodes that they can touch.
 struct ParticleTile {
     std::size_t begin = 0, end = 0;
-    std::int64_t tile = 0;  ///< row-major number of the tile
+    std::int64_t tile = 0;                          ///< row-major number of the tile
     std::int64_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;  ///< tiles whose nodes they can touch until the next sort
 };
 
@@ -67,8 +67,7 @@ struct TileGrid {
 /// order.
 class TileOrder {
   public:
-    explicit TileOrder(TileGrid grid)
-        : grid_(grid), rank_(static_cast<std::size_t>(grid.tiles_x() * grid.tiles_y())) {}
+    explicit TileOrder(TileGrid grid) : grid_(grid), rank_(static_cast<std::size_t>(grid.tiles_x() * grid.tiles_y())) {}
 
     /// Sorts the particles by tile (stable) and drops those for which `keep` is 0. At most 2^32 particles.
     /// @param keep one byte a particle, or empty to keep all
@@ -79,9 +78,7 @@ class TileOrder {
 
     [[nodiscard]] const std::vector<ParticleTile>& tiles() const noexcept { return tiles_; }
     /// Indices into tiles(), by colour.
-    [[nodiscard]] const std::array<std::vector<std::uint32_t>, 4>& colours() const noexcept {
-        return colours_;
-    }
+    [[nodiscard]] const std::array<std::vector<std::uint32_t>, 4>& colours() const noexcept { return colours_; }
     /// Tiles whose nodes any particle can touch until the next sort, in ascending order.
     [[nodiscard]] const std::vector<std::int64_t>& node_tiles() const noexcept { return node_tiles_; }
     [[nodiscard]] const TileGrid& grid() const noexcept { return grid_; }
@@ -117,8 +114,8 @@ class TileOrder {
     std::vector<ParticleTile> tiles_;
     std::array<std::vector<std::uint32_t>, 4> colours_;
     std::vector<std::int64_t> node_tiles_;
-    ZeroArray<std::int32_t> rank_;     // of each tile of the grid among those met, plus one; 0 elsewhere
-    std::vector<std::int32_t> keys_;   // tile of each particle, -1 for those dropped
+    ZeroArray<std::int32_t> rank_;       // of each tile of the grid among those met, plus one; 0 elsewhere
+    std::vector<std::int32_t> keys_;     // tile of each particle, -1 for those dropped
     std::vector<std::uint32_t> source_;  // where the particle at each place comes from
     std::vector<Block> blocks_;
 };

@@ -22,9 +22,7 @@ struct ShearStressDeposition {
     double rate = 0.01;            ///< w [m/s]
     double critical_shear = 1000;  ///< tau_d [Pa]
 
-    double operator()(const BedContact& c) const noexcept {
-        return rate * std::max(0.0, 1 - c.shear / critical_shear);
-    }
+    double operator()(const BedContact& c) const noexcept { return rate * std::max(0.0, 1 - c.shear / critical_shear); }
 };
 
 }  // namespace frana

@@ -26,9 +26,7 @@ struct BinghamQuadraticExcess {
     /// Bed stress at rest, this law's own bound [Pa].
     [[nodiscard]] double bound() const noexcept { return yield_stress / QuadraticYieldRatio{}(0); }
 
-    void operator()(BedState& bed, std::size_t) const noexcept {
-        bed.yield += bound() / (density * bed.thickness);
-    }
+    void operator()(BedState& bed, std::size_t) const noexcept { bed.yield += bound() / (density * bed.thickness); }
 
     /// Mean speed under a bed stress that exceeds the bound by x [Pa]: the quadratic, solved for a.
     [[nodiscard]] double speed(double x, double thickness) const noexcept {
@@ -38,8 +36,7 @@ struct BinghamQuadraticExcess {
         return std::max(0.0, a) * yield_stress * thickness / (6 * viscosity);
     }
 
-    [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left,
-                                     double dt) const noexcept {
+    [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left, double dt) const noexcept {
         const double mass = density * bed.thickness;
         const double x = increasing_root(
             [&](double excess) {

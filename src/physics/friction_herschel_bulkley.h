@@ -42,16 +42,14 @@ struct HerschelBulkleyExcess {
     }
 
     /// Backward Euler: the speed of excess x, plus what all parts take off, is `left`.
-    [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left,
-                                     double dt) const noexcept {
+    [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left, double dt) const noexcept {
         const double mass = density * bed.thickness;
         const double x = increasing_root(
             [&](double excess) {
                 const double s = speed(excess, bed.thickness);
                 return s + dt * (excess / mass + s * (bed.linear + s * bed.square)) - left;
             },
-            left * mass / dt,
-            consistency * std::pow(2 * (1 + 1 / flow_index) * left / bed.thickness, flow_index));
+            left * mass / dt, consistency * std::pow(2 * (1 + 1 / flow_index) * left / bed.thickness, flow_index));
         return std::min(left, speed(x, bed.thickness));
     }
 };

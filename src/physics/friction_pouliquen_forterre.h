@@ -33,8 +33,7 @@ struct PouliquenForterreExcess {
 
     /// Backward Euler with the polynomial parts. s / (s + s_c) is the share of mu_2 - mu_1 that acts, s_c =
     /// beta d sqrt(g_n d) / L.
-    [[nodiscard]] double speed_after(const BedState& bed, std::size_t node, double left,
-                                     double dt) const noexcept {
+    [[nodiscard]] double speed_after(const BedState& bed, std::size_t node, double left, double dt) const noexcept {
         const double difference = std::max(0.0, fast_coefficient - slow_coefficient.at(node));
         const double most = dt * effective_share * bed.normal_gravity * difference;
         const double s_c = beta * bed.thickness * std::sqrt(bed.normal_gravity * bed.thickness) / length;

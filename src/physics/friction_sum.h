@@ -17,8 +17,7 @@ inline double polynomial_speed(const BedState& bed, double left, double dt) noex
 struct NoExcess {
     static constexpr bool active = false;
 
-    [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left,
-                                     double dt) const noexcept {
+    [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left, double dt) const noexcept {
         return polynomial_speed(bed, left, dt);
     }
 };

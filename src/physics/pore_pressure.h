@@ -21,9 +21,7 @@ struct PorePressure {
     double dissipation_time = std::numeric_limits<double>::infinity();  ///< T [s]
 
     [[nodiscard]] bool active() const noexcept { return initial > 0; }
-    [[nodiscard]] double ratio(double time) const noexcept {
-        return initial * std::exp(-time / dissipation_time);
-    }
+    [[nodiscard]] double ratio(double time) const noexcept { return initial * std::exp(-time / dissipation_time); }
 };
 
 }  // namespace frana

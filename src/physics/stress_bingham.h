@@ -58,8 +58,8 @@ struct BinghamStress {
                 shear_y = k * rate.v;
             }
             const double zz = -(rate.xx + rate.yy);
-            const double invariant = 0.5 * (rate.xx * rate.xx + rate.yy * rate.yy + zz * zz) +
-                                     rate.xy * rate.xy + 0.25 * (shear_x * shear_x + shear_y * shear_y);
+            const double invariant = 0.5 * (rate.xx * rate.xx + rate.yy * rate.yy + zz * zz) + rate.xy * rate.xy +
+                                     0.25 * (shear_x * shear_x + shear_y * shear_y);
             factor += yield_over_density / std::sqrt(invariant + regularisation * regularisation);
         }
         return {factor * rate.xx, factor * rate.xy, factor * rate.yy, factor};

@@ -26,11 +26,10 @@ const Stress& stress_of(const StressLaws& laws) {
 
 template <class Shape, class Transfer, class Stress, bool Relaxed, bool FollowsBed>
 ParticleReport nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
-                                        const StressLaws& stress, const NodeGrid& nodes,
-                                        ParticleSet& particles) {
+                                        const StressLaws& stress, const NodeGrid& nodes, ParticleSet& particles) {
     if constexpr (Stress::active) {
-        return nodes_to_particles<Shape, Transfer, Stress, Relaxed, FollowsBed>(
-            tile, update, stress_of<Stress>(stress), nodes, particles);
+        return nodes_to_particles<Shape, Transfer, Stress, Relaxed, FollowsBed>(tile, update, stress_of<Stress>(stress),
+                                                                                nodes, particles);
     } else {
         return nodes_to_particles<Shape, Transfer, Stress, Relaxed, FollowsBed>(tile, update, Stress{}, nodes,
                                                                                 particles);
@@ -46,9 +45,8 @@ PlaneStressLaw stress_law(const Material& material) {
 
 template <class Shape, class Transfer, class Stress, bool Relaxed>
 void choose_update(Stages& stages) {
-    stages.nodes_to_particles = stages.follows_bed
-                                    ? nodes_to_particles_stage<Shape, Transfer, Stress, Relaxed, true>
-                                    : nodes_to_particles_stage<Shape, Transfer, Stress, Relaxed, false>;
+    stages.nodes_to_particles = stages.follows_bed ? nodes_to_particles_stage<Shape, Transfer, Stress, Relaxed, true>
+                                                   : nodes_to_particles_stage<Shape, Transfer, Stress, Relaxed, false>;
 }
 
 // 2 schemes x 3 transfers x 3 stresses x 2 = 36 of nodes_to_particles, 4 of each of the other particle stages.
@@ -92,16 +90,14 @@ void choose_scheme(Transfer transfer, PlaneStressLaw law, Stages& stages) {
 // The fast ones know no stress but Bingham's.
 template <VectorKernels::NodesToParticles VectorKernels::*Kernel>
 ParticleReport fast_nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
-                                             const StressLaws& stress, const NodeGrid& nodes,
-                                             ParticleSet& particles) {
+                                             const StressLaws& stress, const NodeGrid& nodes, ParticleSet& particles) {
     return (vector_kernels()->*Kernel)(tile, update, stress.bingham, nodes, particles);
 }
 
 // The default scheme's sweeps over particles, for what this processor can do.
 void use_vector_kernels(const VectorKernels& kernels, PlaneStressLaw law, Stages& stages) {
     const bool stress = law != PlaneStressLaw::none;
-    stages.particles_to_nodes =
-        stages.references ? kernels.particles_and_levels_to_nodes : kernels.particles_to_nodes;
+    stages.particles_to_nodes = stages.references ? kernels.particles_and_levels_to_nodes : kernels.particles_to_nodes;
     stages.pressure_to_nodes = stress ? kernels.pressure_and_stress_to_nodes : kernels.pressure_to_nodes;
     using V = VectorKernels;
     if (law == PlaneStressLaw::none)
@@ -167,8 +163,8 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
     laws.stress.bingham.regularisation = material.yield_regularisation;
     laws.stress.bingham.exact_ratio = material.exact_yield_ratio;
     if (stress_law(material) == PlaneStressLaw::earth_pressure) {
-        const auto law = EarthPressureStress::of(material.internal_friction_coefficient,
-                                                 material.friction_coefficient, gravity);
+        const auto law =
+            EarthPressureStress::of(material.internal_friction_coefficient, material.friction_coefficient, gravity);
         laws.stress.earth_pressure = law;
         laws.stress.wave_factor = std::max(1.0, law.compressed);
     }

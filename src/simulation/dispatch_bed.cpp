@@ -33,15 +33,15 @@ void hold_uniform(const NodeRange& range, const NodeUpdate& update, const BedFri
 }
 
 template <class Slope>
-void hold_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
-                 BedState* states, NodeGrid& nodes) {
+void hold_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState* states,
+                 NodeGrid& nodes) {
     const NoExcess none;
     hold_nodes<Slope>(range, update, SummedFriction<NoExcess>{none, states, friction.yields}, nodes);
 }
 
 template <class Slope>
-NodeReport update_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
-                          BedState*, double time, NodeGrid& nodes, Maxima& maxima) {
+NodeReport update_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState*,
+                          double time, NodeGrid& nodes, Maxima& maxima) {
     return update_nodes<Slope>(
         range, update, UniformFriction{friction.voellmy}, nodes,
         [&](std::size_t node, double depth, double speed) { maxima.see(node, depth, speed, time); });
@@ -62,8 +62,7 @@ template <class Slope>
 void choose_summed(const Material& material, Stages& stages) {
     stages.fill_bed_states = fill_bed_states<Slope>;
     stages.hold_nodes = hold_summed<Slope>;
-    if (material.has(BedTerm::herschel_bulkley) ||
-        (material.has(BedTerm::bingham) && material.exact_yield_ratio)) {
+    if (material.has(BedTerm::herschel_bulkley) || (material.has(BedTerm::bingham) && material.exact_yield_ratio)) {
         stages.update_nodes = update_summed<Slope, HerschelBulkleyExcess>;
     } else if (material.has(BedTerm::bingham)) {
         stages.update_nodes = update_summed<Slope, BinghamQuadraticExcess>;
@@ -100,8 +99,8 @@ Law law_of(const BedExchange& laws) {
 }
 
 template <bool Metric, class Erosion, class Deposition>
-void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double film,
-                    const BedState* states, const NodeGrid& nodes, BedLayer* layers) {
+void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double film, const BedState* states,
+                    const NodeGrid& nodes, BedLayer* layers) {
     exchange_at_nodes<Metric>(range, law_of<Erosion>(laws), law_of<Deposition>(laws), laws.density, dt, film, states,
                               nodes, layers);
 }
@@ -130,8 +129,7 @@ void choose_erosion(const Entrainment& entrainment, Stages& stages) {
 // Turns the terms of a material into sweeps over the nodes.
 class FrictionBuilder {
   public:
-    FrictionBuilder(const Material& material, const MaterialZones& zones, const NodeGrid& nodes,
-                    double gravity)
+    FrictionBuilder(const Material& material, const MaterialZones& zones, const NodeGrid& nodes, double gravity)
         : material_(material), zones_(zones), nodes_(nodes), gravity_(gravity) {}
 
     BedFriction build() {
@@ -151,10 +149,8 @@ class FrictionBuilder {
     template <class Law>
     void sweep(const Law& law, bool yields) {
         friction_.yields |= yields;
-        friction_.sweeps.emplace_back(
-            [law](const NodeRange& range, const NodeUpdate& update, const NodeGrid& nodes, BedState* states) {
-                add_friction(range, update, law, nodes, states);
-            });
+        friction_.sweeps.emplace_back([law](const NodeRange& range, const NodeUpdate& update, const NodeGrid& nodes,
+                                            BedState* states) { add_friction(range, update, law, nodes, states); });
     }
     template <class Law>
     void excess(const Law& law) {
@@ -182,36 +178,34 @@ void FrictionBuilder::add(BedTerm term) {
         case BedTerm::cohesion:
             return sweep(CohesiveFriction{m.density, value(zones_.cohesion, m.cohesion)}, true);
         case BedTerm::ramms_yield:
-            return sweep(RammsYield{m.density, m.ramms_yield_stress,
-                                    value(zones_.friction_coefficient, m.friction_coefficient)},
-                         true);
+            return sweep(
+                RammsYield{m.density, m.ramms_yield_stress, value(zones_.friction_coefficient, m.friction_coefficient)},
+                true);
         case BedTerm::bingham:
-            if (!m.exact_yield_ratio)
-                return excess(BinghamQuadraticExcess{m.density, m.yield_stress, m.viscosity});
+            if (!m.exact_yield_ratio) return excess(BinghamQuadraticExcess{m.density, m.yield_stress, m.viscosity});
             return excess(HerschelBulkleyExcess{m.density, m.yield_stress, m.viscosity, 1});
         case BedTerm::herschel_bulkley:
             return excess(HerschelBulkleyExcess{m.density, m.yield_stress, m.consistency, m.flow_index});
         case BedTerm::obrien_julien:
-            return sweep(OBrienJulienFriction{gravity_, m.density, m.yield_stress, m.viscosity,
-                                              m.laminar_resistance, m.manning},
-                         m.yield_stress > 0);
+            return sweep(
+                OBrienJulienFriction{gravity_, m.density, m.yield_stress, m.viscosity, m.laminar_resistance, m.manning},
+                m.yield_stress > 0);
         case BedTerm::manning:
             return sweep(ManningFriction{gravity_, m.manning}, false);
         case BedTerm::chezy:
             return sweep(ChezyFriction{gravity_, m.chezy}, false);
         case BedTerm::pouliquen_forterre:
             return excess(PouliquenForterreExcess{value(zones_.friction_coefficient, m.friction_coefficient),
-                                                  m.fast_friction_coefficient, m.friction_beta,
-                                                  m.friction_length});
+                                                  m.fast_friction_coefficient, m.friction_beta, m.friction_length});
     }
 }
 
 }  // namespace
 
 bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment) {
-    const bool only_voellmy =
-        std::all_of(material.bed_friction.begin(), material.bed_friction.end(),
-                    [](BedTerm term) { return term == BedTerm::coulomb || term == BedTerm::turbulence; });
+    const bool only_voellmy = std::all_of(material.bed_friction.begin(), material.bed_friction.end(), [](BedTerm term) {
+        return term == BedTerm::coulomb || term == BedTerm::turbulence;
+    });
     return !only_voellmy || zones.friction_coefficient || zones.turbulence || zones.cohesion ||
            material.pore_pressure_ratio > 0 || material.surface_pressure > 0 || entrainment.active();
 }
@@ -236,8 +230,8 @@ void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, S
     }
 }
 
-BedFriction make_friction(const Material& material, const MaterialZones& zones,
-                          const Entrainment& entrainment, const NodeGrid& nodes, double gravity) {
+BedFriction make_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment,
+                          const NodeGrid& nodes, double gravity) {
     BedFriction friction;
     if (sums_friction(material, zones, entrainment))
         friction = FrictionBuilder(material, zones, nodes, gravity).build();

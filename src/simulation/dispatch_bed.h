@@ -14,12 +14,10 @@ bool sums_friction(const Material& material, const MaterialZones& zones, const E
 void choose_node_stages(const Material& material, const Numerics& numerics, bool summed,
                         voellmy_bingham::Stages& stages);
 /// The stages of erosion and deposition, if any.
-void choose_exchange(const Entrainment& entrainment, const Numerics& numerics,
-                     voellmy_bingham::Stages& stages);
+void choose_exchange(const Entrainment& entrainment, const Numerics& numerics, voellmy_bingham::Stages& stages);
 
 voellmy_bingham::BedFriction make_friction(const Material& material, const MaterialZones& zones,
-                                           const Entrainment& entrainment, const NodeGrid& nodes,
-                                           double gravity);
+                                           const Entrainment& entrainment, const NodeGrid& nodes, double gravity);
 voellmy_bingham::BedExchange make_exchange(const Entrainment& entrainment, double density);
 
 /// A raster as a padded node array; NaN becomes `uniform`, ghosts take the value of the nearest cell.

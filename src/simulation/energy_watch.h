@@ -14,16 +14,17 @@ namespace frana {
 ///     E = kinetic energy along the bed + potential energy + what friction has taken so far;
 ///
 /// numerics may lose some of it, never add. error() is the greatest rise of E over an earlier value, over the greatest
-/// kinetic energy with what friction had taken by then, which is the fall that gravity had worked. Velocities lag half a
-/// step behind positions: a step's kinetic energy is the mean of before and after, and half of what friction takes in it
-/// comes before. Steps between which volume came in or went (release, inflow, open edges, erosion) are left out.
+/// kinetic energy with what friction had taken by then, which is the fall that gravity had worked. Velocities lag half
+/// a step behind positions: a step's kinetic energy is the mean of before and after, and half of what friction takes in
+/// it comes before. Steps between which volume came in or went (release, inflow, open edges, erosion) are left out.
 class EnergyWatch {
   public:
     void see(const StepFigures& figures) {
         if (std::isnan(figures.energy)) return;
         const double now = figures.energy, volume = figures.energy_volume;
         const double half = 0.5 * figures.energy_taken;
-        if (known_ && std::abs(volume - volume_) <= k_same_volume * volume_) balance_ += now - energy_ + half_taken_ + half;
+        if (known_ && std::abs(volume - volume_) <= k_same_volume * volume_)
+            balance_ += now - energy_ + half_taken_ + half;
         taken_ += figures.energy_taken;
         lowest_ = std::min(lowest_, balance_);
         rise_ = std::max(rise_, balance_ - lowest_);

@@ -21,8 +21,7 @@ void append(const ParticleSet& seeds, ParticleSet& particles) {
     particles.resize(before + seeds.size());
     for (std::size_t p = 0; p < seeds.size(); ++p) {
         ParticleRow row = seeds.row(p);
-        if (!seeds.mask().has(Field::q_xx))
-            get(row, Field::q_xx) = get(row, Field::q_yy) = get(row, Field::area);
+        if (!seeds.mask().has(Field::q_xx)) get(row, Field::q_xx) = get(row, Field::q_yy) = get(row, Field::area);
         particles.set_row(before + p, row);
     }
 }
@@ -75,8 +74,8 @@ void make_room(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet&
         double claimed = 0;
         for (int b = 0; b < 3; ++b) {
             for (int a = 0; a < 3; ++a)
-                claimed += s.wx[a] * s.wy[b] *
-                           nodes.sums[s.first + static_cast<std::size_t>(b * nodes.stride() + a)].area;
+                claimed +=
+                    s.wx[a] * s.wy[b] * nodes.sums[s.first + static_cast<std::size_t>(b * nodes.stride() + a)].area;
         }
         claimed *= grid.inverse_dx * grid.inverse_dx;
         if (claimed > 1) particles[Field::area][p] /= claimed;
@@ -93,8 +92,7 @@ voellmy_bingham::State initial_state(const Ground& ground, ParticleSet particles
     return voellmy_bingham::State(std::move(particles), std::move(nodes), std::move(order));
 }
 
-ZeroArray<BedLayer> bed_layers(const Entrainment& entrainment, const MaterialZones& zones,
-                               const NodeGrid& nodes) {
+ZeroArray<BedLayer> bed_layers(const Entrainment& entrainment, const MaterialZones& zones, const NodeGrid& nodes) {
     ZeroArray<BedLayer> layers(nodes.bed.size());
     if (entrainment.erosion == ErosionLaw::none) return layers;
     std::vector<double> depths;
@@ -106,16 +104,15 @@ ZeroArray<BedLayer> bed_layers(const Entrainment& entrainment, const MaterialZon
 
 }  // namespace
 
-Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& material,
-           const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt,
-           const MaterialZones& zones, const Entrainment& entrainment, Kernels kernels)
+Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& material, const Numerics& numerics,
+           int threads, std::optional<TiltedGravity> tilt, const MaterialZones& zones, const Entrainment& entrainment,
+           Kernels kernels)
     : grid_(ground.terrain.grid),
       numerics_(numerics),
       pool_(threads),
       stages_(choose_stages(material, zones, entrainment, numerics, kernels)),
       state_(initial_state(ground, with_fields(particles, stages_.fields))),
-      laws_(make_laws(material, zones, entrainment, numerics, state_.nodes,
-                      tilt ? tilt->normal : numerics.gravity)),
+      laws_(make_laws(material, zones, entrainment, numerics, state_.nodes, tilt ? tilt->normal : numerics.gravity)),
       maxima_(state_.nodes.sums.size()) {
     // Without references the levels stay zero: the pressure is then measured against nothing.
     if (numerics.scheme == Scheme::standard) state_.nodes.allocate_levels();
@@ -213,8 +210,7 @@ Point Flow::centroid() const {
 }
 
 double Flow::stable_step() const {
-    return frana::stable_step(grid_.cell_size, laws_.cfl, state_.wave_speed, laws_.gravity,
-                              state_.diffusivity);
+    return frana::stable_step(grid_.cell_size, laws_.cfl, state_.wave_speed, laws_.gravity, state_.diffusivity);
 }
 
 template <class Visit>
@@ -223,8 +219,7 @@ void Flow::for_each_reached_cell(const Visit& visit) const {
         const NodeRange range(tile, state_.order.grid(), state_.nodes);
         range.for_each(state_.nodes.stride(), [&](std::size_t node, std::int64_t i, std::int64_t j) {
             const std::int64_t column = i - k_ghost, row = grid_.rows - 1 - (j - k_ghost);
-            if (column >= 0 && column < grid_.columns && row >= 0 && row < grid_.rows)
-                visit(row, column, node);
+            if (column >= 0 && column < grid_.columns && row >= 0 && row < grid_.rows) visit(row, column, node);
         });
     }
 }

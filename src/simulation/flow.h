@@ -31,10 +31,9 @@ class Flow {
     /// @param particles in local metres, velocities in map view; fields the scheme needs are added with their initial
     ///                  values
     /// @param zones rasters on the ground's grid
-    Flow(const Ground& ground, const ParticleSet& particles, const Material& material,
-         const Numerics& numerics, int threads, std::optional<TiltedGravity> tilt = std::nullopt,
-         const MaterialZones& zones = {}, const Entrainment& entrainment = {},
-         Kernels kernels = Kernels::fastest);
+    Flow(const Ground& ground, const ParticleSet& particles, const Material& material, const Numerics& numerics,
+         int threads, std::optional<TiltedGravity> tilt = std::nullopt, const MaterialZones& zones = {},
+         const Entrainment& entrainment = {}, Kernels kernels = Kernels::fastest);
 
     /// Marks where walls stand: 1 in a raster on the same grid.
     void add_walls(const Raster& walls);
@@ -59,16 +58,15 @@ class Flow {
     [[nodiscard]] std::int64_t particle_count() const noexcept {
         return static_cast<std::int64_t>(state_.particles.size() + state_.flights.size());
     }
-    /// Velocity of a particle in map view [m/s]. Particles that follow a curved bed carry theirs along the bed (BedFrame).
+    /// Velocity of a particle in map view [m/s]. Particles that follow a curved bed carry theirs along the bed
+    /// (BedFrame).
     [[nodiscard]] Point map_velocity(std::size_t p) const;
     /// Whether particles carry the velocity along the bed.
     [[nodiscard]] bool follows_bed() const noexcept { return stages_.follows_bed; }
     [[nodiscard]] bool empty() const noexcept { return state_.particles.size() == 0 && state_.flights.empty(); }
     /// What is in the air.
     [[nodiscard]] const Flights& flights() const noexcept { return state_.flights; }
-    [[nodiscard]] std::size_t bytes_per_particle() const noexcept {
-        return state_.particles.bytes_per_particle();
-    }
+    [[nodiscard]] std::size_t bytes_per_particle() const noexcept { return state_.particles.bytes_per_particle(); }
     /// Tiles of nodes that the particles can touch: what a step clears and updates.
     [[nodiscard]] std::size_t reached_tiles() const noexcept { return state_.order.node_tiles().size(); }
     /// Bytes that a node of the map takes once it was touched.
@@ -84,8 +82,7 @@ class Flow {
         for (const std::int64_t tile : state_.order.node_tiles()) {
             const NodeRange range(tile, state_.order.grid(), n);
             range.for_each(n.stride(), [&](std::size_t index, std::int64_t i, std::int64_t j) {
-                const bool ghost =
-                    i < k_ghost || j < k_ghost || i >= n.columns() + k_ghost || j >= n.rows() + k_ghost;
+                const bool ghost = i < k_ghost || j < k_ghost || i >= n.columns() + k_ghost || j >= n.rows() + k_ghost;
                 if (!ghost) visit(index);
             });
         }
@@ -143,8 +140,7 @@ class Flow {
     /// Everything that steps change.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [grid, numerics, pool, stages, state, laws, maxima, steps, particle_steps] =
-            *this;
+        [[maybe_unused]] auto& [grid, numerics, pool, stages, state, laws, maxima, steps, particle_steps] = *this;
         archive(state, maxima, steps, particle_steps);
     }
 

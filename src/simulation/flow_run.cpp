@@ -73,8 +73,7 @@ SeriesRow series_row(const AnyFlow& flow, const StepFigures& figures, double den
     row.max_speed = figures.max_speed;
     row.front_distance = figures.front_distance;
     row.kinetic_energy = density * figures.kinetic;
-    row.covered_area =
-        static_cast<double>(figures.covered) * flow.nodes().cell_size() * flow.nodes().cell_size();
+    row.covered_area = static_cast<double>(figures.covered) * flow.nodes().cell_size() * flow.nodes().cell_size();
     return row;
 }
 
@@ -82,8 +81,7 @@ void note_scaling(const std::vector<ReleasedArea>& areas, std::vector<std::strin
     for (std::size_t i = 0; i < areas.size(); ++i) {
         if (std::abs(areas[i].scaled - 1) <= 1e-9) continue;
         char text[128];
-        std::snprintf(text, sizeof text,
-                      "thickness of release area %zu scaled by %.4f to hold the given volume", i + 1,
+        std::snprintf(text, sizeof text, "thickness of release area %zu scaled by %.4f to hold the given volume", i + 1,
                       areas[i].scaled);
         notes.emplace_back(text);
     }
@@ -108,7 +106,10 @@ bool frames_show_more(const AnyFlow& flow) {
 template <class AnyFlow>
 Frame take_frame(AnyFlow& flow, int index, bool with_particles) {
     auto shot = flow.snapshot();
-    return {index, flow.time(), std::move(shot.depth), std::move(shot.speed),
+    return {index,
+            flow.time(),
+            std::move(shot.depth),
+            std::move(shot.speed),
             frames_show_more(flow) ? more_of(flow) : std::vector<NamedRaster>{},
             with_particles ? particle_table(flow) : PointTable{}};
 }
@@ -151,7 +152,11 @@ void give_exchanges(const Scene&, const StructuredFlow&, RunResult&) {}  // its 
 void give_jumps(const Scene& scene, const Flow& flow, RunResult& result) {
     const JumpFigures& jumps = flow.flights().figures();
     if (!(jumps.volume > 0)) return;
-    result.jumps = {jumps.volume, jumps.highest, jumps.longest, jumps.way / jumps.volume, scene.grid.map_from_local(jumps.from),
+    result.jumps = {jumps.volume,
+                    jumps.highest,
+                    jumps.longest,
+                    jumps.way / jumps.volume,
+                    scene.grid.map_from_local(jumps.from),
                     scene.grid.map_from_local(jumps.to)};
     result.jump_height = flow.jump_height();
 }
@@ -188,8 +193,7 @@ void add_arrivals(const Arrivals::Taken& taken, Flow& flow) {
 void add_arrivals(const Arrivals::Taken& taken, StructuredFlow& flow) {
     flow.add_release(taken.failed);
     ParticleSet inflow;
-    for (std::size_t p = taken.failed.size(); p < taken.particles.size(); ++p)
-        inflow.push_back(taken.particles.row(p));
+    for (std::size_t p = taken.failed.size(); p < taken.particles.size(); ++p) inflow.push_back(taken.particles.row(p));
     flow.add_fluid(inflow);
 }
 
@@ -206,8 +210,7 @@ FlowRun<AnyFlow>::FlowRun(const Scene& scene, const RunOptions& options, Release
       arrivals_(arrivals),
       flow_(flow),
       engine_(engine),
-      next_frame_(scene.time.frame_interval > 0 ? scene.time.frame_interval
-                                                : std::numeric_limits<double>::infinity()),
+      next_frame_(scene.time.frame_interval > 0 ? scene.time.frame_interval : std::numeric_limits<double>::infinity()),
       fade_(scene.time),
       settling_(scene.time, scene.grid, origin_of(release, arrivals)),
       recorder_(scene.recording, scene.grid, scene.numerics),
@@ -354,8 +357,7 @@ RunResult FlowRun<AnyFlow>::finish() {
             result.max_velocity.values[i] = 0;
         }
     }
-    for (Raster* raster :
-         {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth})
+    for (Raster* raster : {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth})
         hide_walls(scene_, *raster);
     for (NamedRaster& raster : result.more) hide_walls(scene_, raster.values);
     recorder_.give(flow_, result);
@@ -379,8 +381,7 @@ RunResult FlowRun<AnyFlow>::finish() {
     result.volume_final = flow_.volume();
     result.volume_left = flow_.volume_left();
     if constexpr (requires { flow_.phase_budget(); }) result.phases = flow_.phase_budget();
-    if (!arrivals_.done())
-        result.notes.emplace_back("the run ended before everything had failed or flowed in");
+    if (!arrivals_.done()) result.notes.emplace_back("the run ended before everything had failed or flowed in");
     give_exchanges(scene_, flow_, result);
     give_jumps(scene_, flow_, result);
     engine_.stop();

@@ -22,9 +22,7 @@ class StructuredFlow;
 class Stopwatch {
   public:
     void start() { begin_ = std::chrono::steady_clock::now(); }
-    void stop() {
-        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    }
+    void stop() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
     [[nodiscard]] double seconds() const { return seconds_; }
     /// While it is stopped.
     template <class Archive>
@@ -43,8 +41,8 @@ template <class AnyFlow>
 class FlowRun {
   public:
     /// @param engine running: stopped while others have their turn
-    FlowRun(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals,
-            AnyFlow& flow, Stopwatch& engine);
+    FlowRun(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals, AnyFlow& flow,
+            Stopwatch& engine);
 
     /// What is seen before the first step.
     void begin();
@@ -58,12 +56,12 @@ class FlowRun {
     /// The whole run, between two steps.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [scene, options, release, arrivals, flow, engine, result, stopped, frames,
-                                next_frame, last_frame, still, fade, settling, recorder, watch, energy] = *this;
+        [[maybe_unused]] auto& [scene, options, release, arrivals, flow, engine, result, stopped, frames, next_frame,
+                                last_frame, still, fade, settling, recorder, watch, energy] = *this;
         engine.stop();
         archive(engine, arrivals, flow, frames, next_frame, still, fade, settling, recorder, energy);
-        archive(result.series, result.particles_peak, result.hard_events, result.unsupported,
-                result.volume_inflow, result.volume_entered, result.thin_share, result.moving_share);
+        archive(result.series, result.particles_peak, result.hard_events, result.unsupported, result.volume_inflow,
+                result.volume_entered, result.thin_share, result.moving_share);
         for (ReleasedArea& area : result.released) archive(area.failed);
         // A run that was stopped goes on; one that came to rest does not.
         bool ended = stopped && ends_for_good(result.stop_reason);

@@ -42,8 +42,7 @@ OnLine at_distance(const Polyline& line, double distance) {
     return {line.front(), {1, 0}};
 }
 
-Error refused(const std::string& what, const std::string& key, const std::string& value,
-              const std::string& remedy) {
+Error refused(const std::string& what, const std::string& key, const std::string& value, const std::string& remedy) {
     return {ErrorKind::input, Problem{what, key, value, "", remedy}};
 }
 
@@ -57,22 +56,19 @@ void check_ground(const Scene& scene, Point local) {
                       "Shorten it or take a larger DTM");
     const Cell cell = cell_of(grid, local);
     if (!scene.terrain.has_data(cell.row, cell.column))
-        throw refused("the terrain has no data under the inflow's line", "inflow.line", text,
-                      "Move the line");
+        throw refused("the terrain has no data under the inflow's line", "inflow.line", text, "Move the line");
     if (scene.walls && scene.walls->at(cell.row, cell.column) != 0)
         throw refused("a wall stands on the inflow's line", "inflow.line", text, "Move the line or the wall");
 }
 
 }  // namespace
 
-std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydrograph, double spacing,
-                                        double end) {
+std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydrograph, double spacing, double end) {
     std::vector<InflowBatch> batches;
     InflowBatch open;  // since the last cut
     double since = hydrograph.empty() ? 0 : hydrograph.front().time;
     const auto close = [&](double time) {
-        if (open.volume > 0)
-            batches.push_back({time, open.volume, open.length, open.length / (time - since)});
+        if (open.volume > 0) batches.push_back({time, open.volume, open.length, open.length / (time - since)});
         open = {};
         since = time;
     };
@@ -81,8 +77,7 @@ std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydr
         const HydrographPoint b = hydrograph[i + 1];
         const double span = b.time - a.time;
         if (!(span > 0)) continue;
-        if (a.discharge == 0 &&
-            b.discharge == 0) {  // a pause: what has crossed goes on without waiting for more
+        if (a.discharge == 0 && b.discharge == 0) {  // a pause: what has crossed goes on without waiting for more
             close(a.time);
             since = b.time;
             continue;
@@ -133,8 +128,7 @@ InflowSource::InflowSource(const Scene& scene, const Inflow& inflow) : gravity_(
         mouths_.push_back({on.place, {}, 1, share * length, share});
     }
     if (!inflow.azimuth && !(std::abs(towards_left) > 1e-6))
-        throw refused("the ground is level across the inflow's line", "inflow.line", "",
-                      "Give inflow.direction");
+        throw refused("the ground is level across the inflow's line", "inflow.line", "", "Give inflow.direction");
     for (std::size_t k = 0; k < count; ++k) {
         Mouth& mouth = mouths_[k];
         const Point t = tangents[k];
@@ -147,8 +141,7 @@ InflowSource::InflowSource(const Scene& scene, const Inflow& inflow) : gravity_(
                           "Choose a direction across the line, or remove the key");
         mouth.width *= crossing;
         mouth.map_share = map_share(scene.numerics, slopes[k], mouth.direction);
-        check_ground(scene, {mouth.place.x + spacing * mouth.direction.x,
-                             mouth.place.y + spacing * mouth.direction.y});
+        check_ground(scene, {mouth.place.x + spacing * mouth.direction.x, mouth.place.y + spacing * mouth.direction.y});
     }
     batches_ = cut_hydrograph(inflow.hydrograph, spacing, scene.time.end);
 }
@@ -161,8 +154,7 @@ InflowSource::Piece InflowSource::piece_of(const Mouth& mouth, const InflowBatch
     // What lies upstream of the line is not computed, but presses on it: the row brings that impulse with it,
     // g h^2 / 2 a second and metre, so that the flux of momentum is h v^2 + g h^2 / 2. Slower than the critical speed a
     // flow finds its depth from downstream, and more than half as fast again would be a jet.
-    piece.speed =
-        batch.speed + 0.5 * batch.speed * std::min(1.0, gravity_ * piece.depth / (batch.speed * batch.speed));
+    piece.speed = batch.speed + 0.5 * batch.speed * std::min(1.0, gravity_ * piece.depth / (batch.speed * batch.speed));
     return piece;
 }
 

@@ -19,8 +19,7 @@ struct InflowBatch {
 /// Cuts a hydrograph into rows `spacing` long, so that they join one behind the other with the depth that
 /// discharge and speed make. Rows also end where the discharge is zero, and at `end`. The volumes add up to
 /// the hydrograph's integral until `end`: trapezia, exact for a discharge that is linear between its points.
-std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydrograph, double spacing,
-                                        double end);
+std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydrograph, double spacing, double end);
 
 /// A line that gives particles, row after row.
 class InflowSource {
@@ -43,9 +42,7 @@ class InflowSource {
     };
     [[nodiscard]] Extremes extremes() const;
     /// Particles still to come.
-    [[nodiscard]] std::size_t particles_left() const noexcept {
-        return (batches_.size() - next_) * mouths_.size();
-    }
+    [[nodiscard]] std::size_t particles_left() const noexcept { return (batches_.size() - next_) * mouths_.size(); }
 
     template <class Archive>
     void serialise(Archive& archive) {

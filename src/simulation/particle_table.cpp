@@ -60,8 +60,8 @@ PointTable common_table(const ParticleSet& particles, const GridSpec& grid, cons
         const Ground ground = ground_under(nodes, x[p], y[p]);
         const auto [u, v] = velocity(p);
         const double volume = particles[Field::volume][p] + (confined != nullptr ? confined[p] : 0);
-        const double values[] = {volume / particles[Field::area][p], ground.height, speed(p, Point{u, v}, ground.slope), u, v,
-                                 volume};
+        const double values[] = {
+            volume / particles[Field::area][p], ground.height, speed(p, Point{u, v}, ground.slope), u, v, volume};
         for (std::size_t c = 0; c < std::size(values); ++c) table.columns[c].values[p] = values[c];
     }
     return table;
@@ -76,13 +76,14 @@ double greatest_strain(const ParticleSet& particles, std::size_t p) {
 }
 
 PointTable particle_table(const Flow& flow) {
-    return common_table(flow.particles(), flow.grid(), flow.nodes(), [&](std::size_t p) { return flow.map_velocity(p); },
-                        [&](std::size_t p, Point v, Point slope) {
-                            // What it carries: over an edge its velocity in map view and the slope there do not belong together.
-                            const ParticleSet& particles = flow.particles();
-                            return flow.follows_bed() ? std::hypot(particles[Field::u][p], particles[Field::v][p])
-                                                      : speed_on(slope, v, flow.metric());
-                        });
+    return common_table(
+        flow.particles(), flow.grid(), flow.nodes(), [&](std::size_t p) { return flow.map_velocity(p); },
+        [&](std::size_t p, Point v, Point slope) {
+            // What it carries: over an edge its velocity in map view and the slope there do not belong together.
+            const ParticleSet& particles = flow.particles();
+            return flow.follows_bed() ? std::hypot(particles[Field::u][p], particles[Field::v][p])
+                                      : speed_on(slope, v, flow.metric());
+        });
 }
 
 PointTable particle_table(const StructuredFlow& flow) {
@@ -90,7 +91,9 @@ PointTable particle_table(const StructuredFlow& flow) {
     const ParticleSet& particles = flow.state().solid->particles;
     PointTable table = common_table(
         particles, flow.grid(), flow.nodes(),
-        [&](std::size_t p) { return Point{particles[Field::u][p], particles[Field::v][p]}; },
+        [&](std::size_t p) {
+            return Point{particles[Field::u][p], particles[Field::v][p]};
+        },
         [&](std::size_t, Point v, Point slope) { return speed_on(slope, v, flow.metric()); });
     const std::size_t count = particles.size();
     const auto fill = [&](const char* name, const auto& value) {

@@ -48,13 +48,12 @@ void for_each_raster(Scene& scene, const Look& look) {
     for (ReleaseArea& area : scene.release) optional(area.thickness_raster, Kind::depth);
     optional(scene.walls, Kind::zone);
     MaterialZones& zones = scene.zones;
-    for (auto* zone :
-         {&zones.friction_coefficient, &zones.turbulence, &zones.cohesion, &zones.erodible_depth})
+    for (auto* zone : {&zones.friction_coefficient, &zones.turbulence, &zones.cohesion, &zones.erodible_depth})
         optional(*zone, Kind::zone);
     if (!scene.structured) return;
     StructuredZones& parts = scene.structured->zones;
-    for (auto* zone : {&parts.solid_fraction, &parts.confined_share, &parts.grain_density,
-                       &parts.grain_diameter, &parts.cohesion, &parts.friction, &parts.bed_friction})
+    for (auto* zone : {&parts.solid_fraction, &parts.confined_share, &parts.grain_density, &parts.grain_diameter,
+                       &parts.cohesion, &parts.friction, &parts.bed_friction})
         optional(*zone, Kind::zone);
     optional(scene.structured->initial_fluid, Kind::depth);
 }
@@ -98,14 +97,12 @@ class Interpolated {
     explicit Interpolated(const Raster& raster) : raster_(raster) {}
 
     [[nodiscard]] double nearest(double row, double column) const {
-        return at(static_cast<std::int64_t>(std::lround(row)),
-                  static_cast<std::int64_t>(std::lround(column)));
+        return at(static_cast<std::int64_t>(std::lround(row)), static_cast<std::int64_t>(std::lround(column)));
     }
     // Of the cells that have a value; NaN where the nearest has none.
     [[nodiscard]] double bilinear(double row, double column) const {
         if (std::isnan(nearest(row, column))) return k_no_data;
-        const auto i = static_cast<std::int64_t>(std::floor(row)),
-                   j = static_cast<std::int64_t>(std::floor(column));
+        const auto i = static_cast<std::int64_t>(std::floor(row)), j = static_cast<std::int64_t>(std::floor(column));
         const double t = row - std::floor(row), s = column - std::floor(column);
         double sum = 0, total = 0;
         for (int b = 0; b < 2; ++b) {
@@ -119,14 +116,12 @@ class Interpolated {
         return sum / total;
     }
     [[nodiscard]] double cubic(double row, double column) const {
-        const auto i = static_cast<std::int64_t>(std::floor(row)),
-                   j = static_cast<std::int64_t>(std::floor(column));
+        const auto i = static_cast<std::int64_t>(std::floor(row)), j = static_cast<std::int64_t>(std::floor(column));
         const auto wi = cubic_weights(row - std::floor(row)), wj = cubic_weights(column - std::floor(column));
         double sum = 0;
         for (int b = 0; b < 4; ++b)
             for (int a = 0; a < 4; ++a)
-                sum += wi[static_cast<std::size_t>(b)] * wj[static_cast<std::size_t>(a)] *
-                       at(i - 1 + b, j - 1 + a);
+                sum += wi[static_cast<std::size_t>(b)] * wj[static_cast<std::size_t>(a)] * at(i - 1 + b, j - 1 + a);
         return std::isnan(sum) ? bilinear(row, column) : sum;
     }
 
@@ -255,8 +250,7 @@ PlacedScene placed_otherwise(const Scene& scene, const GridPlacement& placement)
     for_each_raster(other, [&](Raster& raster, Kind kind) { raster = interpolated(raster, cells, kind); });
     if (other.walls) {
         for (std::size_t i = 0; i < placed.inside.values.size(); ++i)
-            if (placed.inside.values[i] == 0)
-                other.walls->values[i] = other.numerics.boundary == Boundary::wall;
+            if (placed.inside.values[i] == 0) other.walls->values[i] = other.numerics.boundary == Boundary::wall;
     }
     keep_volumes(scene, other);
     place_origin(other);

@@ -38,16 +38,14 @@ Recorder::Recorder(const Recording& recording, const GridSpec& grid, const Numer
     for (const CrossSection& section : recording.sections) {
         Line line;
         for (std::size_t k = 1; k < section.line.size(); ++k) {
-            const Point a = grid.local_from_map(section.line[k - 1]),
-                        b = grid.local_from_map(section.line[k]);
+            const Point a = grid.local_from_map(section.line[k - 1]), b = grid.local_from_map(section.line[k]);
             const double length = std::hypot(b.x - a.x, b.y - a.y);
             const int count = static_cast<int>(std::ceil(length / longest));
             for (int p = 0; p < count; ++p) {
                 const double t = (p + 0.5) / count;
                 const double x = (a.x + t * (b.x - a.x)) / cell_size_ - 0.5;
                 const double y = (a.y + t * (b.y - a.y)) / cell_size_ - 0.5;
-                const auto i = static_cast<std::int64_t>(std::floor(x)),
-                           j = static_cast<std::int64_t>(std::floor(y));
+                const auto i = static_cast<std::int64_t>(std::floor(x)), j = static_cast<std::int64_t>(std::floor(y));
                 const double fx = x - static_cast<double>(i), fy = y - static_cast<double>(j);
                 line.pieces.push_back({{{node_at(i, j), (1 - fx) * (1 - fy)},
                                         {node_at(i + 1, j), fx * (1 - fy)},
@@ -69,8 +67,8 @@ Recorder::NodeState Recorder::state_of(const Flow& flow, std::size_t node) const
     NodeState state;
     const double cell_area = cell_size_ * cell_size_;
     const auto n = static_cast<std::int64_t>(node), stride = nodes.stride();
-    state.depth = shown_depth(sums.mass, sums.area * cell_area, sums.support, crowding(nodes, node, n % stride, n / stride, 1),
-                              1 / cell_area);
+    state.depth = shown_depth(sums.mass, sums.area * cell_area, sums.support,
+                              crowding(nodes, node, n % stride, n / stride, 1), 1 / cell_area);
     state.held = sums.mass / cell_area;
     const Point brought = flow.brought_velocity(node);
     state.u = brought.x;

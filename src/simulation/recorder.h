@@ -30,8 +30,8 @@ class Recorder {
     /// What it has seen.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [intensity, metric, interval, minimum_depth, gravity, cell_size, next_row,
-                                places, lines, gauge_rows, section_rows, flux, head] = *this;
+        [[maybe_unused]] auto& [intensity, metric, interval, minimum_depth, gravity, cell_size, next_row, places, lines,
+                                gauge_rows, section_rows, flux, head] = *this;
         archive(next_row, gauge_rows, section_rows, flux, head);
         for (Line& line : lines) archive(line.volume);
         if constexpr (Archive::k_reads) {

@@ -88,11 +88,12 @@ void refuse_thin(const Scene& scene, const Raster& depth) {
     const double minimum = scene.numerics.minimum_depth;
     if (!(greatest > 0) || greatest >= minimum || !scene.inflows.empty()) return;
     char value[96], limit[96], remedy[192];
-    std::snprintf(value, sizeof value, "%.3g m at most, as a mean over cells of %.4g m", greatest, scene.grid.cell_size);
+    std::snprintf(value, sizeof value, "%.3g m at most, as a mean over cells of %.4g m", greatest,
+                  scene.grid.cell_size);
     std::snprintf(limit, sizeof limit, "at least numerics.minimum-depth = %.4g m", minimum);
-    std::snprintf(remedy, sizeof remedy,
-                  "Set numerics.minimum-depth = %.1g or less%s", greatest / 10,
-                  ", choose smaller cells (terrain.cell-size) where the release is smaller than one, or check the unit");
+    std::snprintf(
+        remedy, sizeof remedy, "Set numerics.minimum-depth = %.1g or less%s", greatest / 10,
+        ", choose smaller cells (terrain.cell-size) where the release is smaller than one, or check the unit");
     throw Error(ErrorKind::input, Problem{"the release is thinner than what maps and figures count as reached",
                                           "release.thickness", value, limit, remedy});
 }
@@ -123,9 +124,8 @@ void set_in_motion(const Scene& scene, const ReleaseArea& area, ParticleSet& par
         const Point mean = mean_of(particles, slope);
         const double steepness = std::hypot(mean.x, mean.y);
         if (!(steepness > 1e-6)) {
-            throw Error(ErrorKind::input,
-                        Problem{"a release area on level ground has a velocity but no direction",
-                                "release.velocity", "", "", "Give release.direction"});
+            throw Error(ErrorKind::input, Problem{"a release area on level ground has a velocity but no direction",
+                                                  "release.velocity", "", "", "Give release.direction"});
         }
         direction = {-mean.x / steepness, -mean.y / steepness};
     }
@@ -164,8 +164,7 @@ ReleasedArea fill_area(const Scene& scene, const ReleaseArea& area, ParticleSet&
     };
     ReleasedArea released;
     released.start = area.start;
-    released.volume =
-        fill_outline(to_local(area.outline, grid), lattice_spacing(scene), thickness, particles);
+    released.volume = fill_outline(to_local(area.outline, grid), lattice_spacing(scene), thickness, particles);
     for (std::size_t p = 0; p < particles.size(); ++p) released.area += particles[Field::area][p];
     if (area.volume && released.volume > 0) {
         scale_by(*area.volume / released.volume, particles, released);
@@ -184,8 +183,7 @@ void take_out(const Raster& depth, Raster& bed) {
 }  // namespace
 
 double lattice_spacing(const Scene& scene) {
-    return scene.grid.cell_size /
-           std::round(std::sqrt(static_cast<double>(scene.numerics.particles_per_cell)));
+    return scene.grid.cell_size / std::round(std::sqrt(static_cast<double>(scene.numerics.particles_per_cell)));
 }
 
 Raster cell_depth(const ParticleSet& particles, const GridSpec& grid) {
@@ -221,9 +219,8 @@ Release make_release(const Scene& scene) {
     if (all.size() == 0 && scene.inflows.empty()) {
         throw Error(
             ErrorKind::input,
-            Problem{"nothing would be released: the perimeter holds no thickness above zero",
-                    "release.thickness", "", "",
-                    "Check that the thickness raster covers the perimeter and is positive inside it"});
+            Problem{"nothing would be released: the perimeter holds no thickness above zero", "release.thickness", "",
+                    "", "Check that the thickness raster covers the perimeter and is positive inside it"});
     }
     refuse_gaps(scene, all);
     refuse_walls(scene, all);

@@ -19,13 +19,13 @@ struct Entry {
 
 /// The mass that fails, as particles and as what they slide over.
 struct Release {
-    ParticleSet particles;     ///< what fails at once, local metres
-    std::vector<Entry> later;  ///< what fails later, by time
-    Raster bed;                ///< terrain, less all the mass where the terrain contains it [m]
-    Raster bed_at_start;       ///< the same, less only what fails at once
-    Raster depth;       ///< released volume over cell area, vertical [m]; NaN where nothing is released
-    Point centroid;     ///< of all of it, local metres
-    double volume = 0;  ///< of all of it [m3]
+    ParticleSet particles;            ///< what fails at once, local metres
+    std::vector<Entry> later;         ///< what fails later, by time
+    Raster bed;                       ///< terrain, less all the mass where the terrain contains it [m]
+    Raster bed_at_start;              ///< the same, less only what fails at once
+    Raster depth;                     ///< released volume over cell area, vertical [m]; NaN where nothing is released
+    Point centroid;                   ///< of all of it, local metres
+    double volume = 0;                ///< of all of it [m3]
     std::vector<ReleasedArea> areas;  ///< in the order of Scene::release
 };
 

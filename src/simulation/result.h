@@ -18,18 +18,18 @@ namespace frana {
 struct SeriesRow {
     double time = 0;  ///< [s]
     std::int64_t step = 0;
-    double dt = 0;              ///< [s]
-    double volume = 0;          ///< inside the domain [m3]
-    double volume_left = 0;     ///< that has left through open boundaries [m3]
-    double volume_entered = 0;  ///< released and flowed in so far [m3]
+    double dt = 0;                ///< [s]
+    double volume = 0;            ///< inside the domain [m3]
+    double volume_left = 0;       ///< that has left through open boundaries [m3]
+    double volume_entered = 0;    ///< released and flowed in so far [m3]
     double volume_inflow = 0;     ///< of which flowed in through lines [m3]
     double volume_eroded = 0;     ///< taken from the bed so far [m3]
     double volume_deposited = 0;  ///< given back to it so far [m3]
-    double max_depth = 0;       ///< [m]
-    double max_speed = 0;       ///< along the bed [m/s]
-    double front_distance = 0;  ///< farthest particle from the release's centroid, in map view [m]
-    double kinetic_energy = 0;  ///< [J]
-    double covered_area = 0;    ///< cells deeper than the minimum depth [m2]
+    double max_depth = 0;         ///< [m]
+    double max_speed = 0;         ///< along the bed [m/s]
+    double front_distance = 0;    ///< farthest particle from the release's centroid, in map view [m]
+    double kinetic_energy = 0;    ///< [J]
+    double covered_area = 0;      ///< cells deeper than the minimum depth [m2]
 };
 
 template <class Archive>
@@ -81,7 +81,7 @@ struct RunOptions {
     bool particles_in_frames = false;
     std::function<void(const Progress&)> on_progress;  ///< called every step; must be cheap
     std::function<bool()> stop_requested;              ///< polled every step
-    std::function<void(const Trouble&)> on_trouble;  ///< called at the step at which it appears, which is the last
+    std::function<void(const Trouble&)> on_trouble;    ///< called at the step at which it appears, which is the last
     /// Called after every step, the last one included; must be cheap unless it saves. What it does changes nothing of
     /// the run.
     std::function<void(const Progress&, const SaveState&)> after_step;
@@ -97,15 +97,14 @@ struct HardEvents {
     std::int64_t volume_drift = 0;      ///< steps after which the volume did not add up
 
     [[nodiscard]] bool none() const noexcept {
-        return non_finite == 0 && depth_clamped == 0 && entered_no_data == 0 &&
-               impossible_speed == 0 && volume_drift == 0;
+        return non_finite == 0 && depth_clamped == 0 && entered_no_data == 0 && impossible_speed == 0 &&
+               volume_drift == 0;
     }
 };
 
 template <class Archive>
 void serialise(Archive& archive, HardEvents& events) {
-    auto& [non_finite, depth_clamped, entered_no_data, impossible_speed, volume_drift] =
-        events;
+    auto& [non_finite, depth_clamped, entered_no_data, impossible_speed, volume_drift] = events;
     archive(non_finite, depth_clamped, entered_no_data, impossible_speed, volume_drift);
 }
 
@@ -114,8 +113,7 @@ struct Settling {
     double window = 0;   ///< [s]
     double runout = 0;   ///< how much farther the farthest cell of the trace lies [m]
     double area = 0;     ///< growth of the trace, as a share of it
-    double deposit =
-        0;  ///< share of all volume that came to lie in other cells; over 1 where it did so several times
+    double deposit = 0;  ///< share of all volume that came to lie in other cells; over 1 where it did so several times
 };
 
 enum class StopReason {
@@ -134,8 +132,8 @@ enum class StopReason {
 
 /// Whether a run that stopped for this before its end time has nothing more to compute.
 [[nodiscard]] constexpr bool ends_for_good(StopReason reason) noexcept {
-    return reason == StopReason::still || reason == StopReason::settled || reason == StopReason::energy || reason == StopReason::moving_volume ||
-           reason == StopReason::all_left;
+    return reason == StopReason::still || reason == StopReason::settled || reason == StopReason::energy ||
+           reason == StopReason::moving_volume || reason == StopReason::all_left;
 }
 
 /// What one release area really released.
@@ -196,22 +194,23 @@ void serialise(Archive& archive, PhaseVolumes& volumes) {
 /// Where they went: what came in, as it came, is what is inside, has left, or changed from confined to free.
 struct PhaseBudget {
     PhaseVolumes entered, inside, left;
-    double released = 0;         ///< confined fluid that became free [m3]
-    double cohesion_left = 0;    ///< of the solids inside, mean by volume, of 1; 0 without cohesion
-    double rms_apart = 0;        ///< between the velocities of both phases where both are, weighted by fluid, at the end [m/s]
+    double released = 0;       ///< confined fluid that became free [m3]
+    double cohesion_left = 0;  ///< of the solids inside, mean by volume, of 1; 0 without cohesion
+    double rms_apart =
+        0;  ///< between the velocities of both phases where both are, weighted by fluid, at the end [m/s]
 };
 
 /// What a run gives back: rasters on the working grid (NaN where nothing ever flowed), series, counts.
 struct RunResult {
-    Raster bed;           ///< what was slid over [m]
-    Raster release;       ///< vertical thickness released, averaged over each cell [m]
-    Raster max_depth;     ///< [m], taken at every step
-    Raster max_velocity;  ///< along the bed [m/s], taken at every step
-    Raster max_pressure;  ///< density times speed squared [kPa], taken at every step
-    Raster arrival_time;  ///< first time deeper than the minimum depth [s]
-    Raster final_depth;   ///< [m]
-    Raster max_flux;      ///< depth times speed along the bed at one moment [m2/s]; empty unless recorded
-    Raster max_head;      ///< depth plus v^2 / 2g at one moment [m]; empty unless recorded
+    Raster bed;                     ///< what was slid over [m]
+    Raster release;                 ///< vertical thickness released, averaged over each cell [m]
+    Raster max_depth;               ///< [m], taken at every step
+    Raster max_velocity;            ///< along the bed [m/s], taken at every step
+    Raster max_pressure;            ///< density times speed squared [kPa], taken at every step
+    Raster arrival_time;            ///< first time deeper than the minimum depth [s]
+    Raster final_depth;             ///< [m]
+    Raster max_flux;                ///< depth times speed along the bed at one moment [m2/s]; empty unless recorded
+    Raster max_head;                ///< depth plus v^2 / 2g at one moment [m]; empty unless recorded
     std::vector<NamedRaster> more;  ///< what else the model shows at the end, the names of Frame::more
     std::vector<SeriesRow> series;
     std::vector<GaugeRow> gauges;
@@ -223,20 +222,20 @@ struct RunResult {
     std::optional<Settling> settling;  ///< over the last window that was looked at
     std::int64_t particles_initial = 0, particles_final = 0, particles_peak = 0;
     std::int64_t particle_steps = 0;
-    std::int64_t bytes_per_particle = 0, bytes_per_node = 0;  ///< of the engine's fields
-    double engine_seconds = 0;  ///< wall time inside the engine, without on_frame
+    std::int64_t bytes_per_particle = 0, bytes_per_node = 0;       ///< of the engine's fields
+    double engine_seconds = 0;                                     ///< wall time inside the engine, without on_frame
     double volume_initial = 0, volume_final = 0, volume_left = 0;  ///< [m3]
-    double volume_entered = 0;  ///< all that was ever inside: initial, released later, flowed in [m3]
-    double volume_inflow = 0;   ///< of which flowed in through lines [m3]
-    std::optional<PhaseBudget> phases;   ///< of solids and fluid in the structured model; none without solids
-    std::vector<ReleasedArea> released;  ///< in the order of Scene::release
-    bool exchanges = false;  ///< whether the scene erodes or deposits; the next lines are empty otherwise
-    Raster eroded_depth, deposited_depth;            ///< vertical [m], NaN where none
+    double volume_entered = 0;             ///< all that was ever inside: initial, released later, flowed in [m3]
+    double volume_inflow = 0;              ///< of which flowed in through lines [m3]
+    std::optional<PhaseBudget> phases;     ///< of solids and fluid in the structured model; none without solids
+    std::vector<ReleasedArea> released;    ///< in the order of Scene::release
+    bool exchanges = false;                ///< whether the scene erodes or deposits; the next lines are empty otherwise
+    Raster eroded_depth, deposited_depth;  ///< vertical [m], NaN where none
     double volume_eroded = 0, volume_deposited = 0;  ///< [m3]
-    double momentum_deposited = 0;  ///< that deposits took with them, size of the sum [kg m/s]
-    double thin_share = 0;  ///< greatest share of the volume that was at one time thinner than the minimum depth
-    double moving_share = 0;  ///< of the volume, faster than the scene's moving speed after the last step
-    std::int64_t unsupported = 0;   ///< nodes times steps at which the motion over a convex bed lifted off
+    double momentum_deposited = 0;                   ///< that deposits took with them, size of the sum [kg m/s]
+    double thin_share = 0;         ///< greatest share of the volume that was at one time thinner than the minimum depth
+    double moving_share = 0;       ///< of the volume, faster than the scene's moving speed after the last step
+    std::int64_t unsupported = 0;  ///< nodes times steps at which the motion over a convex bed lifted off
     /// What flew over edges.
     struct Jumps {
         double volume = 0;   ///< sum over all jumps [m3]

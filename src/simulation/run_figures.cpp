@@ -20,8 +20,8 @@ Raster part_inside(Raster raster, const Raster& inside) {
 RunFigures run_figures(const RunResult& result, double threshold, const Raster& inside) {
     const Raster depth = part_inside(result.max_depth, inside);
     const Raster trace = trace_mask(depth, threshold);
-    return {high_values(depth, trace), high_values(part_inside(result.max_velocity, inside), trace),
-            masked_area(trace), runout(result.bed, result.release, trace).horizontal_m,
+    return {high_values(depth, trace), high_values(part_inside(result.max_velocity, inside), trace), masked_area(trace),
+            runout(result.bed, result.release, trace).horizontal_m,
             result.volume_final > 0 ? shown_volume(result) / result.volume_final : k_no_data};
 }
 

@@ -29,8 +29,7 @@ inline constexpr RunFigure k_run_figures[] = {
     {"max_velocity_p99_ms", "99 % velocity", "m/s", [](const RunFigures& f) { return f.speed.p99; }},
     {"covered_area_m2", "covered area", "m2", [](const RunFigures& f) { return f.covered_area; }},
     {"runout_m", "run-out", "m", [](const RunFigures& f) { return f.run_out; }},
-    {"final_depth_fraction", "volume in final_depth", "-",
-     [](const RunFigures& f) { return f.final_depth_fraction; }},
+    {"final_depth_fraction", "volume in final_depth", "-", [](const RunFigures& f) { return f.final_depth_fraction; }},
 };
 
 /// @param threshold depth from which a cell belongs to the covered area [m]

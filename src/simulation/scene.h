@@ -76,7 +76,7 @@ struct Material {
     double friction_beta = 0.136;          ///< Pouliquen-Forterre beta [-]
     double pore_pressure_ratio = 0;        ///< r_u at the start [-]
     double pore_dissipation_time = std::numeric_limits<double>::infinity();  ///< T [s]; infinity: r_u stays
-    double internal_friction_coefficient = 0;  ///< tan(phi_i), earth pressure [-]
+    double internal_friction_coefficient = 0;                                ///< tan(phi_i), earth pressure [-]
 
     [[nodiscard]] bool has(BedTerm term) const noexcept {
         return std::find(bed_friction.begin(), bed_friction.end(), term) != bed_friction.end();
@@ -97,16 +97,16 @@ struct StructuredZones {
 
 /// What the structured model is made of: blocks of solids with the fluid they confine, or fluid alone.
 struct StructuredMaterial {
-    bool solids = false;  ///< false: the release is fluid, and nothing below the fluid's lines is read
-    double fluid_density = 1000;   ///< [kg/m3]
-    double fluid_viscosity = 0;    ///< a_eta [Pa s]; 0: no viscous terms
-    double viscosity_growth = 10;  ///< b_eta, with the solids' fraction [-]
-    double velocity_shape = 3;     ///< chi [-]
-    double mobility = 1;           ///< A of the enhanced stress [-]
-    double solids_shape = 2;       ///< zeta [-]
-    double manning = 0.1;          ///< n [s/m^(1/3)]
+    bool solids = false;            ///< false: the release is fluid, and nothing below the fluid's lines is read
+    double fluid_density = 1000;    ///< [kg/m3]
+    double fluid_viscosity = 0;     ///< a_eta [Pa s]; 0: no viscous terms
+    double viscosity_growth = 10;   ///< b_eta, with the solids' fraction [-]
+    double velocity_shape = 3;      ///< chi [-]
+    double mobility = 1;            ///< A of the enhanced stress [-]
+    double solids_shape = 2;        ///< zeta [-]
+    double manning = 0.1;           ///< n [s/m^(1/3)]
     bool manning_on_total = false;  ///< by the depth of everything; false: of the free fluid
-    double dry_depth = 1e-4;       ///< [m]
+    double dry_depth = 1e-4;        ///< [m]
 
     double solid_fraction = 0.5;                       ///< of what is released [-]
     double confined_share = 1;                         ///< f_fc, share of its fluid that is confined [-]
@@ -125,25 +125,21 @@ struct StructuredMaterial {
     double softening = 1;                              ///< divides both moduli [-]
     double pic_share = 0;                              ///< [-]
     enum class EarthPressure { hydrostatic, active, passive } earth_pressure = EarthPressure::hydrostatic;
-    double pore_pressure_share = 0;  ///< B [-]
-    int drag_exponent = 2;           ///< j: 1 or 2
-    double richardson_zaki = 2.4;    ///< M [-]
-    double smoothing_velocity = 1;   ///< K of the drag [m/s]; 0: the mixture's flux
+    double pore_pressure_share = 0;   ///< B [-]
+    int drag_exponent = 2;            ///< j: 1 or 2
+    double richardson_zaki = 2.4;     ///< M [-]
+    double smoothing_velocity = 1;    ///< K of the drag [m/s]; 0: the mixture's flux
     bool exponent_by_grains = false;  ///< M from the grains' Reynolds number
     bool mixing_by_solids = false;    ///< P of the drag: alpha_s^m; false: the paper's quotient
     double mixing_exponent = 1;       ///< m of P [-]
-    double block_size = 0;           ///< d_sc [m]; 0: the local depth
-    double sound_speed = 0;          ///< of the artificial viscosity [m/s]; 0: the elastic waves'
-    enum class VirtualMass {
-        none,
-        pudasaini_2012,
-        pudasaini_2019
-    } virtual_mass = VirtualMass::pudasaini_2012;
+    double block_size = 0;            ///< d_sc [m]; 0: the local depth
+    double sound_speed = 0;           ///< of the artificial viscosity [m/s]; 0: the elastic waves'
+    enum class VirtualMass { none, pudasaini_2012, pudasaini_2019 } virtual_mass = VirtualMass::pudasaini_2012;
     double linear_viscosity = 1, quadratic_viscosity = 1, artificial_stress = 0.5;  ///< [-]
     bool spread_evenly = false;  ///< particles placed by depth along the R2 sequence; false: on a lattice
     StructuredZones zones;
     std::optional<Raster> initial_fluid;  ///< depth of free fluid that lies there at the start [m]; NaN: none
-    bool more_fluid = false;  ///< fluid comes from elsewhere than the release: it lies there or flows in
+    bool more_fluid = false;              ///< fluid comes from elsewhere than the release: it lies there or flows in
 };
 
 enum class ErosionLaw { none, shear_stress, growth, mechanical };
@@ -186,7 +182,8 @@ struct Numerics {
     SlopeCorrection slope_correction = SlopeCorrection::normal;
     bool curvature = true;  ///< motion along a curved bed (Curved); not without slope correction
     bool flight = true;     ///< what the bed throws off flies; only with curvature and the default scheme
-    double flight_slope = std::tan(k_flight_slope_degrees * std::numbers::pi / 180);  ///< tangent: least fall of an edge in the direction of motion [-]
+    double flight_slope = std::tan(k_flight_slope_degrees * std::numbers::pi /
+                                   180);  ///< tangent: least fall of an edge in the direction of motion [-]
     Boundary boundary = Boundary::open;
     NodataPolicy nodata = NodataPolicy::stop;
     double gravity = 9.81;        ///< [m/s2]
@@ -231,8 +228,7 @@ struct HydrographPoint {
 struct Inflow {
     Polyline line;
     std::vector<HydrographPoint> hydrograph;  ///< times rise; an equal time is a jump
-    std::optional<double>
-        azimuth;  ///< clockwise from the grid's north [rad]; none: normal to the line, downhill
+    std::optional<double> azimuth;  ///< clockwise from the grid's north [rad]; none: normal to the line, downhill
 };
 
 /// A place where depth and speed are recorded over time.
@@ -257,13 +253,12 @@ struct Recording {
 
 /// Everything the engine needs, validated, in SI units; const from here on.
 struct Scene {
-    GridSpec grid;                ///< working grid
-    Raster terrain;               ///< DTM on the working grid [m]; NaN: no data
-    std::optional<Raster> walls;  ///< on the working grid: 1 where a wall stands that no flow overtops
+    GridSpec grid;                          ///< working grid
+    Raster terrain;                         ///< DTM on the working grid [m]; NaN: no data
+    std::optional<Raster> walls;            ///< on the working grid: 1 where a wall stands that no flow overtops
     bool terrain_contains_release = false;  ///< the bed is the terrain less the released (vertical) thickness
     std::vector<ReleaseArea> release;
-    std::optional<double>
-        release_volume;  ///< of all areas [m3]: their thicknesses are scaled alike to hold it
+    std::optional<double> release_volume;  ///< of all areas [m3]: their thicknesses are scaled alike to hold it
     std::vector<Inflow> inflows;
     /// Given: the structured model runs, and material, zones and entrainment are not read.
     std::optional<StructuredMaterial> structured;

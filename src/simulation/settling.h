@@ -72,9 +72,9 @@ class SettlingWatch {
     const TimeControl& time_;
     const GridSpec& grid_;
     Point origin_;
-    double since_ = 0;            // when something came in last [s]
-    double next_ = 0;             // sample [s]
-    double peak_ = 0;             // of kinetic energy over density [m5/s2]
+    double since_ = 0;             // when something came in last [s]
+    double next_ = 0;              // sample [s]
+    double peak_ = 0;              // of kinetic energy over density [m5/s2]
     std::vector<Sample> samples_;  // of the last window and one before it
     std::vector<Lying> lying_;     // at the last sample, by node
     std::optional<Settling> last_;

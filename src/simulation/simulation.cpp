@@ -25,8 +25,8 @@ Ground ground_of(const Scene& scene, const Raster& bed, const ParticleSet& first
 
 // Runs a flow to the scene's end.
 template <class AnyFlow>
-RunResult run_flow(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals,
-                   AnyFlow& flow, Stopwatch& engine) {
+RunResult run_flow(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals, AnyFlow& flow,
+                   Stopwatch& engine) {
     FlowRun<AnyFlow> run(scene, options, release, arrivals, flow, engine);
     if (options.saved != nullptr) {
         (*options.saved)(run);
@@ -65,8 +65,8 @@ void estimate_flow(const Scene& scene, const Arrivals::Taken& rest, std::int64_t
     constexpr std::int64_t k_spread = 4;  // nodes only where material comes
     const std::int64_t cells = scene.grid.cell_count();
     const std::int64_t reached = released_cells > 0 ? std::min(cells, k_spread * released_cells) : cells;
-    e.memory_bytes = cells * rasters_at_once(flow) * static_cast<std::int64_t>(sizeof(double)) + reached * e.bytes_per_node +
-                     e.bytes_of_particles(e.particles);
+    e.memory_bytes = cells * rasters_at_once(flow) * static_cast<std::int64_t>(sizeof(double)) +
+                     reached * e.bytes_per_node + e.bytes_of_particles(e.particles);
     // Time of the first steps, for as many steps as the end time would take at the first step's length.
     constexpr int k_trial_steps = 3;
     const auto begin = std::chrono::steady_clock::now();
@@ -123,8 +123,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
                             std::exchange(release.particles, ParticleSet()), options.threads);
         return run_flow(scene, options, release, arrivals, flow, engine);
     }
-    Flow flow(ground, std::exchange(release.particles, ParticleSet()), scene.material,
-              scene.numerics, options.threads, std::nullopt, scene.zones, scene.entrainment);
+    Flow flow(ground, std::exchange(release.particles, ParticleSet()), scene.material, scene.numerics, options.threads,
+              std::nullopt, scene.zones, scene.entrainment);
     if (scene.walls) flow.add_walls(*scene.walls);
     return run_flow(scene, options, release, arrivals, flow, engine);
 }
@@ -149,15 +149,14 @@ RunEstimate estimate(const Scene& scene, int threads) {
     const auto released_cells = static_cast<std::int64_t>(
         std::count_if(release.depth.values.begin(), release.depth.values.end(), [](double d) { return d > 0; }));
     if (scene.structured) {
-        StructuredFlow flow(release.bed, scene.walls, *scene.structured, scene.numerics, release.particles,
-                            threads);
+        StructuredFlow flow(release.bed, scene.walls, *scene.structured, scene.numerics, release.particles, threads);
         const std::size_t solids = scene.structured->solids ? rest.failed.size() : 0;
         e.particles = flow.particle_count() + static_cast<std::int64_t>(solids);
         estimate_flow(scene, rest, released_cells, flow, e);
         return e;
     }
-    Flow flow(release.bed, release.particles, scene.material, scene.numerics, threads, std::nullopt,
-              scene.zones, scene.entrainment);
+    Flow flow(release.bed, release.particles, scene.material, scene.numerics, threads, std::nullopt, scene.zones,
+              scene.entrainment);
     if (scene.walls) flow.add_walls(*scene.walls);
     e.particles = static_cast<std::int64_t>(flow.particles().size() + arriving);
     estimate_flow(scene, rest, released_cells, flow, e);

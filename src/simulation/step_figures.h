@@ -8,15 +8,15 @@ namespace frana {
 
 /// What a step showed, whatever the model: what the run's series, watches and counts are made from.
 struct StepFigures {
-    double dt = 0;                 ///< [s]
-    double volume = 0;             ///< inside the domain [m3]
-    double max_depth = 0;          ///< [m]
-    double max_speed = 0;          ///< along the bed [m/s]
-    double fastest = 0;            ///< particle in map view, however thin [m/s]
-    double front_distance = 0;     ///< from the run's origin, in map view [m]
-    double kinetic = 0;            ///< energy over density [m5/s2]
+    double dt = 0;              ///< [s]
+    double volume = 0;          ///< inside the domain [m3]
+    double max_depth = 0;       ///< [m]
+    double max_speed = 0;       ///< along the bed [m/s]
+    double fastest = 0;         ///< particle in map view, however thin [m/s]
+    double front_distance = 0;  ///< from the run's origin, in map view [m]
+    double kinetic = 0;         ///< energy over density [m5/s2]
     double energy = std::numeric_limits<double>::quiet_NaN();
-                                              ///< kinetic and potential, over density, as the step began [m5/s2]; NaN: not known
+    ///< kinetic and potential, over density, as the step began [m5/s2]; NaN: not known
     double energy_moving = 0;      ///< of which kinetic [m5/s2]
     double energy_volume = 0;      ///< of the volume that has it [m3]
     double energy_taken = 0;       ///< by friction and walls in the step, over density [m5/s2]

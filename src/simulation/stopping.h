@@ -10,9 +10,9 @@
 
 namespace frana {
 
-// Decides when a flow has come to rest: at once when nothing at all moves, otherwise when it has not moved faster than a
-// crawl for a while (a mass that barely overcomes friction is faster than that within the same while): neither any cell
-// that is deep enough to be shown, nor all that flows, however thin, by the root of its mean squared speed.
+// Decides when a flow has come to rest: at once when nothing at all moves, otherwise when it has not moved faster than
+// a crawl for a while (a mass that barely overcomes friction is faster than that within the same while): neither any
+// cell that is deep enough to be shown, nor all that flows, however thin, by the root of its mean squared speed.
 class StillWatch {
   public:
     bool still(const StepFigures& now) {

@@ -25,9 +25,8 @@ class StructuredFlow {
     /// @param ground elevation [m], NaN where there is none
     /// @param walls 1 where a wall stands, on the same grid
     /// @param released columns of whole thickness in local metres: fluid, or split into solids and fluid
-    StructuredFlow(const Ground& ground, const std::optional<Raster>& walls,
-                   const StructuredMaterial& material, const Numerics& numerics, const ParticleSet& released,
-                   int threads);
+    StructuredFlow(const Ground& ground, const std::optional<Raster>& walls, const StructuredMaterial& material,
+                   const Numerics& numerics, const ParticleSet& released, int threads);
 
     /// Adds fluid, volume and momentum as particles hold them, to the cells they lie in.
     void add_fluid(const ParticleSet& particles);
@@ -86,10 +85,9 @@ class StructuredFlow {
     void for_each_active_node(const Visit& visit) const {
         const NodeGrid& n = state_.grid;
         for (const std::int64_t tile : shown_tiles()) {
-            NodeRange(tile, tiles_, n)
-                .for_each(n.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
-                    if (inside(i, j)) visit(cell);
-                });
+            NodeRange(tile, tiles_, n).for_each(n.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
+                if (inside(i, j)) visit(cell);
+            });
         }
     }
     /// What lies in a cell: depth [m], and discharge per width of solids and fluid together [m2/s].
@@ -103,8 +101,8 @@ class StructuredFlow {
     /// Everything that steps change.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, origin,
-                                moving_speed, released_mass, released_volume, entered, steps, particle_steps] = *this;
+        [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, origin, moving_speed,
+                                released_mass, released_volume, entered, steps, particle_steps] = *this;
         archive(state, maxima, released_mass, released_volume, entered, steps, particle_steps);
         if constexpr (Archive::k_reads) {
             if (state.fluid) structured::set_ground(*state.fluid, state.grid, laws.fluid);
@@ -115,8 +113,7 @@ class StructuredFlow {
     [[nodiscard]] double still_step() const;
     [[nodiscard]] std::vector<std::int64_t> shown_tiles() const;
     [[nodiscard]] bool inside(std::int64_t i, std::int64_t j) const noexcept {
-        return i >= k_ghost && j >= k_ghost && i < state_.grid.columns() + k_ghost &&
-               j < state_.grid.rows() + k_ghost;
+        return i >= k_ghost && j >= k_ghost && i < state_.grid.columns() + k_ghost && j < state_.grid.rows() + k_ghost;
     }
     [[nodiscard]] double along_bed(std::size_t cell, double u, double v) const noexcept;
     [[nodiscard]] double fluid_depth(std::size_t cell) const noexcept {

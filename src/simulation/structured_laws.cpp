@@ -32,18 +32,20 @@ structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& nu
 }
 
 structured::SolidMaterial uniform_material(const StructuredMaterial& m) {
-    return {m.solid_fraction, m.confined_share, m.cohesion, m.friction, m.bed_friction, m.grain_density,
-            m.grain_diameter};
+    return {m.solid_fraction, m.confined_share, m.cohesion,      m.friction,
+            m.bed_friction,   m.grain_density,  m.grain_diameter};
 }
 
 structured::SolidMaterial material_of_cell(const StructuredMaterial& m, std::size_t cell) {
     structured::SolidMaterial solid = uniform_material(m);
     const StructuredZones& zones = m.zones;
-    for (const auto& [raster, value] :
-         {std::pair{&zones.solid_fraction, &solid.solid_fraction}, {&zones.confined_share, &solid.confined_share},
-          {&zones.cohesion, &solid.cohesion}, {&zones.friction, &solid.friction},
-          {&zones.bed_friction, &solid.bed_friction}, {&zones.grain_density, &solid.grain_density},
-          {&zones.grain_diameter, &solid.grain_diameter}})
+    for (const auto& [raster, value] : {std::pair{&zones.solid_fraction, &solid.solid_fraction},
+                                        {&zones.confined_share, &solid.confined_share},
+                                        {&zones.cohesion, &solid.cohesion},
+                                        {&zones.friction, &solid.friction},
+                                        {&zones.bed_friction, &solid.bed_friction},
+                                        {&zones.grain_density, &solid.grain_density},
+                                        {&zones.grain_diameter, &solid.grain_diameter}})
         if (*raster && !std::isnan((*raster)->values[cell])) *value = (*raster)->values[cell];
     return solid;
 }

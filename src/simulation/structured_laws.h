@@ -9,8 +9,7 @@ namespace frana {
 
 /// The structured model's laws for a scene's material and numerics. Solids: the smoothing length is half a
 /// cell, and particles stand as far apart as numerics.particles-per-cell says.
-structured::Laws structured_laws(const StructuredMaterial& material, const Numerics& numerics,
-                                 const GridSpec& grid);
+structured::Laws structured_laws(const StructuredMaterial& material, const Numerics& numerics, const GridSpec& grid);
 
 /// What the solids are made of at a place, in local metres.
 structured::SolidMaterial material_at(const StructuredMaterial& material, const GridSpec& grid, Point local);

@@ -90,9 +90,8 @@ std::vector<NamedRaster> StructuredFlow::phases() const {
     std::vector<NamedRaster> rasters;
     const auto add = [&](const char* name, Raster raster) { rasters.push_back({name, std::move(raster)}); };
     if (state_.fluid)
-        add("fluid_velocity", raster_of([&](std::size_t cell) {
-                return fluid_depth(cell) >= least ? fluid_speed(cell) : k_no_data;
-            }));
+        add("fluid_velocity",
+            raster_of([&](std::size_t cell) { return fluid_depth(cell) >= least ? fluid_speed(cell) : k_no_data; }));
     if (!state_.solid) return rasters;
     const structured::SolidNodes& nodes = state_.solid->nodes;
     const auto solid_depth = [&](std::size_t cell) { return nodes.sums[cell].solids / grid_.cell_area(); };
@@ -108,9 +107,8 @@ std::vector<NamedRaster> StructuredFlow::phases() const {
     if (particles[Field::e_xx] != nullptr)
         add("strain", mean_by_cell(particles, grid_, [&](std::size_t p) { return greatest_strain(particles, p); }));
     if (!state_.fluid) return rasters;
-    add("fluid_depth", raster_of([&](std::size_t cell) {
-            return fluid_depth(cell) >= least ? fluid_depth(cell) : k_no_data;
-        }));
+    add("fluid_depth",
+        raster_of([&](std::size_t cell) { return fluid_depth(cell) >= least ? fluid_depth(cell) : k_no_data; }));
     add("solid_fraction", raster_of([&](std::size_t cell) {
             return column(cell).depth >= least ? solid_depth(cell) / column(cell).depth : k_no_data;
         }));

@@ -137,8 +137,7 @@ std::vector<std::string> list_terms(const Scene& scene) {
     const Numerics& numerics = scene.numerics;
     Words words{"hydrostatic pressure", "bed slope"};
     if (numerics.slope_correction == SlopeCorrection::normal) words.emplace_back("slope correction: normal");
-    if (numerics.slope_correction == SlopeCorrection::surface)
-        words.emplace_back("slope correction: surface");
+    if (numerics.slope_correction == SlopeCorrection::surface) words.emplace_back("slope correction: surface");
     if (numerics.curvature) words.emplace_back("curvature of the bed");
     if (flies(numerics)) words.emplace_back("flight over edges");
     add_bed(scene, words);

@@ -17,8 +17,7 @@ Point gradient(const Raster& terrain, Cell cell) {
     const auto difference = [&](std::int64_t south, std::int64_t east) {
         const auto value = [&](std::int64_t sign) {
             const std::int64_t r = std::clamp<std::int64_t>(cell.row + sign * south, 0, terrain.grid.rows - 1);
-            const std::int64_t c =
-                std::clamp<std::int64_t>(cell.column + sign * east, 0, terrain.grid.columns - 1);
+            const std::int64_t c = std::clamp<std::int64_t>(cell.column + sign * east, 0, terrain.grid.columns - 1);
             const double z = terrain.at(r, c);
             return std::isnan(z) ? terrain.at(cell.row, cell.column) : z;
         };

@@ -79,7 +79,7 @@ std::optional<Point> place_of_non_finite(const StructuredFlow& flow) {
     double greatest = 0;
     flow.for_each_active_node([&](std::size_t cell) {
         const bool finite = std::isfinite(now.depth[cell] + now.qx[cell] + now.qy[cell]);
-        const double speed = !finite                ? std::numeric_limits<double>::infinity()
+        const double speed = !finite               ? std::numeric_limits<double>::infinity()
                              : now.depth[cell] > 0 ? std::hypot(now.qx[cell], now.qy[cell]) / now.depth[cell]
                                                    : 0;
         if (!(speed > greatest)) return;

@@ -74,8 +74,7 @@ double lowest_bed(const Scene& scene, const Raster& bed) {
     return lowest - erodible;
 }
 
-double bound_of(const Scene& scene, const Release& release, const Arrivals& arrivals,
-                double pressure_factor) {
+double bound_of(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor) {
     const Start start = start_of(scene, release, arrivals);
     const double drop = std::max(0.0, start.highest + start.deepest - lowest_bed(scene, release.bed));
     const auto cells = static_cast<std::size_t>(scene.grid.cell_count());
@@ -89,8 +88,7 @@ double speed_bound(double gravity, double drop, double depth, double speed_at_st
     return std::sqrt(2 * gravity * drop) + 2 * std::sqrt(gravity * depth) + speed_at_start;
 }
 
-TroubleWatch::TroubleWatch(const Scene& scene, const Release& release, const Arrivals& arrivals,
-                           double pressure_factor)
+TroubleWatch::TroubleWatch(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor)
     : grid_(scene.grid),
       gaps_matter_(scene.numerics.nodata == NodataPolicy::stop),
       bound_(bound_of(scene, release, arrivals, pressure_factor)) {}
@@ -100,15 +98,13 @@ std::vector<Trouble> TroubleWatch::look(const AnyFlow& flow, const StepFigures& 
     const double speed = std::max(figures.max_speed, figures.fastest);
     const double error = std::abs(figures.volume + flow.volume_left() - taken);
     std::vector<Trouble> troubles;
-    const auto report = [&](Kind kind, std::optional<Point> local, std::int64_t count, double value,
-                            double limit) {
+    const auto report = [&](Kind kind, std::optional<Point> local, std::int64_t count, double value, double limit) {
         Trouble trouble{kind, flow.steps(), flow.time(), {}, count, value, limit};
         if (local) trouble.place = grid_.map_from_local(*local);
         troubles.push_back(trouble);
     };
     if (figures.non_finite > 0) report(Kind::non_finite, place_of_non_finite(flow), figures.non_finite, 0, 0);
-    if (gaps_matter_ && figures.no_data > 0)
-        report(Kind::no_data, place_of_no_data(flow), figures.no_data, 0, 0);
+    if (gaps_matter_ && figures.no_data > 0) report(Kind::no_data, place_of_no_data(flow), figures.no_data, 0, 0);
     if (speed > bound_) report(Kind::impossible_speed, place_of_speed(flow), 0, speed, bound_);
     // What is not a number, or is gone from the sums because of it, was reported as such.
     if (figures.non_finite == 0 && error > k_volume_drift * taken)
@@ -152,8 +148,7 @@ StopReason reason_of(const Trouble& trouble) {
 
 std::string describe(const Trouble& trouble) {
     char where[128], what[256] = "";
-    std::snprintf(where, sizeof where, "step %lld, %.6g s", static_cast<long long>(trouble.step),
-                  trouble.time);
+    std::snprintf(where, sizeof where, "step %lld, %.6g s", static_cast<long long>(trouble.step), trouble.time);
     std::string text = where;
     if (trouble.place) {
         std::snprintf(where, sizeof where, ", at (%.1f, %.1f)", trouble.place->x, trouble.place->y);
@@ -162,8 +157,7 @@ std::string describe(const Trouble& trouble) {
     const auto count = static_cast<long long>(trouble.count);
     switch (trouble.kind) {
         case Kind::non_finite:
-            std::snprintf(what, sizeof what, "%lld particles or cells hold values that are not finite",
-                          count);
+            std::snprintf(what, sizeof what, "%lld particles or cells hold values that are not finite", count);
             break;
         case Kind::impossible_speed:
             std::snprintf(what, sizeof what,
@@ -175,8 +169,8 @@ std::string describe(const Trouble& trouble) {
                           trouble.value, trouble.limit);
             break;
         case Kind::no_data:
-            std::snprintf(what, sizeof what,
-                          "the flow came upon ground without elevation (%lld particles or cells)", count);
+            std::snprintf(what, sizeof what, "the flow came upon ground without elevation (%lld particles or cells)",
+                          count);
             break;
     }
     return text + ": " + what;

@@ -27,14 +27,12 @@ class TroubleWatch {
     static constexpr double k_volume_drift = 1e-9;
 
     /// @param pressure_factor by which waves of pressure are faster than in water, squared
-    TroubleWatch(const Scene& scene, const Release& release, const Arrivals& arrivals,
-                 double pressure_factor);
+    TroubleWatch(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor);
 
     /// What the last step brought; empty in a good run.
     /// @param taken all that came in, from the bed too [m3]
     template <class AnyFlow>
-    [[nodiscard]] std::vector<Trouble> look(const AnyFlow& flow, const StepFigures& figures,
-                                            double taken) const;
+    [[nodiscard]] std::vector<Trouble> look(const AnyFlow& flow, const StepFigures& figures, double taken) const;
 
     [[nodiscard]] double greatest_speed() const noexcept { return bound_; }
 

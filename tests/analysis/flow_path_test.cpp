@@ -27,8 +27,7 @@ TEST(FlowPath, OnOpenGroundIsAtMostEightPercentLongerThanTheLine) {
         const Point from{5.5, 5.5}, to{5.5 + 80 * std::cos(angle), 5.5 + 80 * std::sin(angle)};
         const double found = length(flow_path(depth, from, to));
         EXPECT_GE(found, 80 - 1e-9) << angle;
-        EXPECT_LE(found, 80 / std::cos(std::numbers::pi / 8) + 1)
-            << angle;  // and to a cell's centre at the end
+        EXPECT_LE(found, 80 / std::cos(std::numbers::pi / 8) + 1) << angle;  // and to a cell's centre at the end
     }
 }
 

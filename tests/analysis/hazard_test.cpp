@@ -19,10 +19,8 @@ struct Cells {
         depth = velocity = flux = head = pressure = deposit = Raster(grid);
         depth.values = std::move(depths);
     }
-    [[nodiscard]] std::vector<double> classes(const std::string& scheme,
-                                              const HazardLimits& limits = {}) const {
-        return hazard_classes(hazard_scheme(scheme, limits), {depth, velocity, flux, head, pressure, deposit})
-            .values;
+    [[nodiscard]] std::vector<double> classes(const std::string& scheme, const HazardLimits& limits = {}) const {
+        return hazard_classes(hazard_scheme(scheme, limits), {depth, velocity, flux, head, pressure, deposit}).values;
     }
     Raster depth, velocity, flux, head, pressure, deposit;
 };

@@ -22,8 +22,7 @@ Ring random_ring(Point centre, double radius, int points, std::mt19937& random) 
     for (int i = 0; i < points; ++i) {
         const double angle = 2 * std::numbers::pi * i / points, r = radius * uniform(random);
         // Whole numbers: many edges are level, and many points lie at a vertex's height.
-        ring.push_back(
-            {std::round(centre.x + r * std::cos(angle)), std::round(centre.y + r * std::sin(angle))});
+        ring.push_back({std::round(centre.x + r * std::cos(angle)), std::round(centre.y + r * std::sin(angle))});
     }
     return ring;
 }
@@ -95,8 +94,8 @@ TEST(CountedTexts, TellTheFirstAndCountTheRest) {
     CountedTexts texts;
     texts.add("b", "one other");
     for (int i = 1; i <= 1503; ++i) texts.add("a", "number " + std::to_string(i));
-    EXPECT_EQ(texts.told(), (std::vector<std::string>{"one other", "number 1", "number 2",
-                                                      "number 3; and 1 500 more like it"}));
+    EXPECT_EQ(texts.told(),
+              (std::vector<std::string>{"one other", "number 1", "number 2", "number 3; and 1 500 more like it"}));
 }
 
 }  // namespace

@@ -112,8 +112,7 @@ TEST(Scores, TheCurveOverTheThresholdByHand) {
     EXPECT_NEAR(curve[2].jaccard, 1.0 / 4, k_rounding);  // ... but not over 0.015
     EXPECT_NEAR(curve.back().threshold_m, 2, 1e-12);
     EXPECT_NEAR(curve.back().jaccard, 1.0 / 3, k_rounding);
-    for (const ComparisonFigures& figures : curve)
-        EXPECT_EQ(figures.auroc, compare(depth, observed, 1).auroc);
+    for (const ComparisonFigures& figures : curve) EXPECT_EQ(figures.auroc, compare(depth, observed, 1).auroc);
 }
 
 }  // namespace

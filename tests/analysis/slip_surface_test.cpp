@@ -103,7 +103,7 @@ TEST(SlipSurface, TellsWhichPerimetersAnEllipsoidFits) {
     const Raster ground = plane(4);
     EXPECT_EQ(SlipSurface(ground, crescent, {}).shape(), SlipShape::base_level);
     EXPECT_THROW(SlipSurface(ground, crescent, SlipShape::ellipsoid), Error);
-    EXPECT_THROW(SlipSurface(ground, ellipse(1, 1, 0), {}), Error);  // no cell's centre inside
+    EXPECT_THROW(SlipSurface(ground, ellipse(1, 1, 0), {}), Error);     // no cell's centre inside
     EXPECT_THROW(SlipSurface(ground, ellipse(230, 20, 0), {}), Error);  // beyond the ground
 }
 

@@ -24,8 +24,7 @@ const std::map<std::string, std::set<std::string>> k_may_include{
     {"gis", {"core"}},
     {"render", {"core"}},
     {"app",
-     {"core", "params", "analysis", "particles", "physics", "mpm", "models", "simulation", "bench", "gis",
-      "render"}},
+     {"core", "params", "analysis", "particles", "physics", "mpm", "models", "simulation", "bench", "gis", "render"}},
 };
 
 // The rooms of a library, each above those before it. A library that is not here has one.
@@ -81,8 +80,7 @@ std::string included(const std::string& line) {
     if (line.rfind("#include", 0) != 0) return {};
     const auto begin = line.find_first_of("<\"");
     const auto end = line.find_last_of(">\"");
-    return begin == std::string::npos || end <= begin ? std::string()
-                                                      : line.substr(begin + 1, end - begin - 1);
+    return begin == std::string::npos || end <= begin ? std::string() : line.substr(begin + 1, end - begin - 1);
 }
 
 bool starts_with_any(const std::string& text, const std::vector<std::string>& beginnings) {
@@ -95,8 +93,7 @@ TEST(IncludeDirections, NoArrowRunsUpTheHouse) {
     ASSERT_GT(files.size(), 50U) << "the source tree was not found at " FRANA_SOURCE_DIR;
     for (const std::string& file : files) {
         const std::string library = library_of(file);
-        ASSERT_EQ(k_may_include.count(library), 1U)
-            << file << " lies in a library that the house does not have";
+        ASSERT_EQ(k_may_include.count(library), 1U) << file << " lies in a library that the house does not have";
         const auto floor = floor_of(file);
         ASSERT_TRUE(floor) << file << " lies in a room that its library does not have";
         const auto forbidden = k_may_not_include.find(library + "/" + room_of(file));
@@ -124,8 +121,7 @@ TEST(IncludeDirections, LibrariesStayInTheirRooms) {
         for (const std::string& line : lines_of(file)) {
             const std::string target = included(line);
             if (target.empty()) continue;
-            EXPECT_TRUE(library == "gis" || !starts_with_any(target, files_and_coordinates))
-                << file << ": " << line;
+            EXPECT_TRUE(library == "gis" || !starts_with_any(target, files_and_coordinates)) << file << ": " << line;
             EXPECT_TRUE(library == "render" || !starts_with_any(target, graphics)) << file << ": " << line;
         }
     }

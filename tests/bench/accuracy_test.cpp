@@ -59,12 +59,11 @@ TEST(Accuracy, RunsBothSchemesAtTwoResolutionsWhenQuick) {
         EXPECT_TRUE(std::isfinite(row.figures.l1_momentum) && row.figures.l1_momentum >= 0);
     }
     EXPECT_TRUE(std::isnan(rows[0].observed_order)) << "the coarsest has nothing to be compared with";
-    EXPECT_NEAR(rows[1].observed_order,
-                std::log(rows[0].figures.l1_depth / rows[1].figures.l1_depth) / std::log(2.0), 1e-12);
+    EXPECT_NEAR(rows[1].observed_order, std::log(rows[0].figures.l1_depth / rows[1].figures.l1_depth) / std::log(2.0),
+                1e-12);
     // The undisturbed block of the default scheme: the mark of the bench.
-    const auto block =
-        std::find_if(rows[1].figures.own.begin(), rows[1].figures.own.end(),
-                     [](const OwnFigure& f) { return f.name == "block speed, relative error"; });
+    const auto block = std::find_if(rows[1].figures.own.begin(), rows[1].figures.own.end(),
+                                    [](const OwnFigure& f) { return f.name == "block speed, relative error"; });
     ASSERT_NE(block, rows[1].figures.own.end());
     EXPECT_TRUE(block->met()) << block->value;
 }
@@ -95,9 +94,7 @@ TEST(CompareWithExact, MeasuresWhatItSays) {
     setup.material = water();
     setup.numerics = numerics_of(Scheme::standard, SlopeCorrection::none, Boundary::wall);
     TimedFlow run(setup);
-    const auto middle = [](Point p) {
-        return std::abs(p.x - 10) < 5;
-    };  // walls take the momentum at the ends
+    const auto middle = [](Point p) { return std::abs(p.x - 10) < 5; };  // walls take the momentum at the ends
     const CaseFigures none = compare_with_exact(
         run,
         [](Point) {

@@ -55,8 +55,7 @@ TEST(SimilaritySolution, SatisfiesItsEquations) {
     const auto at = [&](double time) { return SimilaritySolution(35, 25, height, radius, time); };
     const SimilaritySolution before = at(t - dt), now = at(t), after = at(t + dt);
     const double normal = 9.81 * std::cos(35 * k_degree), friction = normal * std::tan(25 * k_degree);
-    const double drive = 9.81 * std::sin(35 * k_degree) - friction,
-                 spread = 2 * normal * height / (radius * radius);
+    const double drive = 9.81 * std::sin(35 * k_degree) - friction, spread = 2 * normal * height / (radius * radius);
     const double f = now.along(), g = now.across();
     const double g_rate = (after.across() - before.across()) / (2 * dt);
     // Second differences: dt^2 / 12 of the fourth derivative, and rounding over dt^2.

@@ -14,12 +14,10 @@ TEST(LawCosts, EveryLawRunsAndOnlyStressCarriesMore) {
     for (const LawCost& cost : costs) {
         EXPECT_GT(cost.nanoseconds, 0) << cost.law;
         const bool stress = cost.law == "in-plane Bingham" || cost.law == "earth pressure";
-        EXPECT_EQ(cost.bytes_per_particle - costs[0].bytes_per_particle, stress ? 3 * sizeof(double) : 0)
-            << cost.law;
+        EXPECT_EQ(cost.bytes_per_particle - costs[0].bytes_per_particle, stress ? 3 * sizeof(double) : 0) << cost.law;
     }
     const std::string csv = law_costs_csv(costs);
-    EXPECT_EQ(csv.substr(0, csv.find('\n')),
-              "law,nanoseconds_per_particle_step,relative_to_plain,bytes_per_particle");
+    EXPECT_EQ(csv.substr(0, csv.find('\n')), "law,nanoseconds_per_particle_step,relative_to_plain,bytes_per_particle");
 }
 
 }  // namespace

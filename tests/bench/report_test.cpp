@@ -28,10 +28,8 @@ AccuracyRow row(const char* name, Scheme scheme, double cell, double seconds, do
 
 // The paper's scheme is better here, for less time: the words must say so.
 std::vector<AccuracyRow> paper_wins() {
-    return {row("stoker", Scheme::standard, 10, 1, 0.1, k_no_data),
-            row("stoker", Scheme::standard, 5, 8, 0.05, 1),
-            row("stoker", Scheme::paper, 10, 0.5, 0.02, k_no_data),
-            row("stoker", Scheme::paper, 5, 4, 0.01, 1)};
+    return {row("stoker", Scheme::standard, 10, 1, 0.1, k_no_data), row("stoker", Scheme::standard, 5, 8, 0.05, 1),
+            row("stoker", Scheme::paper, 10, 0.5, 0.02, k_no_data), row("stoker", Scheme::paper, 5, 4, 0.01, 1)};
 }
 
 TEST(AccuracyCsv, HasTheContractsColumns) {
@@ -82,8 +80,8 @@ TEST(BenchCommand, WritesCsvAndPicture) {
     namespace fs = std::filesystem;
     const fs::path folder = fs::temp_directory_path() / ("frana_bench_" + std::to_string(::getpid()));
     fs::create_directories(folder);
-    const test::Outcome outcome = test::run_program(
-        folder.string(), {"bench", "accuracy", "--quick", "--case", "similarity", "--out", "result"});
+    const test::Outcome outcome =
+        test::run_program(folder.string(), {"bench", "accuracy", "--quick", "--case", "similarity", "--out", "result"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("com1DFA"), std::string::npos);
     const std::string csv = test::read_text((folder / "result" / "accuracy.csv").string());

@@ -52,8 +52,7 @@ RobustnessOptions options_of(std::vector<Scene>& seen) {
         Scene scene = slope();
         for (const std::string& one : overrides) {
             if (one == "numerics.particles-per-cell=1")
-                throw Error(ErrorKind::input,
-                            Problem{"is too few", "numerics.particles-per-cell", "1", "", ""});
+                throw Error(ErrorKind::input, Problem{"is too few", "numerics.particles-per-cell", "1", "", ""});
             if (one.starts_with("numerics.cfl=")) scene.numerics.cfl = std::stod(one.substr(13));
             if (one == "numerics.particles-per-cell=16") scene.numerics.particles_per_cell = 16;
         }
@@ -69,8 +68,7 @@ RobustnessOptions options_of(std::vector<Scene>& seen) {
 TEST(Robustness, DisturbancesHaveNamesOfTheirOwn) {
     std::set<std::string> names{"base"};
     for (const Disturbance& one : disturbances()) EXPECT_TRUE(names.insert(one.name).second) << one.name;
-    for (const char* name :
-         {"shifted", "turned-30", "turned-45", "turned-90", "rough", "particles-16", "cfl-0.9"})
+    for (const char* name : {"shifted", "turned-30", "turned-45", "turned-90", "rough", "particles-16", "cfl-0.9"})
         EXPECT_EQ(names.count(name), 1U) << name;
 }
 
@@ -97,19 +95,17 @@ TEST(Robustness, TellsChangesAndMarksThoseBeyondFivePercent) {
     const std::string table = robustness_table(rows);
     EXPECT_NE(table.find("-10.0 %*"), std::string::npos) << table;
     EXPECT_NE(table.find("+4.0 %  "), std::string::npos) << table;
-    EXPECT_NE(
-        table.find("maximum velocity       changes by -10 % at most (cfl-0.9); more than 5 % in 1 of 3"),
-        std::string::npos)
+    EXPECT_NE(table.find("maximum velocity       changes by -10 % at most (cfl-0.9); more than 5 % in 1 of 3"),
+              std::string::npos)
         << table;
     EXPECT_NE(table.find("particles-1  not run: "), std::string::npos) << table;
     const std::string csv = robustness_csv(rows);
-    EXPECT_EQ(
-        csv.substr(0, csv.find('\n')),
-        "disturbance,max_depth_m,max_depth_m_change,max_depth_p999_m,max_depth_p999_m_change,max_depth_p99_m,"
-        "max_depth_p99_m_change,max_velocity_ms,max_velocity_ms_change,max_velocity_p999_ms,"
-        "max_velocity_p999_ms_change,max_velocity_p99_ms,max_velocity_p99_ms_change,covered_area_m2,"
-        "covered_area_m2_change,runout_m,runout_m_change,final_depth_fraction,final_depth_fraction_change,"
-        "simulated_seconds,steps,particles,wall_seconds,state");
+    EXPECT_EQ(csv.substr(0, csv.find('\n')),
+              "disturbance,max_depth_m,max_depth_m_change,max_depth_p999_m,max_depth_p999_m_change,max_depth_p99_m,"
+              "max_depth_p99_m_change,max_velocity_ms,max_velocity_ms_change,max_velocity_p999_ms,"
+              "max_velocity_p999_ms_change,max_velocity_p99_ms,max_velocity_p99_ms_change,covered_area_m2,"
+              "covered_area_m2_change,runout_m,runout_m_change,final_depth_fraction,final_depth_fraction_change,"
+              "simulated_seconds,steps,particles,wall_seconds,state");
     std::set<std::ptrdiff_t> commas;
     std::size_t begin = 0;
     for (std::size_t end = csv.find('\n'); end != csv.npos; begin = end + 1, end = csv.find('\n', begin))
@@ -154,8 +150,7 @@ TEST(Robustness, ARunThatCannotStartCostsNoOther) {
     std::size_t refused = 2;
     options.run = [&](const Scene& scene) {
         RunResult result = run(scene);
-        if (seen.size() == refused)
-            throw Error(ErrorKind::input, Problem{"has no data", "terrain.dtm", "", "", ""});
+        if (seen.size() == refused) throw Error(ErrorKind::input, Problem{"has no data", "terrain.dtm", "", "", ""});
         return result;
     };
     const auto rows = run_robustness(options);

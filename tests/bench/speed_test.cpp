@@ -30,9 +30,8 @@ TEST(Speed, MeasuresOneAndSeveralThreadsWithTheSameBits) {
     EXPECT_LT(result.terms.back().nanoseconds, 0.5 * result.terms[6].nanoseconds) << "what rests is computed";
     EXPECT_GT(result.terms.back().bytes_per_particle, result.terms.front().bytes_per_particle);
     const std::string csv = speed_csv(result);
-    EXPECT_EQ(
-        csv.substr(0, csv.find('\n')),
-        "case,particles,threads,particle_steps_per_second,bytes_per_particle,fraction_of_memory_bandwidth");
+    EXPECT_EQ(csv.substr(0, csv.find('\n')),
+              "case,particles,threads,particle_steps_per_second,bytes_per_particle,fraction_of_memory_bandwidth");
 }
 
 // A wrong answer or other bits must not pass as a fast run.

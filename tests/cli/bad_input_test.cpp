@@ -36,8 +36,7 @@ TEST_P(BadKey, IsRefusedInOneMessageWithNothingWritten) {
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(outcome.err.rfind("frana: ", 0), 0U) << outcome.err;
         for (const std::string& words : fault.said)
-            EXPECT_NE(outcome.err.find(words), std::string::npos)
-                << "no \"" << words << "\" in: " << outcome.err;
+            EXPECT_NE(outcome.err.find(words), std::string::npos) << "no \"" << words << "\" in: " << outcome.err;
     }
     EXPECT_EQ(files(), before);
 }
@@ -48,26 +47,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"missing_dtm", "", {"terrain.dtm=none.tif"}, {"--set terrain.dtm", "none.tif"}},
         BadInput{"dtm_is_text", "", {"terrain.dtm=scene.ini"}, {"--set terrain.dtm", "scene.ini"}},
         BadInput{"missing_perimeter", "", {"release.perimeter=none.shp"}, {"release.perimeter", "none.shp"}},
-        BadInput{"empty_perimeter",
-                 "",
-                 {"release.perimeter=empty.geojson"},
-                 {"release.perimeter", "empty.geojson"}},
-        BadInput{"unknown_key",
-                 "[numerics]\nclf = 0.4\n",
-                 {},
-                 {"scene.ini: numerics.clf", "Did you mean numerics.cfl?"}},
-        BadInput{"out_of_range",
-                 "[numerics]\ncfl = 3\n",
-                 {},
-                 {"numerics.cfl", "value 3", "greater than 0, at most 1"}},
-        BadInput{"negative_thickness",
-                 "",
-                 {"release.thickness=-1"},
-                 {"release.thickness", "-1", "greater than 0"}},
-        BadInput{"attribute_missing",
-                 "",
-                 {"release.thickness=attribute:D"},
-                 {"release.thickness", "attribute D", "depth"}},
+        BadInput{"empty_perimeter", "", {"release.perimeter=empty.geojson"}, {"release.perimeter", "empty.geojson"}},
+        BadInput{
+            "unknown_key", "[numerics]\nclf = 0.4\n", {}, {"scene.ini: numerics.clf", "Did you mean numerics.cfl?"}},
+        BadInput{"out_of_range", "[numerics]\ncfl = 3\n", {}, {"numerics.cfl", "value 3", "greater than 0, at most 1"}},
+        BadInput{"negative_thickness", "", {"release.thickness=-1"}, {"release.thickness", "-1", "greater than 0"}},
+        BadInput{
+            "attribute_missing", "", {"release.thickness=attribute:D"}, {"release.thickness", "attribute D", "depth"}},
         BadInput{"crs_not_metric", "", {"terrain.crs=EPSG:4326"}, {"terrain.crs", "projected"}},
         BadInput{"crs_unknown", "", {"terrain.crs=EPSG:999999"}, {"terrain.crs", "999999"}},
         BadInput{"scar_missing", "", {"scar.perimeter=scar.shp"}, {"scar.perimeter", "scar.shp"}},
@@ -84,14 +70,9 @@ INSTANTIATE_TEST_SUITE_P(
                  "",
                  {"material.bed-friction=voellmy, cohesion"},
                  {"material.cohesion", "is missing"}},
-        BadInput{"key_without_its_law",
-                 "",
-                 {"material.manning=0.05"},
-                 {"material.manning", "no law of the scene"}},
-        BadInput{"contradiction",
-                 "",
-                 {"material.friction-angle=20", "material.friction-coefficient=0.3"},
-                 {"contradicts"}}),
+        BadInput{"key_without_its_law", "", {"material.manning=0.05"}, {"material.manning", "no law of the scene"}},
+        BadInput{
+            "contradiction", "", {"material.friction-angle=20", "material.friction-coefficient=0.3"}, {"contradicts"}}),
     [](const auto& tested) { return tested.param.name; });
 
 using BadFile = TinyScene;
@@ -110,8 +91,7 @@ TEST_F(BadFile, DtmWithoutCrsIsRefusedAndSaysHow) {
     write_dtm({}, false);
     const Outcome outcome = frana({"run", "scene.ini"});
     EXPECT_EQ(outcome.exit_code, 2);
-    for (const std::string words :
-         {"terrain.dtm", "no coordinate reference system", "terrain.dtm-crs", "local"})
+    for (const std::string words : {"terrain.dtm", "no coordinate reference system", "terrain.dtm-crs", "local"})
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
     EXPECT_EQ(frana({"check", "scene.ini", "--set", "terrain.dtm-crs=EPSG:32632"}).exit_code, 0);
     EXPECT_EQ(frana({"check", "scene.ini", "--set", "terrain.crs=local"}).exit_code, 0);

@@ -26,28 +26,24 @@ class Workshop {
         std::fwrite(bytes.data(), 1, bytes.size(), file);
         std::fclose(file);
     }
-    [[nodiscard]] std::string bytes(const std::string& name) const {
-        return read_text((folder_ / name).string());
-    }
+    [[nodiscard]] std::string bytes(const std::string& name) const { return read_text((folder_ / name).string()); }
     /// The good DTM in another format.
     void raster(const std::string& driver, const std::string& name, const char* option = nullptr) const {
         const gis::GdalSession session;
         const GDALDatasetUniquePtr from(GDALDataset::Open((folder_ / "dtm.asc").c_str(), GDAL_OF_RASTER));
         const char* options[] = {option, nullptr};
-        const GDALDatasetUniquePtr to(GetGDALDriverManager()
-                                          ->GetDriverByName(driver.c_str())
-                                          ->CreateCopy((folder_ / name).c_str(), from.get(), 0,
-                                                       const_cast<char**>(options), nullptr, nullptr));
+        const GDALDatasetUniquePtr to(
+            GetGDALDriverManager()
+                ->GetDriverByName(driver.c_str())
+                ->CreateCopy((folder_ / name).c_str(), from.get(), 0, const_cast<char**>(options), nullptr, nullptr));
         ASSERT_TRUE(to);
     }
     /// The good perimeter in another format.
     void vector(const std::string& driver, const std::string& name) const {
         const gis::GdalSession session;
-        const GDALDatasetUniquePtr from(
-            GDALDataset::Open((folder_ / "perimeter.geojson").c_str(), GDAL_OF_VECTOR));
+        const GDALDatasetUniquePtr from(GDALDataset::Open((folder_ / "perimeter.geojson").c_str(), GDAL_OF_VECTOR));
         const char* words[] = {"-f", driver.c_str(), nullptr};
-        GDALVectorTranslateOptions* options =
-            GDALVectorTranslateOptionsNew(const_cast<char**>(words), nullptr);
+        GDALVectorTranslateOptions* options = GDALVectorTranslateOptionsNew(const_cast<char**>(words), nullptr);
         GDALDatasetH source = from.get();
         const GDALDatasetUniquePtr to(GDALDataset::FromHandle(
             GDALVectorTranslate((folder_ / name).c_str(), nullptr, 1, &source, options, nullptr)));
@@ -63,8 +59,8 @@ class Workshop {
     /// Overwrites bytes from a place on (counted from the end if negative).
     void patch(const std::string& name, std::int64_t at, const std::string& with) const {
         std::string all = bytes(name);
-        all.replace(static_cast<std::size_t>(at < 0 ? static_cast<std::int64_t>(all.size()) + at : at),
-                    with.size(), with);
+        all.replace(static_cast<std::size_t>(at < 0 ? static_cast<std::int64_t>(all.size()) + at : at), with.size(),
+                    with);
         write(name, all);
     }
     /// A virtual raster with this geotransform and size over the good DTM.
@@ -78,11 +74,10 @@ class Workshop {
     }
     /// A GeoJSON in the scene's CRS with these geometries.
     void geojson(const std::string& name, const std::string& geometry) const {
-        write(
-            name,
-            R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
-            R"("urn:ogc:def:crs:EPSG::32632"}}, "features": [{"type": "Feature", "properties": {}, "geometry": )" +
-                geometry + "}]}");
+        write(name,
+              R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
+              R"("urn:ogc:def:crs:EPSG::32632"}}, "features": [{"type": "Feature", "properties": {}, "geometry": )" +
+                  geometry + "}]}");
     }
 
   private:
@@ -106,8 +101,7 @@ TEST_P(Broken, EndsInOneClearMessage) {
     write_scene(k_numbers_only);
     broken.make(Workshop(folder_));
     const std::vector<std::string> before = files();
-    const std::string value =
-        (broken.key == "release.thickness" ? "raster:" : "") + broken.before + broken.file;
+    const std::string value = (broken.key == "release.thickness" ? "raster:" : "") + broken.before + broken.file;
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--set", broken.key + "=" + value});
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
     EXPECT_EQ(outcome.err.rfind("frana: ", 0), 0U) << outcome.err;
@@ -166,10 +160,9 @@ std::vector<BrokenFile> broken_rasters(const std::string& key) {
          }},
         {"its_own_source", key, "a.vrt",
          [](W w) {
-             w.vrt(
-                 "a.vrt", k_good, "60",
-                 "<VRTRasterBand dataType=\"Float64\" band=\"1\"><SimpleSource><SourceFilename relativeToVRT="
-                 "\"1\">a.vrt</SourceFilename></SimpleSource></VRTRasterBand>");
+             w.vrt("a.vrt", k_good, "60",
+                   "<VRTRasterBand dataType=\"Float64\" band=\"1\"><SimpleSource><SourceFilename relativeToVRT="
+                   "\"1\">a.vrt</SourceFilename></SimpleSource></VRTRasterBand>");
          }},
         {"xml_cut", key, "a.vrt",
          [](W w) {
@@ -177,9 +170,7 @@ std::vector<BrokenFile> broken_rasters(const std::string& key) {
              w.cut("a.vrt", 0.7);
          }},
         {"complex_numbers", key, "a.vrt",
-         [](W w) {
-             w.vrt("a.vrt", k_good, "60", "<VRTRasterBand dataType=\"CFloat32\" band=\"1\"></VRTRasterBand>");
-         }},
+         [](W w) { w.vrt("a.vrt", k_good, "60", "<VRTRasterBand dataType=\"CFloat32\" band=\"1\"></VRTRasterBand>"); }},
         {"picture", key, "a.vrt",
          [](W w) {
              w.vrt("a.vrt", k_good, "60",
@@ -196,8 +187,8 @@ std::vector<BrokenFile> broken_rasters(const std::string& key) {
                  const std::size_t at = all.find(entry);
                  ASSERT_NE(at, std::string::npos);
                  w.patch("a.tif", static_cast<std::int64_t>(at),
-                         std::string{tag, '\x01', '\x04', '\x00', '\x01', '\x00', '\x00', '\x00', '\xff',
-                                     '\xff', '\xff', '\x7f'});
+                         std::string{tag, '\x01', '\x04', '\x00', '\x01', '\x00', '\x00', '\x00', '\xff', '\xff',
+                                     '\xff', '\x7f'});
              }
          }},
         {"grid_of_words", key, "a.asc",
@@ -219,12 +210,11 @@ std::vector<BrokenFile> broken_rasters(const std::string& key) {
          [](W w) { w.write("a.asc", "ncols 3\nnrows 1\nxllcorner 0\nyllcorner 0\n1 2 3\n"); }},
         {"netcdf_garbage", key, "a.nc",
          [](W w) { w.write("a.nc", std::string("CDF\x01", 4) + std::string(300, '\x7e')); }},
-        {"hgt_of_no_size", key, "N46E009.hgt",
-         [](W w) { w.write("N46E009.hgt", std::string(1234, '\x01')); }},
+        {"hgt_of_no_size", key, "N46E009.hgt", [](W w) { w.write("N46E009.hgt", std::string(1234, '\x01')); }},
         {"zip_garbage", key, "a.zip/a.tif", [](W w) { w.write("a.zip", "PK\x03\x04 and then nothing"); }, "",
          "/vsizip/"},
-        {"gzip_garbage", key, "a.tif.gz", [](W w) { w.write("a.tif.gz", "\x1f\x8b\x08 and then nothing"); },
-         "", "/vsigzip/"},
+        {"gzip_garbage", key, "a.tif.gz", [](W w) { w.write("a.tif.gz", "\x1f\x8b\x08 and then nothing"); }, "",
+         "/vsigzip/"},
         {"folder", key, "photos", [](W w) { w.folder("photos"); }},
     };
 }
@@ -248,8 +238,7 @@ std::vector<BrokenFile> broken_vectors(const std::string& key) {
         };
     };
     const auto json = [key](const std::string& name, const std::string& geometry, const std::string& said) {
-        return BrokenFile{name, key, "a.geojson", [geometry](W w) { w.geojson("a.geojson", geometry); },
-                          said};
+        return BrokenFile{name, key, "a.geojson", [geometry](W w) { w.geojson("a.geojson", geometry); }, said};
     };
     return {
         {"empty_shapefile", key, "a.shp", [](W w) { w.write("a.shp", ""); }},
@@ -259,27 +248,21 @@ std::vector<BrokenFile> broken_vectors(const std::string& key) {
         {"shapefile_cut", key, "a.shp", shape_with([](W w) { w.cut("a.shp", 0.7); })},
         {"shx_missing", key, "a.shp", shape_with([](W w) { w.remove("a.shx"); })},
         {"shx_garbage", key, "a.shp", shape_with([](W w) { w.write("a.shx", std::string(108, '\x33')); })},
-        {"shx_points_nowhere", key, "a.shp",
-         shape_with([](W w) { w.patch("a.shx", 100, "\x7f\xff\xff\x00"); })},
+        {"shx_points_nowhere", key, "a.shp", shape_with([](W w) { w.patch("a.shx", 100, "\x7f\xff\xff\x00"); })},
         {"dbf_garbage", key, "a.shp", shape_with([](W w) { w.write("a.dbf", std::string(90, '\x33')); })},
         {"prj_garbage", key, "a.shp", shape_with([](W w) { w.write("a.prj", "somewhere in the Alps"); }),
          "coordinate reference system"},
-        {"prj_missing", key, "a.shp", shape_with([](W w) { w.remove("a.prj"); }),
-         "coordinate reference system"},
-        {"shape_nan", key, "a.shp", shape_with([](W w) {
-             w.patch("a.shp", 156, double_bytes(std::numeric_limits<double>::quiet_NaN()));
-         }),
+        {"prj_missing", key, "a.shp", shape_with([](W w) { w.remove("a.prj"); }), "coordinate reference system"},
+        {"shape_nan", key, "a.shp",
+         shape_with([](W w) { w.patch("a.shp", 156, double_bytes(std::numeric_limits<double>::quiet_NaN())); }),
          "no number"},
-        {"shape_infinite", key, "a.shp", shape_with([](W w) {
-             w.patch("a.shp", 156, double_bytes(std::numeric_limits<double>::infinity()));
-         }),
+        {"shape_infinite", key, "a.shp",
+         shape_with([](W w) { w.patch("a.shp", 156, double_bytes(std::numeric_limits<double>::infinity())); }),
          "no number"},
         {"shape_of_many_points", key, "a.shp",
          shape_with([](W w) { w.patch("a.shp", 148, std::string("\xff\xff\xff\x7f", 4)); })},
         {"geopackage_garbage", key, "a.gpkg",
-         [](W w) {
-             w.write("a.gpkg", "SQLite format 3" + std::string(1, '\0') + std::string(2000, '\x33'));
-         }},
+         [](W w) { w.write("a.gpkg", "SQLite format 3" + std::string(1, '\0') + std::string(2000, '\x33')); }},
         {"geopackage_cut", key, "a.gpkg",
          [](W w) {
              w.vector("GPKG", "a.gpkg");
@@ -323,27 +306,22 @@ std::vector<BrokenFile> broken_vectors(const std::string& key) {
         json("null_geometry", "null", "no polygon"),
         json("empty_polygon", R"({"type": "Polygon", "coordinates": []})", "no polygon"),
         json("points", R"({"type": "Point", "coordinates": [527040, 5094070]})", ""),
-        json(
-            "open_line",
-            R"({"type": "LineString", "coordinates": [[527020, 5094055], [527070, 5094055], [527070, 5094095]]})",
-            "does not close"),
-        json(
-            "ring_left_open",
-            R"({"type": "Polygon", "coordinates": [[[527020, 5094055], [527070, 5094055], [527070, 5094095]]]})",
-            "does not close"),
-        json("ring_of_two_points",
-             R"({"type": "Polygon", "coordinates": [[[527020, 5094055], [527070, 5094055]]]})", ""),
-        json(
-            "ring_without_area",
-            R"({"type": "Polygon", "coordinates": [[[527020, 5094055], [527070, 5094055], [527020, 5094055]]]})",
-            ""),
+        json("open_line",
+             R"({"type": "LineString", "coordinates": [[527020, 5094055], [527070, 5094055], [527070, 5094095]]})",
+             "does not close"),
+        json("ring_left_open",
+             R"({"type": "Polygon", "coordinates": [[[527020, 5094055], [527070, 5094055], [527070, 5094095]]]})",
+             "does not close"),
+        json("ring_of_two_points", R"({"type": "Polygon", "coordinates": [[[527020, 5094055], [527070, 5094055]]]})",
+             ""),
+        json("ring_without_area",
+             R"({"type": "Polygon", "coordinates": [[[527020, 5094055], [527070, 5094055], [527020, 5094055]]]})", ""),
         json("coordinates_of_words",
              R"({"type": "Polygon", "coordinates": [[["a", "b"], ["c", "d"], ["e", "f"], ["a", "b"]]]})", ""),
-        json(
-            "coordinate_beyond_doubles",
-            R"({"type": "Polygon", "coordinates": [[[1e999, 5094055], [527070, 5094055], [527070, 5094095], )"
+        json("coordinate_beyond_doubles",
+             R"({"type": "Polygon", "coordinates": [[[1e999, 5094055], [527070, 5094055], [527070, 5094095], )"
              R"([1e999, 5094055]]]})",
-            ""),
+             ""),
         json("unknown_geometry", R"({"type": "Blob", "coordinates": [1, 2]})", ""),
     };
 }

@@ -59,8 +59,8 @@ TEST_F(Command, ParamsAndMaterials) {
     EXPECT_EQ(materials.exit_code, 0);
     EXPECT_NE(materials.out.find("bindo\n"), std::string::npos);
     EXPECT_NE(materials.out.find("material.density = 1291"), std::string::npos);
-    for (const std::string preset : {"bindo", "debris-flow", "earthflow", "lahar", "mudflow", "rock-avalanche",
-                                     "snow-avalanche", "snow-slab"})
+    for (const std::string preset :
+         {"bindo", "debris-flow", "earthflow", "lahar", "mudflow", "rock-avalanche", "snow-avalanche", "snow-slab"})
         EXPECT_NE(materials.out.find(preset + "\n  A starting point"), std::string::npos) << preset;
 }
 
@@ -68,9 +68,8 @@ TEST_F(Command, CheckPrintsWhatWouldRunAndWritesNothing) {
     const std::vector<std::string> before = files();
     const Outcome outcome = frana({"check", "scene.ini", "--threads", "1"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    for (const std::string words :
-         {"ready to run", "EPSG:32632", "527000.00 5094000.00", "60 x 30", "4 000 m3", "2 000 m2", "-9999",
-          "particles", "memory", "terms", "estimated time"})
+    for (const std::string words : {"ready to run", "EPSG:32632", "527000.00 5094000.00", "60 x 30", "4 000 m3",
+                                    "2 000 m2", "-9999", "particles", "memory", "terms", "estimated time"})
         EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " in\n" << outcome.out;
     EXPECT_EQ(files(), before);
 }

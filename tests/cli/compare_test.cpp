@@ -12,12 +12,11 @@ using Compare = TinyScene;
 
 TEST_F(Compare, AForeignRasterAgainstAnOutline) {
     // Depth 1 m in columns 4 to 13 of rows 10 to 19: 50 m x 50 m from (20, 50) to (70, 100).
-    write_dtm([](int row,
-                 int column) { return row >= 10 && row < 20 && column >= 4 && column < 14 ? 1.0 : -9999.0; },
+    write_dtm([](int row, int column) { return row >= 10 && row < 20 && column >= 4 && column < 14 ? 1.0 : -9999.0; },
               true, "depth.asc");
     write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});  // half of it, and as much beside
-    const Outcome outcome = frana({"compare", "depth.asc", "--scar", "scar.geojson", "--threshold", "0.5",
-                                   "--out", "scores", "--size", "800x600"});
+    const Outcome outcome = frana({"compare", "depth.asc", "--scar", "scar.geojson", "--threshold", "0.5", "--out",
+                                   "scores", "--size", "800x600"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, read_text(path("scores/comparison.json")));
     EXPECT_EQ(json_number(outcome.out, "hit_m2"), 1250);
@@ -47,10 +46,9 @@ TEST_F(Compare, AResultAgainstAnOutlineInAnotherCrs) {
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     // About the release, in degrees: a few hundredths of a square kilometre, any overlap shows the
     // transformation works.
-    write(
-        "scar.geojson",
-        R"({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [[)"
-        R"([9.3485, 45.9995], [9.3525, 45.9995], [9.3525, 46.0025], [9.3485, 46.0025], [9.3485, 45.9995]]]}})");
+    write("scar.geojson",
+          R"({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [[)"
+          R"([9.3485, 45.9995], [9.3525, 45.9995], [9.3525, 46.0025], [9.3485, 46.0025], [9.3485, 45.9995]]]}})");
     const Outcome outcome = frana({"compare", "result", "--scar", "scar.geojson", "--size", "800x600"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_GT(json_number(outcome.out, "hit_m2"), 0);
@@ -61,8 +59,8 @@ TEST_F(Compare, AResultAgainstAnOutlineInAnotherCrs) {
 TEST_F(Compare, ClassesDifferInLightnessForPrintsWithoutColours) {
     write_dtm([](int, int) { return 1.0; }, true, "depth.asc");
     write_polygon("scar", {{200, 0}, {280, 0}, {280, 150}, {200, 150}});
-    ASSERT_EQ(frana({"compare", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "800x600"}).exit_code,
-              0);
+    ASSERT_EQ(
+        frana({"compare", "depth.asc", "--scar", "scar.geojson", "--out", "scores", "--size", "800x600"}).exit_code, 0);
     const std::vector<gis::NamedClass> classes = gis::read_raster_text(path("scores/comparison.tif")).classes;
     ASSERT_EQ(classes.size(), 3U);
     std::vector<double> tones;  // Rec. 601 luma, of 255
@@ -87,9 +85,7 @@ class CompareSquare : public TinyScene {
   protected:
     CompareSquare() {
         write_dtm(
-            [](int row, int column) {
-                return row >= 10 && row < 20 && column >= 4 && column < 14 ? 1.0 : -9999.0;
-            },
+            [](int row, int column) { return row >= 10 && row < 20 && column >= 4 && column < 14 ? 1.0 : -9999.0; },
             true, "depth.asc");
     }
     void write_lines(const std::string& name, const std::string& type, const std::string& coordinates) const {
@@ -154,24 +150,22 @@ TEST_F(CompareSquare, AnOpenLineThatCrossesTheEdgeIsHalfReached) {
 }
 
 TEST_F(CompareSquare, SeveralResultsAndScarsAreRanked) {
-    write_dtm([](int row,
-                 int column) { return row >= 10 && row < 20 && column >= 9 && column < 19 ? 1.0 : -9999.0; },
+    write_dtm([](int row, int column) { return row >= 10 && row < 20 && column >= 9 && column < 19 ? 1.0 : -9999.0; },
               true, "better.asc");
     write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});   // better.asc itself
     write_polygon("other", {{20, 50}, {70, 50}, {70, 100}, {20, 100}});  // depth.asc itself
-    const Outcome outcome = frana({"compare", "depth.asc", "better.asc", "--scar", "scar.geojson", "--out",
-                                   "rank", "--size", "800x600"});
+    const Outcome outcome =
+        frana({"compare", "depth.asc", "better.asc", "--scar", "scar.geojson", "--out", "rank", "--size", "800x600"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, read_text(path("rank/ranking.csv")));
     const std::size_t first = outcome.out.find("\n1,better_scar,better.asc,scar.geojson,1,1,0,"),
-                      second =
-                          outcome.out.find("\n2,depth_scar,depth.asc,scar.geojson,0.3333333333333333,0.5,0,");
+                      second = outcome.out.find("\n2,depth_scar,depth.asc,scar.geojson,0.3333333333333333,0.5,0,");
     EXPECT_NE(first, std::string::npos) << outcome.out;
     EXPECT_NE(second, std::string::npos) << outcome.out;
     EXPECT_TRUE(std::filesystem::exists(path("rank/better_scar/comparison.json")));
     EXPECT_TRUE(std::filesystem::exists(path("rank/depth_scar/comparison.png")));
-    const Outcome both = frana({"compare", "depth.asc", "--scar", "scar.geojson", "--scar", "other.geojson",
-                                "--out", "rank", "--size", "800x600"});
+    const Outcome both = frana({"compare", "depth.asc", "--scar", "scar.geojson", "--scar", "other.geojson", "--out",
+                                "rank", "--size", "800x600"});
     ASSERT_EQ(both.exit_code, 0) << both.err;
     EXPECT_NE(both.out.find("\n1,depth_other,"), std::string::npos) << both.out;
 }
@@ -182,9 +176,8 @@ TEST_F(Compare, ADepositAgainstAnElevationDifference) {
     // The survey is the result's own deposit, half as deep: overlap is perfect (over a threshold that both
     // exceed or neither does is not sure, so a low one), depths are twice the survey's.
     const Raster depth = gis::read_result_raster(path("result/final_depth.tif"));
-    write_dtm(
-        [&](int row, int column) { return depth.has_data(row, column) ? depth.at(row, column) / 2 : 0.0; },
-        true, "change.asc");
+    write_dtm([&](int row, int column) { return depth.has_data(row, column) ? depth.at(row, column) / 2 : 0.0; }, true,
+              "change.asc");
     const Outcome outcome =
         frana({"compare", "result", "--deposit", "change.asc", "--threshold", "0.004", "--out", "d"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

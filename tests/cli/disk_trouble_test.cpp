@@ -112,8 +112,8 @@ TEST_F(SmallDisk, ThatFillsStopsTheRunWhichGoesOnLater) {
 
 // Younger than its first checkpoint, a run has the room for one: the state is that of the moment the disk filled.
 TEST_F(SmallDisk, ThatFillsTakesTheStateOfAYoungRun) {
-    const std::vector<std::pair<std::string, std::string>> moments{
-        {"0.2", "a frame cannot be written"}, {"4", "the result cannot be written"}};
+    const std::vector<std::pair<std::string, std::string>> moments{{"0.2", "a frame cannot be written"},
+                                                                   {"4", "the result cannot be written"}};
     for (const auto& [interval, moment] : moments) {
         SCOPED_TRACE(moment);
         const bool at_a_frame = interval == "0.2";

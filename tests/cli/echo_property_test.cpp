@@ -17,8 +17,7 @@ using EchoedScene = TinyScene;
 
 std::vector<std::uint64_t> bits_of(const std::string& file) {
     std::vector<std::uint64_t> list;
-    for (const double value : gis::read_result_raster(file).values)
-        list.push_back(std::bit_cast<std::uint64_t>(value));
+    for (const double value : gis::read_result_raster(file).values) list.push_back(std::bit_cast<std::uint64_t>(value));
     return list;
 }
 
@@ -36,14 +35,11 @@ std::string random_text(RandomNumbers& random) {
     if (random.once_in(3)) text << "velocity = " << random.between(0, 10) << '\n';
     text << "[material]\n";
     if (random.once_in(4)) {
-        text << "model = structured\n[structured]\nphases = fluid\nmanning = " << random.between(0.02, 0.12)
-             << '\n';
+        text << "model = structured\n[structured]\nphases = fluid\nmanning = " << random.between(0.02, 0.12) << '\n';
     } else {
-        text << "friction-angle = " << random.between(5, 30) << "\ndensity = " << random.between(1000, 2500)
-             << '\n';
+        text << "friction-angle = " << random.between(5, 30) << "\ndensity = " << random.between(1000, 2500) << '\n';
         if (random.once_in(2)) text << "turbulence = " << random.log_between(100, 3000) << '\n';
-        if (random.once_in(3))
-            text << "viscosity = " << random.log_between(10, 2000) << "\nyield-stress = 100\n";
+        if (random.once_in(3)) text << "viscosity = " << random.log_between(10, 2000) << "\nyield-stress = 100\n";
     }
     text << "[numerics]\ncfl = " << random.between(0.3, 0.5) << '\n';
     if (random.once_in(3)) text << "boundary = " << one_of({"open", "wall"}) << '\n';
@@ -61,8 +57,7 @@ TEST_F(EchoedScene, ReproducesTheRunBitForBit) {
         ASSERT_EQ(first.exit_code, 0) << first.err << text;
         const Outcome second = frana({"run", "first/scene.ini", "--out", "second", "--overwrite", "--quiet"});
         ASSERT_EQ(second.exit_code, 0) << second.err << read_text(path("first/scene.ini"));
-        for (const char* name :
-             {"max_depth", "max_velocity", "final_depth", "arrival_time", "max_pressure"}) {
+        for (const char* name : {"max_depth", "max_velocity", "final_depth", "arrival_time", "max_pressure"}) {
             const std::string file = std::string("/") + name + ".tif";
             EXPECT_EQ(bits_of(path("first" + file)), bits_of(path("second" + file))) << name << '\n' << text;
         }

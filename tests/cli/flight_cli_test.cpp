@@ -17,9 +17,26 @@ class FlightFiles : public TinyScene {
         write_scene("[numerics]\ncurvature = on\n" + k_numbers_only);
     }
     [[nodiscard]] Outcome run(const std::string& flight) const {
-        return frana({"run", "scene.ini", "--out", "result", "--overwrite", "--set", "numerics.flight=" + flight, "--set",
-                      "release.perimeter=near.geojson", "--set", "release.velocity=10", "--set", "release.direction=90",
-                      "--set", "material.friction-angle=0", "--set", "material.turbulence=1e9", "--set", "release.thickness=0.2", "--set",
+        return frana({"run",
+                      "scene.ini",
+                      "--out",
+                      "result",
+                      "--overwrite",
+                      "--set",
+                      "numerics.flight=" + flight,
+                      "--set",
+                      "release.perimeter=near.geojson",
+                      "--set",
+                      "release.velocity=10",
+                      "--set",
+                      "release.direction=90",
+                      "--set",
+                      "material.friction-angle=0",
+                      "--set",
+                      "material.turbulence=1e9",
+                      "--set",
+                      "release.thickness=0.2",
+                      "--set",
                       "time.end=8"});
     }
 };
@@ -67,7 +84,8 @@ TEST_F(FlightFiles, AreNotThereWithoutFlight) {
 
 TEST_F(FlightFiles, FlightWithoutCurvatureIsRefused) {
     write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
-    const Outcome outcome = frana({"check", "scene.ini", "--set", "numerics.curvature=off", "--set", "numerics.flight=on"});
+    const Outcome outcome =
+        frana({"check", "scene.ini", "--set", "numerics.curvature=off", "--set", "numerics.flight=on"});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("numerics.flight"), std::string::npos) << outcome.err;
 }

@@ -57,8 +57,7 @@ bool locked(const fs::path& folder, int& descriptor) {
 
 TEST_F(Guard, TwoRunsDoNotWriteOneResult) {
     write_scene(k_numbers_only);
-    const std::vector<std::string> run{"run",     "scene.ini", "--out",       "result",
-                                       "--quiet", "--set",     "time.end=0.1"};
+    const std::vector<std::string> run{"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1"};
     const fs::path aside = folder_ / "result.partial-OTHER1";
     fs::create_directory(aside);
     int descriptor = -1;

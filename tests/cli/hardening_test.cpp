@@ -24,9 +24,10 @@ TEST(Hardening, TheReleaseIsBuiltWithIt) {
 #ifndef FRANA_RELEASE
     GTEST_SKIP() << "not a release build";
 #endif
-    const std::string elf = output_of("readelf -W --file-header --program-headers --dynamic --dyn-syms '" FRANA_PROGRAM "'");
-    for (const char* mark : {"DYN (Position-Independent Executable file)", "GNU_RELRO", "BIND_NOW", "__stack_chk_fail",
-                             "__snprintf_chk"})
+    const std::string elf =
+        output_of("readelf -W --file-header --program-headers --dynamic --dyn-syms '" FRANA_PROGRAM "'");
+    for (const char* mark :
+         {"DYN (Position-Independent Executable file)", "GNU_RELRO", "BIND_NOW", "__stack_chk_fail", "__snprintf_chk"})
         EXPECT_NE(elf.find(mark), std::string::npos) << mark;
 }
 

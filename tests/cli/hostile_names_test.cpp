@@ -22,7 +22,8 @@ class HostileNames : public TinyScene {
             R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [)";
         for (std::size_t i = 0; i < names.size(); ++i) {
             const auto at = [&](double x) {
-                return "[" + std::to_string(k_west + x) + "," + std::to_string(k_south + 75 + static_cast<double>(i)) + "]";
+                return "[" + std::to_string(k_west + x) + "," + std::to_string(k_south + 75 + static_cast<double>(i)) +
+                       "]";
             };
             json += std::string(i ? "," : "") + R"({"type": "Feature", "properties": {"name": ")" + names[i] +
                     R"("}, "geometry": {"type": ")" + type + R"(", "coordinates": )" +
@@ -79,7 +80,8 @@ TEST_F(HostileNames, BytesThatAreNotUtf8) {
     for (const std::string& file : files()) {
         const std::string name = fs::path(file).filename();
         const bool text = name.ends_with(".json") || name.ends_with(".html") || name.ends_with(".csv") ||
-                          name == "log.txt" || name.starts_with(".z") || name.ends_with(".qml") || name.ends_with(".sld");
+                          name == "log.txt" || name.starts_with(".z") || name.ends_with(".qml") ||
+                          name.ends_with(".sld");
         if (!file.starts_with("result/") || !text) continue;
         EXPECT_TRUE(is_utf8(read_text(path(file)))) << file;
     }

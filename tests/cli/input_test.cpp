@@ -18,8 +18,8 @@ using Input = TinyScene;
 
 /// A slope that falls east by `drop` per column, as an ASCII grid without a .prj.
 std::string slope_grid(const std::string& corner_and_cell, int columns, int rows, double drop) {
-    std::string text = "ncols " + std::to_string(columns) + "\nnrows " + std::to_string(rows) + "\n" +
-                       corner_and_cell + "\nNODATA_value -9999\n";
+    std::string text = "ncols " + std::to_string(columns) + "\nnrows " + std::to_string(rows) + "\n" + corner_and_cell +
+                       "\nNODATA_value -9999\n";
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column)
             text += std::to_string(300 - drop * column) + (column + 1 < columns ? ' ' : '\n');
@@ -39,12 +39,11 @@ void expect_words(const std::string& text, const std::vector<std::string>& words
 
 TEST_F(Input, CheckShowsThemAsOneTable) {
     // The release's outline in Gauss-Boaga, by gdaltransform -s_srs EPSG:32632 -t_srs EPSG:3003 to the metre.
-    write(
-        "scar.geojson",
-        R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
-        R"("urn:ogc:def:crs:EPSG::3003"}}, "features": [{"type": "Feature", "properties": {}, "geometry": )"
-        R"({"type": "Polygon", "coordinates": [[[1527048, 5094076], [1527098, 5094076], [1527098, 5094116], )"
-        R"([1527048, 5094076]]]}}]})");
+    write("scar.geojson",
+          R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
+          R"("urn:ogc:def:crs:EPSG::3003"}}, "features": [{"type": "Feature", "properties": {}, "geometry": )"
+          R"({"type": "Polygon", "coordinates": [[[1527048, 5094076], [1527098, 5094076], [1527098, 5094116], )"
+          R"([1527048, 5094076]]]}}]})");
     const Outcome outcome = frana({"check", "scene.ini", "--set", "scar.perimeter=scar.geojson"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     expect_words(outcome.out, {"Input",
@@ -79,21 +78,19 @@ TEST_F(Input, CheckShowsThemAsOneTable) {
 
 TEST_F(Input, TheLogStatesOperationsAndResampling) {
     write_scene(k_numbers_only);
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1",
-                                   "--set", "terrain.cell-size=2"});
+    const Outcome outcome = frana(
+        {"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1", "--set", "terrain.cell-size=2"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     expect_words(read_text(path("result/log.txt")), {"resampling bilinear"});
-    const Outcome averaged = frana({"run", "scene.ini", "--out", "coarse", "--quiet", "--set", "time.end=0.1",
-                                    "--set", "terrain.crs=EPSG:3003", "--set", "terrain.cell-size=10"});
+    const Outcome averaged = frana({"run", "scene.ini", "--out", "coarse", "--quiet", "--set", "time.end=0.1", "--set",
+                                    "terrain.crs=EPSG:3003", "--set", "terrain.cell-size=10"});
     ASSERT_EQ(averaged.exit_code, 0) << averaged.err;
-    expect_words(read_text(path("coarse/log.txt")),
-                 {"resampling average", "DTM transformed by:", "Monte Mario", "accuracy 4 m",
-                  "perimeter transformed by:"});
+    expect_words(read_text(path("coarse/log.txt")), {"resampling average", "DTM transformed by:", "Monte Mario",
+                                                     "accuracy 4 m", "perimeter transformed by:"});
     // Austria's system in Italy: no survey ties them there, and PROJ leaves the datum as it is.
     expect_words(frana({"check", "scene.ini", "--set", "terrain.crs=EPSG:31287"}).err,
                  {"DTM: nothing is known of the accuracy", "Ballpark", "hundreds of metres"});
-    EXPECT_EQ(gis::read_result_raster(path("coarse/dtm.tif")).grid.cell_size, 10)
-        << "the DTM really used is kept";
+    EXPECT_EQ(gis::read_result_raster(path("coarse/dtm.tif")).grid.cell_size, 10) << "the DTM really used is kept";
 }
 
 TEST_F(Input, AMapThatIsNotTrueToScaleIsNotComputedOn) {
@@ -177,20 +174,19 @@ TEST_F(Input, ArchivesCountFromTheScene) {
     }
     std::filesystem::remove(path("dtm.asc"));
     const Outcome outcome =
-        run_program("/", {"check", path("scene.ini"), "--set", "terrain.dtm=/vsizip/tiles.zip/dtm.asc",
-                          "--set", "terrain.dtm-crs=EPSG:32632"});
+        run_program("/", {"check", path("scene.ini"), "--set", "terrain.dtm=/vsizip/tiles.zip/dtm.asc", "--set",
+                          "terrain.dtm-crs=EPSG:32632"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 TEST_F(Input, AFilterChoosesFeatures) {
-    write(
-        "two.geojson",
-        R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
-        R"("urn:ogc:def:crs:EPSG::32632"}}, "features": [)"
-        R"({"type": "Feature", "properties": {"kind": "release"}, "geometry": {"type": "Polygon", "coordinates": )"
-        R"([[[527020, 5094055], [527070, 5094055], [527070, 5094095], [527020, 5094055]]]}},)"
-        R"({"type": "Feature", "properties": {"kind": "deposit"}, "geometry": {"type": "Polygon", "coordinates": )"
-        R"([[[527220, 5094055], [527270, 5094055], [527270, 5094095], [527220, 5094055]]]}}]})");
+    write("two.geojson",
+          R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
+          R"("urn:ogc:def:crs:EPSG::32632"}}, "features": [)"
+          R"({"type": "Feature", "properties": {"kind": "release"}, "geometry": {"type": "Polygon", "coordinates": )"
+          R"([[[527020, 5094055], [527070, 5094055], [527070, 5094095], [527020, 5094055]]]}},)"
+          R"({"type": "Feature", "properties": {"kind": "deposit"}, "geometry": {"type": "Polygon", "coordinates": )"
+          R"([[[527220, 5094055], [527270, 5094055], [527270, 5094095], [527220, 5094055]]]}}]})");
     const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=two.geojson", "--set",
                                    "release.perimeter-filter=kind = 'release'"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -220,9 +216,9 @@ TEST_P(AcrossASeam, ASceneIsOnePiece) {
     write("degrees.asc", slope_grid(seam.grid, 80, 60, 2));
     write("seam.geojson", polygon_geojson(seam.rings));
     write_scene(k_numbers_only);
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1",
-                                   "--set", "terrain.dtm=degrees.asc", "--set", "terrain.dtm-crs=EPSG:4326",
-                                   "--set", "release.perimeter=seam.geojson"});
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1", "--set",
+                                   "terrain.dtm=degrees.asc", "--set", "terrain.dtm-crs=EPSG:4326", "--set",
+                                   "release.perimeter=seam.geojson"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_NE(summary.find(seam.zone), std::string::npos) << summary;
@@ -237,8 +233,8 @@ INSTANTIATE_TEST_SUITE_P(
         // 0.001 by 0.0005 degrees. On the ellipsoid 77.463 m by 55.576 m at 46 N, times the square of UTM's
         // scale 3 degrees off the central meridian, 0.9996 (1 + (0.05236 cos 46)^2 / 2) = 1.00026.
         Seam{"zones_32_and_33", "xllcorner 11.998\nyllcorner 45.9985\ncellsize 0.00005",
-             "[[[11.9995, 46], [12.0005, 46], [12.0005, 46.0005], [11.9995, 46.0005], [11.9995, 46]]]",
-             "UTM zone 3", 77.463 * 55.576 * 1.00026 * 1.00026},
+             "[[[11.9995, 46], [12.0005, 46], [12.0005, 46.0005], [11.9995, 46.0005], [11.9995, 46]]]", "UTM zone 3",
+             77.463 * 55.576 * 1.00026 * 1.00026},
         // Split at the antimeridian as GeoJSON wants it; at 16.5 S 106.764 m by 55.332 m, scale 1.00087.
         Seam{"antimeridian", "xllcorner 179.998\nyllcorner -16.5015\ncellsize 0.00005",
              "[[[179.9995, -16.5], [180, -16.5], [180, -16.4995], [179.9995, -16.4995], [179.9995, -16.5]]], "
@@ -267,8 +263,8 @@ TEST_F(Input, OfAHugeDtmOnlyWhatIsNeededIsRead) {
         for (int column = 0; column < corner; ++column)
             row[static_cast<std::size_t>(column)] = 1500 - 0.6F * static_cast<float>(column);
         for (int k = 0; k < corner; ++k) {
-            ASSERT_EQ(file->GetRasterBand(1)->RasterIO(GF_Write, n - corner, n - corner + k, corner, 1,
-                                                       row.data(), corner, 1, GDT_Float32, 0, 0),
+            ASSERT_EQ(file->GetRasterBand(1)->RasterIO(GF_Write, n - corner, n - corner + k, corner, 1, row.data(),
+                                                       corner, 1, GDT_Float32, 0, 0),
                       CE_None);
         }
     }
@@ -308,8 +304,8 @@ TEST_F(Input, OfAHugeDtmOnlyWhatIsNeededIsRead) {
     write("line.geojson",
           R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
           R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":[[)" +
-              std::to_string(k_west - 300) + "," + std::to_string(k_south + 60) + "],[" +
-              std::to_string(k_west - 300) + "," + std::to_string(k_south + 90) + "]]}}]}");
+              std::to_string(k_west - 300) + "," + std::to_string(k_south + 60) + "],[" + std::to_string(k_west - 300) +
+              "," + std::to_string(k_south + 90) + "]]}}]}");
     write("flood.csv", "time,discharge,velocity\n0,10,2\n5,10,2\n");
     write_scene(k_numbers_only + "[inflow]\nline = line.geojson\nhydrograph = flood.csv\n");
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "inflow", "--quiet", "--set", "time.end=0.1", "--set",

@@ -73,8 +73,8 @@ TEST_F(KeptFilesOf, AResult) {
 TEST_F(KeptFilesOf, AnybodyWithTheNameOfAPicture) {
     fs::create_directory(path("pictures"));
     fs::copy_file(path("result/dtm.tif"), path("pictures/max_depth.tif"));
-    const std::vector<std::string> draw{"render", "result", "--map",    "max_depth", "--out",
-                                        "pictures", "--format", "tif", "--size",    "640x480"};
+    const std::vector<std::string> draw{"render",   "result",   "--map", "max_depth", "--out",
+                                        "pictures", "--format", "tif",   "--size",    "640x480"};
     expect_refusal(draw, "is there already and is no picture that frana drew");
     fs::remove(path("pictures/max_depth.tif"));
     for (int i = 0; i < 2; ++i) {  // its own pictures it draws anew
@@ -125,8 +125,8 @@ const std::string k_foreign = "is there already, and frana did not write it";
 
 TEST_F(OwnFiles, OfAComparisonAreReplacedAndNoOthers) {
     write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
-    const std::vector<std::string> compare{"compare", "result/max_depth.tif", "--scar",  "scar.geojson",
-                                           "--out",   "compared",             "--size", "640x480"};
+    const std::vector<std::string> compare{
+        "compare", "result/max_depth.tif", "--scar", "scar.geojson", "--out", "compared", "--size", "640x480"};
     fs::create_directory(path("compared"));
     write("compared/comparison.png", "the user's");
     expect_refusal(compare, k_foreign);
@@ -206,8 +206,7 @@ TEST_F(AnotherResult, IsNotComparedInto) {
     fs::remove(path("other/manifest.json"));
     expect_both_named({"compare", "result", "--scar", "scar.geojson", "--out", "other"}, "result");
     for (const std::string own : {"result", "result/more"})
-        EXPECT_EQ(frana({"compare", "result", "--scar", "scar.geojson", "--out", own, "--size", "640x480"})
-                      .exit_code,
+        EXPECT_EQ(frana({"compare", "result", "--scar", "scar.geojson", "--out", own, "--size", "640x480"}).exit_code,
                   0);
 }
 
@@ -221,15 +220,12 @@ TEST_F(AnotherResult, IsNotDrawnInto) {
     expect_both_named({"render", "result", "--charts", "--out", "other/charts"}, "result");
     expect_both_named({"render", "dtm.asc", "--out", "other/maps"}, "dtm.asc");
     for (const std::string own : {"result/maps", "result/more"})
-        EXPECT_EQ(
-            frana({"render", "result", "--map", "max_depth", "--out", own, "--size", "640x480"}).exit_code,
-            0);
+        EXPECT_EQ(frana({"render", "result", "--map", "max_depth", "--out", own, "--size", "640x480"}).exit_code, 0);
 }
 
 TEST_F(AnotherResult, TakesNoStudy) {
     expect_both_named({"bench", "accuracy", "--quick", "--case", "lake-z1", "--out", "other"}, "");
-    expect_both_named({"converge", "scene.ini", "--quiet", "--set", "time.end=1", "--out", "other/study"},
-                      "");
+    expect_both_named({"converge", "scene.ini", "--quiet", "--set", "time.end=1", "--out", "other/study"}, "");
 }
 
 class OwnPictures : public KeptFilesOf {
@@ -274,23 +270,20 @@ TEST_F(OwnPictures, OfALongerFilmGo) {
     const auto frames = [&](const std::string& more) {
         std::vector<std::string> names;
         for (const std::string& name : files())
-            if (name.starts_with("film/frame_") && name.find(more) != std::string::npos)
-                names.push_back(name);
+            if (name.starts_with("film/frame_") && name.find(more) != std::string::npos) names.push_back(name);
         return names;
     };
     const std::size_t longer = frames(".png").size();
     ASSERT_GE(longer, 3U);
     write("film/frame_0009.png", "the user's");
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=1"})
-                  .exit_code,
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=1"}).exit_code,
               0);
     ASSERT_EQ(frana(film("film/")).exit_code, 0);
     const std::vector<std::string> left = frames(".png");
     EXPECT_LT(left.size(), longer + 1);
     EXPECT_FALSE(fs::exists(path("film/frame_000" + std::to_string(longer - 1) + ".png")));
     EXPECT_EQ(read_text(path("film/frame_0009.png")), "the user's");
-    EXPECT_EQ(read_text(path("film/manifest.json")).find("frame_000" + std::to_string(longer - 1)),
-              std::string::npos);
+    EXPECT_EQ(read_text(path("film/manifest.json")).find("frame_000" + std::to_string(longer - 1)), std::string::npos);
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ std::string lines_where(const std::string& text, const std::function<bool(const 
 // Those lines of a summary say how it was computed, not what.
 std::string without_cost(const std::string& summary) {
     return lines_where(summary, [](const std::string& line) {
-        return !has_any(line, {"\"threads\"", "\"total\"", "\"input\"", "\"engine\"", "\"output\"",
-                               "\"render\"", "particle_steps_per_second", "peak_memory_bytes"});
+        return !has_any(line, {"\"threads\"", "\"total\"", "\"input\"", "\"engine\"", "\"output\"", "\"render\"",
+                               "particle_steps_per_second", "peak_memory_bytes"});
     });
 }
 
@@ -39,8 +39,7 @@ std::string without_warnings(const std::string& summary) {
     bool inside = false;
     return lines_where(summary, [&](const std::string& line) {
         const bool was_inside = inside;
-        inside = (inside || line.find("\"warnings\": [") != std::string::npos) &&
-                 line.find(']') == std::string::npos;
+        inside = (inside || line.find("\"warnings\": [") != std::string::npos) && line.find(']') == std::string::npos;
         return !inside && !was_inside && line.find("\"warnings\": [") == std::string::npos;
     });
 }
@@ -83,14 +82,12 @@ std::string without_dates(std::string bytes) {
     const auto fits = [&](std::size_t at) {
         for (std::size_t i = 0; i < form.size(); ++i) {
             const auto c = static_cast<unsigned char>(bytes[at + i]);
-            if (form[i] == 'd' ? std::isdigit(c) == 0 : c != static_cast<unsigned char>(form[i]))
-                return false;
+            if (form[i] == 'd' ? std::isdigit(c) == 0 : c != static_cast<unsigned char>(form[i])) return false;
         }
         return true;
     };
     for (std::size_t dash = bytes.find('-', 4); dash != std::string::npos; dash = bytes.find('-', dash + 1))
-        if (dash + form.size() - 4 <= bytes.size() && fits(dash - 4))
-            bytes.replace(dash - 4, form.size(), form);
+        if (dash + form.size() - 4 <= bytes.size() && fits(dash - 4)) bytes.replace(dash - 4, form.size(), form);
     return bytes;
 }
 

@@ -69,9 +69,17 @@ TEST_F(Late, SignalLeavesOutPicturesWhichResumingDraws) {
 
 TEST_F(Late, SecondSignalEndsAtOnceAndResumingCompletes) {
     // So large that drawing one takes longer than a second signal.
-    const std::vector<std::string> large{"--quiet", "--set", "output.map-size=2400x1600", "--set",
-                                         "output.maps=max_depth,max_velocity", "--set", "output.charts=off", "--set",
-                                         "output.animation=off", "--set", "output.report=off"};
+    const std::vector<std::string> large{"--quiet",
+                                         "--set",
+                                         "output.map-size=2400x1600",
+                                         "--set",
+                                         "output.maps=max_depth,max_velocity",
+                                         "--set",
+                                         "output.charts=off",
+                                         "--set",
+                                         "output.animation=off",
+                                         "--set",
+                                         "output.report=off"};
     ASSERT_EQ(frana(command("whole", large)).exit_code, 0);
     const Outcome outcome = stop_at("result", "maps/max_depth.png", {SIGINT, SIGTERM}, large);
     EXPECT_EQ(outcome.exit_code, -SIGTERM) << outcome.err;
@@ -88,8 +96,8 @@ TEST_F(Late, SignalThatCostsNothingIsNoFailure) {
 }
 
 TEST_F(Late, FaultOfAPictureKeepsWhatResumingNeeds) {
-    ASSERT_EQ(frana(command("first", {"--quiet", "--set", "output.maps=off", "--set", "output.animation=off"})).exit_code,
-              0);
+    ASSERT_EQ(
+        frana(command("first", {"--quiet", "--set", "output.maps=off", "--set", "output.animation=off"})).exit_code, 0);
     ASSERT_EQ(frana({"render", "first", "--map", "max_depth", "--format", "tif", "--out", "."}).exit_code, 0);
     fs::rename(path("max_depth.tif"), path("photo.tif"));
     const std::vector<std::string> photo{"--set", "output.map-background=photo.tif", "--set", "output.animation=off"};

@@ -23,8 +23,7 @@ TEST(Layers, DepthClassesAreFineWhereFlowsAreThin) {
     const auto classes = [](double maximum) { return class_bounds(true, maximum); };
     EXPECT_EQ(classes(38.2), (std::vector<double>{0, 0.5, 1, 2, 5, 10, 20, 30, 40}));
     EXPECT_EQ(classes(14.8), (std::vector<double>{0, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15}));
-    EXPECT_EQ(classes(8),
-              (std::vector<double>{0, 0.1, 0.2, 0.5, 1, 2, 3, 5, 8}));  // a bound may be the maximum
+    EXPECT_EQ(classes(8), (std::vector<double>{0, 0.1, 0.2, 0.5, 1, 2, 3, 5, 8}));  // a bound may be the maximum
 }
 
 TEST(Layers, ClassesHoldEveryMaximum) {
@@ -70,7 +69,8 @@ TEST(Layers, EveryRasterIsExplained) {
 TEST(Layers, EveryFileIsExplained) {
     std::string text;
     for (const std::string name : {"results", "maps", "resuming"})
-        for (const std::string& line : lines_of_file(FRANA_SOURCE_DIR "/share/doc/" + name + ".md")) text += line + "\n";
+        for (const std::string& line : lines_of_file(FRANA_SOURCE_DIR "/share/doc/" + name + ".md"))
+            text += line + "\n";
     for (const ResultFile& file : result_files()) {
         if (file.kind == FileKind::style || file.kind == FileKind::working) continue;
         // "frames/depth_*.tif" by its quantity, "maps/*.png" by its folder, a picture in whatever format.

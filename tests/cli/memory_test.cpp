@@ -63,26 +63,37 @@ TEST_P(Memory, IsForeseenAndRatherTooMuchThanTooLittle) {
 
 INSTANTIATE_TEST_SUITE_P(
     , Memory,
-    testing::Values(
-        Case{"least", false, k_numbers, {}},
-        Case{"many_cells", false, k_numbers, {"terrain.cell-size=0.3", "time.end=0.1"}},
-        Case{"many_particles", false, k_numbers,
-             {"terrain.cell-size=0.4", "numerics.particles-per-cell=16", "time.end=0.05"}},
-        Case{"pictures", false, k_pictures, {"terrain.cell-size=1", "time.end=1"}},
-        Case{"large_map", false, {"output.maps=max_depth", "output.animation=off", "output.charts=off"},
-             {"output.map-size=4000x3500", "time.end=1"}},
-        Case{"large_maps_and_views", false, {"output.maps=max_depth, max_depth_3d", "output.animation=off"},
-             {"output.map-size=3000x2500", "time.end=1"}},
-        Case{"many_steps", false, {"output.maps=max_depth", "output.animation=off", "output.frames=off"},
-             {"output.map-size=640x480", "numerics.cfl=0.02", "time.end=400", "time.stop-when-still=off"}},
-        Case{"frames_of_particles", false, {"output.maps=off", "output.animation=off"},
-             {"output.formats=particles-gpkg, particles-vtp", "terrain.cell-size=0.5", "numerics.particles-per-cell=16",
-              "time.end=0.02", "time.frame-interval=0.01"}},
-        Case{"fluid", true, k_numbers, {"structured.phases=fluid", "terrain.cell-size=0.5"}},
-        Case{"solids", true, k_numbers,
-             {"structured.phases=solids-and-fluid", "structured.cohesion=2e3", "structured.internal-friction-angle=28",
-              "structured.bed-friction-angle=12", "structured.young-modulus=1e6", "structured.bulk-modulus=1e6",
-              "terrain.cell-size=1"}}),
+    testing::Values(Case{"least", false, k_numbers, {}},
+                    Case{"many_cells", false, k_numbers, {"terrain.cell-size=0.3", "time.end=0.1"}},
+                    Case{"many_particles",
+                         false,
+                         k_numbers,
+                         {"terrain.cell-size=0.4", "numerics.particles-per-cell=16", "time.end=0.05"}},
+                    Case{"pictures", false, k_pictures, {"terrain.cell-size=1", "time.end=1"}},
+                    Case{"large_map",
+                         false,
+                         {"output.maps=max_depth", "output.animation=off", "output.charts=off"},
+                         {"output.map-size=4000x3500", "time.end=1"}},
+                    Case{"large_maps_and_views",
+                         false,
+                         {"output.maps=max_depth, max_depth_3d", "output.animation=off"},
+                         {"output.map-size=3000x2500", "time.end=1"}},
+                    Case{"many_steps",
+                         false,
+                         {"output.maps=max_depth", "output.animation=off", "output.frames=off"},
+                         {"output.map-size=640x480", "numerics.cfl=0.02", "time.end=400", "time.stop-when-still=off"}},
+                    Case{"frames_of_particles",
+                         false,
+                         {"output.maps=off", "output.animation=off"},
+                         {"output.formats=particles-gpkg, particles-vtp", "terrain.cell-size=0.5",
+                          "numerics.particles-per-cell=16", "time.end=0.02", "time.frame-interval=0.01"}},
+                    Case{"fluid", true, k_numbers, {"structured.phases=fluid", "terrain.cell-size=0.5"}},
+                    Case{"solids",
+                         true,
+                         k_numbers,
+                         {"structured.phases=solids-and-fluid", "structured.cohesion=2e3",
+                          "structured.internal-friction-angle=28", "structured.bed-friction-angle=12",
+                          "structured.young-modulus=1e6", "structured.bulk-modulus=1e6", "terrain.cell-size=1"}}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 // The shell's limit stands for a machine of little memory: the program looks for itself, without --memory-limit.
@@ -111,19 +122,19 @@ TEST_F(MemoryOfMachine, RefusesWhatItCannotHoldBeforeAnythingIsComputed) {
             EXPECT_NE(outcome.err.find(said), std::string::npos) << words.front() << ": " << outcome.err;
     };
     for (const char* command : {"check", "run"}) {
-        refused({command, "scene.ini", "--set", "output.maps=on", "--set", "output.map-size=8000x8000"}, "output.map-size");
+        refused({command, "scene.ini", "--set", "output.maps=on", "--set", "output.map-size=8000x8000"},
+                "output.map-size");
         refused({command, "scene.ini", "--set", "numerics.cfl=0.001", "--set", "terrain.cell-size=1", "--set",
                  "time.end=20000", "--set", "time.stop-when-still=off"},
                 "terrain.cell-size");
     }
     refused({"render", "result", "--map", "max_depth", "--size", "8000x8000", "--out", "pictures"}, "--size");
     refused({"render", "result/max_depth.tif", "--size", "8000x8000", "--out", "pictures"}, "--size");
-    refused({"compare", "result", "--scar", "perimeter.geojson", "--size", "8000x8000", "--out", "compared"},
-            "--size");
+    refused({"compare", "result", "--scar", "perimeter.geojson", "--size", "8000x8000", "--out", "compared"}, "--size");
     EXPECT_EQ(files(), before);
     // Nobody can give what is not there.
-    refused({"check", "scene.ini", "--set", "output.maps=on", "--set", "output.map-size=8000x8000",
-             "--memory-limit", "9GB"},
+    refused({"check", "scene.ini", "--set", "output.maps=on", "--set", "output.map-size=8000x8000", "--memory-limit",
+             "9GB"},
             "--memory-limit 9GB is more than");
 }
 

@@ -17,9 +17,9 @@ TEST(Names, BytesThatAreNotUtf8AreWrittenOut) {
     const std::string good = "Val Ferret, 2 µm, 日本, 🏔";
     EXPECT_EQ(valid_utf8(good), good);
     EXPECT_EQ(valid_utf8("caf\xE9"), "caf\\xe9");
-    EXPECT_EQ(valid_utf8("\xC3"), "\\xc3");              // cut off
-    EXPECT_EQ(valid_utf8("\xC0\xAF"), "\\xc0\\xaf");      // overlong
-    EXPECT_EQ(valid_utf8("\xED\xA0\x80"), "\\xed\\xa0\\x80");      // surrogate
+    EXPECT_EQ(valid_utf8("\xC3"), "\\xc3");                             // cut off
+    EXPECT_EQ(valid_utf8("\xC0\xAF"), "\\xc0\\xaf");                    // overlong
+    EXPECT_EQ(valid_utf8("\xED\xA0\x80"), "\\xed\\xa0\\x80");           // surrogate
     EXPECT_EQ(valid_utf8("\xF4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond Unicode
     EXPECT_EQ(valid_utf8("\xE9t\xC3\xA9"), "\\xe9t\xC3\xA9");
     EXPECT_EQ(valid_utf8(""), "");
@@ -53,13 +53,14 @@ TEST(Names, NoCellOfATableIsAFormula) {
 
 TEST(Names, FilesOfUnequalNamesAreUnequal) {
     EXPECT_EQ(file_stems({"flow path"}), std::vector<std::string>{"flow_path"});
-    const std::vector<std::string> names{"a b", "a_b", "a/b", "A_b", "ä", "ö", "..", "", std::string(240, 'x'),
-                                         std::string(240, 'x') + "y"};
+    const std::vector<std::string> names{
+        "a b", "a_b", "a/b", "A_b", "ä", "ö", "..", "", std::string(240, 'x'), std::string(240, 'x') + "y"};
     const std::vector<std::string> stems = file_stems(names);
     std::set<std::string> kept;
     for (std::string stem : stems) {
         EXPECT_LE(stem.size(), 120U);
-        for (const char c : stem) EXPECT_TRUE(std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_') << stem;
+        for (const char c : stem)
+            EXPECT_TRUE(std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_') << stem;
         for (char& c : stem) c = static_cast<char>(std::tolower(c));
         kept.insert(stem);
     }

@@ -18,17 +18,15 @@ class Network : public TinyScene {
         return text;
     }
     [[nodiscard]] static std::string layer_of(const std::string& source, const std::string& more = "") {
-        return "<OGRVRTDataSource><OGRVRTLayer name=\"perimeter\"><SrcDataSource>" + source +
-               "</SrcDataSource>" + more + "</OGRVRTLayer></OGRVRTDataSource>";
+        return "<OGRVRTDataSource><OGRVRTLayer name=\"perimeter\"><SrcDataSource>" + source + "</SrcDataSource>" +
+               more + "</OGRVRTLayer></OGRVRTDataSource>";
     }
-    [[nodiscard]] static std::string raster_of(const std::string& source,
-                                               const std::string& crs = "EPSG:32632") {
+    [[nodiscard]] static std::string raster_of(const std::string& source, const std::string& crs = "EPSG:32632") {
         return "<VRTDataset rasterXSize=\"60\" rasterYSize=\"30\"><SRS>" + crs + "</SRS><GeoTransform>" +
                std::to_string(k_west) + ",5,0," + std::to_string(k_south + 150) +
                ",0,-5</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\"><SimpleSource>"
                "<SourceFilename>" +
-               source +
-               "</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>";
+               source + "</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>";
     }
     [[nodiscard]] std::string gml(const std::string& head, const std::string& crs) const {
         return "<?xml version=\"1.0\"?>" + head +
@@ -78,10 +76,9 @@ TEST_F(Network, NoPathLeadsThereUnlessAllowed) {
 TEST_F(Network, NoVectorFileLeadsThereUnlessAllowed) {
     const WebServer server;
     const std::string url = server.url() + "/a";
-    write("link.geojson", perimeter_with_crs(R"({"type": "link", "properties": {"href": ")" + url +
-                                             R"(", "type": "ogcwkt"}})"));
-    write("name.geojson",
-          perimeter_with_crs(R"({"type": "name", "properties": {"name": ")" + url + R"("}})"));
+    write("link.geojson",
+          perimeter_with_crs(R"({"type": "link", "properties": {"href": ")" + url + R"(", "type": "ogcwkt"}})"));
+    write("name.geojson", perimeter_with_crs(R"({"type": "name", "properties": {"name": ")" + url + R"("}})"));
     write("url.vrt", layer_of(url + ".geojson"));
     write("geojson.vrt", layer_of("GeoJSON:" + url));
     write("esrijson.vrt", layer_of("ESRIJSON:" + url));
@@ -95,9 +92,8 @@ TEST_F(Network, NoVectorFileLeadsThereUnlessAllowed) {
     write("type.gml", gml("<!DOCTYPE x SYSTEM \"" + url + ".dtd\">", "EPSG:32632"));
     write_at("/vsizip/" + path("in.zip") + "/in.vrt", layer_of("/vsicurl/" + url + ".geojson"));
     write("archive.vrt", layer_of("/vsizip/{/vsicurl/" + url + ".zip}/a.geojson"));
-    for (const std::string file :
-         {"link.geojson", "url.vrt", "geojson.vrt", "esrijson.vrt", "topojson.vrt", "seq.vrt", "curl.vrt",
-          "options.vrt", "/vsizip/in.zip/in.vrt", "archive.vrt"}) {
+    for (const std::string file : {"link.geojson", "url.vrt", "geojson.vrt", "esrijson.vrt", "topojson.vrt", "seq.vrt",
+                                   "curl.vrt", "options.vrt", "/vsizip/in.zip/in.vrt", "archive.vrt"}) {
         const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=" + file});
         EXPECT_EQ(server.calls(), 0) << file;
         EXPECT_EQ(outcome.exit_code, 2) << file;
@@ -128,9 +124,8 @@ TEST_F(Network, NoRasterLeadsThereUnlessAllowed) {
     write("inner.vrt", raster_of(path("curl.vrt")));
     write("tiles.vrt", raster_of("&lt;GDAL_WMS&gt;&lt;Service name='TMS'&gt;&lt;ServerUrl&gt;" + url +
                                  "&lt;/ServerUrl&gt;&lt;/Service&gt;&lt;/GDAL_WMS&gt;"));
-    write("map.xml",
-          "<GDAL_WMS><Service name=\"TMS\"><ServerUrl>" + url +
-              "</ServerUrl></Service><DataWindow><UpperLeftX>0</UpperLeftX></DataWindow></GDAL_WMS>");
+    write("map.xml", "<GDAL_WMS><Service name=\"TMS\"><ServerUrl>" + url +
+                         "</ServerUrl></Service><DataWindow><UpperLeftX>0</UpperLeftX></DataWindow></GDAL_WMS>");
     for (const std::string file : {"curl.vrt", "http.vrt", "crs.vrt", "dap.vrt", "plain-dap.vrt", "fits.vrt",
                                    "inner.vrt", "tiles.vrt", "map.xml"}) {
         const Outcome outcome = frana({"check", "scene.ini", "--set", "terrain.dtm=" + file});

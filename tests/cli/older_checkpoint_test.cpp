@@ -40,8 +40,18 @@ class OlderCheckpoint : public TinyScene {
         options.after_step = [&](const Progress& now, const SaveState& state) {
             if (now.step != k_saved_step) return;
             app::ReservedSpace none(path("reserve"));
-            app::write_checkpoint(file(), {app::checkpoint_build(), app::scene_identity(prepared_), now.step,
-                                           now.time, now.end, 1, {}, {}, {}, told, {}},
+            app::write_checkpoint(file(),
+                                  {app::checkpoint_build(),
+                                   app::scene_identity(prepared_),
+                                   now.step,
+                                   now.time,
+                                   now.end,
+                                   1,
+                                   {},
+                                   {},
+                                   {},
+                                   told,
+                                   {}},
                                   state, none);
         };
         const RunResult result = run(prepared_.scene, options);

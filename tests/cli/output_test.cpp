@@ -33,18 +33,15 @@ class Output : public TinyScene {
     [[nodiscard]] Raster raster(const std::string& name) const {
         return gis::read_result_raster(path("result/" + name));
     }
-    [[nodiscard]] std::string text(const std::string& name) const {
-        return read_text(path("result/" + name));
-    }
+    [[nodiscard]] std::string text(const std::string& name) const { return read_text(path("result/" + name)); }
     /// Points or lines in the DTM's system, offsets from its south-western corner.
     void write_marks(const std::string& name, const std::string& type,
                      const std::vector<std::pair<std::string, std::string>>& features) const {
         std::string json =
             R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}}, "features": [)";
         for (std::size_t i = 0; i < features.size(); ++i) {
-            json += std::string(i ? "," : "") + R"({"type": "Feature", "properties": {"name": ")" +
-                    features[i].first + R"("}, "geometry": {"type": ")" + type + R"(", "coordinates": )" +
-                    features[i].second + "}}";
+            json += std::string(i ? "," : "") + R"({"type": "Feature", "properties": {"name": ")" + features[i].first +
+                    R"("}, "geometry": {"type": ")" + type + R"(", "coordinates": )" + features[i].second + "}}";
         }
         write(name, json + "]}");
     }
@@ -57,8 +54,7 @@ std::string at(double x, double y) {
 std::vector<std::string> rows_of(const std::string& csv) {
     std::vector<std::string> rows;
     std::size_t begin = 0;
-    for (std::size_t end = csv.find('\n'); end != std::string::npos;
-         begin = end + 1, end = csv.find('\n', begin))
+    for (std::size_t end = csv.find('\n'); end != std::string::npos; begin = end + 1, end = csv.find('\n', begin))
         rows.push_back(csv.substr(begin, end - begin));
     return rows;
 }
@@ -121,11 +117,9 @@ TEST_F(Output, GdalsOwnValidatorAgrees) {
     for (const std::string name : {"max_depth", "dtm", "hazard"}) {
         const std::string report = path("report_" + name);
         const int status = std::system(
-            (validator + "--full-check=yes '" + path("result/" + name + ".tif") + "' > '" + report + "' 2>&1")
-                .c_str());
+            (validator + "--full-check=yes '" + path("result/" + name + ".tif") + "' > '" + report + "' 2>&1").c_str());
         EXPECT_EQ(status, 0) << read_text(report);
-        EXPECT_NE(read_text(report).find("is a valid cloud optimized GeoTIFF"), std::string::npos)
-            << read_text(report);
+        EXPECT_NE(read_text(report).find("is a valid cloud optimized GeoTIFF"), std::string::npos) << read_text(report);
     }
 }
 
@@ -152,8 +146,7 @@ TEST_F(Output, OutlinesCarryTheirFigures) {
         EXPECT_GT(value("area_m2"), 0);
         EXPECT_GT(value("volume_m3"), 0);
         EXPECT_GT(value("runout_m"), 0);
-        EXPECT_NEAR(value("reach_angle_deg"), std::atan2(value("drop_m"), value("runout_m")) * 180 / M_PI,
-                    1e-9);
+        EXPECT_NEAR(value("reach_angle_deg"), std::atan2(value("drop_m"), value("runout_m")) * 180 / M_PI, 1e-9);
         if (name == "deposit") {
             // What is deeper than the threshold; the rest is film.
             EXPECT_LE(value("volume_m3"), 4000 * (1 + 1e-9));
@@ -212,9 +205,8 @@ TEST_F(Output, ProfilesAlongTheFlowPathAndTheUsersLine) {
     run(k_quiet + "profiles = axis.geojson\n");
     const std::vector<std::string> rows = rows_of(text("profiles.csv"));
     ASSERT_GT(rows.size(), 42U);
-    EXPECT_EQ(
-        rows[0],
-        "line,distance_m,x,y,bed_m,release_m,max_depth,max_velocity,final_depth,arrival_time,max_pressure");
+    EXPECT_EQ(rows[0],
+              "line,distance_m,x,y,bed_m,release_m,max_depth,max_velocity,final_depth,arrival_time,max_pressure");
     const Raster depth = raster("max_depth.tif"), bed = raster("bed.tif");
     int on_axis = 0;
     double path_length = 0;
@@ -255,8 +247,7 @@ TEST_F(Output, GaugesAndCrossSectionsRecordTheFlow) {
     // Across the slope 10 m below the release, drawn from the south to the north: downhill is to the right.
     write_marks("sections.geojson", "LineString", {{"bridge", "[" + at(80, 0) + "," + at(80, 150) + "]"}});
     run(k_quiet + "gauges = gauges.geojson\ncross-sections = sections.geojson\nsample-interval = 0.5\n");
-    const std::vector<std::string> gauges = rows_of(text("gauges.csv")),
-                                   sections = rows_of(text("sections.csv"));
+    const std::vector<std::string> gauges = rows_of(text("gauges.csv")), sections = rows_of(text("sections.csv"));
     EXPECT_EQ(gauges[0], "time_s,gauge,depth_m,speed_ms");
     EXPECT_EQ(sections[0], "time_s,section,discharge_m3s,volume_m3,wetted_width_m,max_depth_m,max_speed_ms");
     EXPECT_EQ(gauges.size(), 1 + 2 * 8U);                     // 0, 0.5 ... 3.5 s
@@ -278,24 +269,21 @@ TEST_F(Output, GaugesAndCrossSectionsRecordTheFlow) {
 TEST_F(Output, PlacesOutsideTheGridAndLayersOfTheWrongKindAreRefusedTogether) {
     write_marks("gauges.geojson", "Point", {{"far", at(1000, 75)}});
     write_marks("points.geojson", "Point", {{"p", at(10, 75)}});
-    write_marks(
-        "twice.geojson", "LineString",
-        {{"a", "[" + at(10, 5) + "," + at(20, 5) + "]"}, {"a", "[" + at(10, 9) + "," + at(20, 9) + "]"}});
-    write_scene(
-        "[output]\ngauges = gauges.geojson\ncross-sections = points.geojson\nprofiles = twice.geojson\n");
+    write_marks("twice.geojson", "LineString",
+                {{"a", "[" + at(10, 5) + "," + at(20, 5) + "]"}, {"a", "[" + at(10, 9) + "," + at(20, 9) + "]"}});
+    write_scene("[output]\ngauges = gauges.geojson\ncross-sections = points.geojson\nprofiles = twice.geojson\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
     EXPECT_EQ(outcome.exit_code, 2);
-    for (const std::string words : {"output.gauges: lies outside the working grid (value gauge far at 528000",
-                                    "output.cross-sections: is not a layer of lines",
-                                    "output.profiles: two features have one name (value a"})
+    for (const std::string words :
+         {"output.gauges: lies outside the working grid (value gauge far at 528000",
+          "output.cross-sections: is not a layer of lines", "output.profiles: two features have one name (value a"})
         EXPECT_NE(outcome.err.find(words), std::string::npos) << words << " in\n" << outcome.err;
     EXPECT_FALSE(fs::exists(path("result")));
 }
 
 TEST_F(Output, HazardClassesFollowFromTheRasters) {
     run(k_quiet + "[hazard]\nscheme = swiss-debris-flow\n");
-    const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif"),
-                 speed = raster("max_velocity.tif");
+    const Raster classes = raster("hazard.tif"), depth = raster("max_depth.tif"), speed = raster("max_velocity.tif");
     double high = 0;
     for (std::size_t i = 0; i < classes.values.size(); ++i) {
         ASSERT_EQ(std::isnan(classes.values[i]), std::isnan(depth.values[i]));
@@ -306,8 +294,7 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
     }
     EXPECT_GT(high, 0);
     const gis::GdalSession session;
-    const GDALDatasetUniquePtr file(
-        GDALDataset::Open(path("result/hazard_zones.gpkg").c_str(), GDAL_OF_VECTOR));
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/hazard_zones.gpkg").c_str(), GDAL_OF_VECTOR));
     ASSERT_TRUE(file);
     double zones = 0;
     for (const auto& feature : *file->GetLayer(0))
@@ -321,8 +308,7 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
 
 TEST_F(Output, SchemesThatNeedFluxOrHeadRecordThem) {
     run(k_quiet + "[hazard]\nscheme = austrian-torrent\n");
-    const Raster classes = raster("hazard.tif"), head = raster("max_head.tif"),
-                 deposit = raster("final_depth.tif");
+    const Raster classes = raster("hazard.tif"), head = raster("max_head.tif"), deposit = raster("final_depth.tif");
     for (std::size_t i = 0; i < classes.values.size(); ++i) {
         if (std::isnan(classes.values[i])) continue;
         // The file's floats may fall on the other side of a limit than the doubles that were classed.
@@ -361,8 +347,7 @@ TEST_F(Output, AvaFrameFilesHaveItsNamesAndThicknessNormalToTheSlope) {
     for (std::int64_t row = 0; row < k_rows; ++row) {
         for (std::int64_t column = 0; column < 39; ++column) {
             const double vertical = depth.has_data(row, column) ? depth.at(row, column) : 0;
-            ASSERT_NEAR(normal.at(row, column), vertical * cosine, 2e-5 * (1 + vertical))
-                << row << ' ' << column;
+            ASSERT_NEAR(normal.at(row, column), vertical * cosine, 2e-5 * (1 + vertical)) << row << ' ' << column;
         }
     }
 }
@@ -371,8 +356,7 @@ TEST_F(Output, FramesAsNetcdfAndZarr) {
     run("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nformats = geotiff, netcdf, zarr\n");
     const gis::GdalSession session;
     for (const std::string name : {"frames.nc", "frames.zarr"}) {
-        const GDALDatasetUniquePtr file(
-            GDALDataset::Open(path("result/" + name).c_str(), GDAL_OF_MULTIDIM_RASTER));
+        const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/" + name).c_str(), GDAL_OF_MULTIDIM_RASTER));
         ASSERT_TRUE(file) << name;
         const auto depth = file->GetRootGroup()->OpenMDArray("depth");
         ASSERT_TRUE(depth);
@@ -380,16 +364,14 @@ TEST_F(Output, FramesAsNetcdfAndZarr) {
         std::vector<float> values(static_cast<std::size_t>(k_rows) * k_columns);
         const GUInt64 start[3] = {2, 0, 0};
         const size_t count[3] = {1, k_rows, k_columns};
-        ASSERT_TRUE(depth->Read(start, count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float32),
-                                values.data()));
+        ASSERT_TRUE(
+            depth->Read(start, count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float32), values.data()));
         const Raster frame = raster("frames/depth_0002.tif");
         for (std::size_t i = 0; i < values.size(); ++i)
-            ASSERT_EQ(values[i], std::isnan(frame.values[i]) ? -9999 : static_cast<float>(frame.values[i]))
-                << name;
+            ASSERT_EQ(values[i], std::isnan(frame.values[i]) ? -9999 : static_cast<float>(frame.values[i])) << name;
     }
     write_scene("[output]\nmaps = off\nanimation = off\nframes = off\nformats = geotiff, zarr\n");
-    EXPECT_NE(frana({"check", "scene.ini"}).err.find("hold the frames, but the scene makes none"),
-              std::string::npos);
+    EXPECT_NE(frana({"check", "scene.ini"}).err.find("hold the frames, but the scene makes none"), std::string::npos);
 }
 
 }  // namespace

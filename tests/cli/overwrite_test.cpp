@@ -23,8 +23,7 @@ class Overwrite : public ResultScenes {};
 
 TEST_F(Overwrite, LeavesWhatAFreshRunWrites) {
     const std::map<std::string, std::string> scenes{
-        {"all_of_the_first_model",
-         k_voellmy + k_entrainment + k_every_output + "[output]\nanimation = off\n"},
+        {"all_of_the_first_model", k_voellmy + k_entrainment + k_every_output + "[output]\nanimation = off\n"},
         {"all_of_the_second_model", k_structured + k_every_output + "[output]\nanimation = off\n"},
         {"least", k_voellmy + "[output]\nmaps = off\nanimation = off\nframes = off\nreport = off\n"},
         {"film", k_voellmy + "[output]\nmaps = off\nframes = off\nmap-size = 800x600\n"},
@@ -82,8 +81,7 @@ TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
 }
 
 TEST_F(Overwrite, KeepsTheUsersFilesWhereverTheyLie) {
-    run(k_voellmy + k_entrainment + "[output]\nmap-size = 800x600\nmaps = max_depth\nanimation = off\n",
-        "old");
+    run(k_voellmy + k_entrainment + "[output]\nmap-size = 800x600\nmaps = max_depth\nanimation = off\n", "old");
     const std::map<std::string, std::string> same_name{{"notes.txt", "a"},
                                                        {"maps/mine.png", "b"},
                                                        {"charts/mine.csv", "c"},
@@ -92,14 +90,13 @@ TEST_F(Overwrite, KeepsTheUsersFilesWhereverTheyLie) {
                                                        {"gis/deep/er.qgz", "e"},
                                                        {"manifest.json.bak", "f"}};
     // Changed files, and those that a GIS lays beside ours: they would be read with the new raster.
-    const std::map<std::string, std::string> other_name{
-        {"max_depth.qml", "max_depth.kept-1.qml"},
-        {"eroded_depth.tif", "eroded_depth.kept-1.tif"},
-        {"maps/max_depth.png", "maps/max_depth.kept-1.png"},
-        {"max_depth.tif.aux.xml", "max_depth.tif.aux.kept-1.xml"},
-        {"extent.gpkg-wal", "extent.kept-1.gpkg-wal"},
-        {"hazard.tif", "hazard.kept-1.tif"},
-        {"frames/depth_0001.tif", "frames/depth_0001.kept-1.tif"}};
+    const std::map<std::string, std::string> other_name{{"max_depth.qml", "max_depth.kept-1.qml"},
+                                                        {"eroded_depth.tif", "eroded_depth.kept-1.tif"},
+                                                        {"maps/max_depth.png", "maps/max_depth.kept-1.png"},
+                                                        {"max_depth.tif.aux.xml", "max_depth.tif.aux.kept-1.xml"},
+                                                        {"extent.gpkg-wal", "extent.kept-1.gpkg-wal"},
+                                                        {"hazard.tif", "hazard.kept-1.tif"},
+                                                        {"frames/depth_0001.tif", "frames/depth_0001.kept-1.tif"}};
     for (const auto& [name, text] : same_name) {
         fs::create_directories(fs::path(path("old/" + name)).parent_path());
         write("old/" + name, text);
@@ -112,15 +109,13 @@ TEST_F(Overwrite, KeepsTheUsersFilesWhereverTheyLie) {
     run(k_voellmy + k_numbers_only, "fresh");
     run(k_voellmy + k_numbers_only, "old", {"--overwrite"});
     for (const auto& [name, text] : same_name) EXPECT_EQ(read_text(path("old/" + name)), text) << name;
-    for (const auto& [name, later] : other_name)
-        EXPECT_EQ(read_text(path("old/" + later)), "mine: " + name) << name;
+    for (const auto& [name, later] : other_name) EXPECT_EQ(read_text(path("old/" + later)), "mine: " + name) << name;
     EXPECT_EQ(fs::read_symlink(path("old/link")), "/nowhere");
     EXPECT_TRUE(fs::is_directory(path("old/empty")));
     EXPECT_EQ(read_text(path("old/max_depth.kept-1.sld")), "of an earlier time");
     const std::string log = read_text(path("old/log.txt"));
-    EXPECT_NE(
-        log.find("max_depth.qml, which was changed since frana wrote it, is kept as max_depth.kept-1.qml"),
-        std::string::npos)
+    EXPECT_NE(log.find("max_depth.qml, which was changed since frana wrote it, is kept as max_depth.kept-1.qml"),
+              std::string::npos)
         << log;
     const auto manifest = app::read_manifest(path("old"));
     ASSERT_TRUE(manifest);
@@ -266,15 +261,13 @@ TEST_F(Overwrite, AResultThatCannotTakeItsNameIsKeptBesideIt) {
 
 // With every output there is, of either model.
 TEST_F(Overwrite, AResumedRunWritesWhatAFreshOneDoes) {
-    const std::map<std::string, std::string> models{{"first", k_voellmy + k_entrainment},
-                                                    {"second", k_structured}};
+    const std::map<std::string, std::string> models{{"first", k_voellmy + k_entrainment}, {"second", k_structured}};
     for (const auto& [name, text] : models) {
         SCOPED_TRACE(name);
         const std::string whole = name + "_whole", result = name + "_resumed";
-        const std::vector<std::string> longer{"--set", "time.end=8",
-                                              "--set", "terrain.cell-size=2.5",
-                                              "--set", "time.frame-interval=1",
-                                              "--set", "output.maps=max_depth"};
+        const std::vector<std::string> longer{
+            "--set", "time.end=8",           "--set", "terrain.cell-size=2.5", "--set", "time.frame-interval=1",
+            "--set", "output.maps=max_depth"};
         run(text + k_every_output, whole, longer);
         std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--quiet"};
         arguments.insert(arguments.end(), longer.begin(), longer.end());
@@ -300,8 +293,7 @@ TEST_F(LeftBehind, ACopyOrAUsersFileSavesTheFolderOfAKilledRun) {
     interrupt("result");
     std::string left;
     for (const auto& entry : fs::directory_iterator(folder_))
-        if (entry.path().filename().string().starts_with("result.partial-"))
-            left = entry.path().filename().string();
+        if (entry.path().filename().string().starts_with("result.partial-")) left = entry.path().filename().string();
     ASSERT_NE(left, "");
     fs::copy(path(left), path("result.partial-backup"), fs::copy_options::recursive);
     write(left + "/notes.txt", "mine");

@@ -20,18 +20,16 @@ class ParticleFiles : public TinyScene {
   protected:
     [[nodiscard]] Points points(const std::string& file) const { return read_points(path(file)); }
     void write_structured(const std::string& phases) const {
-        write(
-            "scene.ini",
-            "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
-            "model = structured\n[structured]\nphases = " +
-                phases +
-                "\n[time]\nend = 2\nframe-interval = 1\n"
-                "[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg, particles-vtp\n");
+        write("scene.ini",
+              "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
+              "model = structured\n[structured]\nphases = " +
+                  phases +
+                  "\n[time]\nend = 2\nframe-interval = 1\n"
+                  "[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg, particles-vtp\n");
     }
 };
 
-const std::vector<std::string> k_common{"depth_m",       "bed_m",         "speed_ms",
-                                        "velocity_x_ms", "velocity_y_ms", "volume_m3"};
+const std::vector<std::string> k_common{"depth_m", "bed_m", "speed_ms", "velocity_x_ms", "velocity_y_ms", "volume_m3"};
 
 // The slope falls eastward by 1 in 2 as far as 200 m, every cell's centre at its exact height.
 void lie_on_the_slope(const Points& points) {
@@ -40,19 +38,16 @@ void lie_on_the_slope(const Points& points) {
     for (std::size_t p = 0; p < x.size(); ++p) {
         ASSERT_LT(x[p], k_west + 190) << "the test looks at the slope alone";
         EXPECT_NEAR(bed[p], 300 - 0.5 * (x[p] - k_west), 1e-4);  // the file's elevations are 32-bit
-        EXPECT_NEAR(points.columns.at("speed_ms")[p], std::hypot(u[p], v[p], 0.5 * u[p]),
-                    1e-4 * (1 + std::abs(u[p])));
+        EXPECT_NEAR(points.columns.at("speed_ms")[p], std::hypot(u[p], v[p], 0.5 * u[p]), 1e-4 * (1 + std::abs(u[p])));
     }
 }
 
 TEST_F(ParticleFiles, OfTheFirstModel) {
-    write_scene(
-        "frame-interval = 1\n[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg\n");
+    write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nformats = geotiff, particles-gpkg\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_FALSE(fs::exists(path("result/frames/particles.pvd")));
-    const Points start = points("result/frames/particles_0000.gpkg"),
-                 end = points("result/frames/particles_0002.gpkg");
+    const Points start = points("result/frames/particles_0000.gpkg"), end = points("result/frames/particles_0002.gpkg");
     EXPECT_EQ(start.names, k_common);
     EXPECT_NEAR(start.sum("volume_m3"), 4000, 1e-6);  // 50 m x 40 m x 2 m
     EXPECT_NEAR(end.sum("volume_m3"), 4000, 1e-6);
@@ -62,12 +57,10 @@ TEST_F(ParticleFiles, OfTheFirstModel) {
     lie_on_the_slope(end);
     // Its centre of mass gains less than g (sin - cos tan 15) t along the bed: friction of 15 degrees, and
     // turbulence.
-    const double angle = std::atan(0.5),
-                 most = 2 * 9.81 * (std::sin(angle) - std::cos(angle) * std::tan(0.2618));
+    const double angle = std::atan(0.5), most = 2 * 9.81 * (std::sin(angle) - std::cos(angle) * std::tan(0.2618));
     double mean = 0;
     for (std::size_t p = 0; p < end.size(); ++p)
-        mean +=
-            end.columns.at("velocity_x_ms")[p] * end.columns.at("volume_m3")[p] / (4000 * std::cos(angle));
+        mean += end.columns.at("velocity_x_ms")[p] * end.columns.at("volume_m3")[p] / (4000 * std::cos(angle));
     EXPECT_LT(mean, most);
     EXPECT_GT(mean, 0.8 * most);
 }
@@ -80,9 +73,9 @@ TEST_F(ParticleFiles, OfStructuredSolidsInBothFormats) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Points end = points("result/frames/particles_0002.gpkg");
     std::vector<std::string> names = k_common;
-    for (const char* name : {"confined_fluid_m3", "stress_xx_kpa", "stress_yy_kpa", "stress_zz_kpa",
-                             "stress_xy_kpa", "mean_stress_kpa", "shear_stress_kpa", "strain", "strain_xx",
-                             "strain_yy", "strain_xy", "cohesion_ratio", "fractured_fraction"})
+    for (const char* name :
+         {"confined_fluid_m3", "stress_xx_kpa", "stress_yy_kpa", "stress_zz_kpa", "stress_xy_kpa", "mean_stress_kpa",
+          "shear_stress_kpa", "strain", "strain_xx", "strain_yy", "strain_xy", "cohesion_ratio", "fractured_fraction"})
         names.emplace_back(name);
     EXPECT_EQ(end.names, names);
     // Nothing breaks: half of the volume stays confined, and all is one block.

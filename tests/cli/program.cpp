@@ -18,8 +18,7 @@
 
 namespace frana::test {
 
-Outcome run_program(const std::string& folder, const std::vector<std::string>& arguments,
-                    int signal_after_ms) {
+Outcome run_program(const std::string& folder, const std::vector<std::string>& arguments, int signal_after_ms) {
     const std::string out = folder + "/.stdout", err = folder + "/.stderr";
     std::vector<char*> words{const_cast<char*>(FRANA_PROGRAM)};
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
@@ -40,8 +39,8 @@ Outcome run_program(const std::string& folder, const std::vector<std::string>& a
     int status = 0;
     rusage used{};
     ::wait4(child, &status, 0, &used);
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_text(out),
-                    read_text(err), 1024.0 * static_cast<double>(used.ru_maxrss)};
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_text(out), read_text(err),
+                    1024.0 * static_cast<double>(used.ru_maxrss)};
     ::unlink(out.c_str());
     ::unlink(err.c_str());
     return outcome;

@@ -22,8 +22,7 @@ struct Outcome {
 };
 
 /// Runs frana with these arguments in a folder and waits for it. With `signal_after_ms`, sends SIGINT then.
-Outcome run_program(const std::string& folder, const std::vector<std::string>& arguments,
-                    int signal_after_ms = 0);
+Outcome run_program(const std::string& folder, const std::vector<std::string>& arguments, int signal_after_ms = 0);
 
 std::string read_text(const std::string& path);
 

@@ -30,8 +30,7 @@ class ReadFrames : public TinyScene {
         for (const std::string name : {"depth", "velocity"}) {
             std::ofstream out(path("result/" + name + ".f32"), std::ios::binary);
             for (const app::StoredFrame& frame : stored) {
-                const Raster raster =
-                    gis::read_result_raster(name == "depth" ? frame.depth_file : frame.velocity_file);
+                const Raster raster = gis::read_result_raster(name == "depth" ? frame.depth_file : frame.velocity_file);
                 grid = raster.grid;
                 for (const double value : raster.values) {
                     const auto single = static_cast<float>(value);
@@ -55,15 +54,14 @@ TEST_F(ReadFrames, XarrayFindsTheFramesTheirPlacesAndTheirCrs) {
     const std::string scene = "Dürrenbühl";
     write(scene + ".ini", read_text(path("scene.ini")));
     const Outcome run =
-        frana({"run", scene + ".ini", "--out", "result", "--threads", "2", "--set", "time.frame-interval=0.5",
-               "--set", "output.formats=geotiff,netcdf,zarr", "--set", "output.maps=off", "--set",
-               "output.animation=off", "--set", "time.end=1.5", "--set", "terrain.cell-size=0.8"});
+        frana({"run", scene + ".ini", "--out", "result", "--threads", "2", "--set", "time.frame-interval=0.5", "--set",
+               "output.formats=geotiff,netcdf,zarr", "--set", "output.maps=off", "--set", "output.animation=off",
+               "--set", "time.end=1.5", "--set", "terrain.cell-size=0.8"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     write_expected(scene);
-    const std::string said = path("python.txt"), command = std::string("/usr/bin/python3 '") +
-                                                           FRANA_SOURCE_DIR + "/tests/cli/read_frames.py' '" +
-                                                           path("result") + "' '" + path("expected.json") +
-                                                           "' >'" + said + "' 2>'" +
+    const std::string said = path("python.txt"), command = std::string("/usr/bin/python3 '") + FRANA_SOURCE_DIR +
+                                                           "/tests/cli/read_frames.py' '" + path("result") + "' '" +
+                                                           path("expected.json") + "' >'" + said + "' 2>'" +
                                                            path("python_errors.txt") + "'";
     const int status = std::system(command.c_str());
     const std::string text = read_text(said);
@@ -76,8 +74,7 @@ TEST_F(ReadFrames, XarrayFindsTheFramesTheirPlacesAndTheirCrs) {
     for (std::string line; std::getline(lines, line); ++found) {
         OGRSpatialReference crs;
         EXPECT_EQ(crs.importFromWkt(line.c_str()), OGRERR_NONE) << line;
-        const char* const options[] = {"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", "CRITERION=EQUIVALENT",
-                                       nullptr};
+        const char* const options[] = {"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", "CRITERION=EQUIVALENT", nullptr};
         EXPECT_TRUE(crs.IsSame(&utm, options)) << line;
     }
     EXPECT_EQ(found, 8U);  // two files, two quantities, two words

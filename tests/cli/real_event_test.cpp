@@ -7,8 +7,7 @@ namespace frana::test {
 namespace {
 
 /// The worked examples of share/scenes and the sample stay valid: `frana check` accepts them.
-class Example : public TinyScene,
-                public ::testing::WithParamInterface<std::pair<const char*, const char*>> {};
+class Example : public TinyScene, public ::testing::WithParamInterface<std::pair<const char*, const char*>> {};
 
 TEST_P(Example, IsReadyToRun) {
     const auto [scene, data] = GetParam();
@@ -29,9 +28,9 @@ TEST_P(Example, LeadsFromTheRawFilesToTheReportInAtMostFifteenLines) {
     if (!std::filesystem::exists(std::string(FRANA_SHARED_DIR) + "/data/" + data))
         GTEST_SKIP() << "the event's data are not at " << FRANA_SHARED_DIR << "/data/" << data;
     // A second of the flow; the whole runs are in share/doc/examples.md.
-    const Outcome outcome = frana({"run", file, "--out", "result", "--quiet", "--set", "time.end=1", "--set",
-                                   "output.maps=max_depth", "--set", "output.animation=off", "--set",
-                                   "output.frames=off", "--set", "output.map-size=800x600"});
+    const Outcome outcome =
+        frana({"run", file, "--out", "result", "--quiet", "--set", "time.end=1", "--set", "output.maps=max_depth",
+               "--set", "output.animation=off", "--set", "output.frames=off", "--set", "output.map-size=800x600"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string page = read_text(path("result/report.html"));
     EXPECT_NE(page.find("</html>"), std::string::npos);

@@ -38,8 +38,7 @@ TEST_F(Render, MapsOfAnExistingResult) {
 }
 
 TEST_F(Render, ViewAndFilm) {
-    EXPECT_EQ(
-        frana({"render", "result", "--view", "3d", "--map", "max_depth", "--size", "800x600"}).exit_code, 0);
+    EXPECT_EQ(frana({"render", "result", "--view", "3d", "--map", "max_depth", "--size", "800x600"}).exit_code, 0);
     EXPECT_EQ(png_size(path("result/maps/max_depth_3d.png")), (std::pair{800, 600}));
     EXPECT_EQ(frana({"render", "result", "--animation", "film.gif", "--size", "640x480"}).exit_code, 0);
     EXPECT_EQ(read_text(path("film.gif")).substr(0, 3), "GIF");
@@ -108,8 +107,8 @@ TEST_F(Render, FilmsBesideEachOtherInFlightAndAsPictures) {
 }
 
 TEST_F(Render, RastersOfOtherProgramsOverATerrain) {
-    const Outcome outcome = frana({"render", "result/max_velocity.tif", "--dtm", "dtm.asc", "--size", "800x600",
-                                   "--out", "foreign"});
+    const Outcome outcome =
+        frana({"render", "result/max_velocity.tif", "--dtm", "dtm.asc", "--size", "800x600", "--out", "foreign"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "foreign/max_velocity.png\n");
     EXPECT_EQ(frana({"render", "result/max_velocity.tif", "--view", "3d"}).exit_code, 2);
@@ -154,8 +153,7 @@ TEST_F(Render, MapsOfOneResultShareTheirWindow) {
                      "depth@1", "--out", "series"})
                   .exit_code,
               0);
-    ASSERT_EQ(
-        frana({"render", "result", "--size", "800x600", "--map", "max_velocity", "--out", "alone"}).exit_code, 0);
+    ASSERT_EQ(frana({"render", "result", "--size", "800x600", "--map", "max_velocity", "--out", "alone"}).exit_code, 0);
     ASSERT_EQ(frana({"render", "result", "--size", "800x600", "--map", "depth@1", "--out", "alone"}).exit_code, 0);
     EXPECT_EQ(read_text(path("series/max_velocity.png")), read_text(path("alone/max_velocity.png")));
     EXPECT_EQ(read_text(path("series/depth_t1.png")), read_text(path("alone/depth_t1.png")));

@@ -31,15 +31,13 @@ TEST_F(Report, TellsEverythingInOneFile) {
     write_scene(
         "frame-interval = 1\n[output]\nanimation = off\nmap-size = 800x600\nmaps = max_depth, max_velocity\n"
         "title = Slope <5> & \"more\"\n[hazard]\nscheme = swiss-flood\n[scar]\nperimeter = scar.geojson\n");
-    const Outcome outcome =
-        frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "numerics.cfl=0.4"});
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "numerics.cfl=0.4"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string page = read_text(path("result/report.html"));
     EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0U);
     EXPECT_NE(page.find("<h1>Slope &lt;5&gt; &amp; &quot;more&quot;</h1>"), std::string::npos);
     // Self-contained: pictures inside, nothing fetched.
-    EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBORw0KGgo"), 4U)
-        << "intensity, two maps and the comparison";
+    EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBORw0KGgo"), 4U) << "intensity, two maps and the comparison";
     EXPECT_EQ(count(page, "src="), 4U);
     EXPECT_EQ(count(page, "href="), 0U);
     EXPECT_EQ(count(page, "<script"), 0U);
@@ -47,23 +45,18 @@ TEST_F(Report, TellsEverythingInOneFile) {
     EXPECT_NE(page.find("@media print"), std::string::npos);
     for (const Parameter& parameter : scene_parameters())
         EXPECT_NE(page.find("<td>" + parameter.name() + "</td>"), std::string::npos) << parameter.name();
-    EXPECT_NE(
-        page.find("<tr class=\"given\"><td>numerics.cfl</td><td>0.4</td><td></td><td>command line</td>"),
-        std::string::npos);
-    EXPECT_NE(
-        page.find("<tr class=\"given\"><td>material.friction-angle</td><td>15</td><td>degrees</td><td>scene "
-                  "file</td>"),
-        std::string::npos);
-    EXPECT_NE(page.find("<tr><td>material.density</td><td>2000</td><td>kg/m3</td><td>default</td>"),
+    EXPECT_NE(page.find("<tr class=\"given\"><td>numerics.cfl</td><td>0.4</td><td></td><td>command line</td>"),
               std::string::npos);
-    for (const std::string words :
-         {"EPSG:32632", "dtm.asc", "perimeter.geojson", "scar.geojson", "Mass budget", "still moves",
-          "Jaccard index", "High intensity", "Depths clamped"})
+    EXPECT_NE(page.find("<tr class=\"given\"><td>material.friction-angle</td><td>15</td><td>degrees</td><td>scene "
+                        "file</td>"),
+              std::string::npos);
+    EXPECT_NE(page.find("<tr><td>material.density</td><td>2000</td><td>kg/m3</td><td>default</td>"), std::string::npos);
+    for (const std::string words : {"EPSG:32632", "dtm.asc", "perimeter.geojson", "scar.geojson", "Mass budget",
+                                    "still moves", "Jaccard index", "High intensity", "Depths clamped"})
         EXPECT_NE(page.find(words), std::string::npos) << words;
     // Tables and paragraphs close as often as they open.
     for (const std::string tag : {"table", "tr", "td", "svg", "figure", "h2", "p"})
-        EXPECT_EQ(count(page, "<" + tag + ">") + count(page, "<" + tag + " "), count(page, "</" + tag + ">"))
-            << tag;
+        EXPECT_EQ(count(page, "<" + tag + ">") + count(page, "<" + tag + " "), count(page, "</" + tag + ">")) << tag;
 }
 
 // A browser shows PNG: pictures in other formats are drawn for the page as well.
@@ -77,8 +70,7 @@ TEST_F(Report, ShowsPicturesThatTheSceneAsksForInOtherFormats) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string page = read_text(path("result/report.html"));
     for (const std::string name : {"max_depth", "max_depth_3d", "comparison"})
-        EXPECT_EQ(count(page, "<img alt=\"" + name + "\" src=\"data:image/png;base64,iVBORw0KGgo"), 1U)
-            << name;
+        EXPECT_EQ(count(page, "<img alt=\"" + name + "\" src=\"data:image/png;base64,iVBORw0KGgo"), 1U) << name;
     EXPECT_EQ(page.find("No map could be drawn"), std::string::npos);
     for (const std::string& name : files()) {
         EXPECT_FALSE(name.ends_with(".png")) << name;

@@ -19,8 +19,7 @@ class Place : public TinyScene {
   protected:
     Place() { write_scene(k_numbers_only); }
     [[nodiscard]] Outcome run(const std::string& out, const std::vector<std::string>& more = {}) const {
-        std::vector<std::string> arguments{"run",          "scene.ini", "--quiet", "--set",
-                                           "time.end=0.5", "--out",     out};
+        std::vector<std::string> arguments{"run", "scene.ini", "--quiet", "--set", "time.end=0.5", "--out", out};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return frana(arguments);
     }
@@ -34,9 +33,7 @@ class Place : public TinyScene {
         }
         EXPECT_EQ(files(), before);
     }
-    [[nodiscard]] bool is_result(const std::string& name) const {
-        return fs::exists(path(name + "/summary.json"));
-    }
+    [[nodiscard]] bool is_result(const std::string& name) const { return fs::exists(path(name + "/summary.json")); }
 };
 
 /// A file system of its own for as long as it lives.
@@ -142,8 +139,7 @@ TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
     const AsNobody nobody;
     if (!nobody.is()) GTEST_SKIP() << "only root can be somebody else";
     // access(2) asks for the real user, which is root still: the rights are asked for as the effective one.
-    EXPECT_NE(refusal("closed/result").find("cannot be written"), std::string::npos)
-        << refusal("closed/result");
+    EXPECT_NE(refusal("closed/result").find("cannot be written"), std::string::npos) << refusal("closed/result");
     EXPECT_NE(refusal("closed").find("cannot be written"), std::string::npos);
     EXPECT_NE(refusal("open/closed").find("may not be changed"), std::string::npos) << refusal("open/closed");
     EXPECT_NE(refusal("sticky/result").find("only its owner may rename it"), std::string::npos)
@@ -157,15 +153,13 @@ TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
 TEST_F(Place, ThatCannotBeWrittenIsToldBesideTheScenesFaults) {
     fs::create_directories(path("disk"));
     const Mounted disk(path("disk"));
-    if (!disk.is_there() ||
-        ::mount("tmpfs", path("disk").c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, "size=16m") != 0)
+    if (!disk.is_there() || ::mount("tmpfs", path("disk").c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, "size=16m") != 0)
         GTEST_SKIP() << "nothing may be mounted here";
     write_scene(k_numbers_only + "directory = disk/result\n");
     for (const std::string command : {"check", "run"}) {
         const Outcome alone = frana({command, "scene.ini"});
         EXPECT_EQ(alone.exit_code, 4) << alone.err;
-        EXPECT_NE(alone.err.find("Choose another result directory with --out"), std::string::npos)
-            << alone.err;
+        EXPECT_NE(alone.err.find("Choose another result directory with --out"), std::string::npos) << alone.err;
         const Outcome both = frana({command, "scene.ini", "--set", "terrain.dtm=nosuch.tif"});
         EXPECT_EQ(both.exit_code, 2) << both.err;
         EXPECT_NE(both.err.find("nosuch.tif"), std::string::npos) << both.err;
@@ -194,8 +188,7 @@ TEST_F(Place, InputsThatTheResultWouldReplaceAreRefusedUnderAnyName) {
     fs::create_directory_symlink(path("result"), path("alias"));
     const std::vector<std::string> before = files();
     for (const std::string input :
-         {"terrain.dtm=linked.tif", "terrain.dtm=alias/dtm.tif",
-          "release.perimeter=result/extent.gpkg|layer=release",
+         {"terrain.dtm=linked.tif", "terrain.dtm=alias/dtm.tif", "release.perimeter=result/extent.gpkg|layer=release",
           "release.perimeter=alias/extent.gpkg|layer=release", "release.thickness=raster:linked.tif",
           "terrain.dtm=GTIFF_RAW:result/dtm.tif"}) {
         const Outcome outcome = run("result", {"--overwrite", "--set", input});

@@ -34,8 +34,7 @@ class ResultScenes : public TinyScene {
         write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
     }
     /// Runs a scene's text on cells of 10 m into a folder.
-    void run(const std::string& text, const std::string& result,
-             const std::vector<std::string>& more = {}) const {
+    void run(const std::string& text, const std::string& result, const std::vector<std::string>& more = {}) const {
         write("scene.ini",
               "[terrain]\ndtm = dtm.asc\ncell-size = 10\n[release]\nperimeter = perimeter.geojson\n"
               "thickness = 2\n[time]\nend = 2\nframe-interval = 0.5\nstop-when-still = off\n" +
@@ -62,9 +61,8 @@ class ResultScenes : public TinyScene {
         ASSERT_EQ(frana({"compare", "old", "--scar", "scar.geojson", "--out", "old/compared"}).exit_code, 0);
     }
     void copy(const std::string& from, const std::string& to) const {
-        std::filesystem::copy(
-            path(from), path(to),
-            std::filesystem::copy_options::recursive | std::filesystem::copy_options::copy_symlinks);
+        std::filesystem::copy(path(from), path(to),
+                              std::filesystem::copy_options::recursive | std::filesystem::copy_options::copy_symlinks);
     }
     [[nodiscard]] bool exists(const std::string& name) const {
         return std::filesystem::exists(std::filesystem::symlink_status(path(name)));

@@ -20,8 +20,7 @@ class ResultTable : public ResultScenes {};
 
 // Plates are drawn from whatever the result holds.
 TEST_F(ResultTable, PlatesOfTheNewResultAreAFreshOnes) {
-    const std::string text =
-        k_voellmy + "[output]\nmaps = off\nanimation = off\n[scar]\nperimeter = scar.geojson\n";
+    const std::string text = k_voellmy + "[output]\nmaps = off\nanimation = off\n[scar]\nperimeter = scar.geojson\n";
     run(text + k_entrainment, "old");
     run(text, "fresh");
     render({"--plates", "--size", "1600x1200", "--format", "png", "--format", "pdf"});
@@ -39,8 +38,7 @@ TEST_F(ResultTable, EveryResultHasTheRastersOfTheTable) {
     const std::map<std::string, std::string> scenes{
         {"first", k_voellmy + k_entrainment + k_numbers_only + "[hazard]\nscheme = austrian-torrent\n"},
         {"second", k_structured + k_numbers_only},
-        {"fluid",
-         "[material]\nmodel = structured\n[structured]\nphases = fluid\nmanning = 0.05\n" + k_numbers_only},
+        {"fluid", "[material]\nmodel = structured\n[structured]\nphases = fluid\nmanning = 0.05\n" + k_numbers_only},
         {"least", k_voellmy + k_numbers_only}};
     for (const auto& [name, text] : scenes) {
         run(text, name);
@@ -50,8 +48,7 @@ TEST_F(ResultTable, EveryResultHasTheRastersOfTheTable) {
             EXPECT_EQ(exists(name + "/" + row.name + ".tif"), row.can_come == nullptr || row.can_come(scene))
                 << name << ": " << row.name;
             if (row.is_drawn()) {
-                EXPECT_EQ(exists(name + "/" + row.name + ".qml"), exists(name + "/" + row.name + ".tif"))
-                    << row.name;
+                EXPECT_EQ(exists(name + "/" + row.name + ".qml"), exists(name + "/" + row.name + ".tif")) << row.name;
             }
         }
     }
@@ -79,8 +76,7 @@ TEST_F(ResultTable, MapsShowTheFiguresOfTheSummary) {
 }
 
 TEST_F(ResultTable, MapsThatNoRasterIsMadeForAreRefused) {
-    write_scene(k_voellmy + k_entrainment +
-                "[output]\nmaps = eroded_depth, solid_depth, max_depth_3d, hazard\n");
+    write_scene(k_voellmy + k_entrainment + "[output]\nmaps = eroded_depth, solid_depth, max_depth_3d, hazard\n");
     const Outcome outcome = frana({"check", "scene.ini"});
     EXPECT_EQ(outcome.exit_code, 2);
     for (const std::string name :

@@ -46,11 +46,10 @@ class Killed : public Resuming {
             const std::string result = "killed" + std::to_string(k), threads = k % 2 == 0 ? "2" : "1";
             SCOPED_TRACE("seed " + std::to_string(seed) + ", result " + result);
             for (bool goes_on = true; goes_on;) {
-                StartedProgram program(
-                    folder_.string(), run(result, with(more, {"--resume", "--quiet", "--threads", threads})));
+                StartedProgram program(folder_.string(),
+                                       run(result, with(more, {"--resume", "--quiet", "--threads", threads})));
                 const double share = std::uniform_real_distribution<double>(0.02, 1.1)(random);
-                std::this_thread::sleep_for(
-                    std::chrono::duration_cast<std::chrono::milliseconds>(share * whole));
+                std::this_thread::sleep_for(std::chrono::duration_cast<std::chrono::milliseconds>(share * whole));
                 program.send(SIGKILL);
                 const Outcome outcome = program.wait();
                 // Under its name there is a whole result or none.
@@ -94,16 +93,14 @@ TEST_F(Stopped, BySignalsItKeepsWhatThereIsAndGoesOn) {
         return arguments;
     };
     ASSERT_EQ(frana(with(run_once("whole"), {"--quiet"})).exit_code, 0);
-    const std::vector<std::pair<int, std::string>> signals{
-        {SIGINT, "int"}, {SIGTERM, "term"}, {SIGHUP, "hup"}};
+    const std::vector<std::pair<int, std::string>> signals{{SIGINT, "int"}, {SIGTERM, "term"}, {SIGHUP, "hup"}};
     for (const auto& [number, result] : signals) {
         const std::string building = result + ".partial-";
         {
             StartedProgram program(folder_.string(), run_once(result));
             ASSERT_TRUE(program.wait_until([&] {
                 for (const std::string& name : files())
-                    if (name.rfind(building, 0) == 0 && name.ends_with("depth_0002.tif"))
-                        return true;
+                    if (name.rfind(building, 0) == 0 && name.ends_with("depth_0002.tif")) return true;
                 return false;
             }));
             program.send(number);
@@ -168,8 +165,7 @@ TEST_F(Interrupted, ItIsNeitherForgottenNorLost) {
 TEST_F(Interrupted, WithoutACheckpointResumingStartsAtTheBeginning) {
     const Outcome outcome = frana(run("result", {"--resume"}));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("no checkpoint: starting from the beginning"), std::string::npos)
-        << outcome.err;
+    EXPECT_NE(outcome.err.find("no checkpoint: starting from the beginning"), std::string::npos) << outcome.err;
     const Outcome again = frana(run("result", {"--resume"}));
     EXPECT_EQ(again.exit_code, 0);
     EXPECT_NE(again.err.find("the result is complete"), std::string::npos) << again.err;
@@ -185,8 +181,7 @@ TEST_F(Interrupted, ADamagedCheckpointGivesWayToTheOneBefore) {
     std::ofstream(both[0], std::ios::binary) << bytes;
     const Outcome outcome = frana(run("result", {"--resume"}));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("checkpoint not used: " + both[0] + ": is damaged"), std::string::npos)
-        << outcome.err;
+    EXPECT_NE(outcome.err.find("checkpoint not used: " + both[0] + ": is damaged"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("going on from"), std::string::npos) << outcome.err;
     // The summary tells of the damaged checkpoint; all else is the same.
     fs::remove(path("result/summary.json"));
@@ -223,8 +218,7 @@ TEST_F(Interrupted, NothingToGoOnFromIsSaidNotBegunAnew) {
               std::string::npos);
     std::ofstream(both[0], std::ios::binary) << newest.substr(0, newest.size() - 1);
     EXPECT_NE(refusal({}).find("is cut short"), std::string::npos);
-    std::ofstream(both[0], std::ios::binary)
-        << "something else, and longer than what a checkpoint begins with";
+    std::ofstream(both[0], std::ios::binary) << "something else, and longer than what a checkpoint begins with";
     EXPECT_NE(refusal({}).find("is no checkpoint"), std::string::npos);
     std::ofstream(both[0], std::ios::binary) << newest;
     EXPECT_EQ(frana(run("result", {"--resume", "--quiet"})).exit_code, 0);
@@ -242,8 +236,7 @@ TEST_F(Interrupted, AMissingInputOrFrameIsSaid) {
     fs::rename(frame, path("frame"));
     const Outcome framed = frana(run("result", {"--resume"}));
     EXPECT_EQ(framed.exit_code, 2);
-    EXPECT_NE(framed.err.find("counts on a frame that is not there any more"), std::string::npos)
-        << framed.err;
+    EXPECT_NE(framed.err.find("counts on a frame that is not there any more"), std::string::npos) << framed.err;
     fs::rename(path("frame"), frame);
     EXPECT_EQ(frana(run("result", {"--resume", "--quiet"})).exit_code, 0);
 }

@@ -45,7 +45,8 @@ TEST_F(ResumedFrames, HaveTheParticlesOfAKilledRun) {
     ASSERT_EQ(frana(with_particles("whole")).exit_code, 0);
     StartedProgram program(folder_.string(), with_particles("result"));
     ASSERT_TRUE(program.wait_until([&] {
-        return has_checkpoints("result", 2) && app::CheckpointFile(checkpoints("result")[0]).head().frame_times.size() > 2;
+        return has_checkpoints("result", 2) &&
+               app::CheckpointFile(checkpoints("result")[0]).head().frame_times.size() > 2;
     })) << program.wait().err;
     program.send(SIGKILL);
     program.wait();

@@ -19,10 +19,8 @@ Resuming::Resuming() {
         "maps = off\nanimation = off\n[terrain]\ncell-size = 1\n");
 }
 
-std::vector<std::string> Resuming::run(const std::string& result,
-                                       const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments{"run",  "scene.ini", "--out",
-                                       result, "--set",     "output.checkpoint-interval=0.02"};
+std::vector<std::string> Resuming::run(const std::string& result, const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments{"run", "scene.ini", "--out", result, "--set", "output.checkpoint-interval=0.02"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }

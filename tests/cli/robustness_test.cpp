@@ -33,17 +33,16 @@ TEST_F(RobustnessCommand, RunsTheSceneUnderEveryDisturbance) {
         return 400 - 0.5 * x + 0.15 * std::abs(y - 75 - 8 * std::sin(x / 23)) + 0.003 * x * x * (x > 150);
     });
     write_scene();
-    const Outcome outcome =
-        frana({"bench", "robustness", "scene.ini", "--set", "time.end=6", "--out", "study"});
+    const Outcome outcome = frana({"bench", "robustness", "scene.ini", "--set", "time.end=6", "--out", "study"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("changes against the first row"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.err.find("turned-45"), std::string::npos) << outcome.err;
     const auto rows = table("study");
     std::vector<std::string> names;
     for (const auto& row : rows) names.push_back(row[0]);
-    EXPECT_EQ(names, (std::vector<std::string>{"disturbance", "base", "shifted", "turned-30", "turned-45",
-                                               "turned-90", "rough", "particles-1", "particles-9",
-                                               "particles-16", "cfl-0.2", "cfl-0.3", "cfl-0.7", "cfl-0.9"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"disturbance", "base", "shifted", "turned-30", "turned-45", "turned-90",
+                                               "rough", "particles-1", "particles-9", "particles-16", "cfl-0.2",
+                                               "cfl-0.3", "cfl-0.7", "cfl-0.9"}));
     for (std::size_t row = 1; row < rows.size(); ++row) {
         ASSERT_EQ(rows[row].size(), rows[0].size());
         EXPECT_EQ(rows[row].back(), "done");
@@ -57,8 +56,8 @@ TEST_F(RobustnessCommand, RunsTheSceneUnderEveryDisturbance) {
         }
     }
     // The first row is the run itself.
-    ASSERT_EQ(frana({"run", "scene.ini", "--set", "time.end=6", "--out", "result", "--set", "output.maps=off",
-                     "--set", "output.animation=off", "--quiet"})
+    ASSERT_EQ(frana({"run", "scene.ini", "--set", "time.end=6", "--out", "result", "--set", "output.maps=off", "--set",
+                     "output.animation=off", "--quiet"})
                   .exit_code,
               0);
     const std::string summary = read_text(path("result/summary.json"));

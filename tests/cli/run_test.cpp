@@ -12,8 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> k_rasters{"max_depth", "max_velocity", "final_depth", "arrival_time",
-                                         "max_pressure"};
+const std::vector<std::string> k_rasters{"max_depth", "max_velocity", "final_depth", "arrival_time", "max_pressure"};
 
 /// Bits of all values, so that NaN compares equal to itself.
 std::vector<std::uint64_t> bits(const std::string& file) {
@@ -108,10 +107,9 @@ TEST_F(RunCommand, WritesEveryFileOfTheContract) {
     EXPECT_GT(json_number(summary, "max_velocity_ms"), 1);
 
     const std::string comparison = read_text(path("result/comparison.json"));
-    for (const std::string key :
-         {"threshold_m", "observed_area_m2", "simulated_area_m2", "area_difference_percent", "hit_m2",
-          "false_alarm_m2", "miss_m2", "jaccard", "dice", "csi", "true_positive_rate", "false_positive_rate",
-          "d2pc", "auroc", "runout_difference_m"})
+    for (const std::string key : {"threshold_m", "observed_area_m2", "simulated_area_m2", "area_difference_percent",
+                                  "hit_m2", "false_alarm_m2", "miss_m2", "jaccard", "dice", "csi", "true_positive_rate",
+                                  "false_positive_rate", "d2pc", "auroc", "runout_difference_m"})
         EXPECT_TRUE(json_has(comparison, key)) << key;
     EXPECT_EQ(json_number(comparison, "observed_area_m2"), 165 * 50);
 }
@@ -140,8 +138,7 @@ TEST_F(RunCommand, RastersCarryPlaceNodataAndTexts) {
 
 TEST_F(RunCommand, TheResolvedSceneReproducesTheRunWhateverTheThreads) {
     write_scene("stop-when-still = off\nstop-change = 0\n[numerics]\nparticles-per-cell = 9\n" + k_numbers_only);
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "a", "--quiet", "--threads", "1", "--set", "time.end=3"})
-                  .exit_code,
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "a", "--quiet", "--threads", "1", "--set", "time.end=3"}).exit_code,
               0);
     fs::create_directory(folder_ / "elsewhere");
     fs::copy_file(path("a/scene.ini"), path("elsewhere/again.ini"));
@@ -182,17 +179,14 @@ TEST_F(RunCommand, AnExistingResultIsKeptUnlessToldOtherwise) {
     EXPECT_EQ(json_number(read_text(path("result/summary.json")), "simulated_seconds"), 2);
     EXPECT_EQ(read_text(path("result/notes.txt")), "mine");
     // A faulty scene does not cost the older result either.
-    EXPECT_EQ(
-        frana({"run", "scene.ini", "--out", "result", "--overwrite", "--set", "numerics.cfl=9"}).exit_code,
-        2);
+    EXPECT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--set", "numerics.cfl=9"}).exit_code, 2);
     EXPECT_EQ(json_number(read_text(path("result/summary.json")), "simulated_seconds"), 2);
 }
 
 TEST_F(RunCommand, ASignalWritesWhatThereIs) {
     write_scene("stop-when-still = off\nstop-change = 0\n[numerics]\nparticles-per-cell = 16\n" + k_numbers_only);
     const Outcome outcome = frana(
-        {"run", "scene.ini", "--out", "result", "--set", "time.end=100000", "--set", "terrain.cell-size=1"},
-        2000);
+        {"run", "scene.ini", "--out", "result", "--set", "time.end=100000", "--set", "terrain.cell-size=1"}, 2000);
     EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_EQ(json_text(summary, "stop_reason"), "requested");
@@ -201,8 +195,8 @@ TEST_F(RunCommand, ASignalWritesWhatThereIs) {
 
 TEST_F(RunCommand, FlowThatLeavesOrStillMovesIsSaid) {
     write_scene(k_numbers_only);
-    const Outcome outcome = frana(
-        {"run", "scene.ini", "--out", "result", "--set", "terrain.bounds=527000 5094000 527090 5094150"});
+    const Outcome outcome =
+        frana({"run", "scene.ini", "--out", "result", "--set", "terrain.bounds=527000 5094000 527090 5094150"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("left the computed ground"), std::string::npos) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));
@@ -219,8 +213,7 @@ TEST_F(RunCommand, GroundWithoutElevationStopsWallsOrIsFilled) {
     EXPECT_NE(stopped.err.find("ground without elevation"), std::string::npos) << stopped.err;
     EXPECT_EQ(json_text(read_text(path("stop/summary.json")), "stop_reason"), "reached-no-data");
 
-    const Outcome wall =
-        frana({"run", "scene.ini", "--out", "wall", "--quiet", "--set", "terrain.nodata-policy=wall"});
+    const Outcome wall = frana({"run", "scene.ini", "--out", "wall", "--quiet", "--set", "terrain.nodata-policy=wall"});
     EXPECT_EQ(wall.exit_code, 0) << wall.err;
     const Outcome fill = frana({"run", "scene.ini", "--out", "fill", "--set", "terrain.nodata-policy=fill"});
     EXPECT_EQ(fill.exit_code, 0) << fill.err;
@@ -230,8 +223,7 @@ TEST_F(RunCommand, GroundWithoutElevationStopsWallsOrIsFilled) {
 TEST_F(RunCommand, PlainMetresWithoutACrs) {
     write_dtm({}, false);
     write_scene("[output]\nmaps = off\nanimation = off\nframes = off\n");
-    const Outcome outcome =
-        frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "terrain.crs=local"});
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "terrain.crs=local"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(json_text(read_text(path("result/summary.json")), "crs"), "local");
     EXPECT_EQ(gis::read_result_raster(path("result/max_depth.tif")).grid.crs_wkt, "");
@@ -241,16 +233,15 @@ TEST_F(RunCommand, PlainMetresWithoutACrs) {
 
 TEST_F(RunCommand, ADtmInDegreesIsComputedInItsUtmZone) {
     // 0.00005 degrees are 3.9 m east and 5.6 m north at 46 N; the slope falls east as the other one does.
-    std::string grid =
-        "ncols 80\nnrows 60\nxllcorner 9.348\nyllcorner 45.9995\ncellsize 0.00005\nNODATA_value -9999\n";
+    std::string grid = "ncols 80\nnrows 60\nxllcorner 9.348\nyllcorner 45.9995\ncellsize 0.00005\nNODATA_value -9999\n";
     for (int row = 0; row < 60; ++row)
         for (int column = 0; column < 80; ++column)
             grid += std::to_string(300 - 2 * column) + (column < 79 ? ' ' : '\n');
     write("degrees.asc", grid);
     write_polygon("perimeter", {{20, 55}, {70, 55}, {70, 95}, {20, 95}});
     write_scene(k_numbers_only);
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set",
-                                   "terrain.dtm=degrees.asc", "--set", "terrain.dtm-crs=EPSG:4326"});
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "terrain.dtm=degrees.asc",
+                                   "--set", "terrain.dtm-crs=EPSG:4326"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_NE(summary.find("EPSG:32632"), std::string::npos);
@@ -281,15 +272,13 @@ TEST_F(RunCommand, ThicknessInItsFourFormsReleasesTheSameVolume) {
     write_dtm([](int, int) { return 300.0; }, true, "after.asc");
     write_scene(k_numbers_only);
     int number = 0;
-    for (const std::string thickness :
-         {"2", "attribute:depth", "raster:two.asc", "difference:before.asc,after.asc"}) {
+    for (const std::string thickness : {"2", "attribute:depth", "raster:two.asc", "difference:before.asc,after.asc"}) {
         std::string out = std::to_string(number++);
         const Outcome outcome = frana({"run", "scene.ini", "--out", out, "--quiet", "--set",
                                        "release.thickness=" + thickness, "--set", "time.end=0.1"});
         ASSERT_EQ(outcome.exit_code, 0) << thickness << ": " << outcome.err;
         // 50 m x 40 m x 2 m, filled but for rounding
-        EXPECT_NEAR(json_number(read_text(path(out + "/summary.json")), "initial_m3"), 4000, 1e-6)
-            << thickness;
+        EXPECT_NEAR(json_number(read_text(path(out + "/summary.json")), "initial_m3"), 4000, 1e-6) << thickness;
     }
 }
 
@@ -303,9 +292,8 @@ TEST_F(RunCommand, ErosionAndOtherLawsAreReportedAndRepeatable) {
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));
-    for (const std::string words :
-         {"eroded_m3", "deposited_m3", "unsupported_node_steps", "cohesion at the bed",
-          "pore pressure that dissipates", "curvature of the bed", "exponential growth"})
+    for (const std::string words : {"eroded_m3", "deposited_m3", "unsupported_node_steps", "cohesion at the bed",
+                                    "pore pressure that dissipates", "curvature of the bed", "exponential growth"})
         EXPECT_NE(summary.find(words), std::string::npos) << words;
     EXPECT_NE(read_text(path("result/log.txt")).find("the flow eroded"), std::string::npos);
     const Outcome again = frana({"run", "result/scene.ini", "--out", "again", "--quiet"});

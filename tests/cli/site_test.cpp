@@ -107,8 +107,10 @@ TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleGround) {
     EXPECT_LT(summary("max_velocity_ms", "drag"), 0.9 * fastest);
     // Cohesion holds 2 m of 2000 kg/m3 where it exceeds its weight along the slope, about 20 kPa.
     write_features("zones", {{box(0, 0, 300, 150), R"("cohesion": 60000)"}});
-    run_with("[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = voellmy, cohesion\n"
-             "cohesion = 0\n", "held");
+    run_with(
+        "[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = voellmy, cohesion\n"
+        "cohesion = 0\n",
+        "held");
     EXPECT_EQ(summary("max_velocity_ms", "held"), 0);
     // What can be eroded comes from a raster: none up to 100 m, 0.5 m beyond.
     write_dtm([](int, int column) { return column >= 20 ? 0.5 : 0.0; }, true, "layer.asc");
@@ -127,8 +129,9 @@ TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleGround) {
 
 // RAMMS's yield term resists with (1 - mu) N_0: less where mu is greater.
 TEST_F(Site, ZonesOfFrictionForRammsYield) {
-    const std::string lines = "[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = ramms-yield\n"
-                              "ramms-yield-stress = 20000\n";
+    const std::string lines =
+        "[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = ramms-yield\n"
+        "ramms-yield-stress = 20000\n";
     const std::vector<std::string> no_voellmy{"material.turbulence=off", "material.friction-angle=6"};
     write_features("zones", {{box(0, 0, 300, 150), R"("mu": 0.1051042352656764)"}});
     run_with(lines, "same", no_voellmy);
@@ -149,9 +152,10 @@ TEST_F(Site, ZonesOfFrictionForRammsYield) {
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("too large for the law ramms-yield"), std::string::npos) << outcome.err;
     // Friction that only the stress in the plane reads.
-    write_scene("[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = chezy\nchezy = 20\n"
-                "in-plane-stress = earth-pressure\ninternal-friction-angle = 30\n" +
-                k_numbers_only);
+    write_scene(
+        "[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = chezy\nchezy = 20\n"
+        "in-plane-stress = earth-pressure\ninternal-friction-angle = 30\n" +
+        k_numbers_only);
     const Outcome unread = frana({"check", "scene.ini", "--set", no_voellmy[0]});
     EXPECT_EQ(unread.exit_code, 2);
     EXPECT_NE(unread.err.find("Add coulomb or ramms-yield or pouliquen-forterre to material.bed-friction"),
@@ -173,10 +177,10 @@ TEST_F(Site, EveryFileIsInTheTableOfTheCheckAndInTheReport) {
     write_scene(lines + k_numbers_only);
     const Outcome check = frana({"check", "scene.ini"});
     ASSERT_EQ(check.exit_code, 0) << check.err;
-    ASSERT_EQ(frana({"run", "scene.ini", "--out", "out", "--quiet", "--set", "time.end=0.5", "--set",
-                     "output.report=on"})
-                  .exit_code,
-              0);
+    ASSERT_EQ(
+        frana({"run", "scene.ini", "--out", "out", "--quiet", "--set", "time.end=0.5", "--set", "output.report=on"})
+            .exit_code,
+        0);
     const std::string report = read_text(path("out/report.html"));
     for (const std::string words :
          {"DTM", "dtm.asc", "Release perimeter", "Zones", "zones.geojson", "Obstacles", "dam.geojson", "Walls",
@@ -192,13 +196,11 @@ TEST_F(Site, ObstaclesRaiseTheBedAndHoldTheFlow) {
     const double reach = summary("horizontal_m");
     // A dam one metre thick is thinner than a cell, and still has no gap.
     write_features("dam", {{box(101, 0, 102, 150), R"("h": 25)"}});
-    const std::string said =
-        run_with("[terrain]\nobstacles = dam.geojson\nobstacle-height = attribute:h\n", "dam");
+    const std::string said = run_with("[terrain]\nobstacles = dam.geojson\nobstacle-height = attribute:h\n", "dam");
     EXPECT_NE(said.find("narrower than the cells"), std::string::npos) << said;
     EXPECT_LT(summary("horizontal_m", "dam"), reach);
     const Raster before = result("dtm"), after = result("dtm", "dam");
-    for (std::int64_t r = 0; r < after.grid.rows; ++r)
-        EXPECT_NEAR(after.at(r, 20) - before.at(r, 20), 25, 1e-4) << r;
+    for (std::int64_t r = 0; r < after.grid.rows; ++r) EXPECT_NEAR(after.at(r, 20) - before.at(r, 20), 25, 1e-4) << r;
     EXPECT_NEAR(after.at(3, 19), before.at(3, 19), 1e-9);
 }
 

@@ -82,8 +82,7 @@ TEST_F(Soak, RunsInOneProcessLeaveNothingBehind) {
     const auto before = temporary_files();
     repeat(
         [&] {
-            ASSERT_EQ(app::cmd_run({path("scene.ini"), "--out", path("result"), "--overwrite", "--quiet"}),
-                      0);
+            ASSERT_EQ(app::cmd_run({path("scene.ini"), "--out", path("result"), "--overwrite", "--quiet"}), 0);
         },
         asked("FRANA_SOAK_SECONDS", 3), 5);
     EXPECT_EQ(temporary_files(), before);
@@ -98,9 +97,7 @@ TEST_F(Soak, RendersInOneProcessLeaveNothingBehind) {
     repeat(
         [&] {
             const char* const view = turn++ % 4 == 3 ? "3d" : "2d";
-            ASSERT_EQ(
-                app::cmd_render({path("result"), "--map", "max_depth", "--view", view, "--size", "640x480"}),
-                0);
+            ASSERT_EQ(app::cmd_render({path("result"), "--map", "max_depth", "--view", view, "--size", "640x480"}), 0);
         },
         0, static_cast<int>(asked("FRANA_SOAK_RENDERS", 12)));
     EXPECT_EQ(temporary_files(), before);

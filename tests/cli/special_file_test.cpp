@@ -32,8 +32,8 @@ class SpecialFile : public TinyScene {
 };
 
 TEST_F(SpecialFile, IsNoInput) {
-    for (const std::string key : {"terrain.dtm", "release.perimeter", "scar.perimeter", "scar.front",
-                                  "output.gauges", "output.map-background", "terrain.walls"}) {
+    for (const std::string key : {"terrain.dtm", "release.perimeter", "scar.perimeter", "scar.front", "output.gauges",
+                                  "output.map-background", "terrain.walls"}) {
         expect_refused({"scene.ini", "--set", key + "=" + path("fifo")}, "is no file to read");
         expect_refused({"scene.ini", "--set", key + "=/dev/zero"}, "is no file to read");
     }
@@ -48,8 +48,7 @@ TEST_F(SpecialFile, IsNoInput) {
 }
 
 TEST_F(SpecialFile, IsNoHydrograph) {
-    gis::test::make_vector(path("line.gpkg"), "GPKG", "EPSG:32632",
-                           {"LINESTRING(527100 5094020,527100 5094100)"});
+    gis::test::make_vector(path("line.gpkg"), "GPKG", "EPSG:32632", {"LINESTRING(527100 5094020,527100 5094100)"});
     for (const std::string& file : {path("fifo"), std::string("/dev/zero")})
         expect_refused({"scene.ini", "--set", "inflow.line=line.gpkg", "--set", "inflow.hydrograph=" + file},
                        "is no file to read");
@@ -61,8 +60,7 @@ TEST_F(SpecialFile, IsNoListOfFiles) {
         fs::create_directories(path("other"));
         write("other/scene.ini", "");
         ASSERT_EQ(::mkfifo(path(std::string("other/") + name).c_str(), 0600), 0);
-        expect_refused({"scene.ini", "--set", "output.directory=other"},
-                       "is a folder with other files in it");
+        expect_refused({"scene.ini", "--set", "output.directory=other"}, "is a folder with other files in it");
         fs::create_directories(path("free.partial-copied"));
         ASSERT_EQ(::mkfifo(path(std::string("free.partial-copied/") + name).c_str(), 0600), 0);
         EXPECT_EQ(frana({"run", "scene.ini", "--out", "free", "--quiet", "--set", "output.maps=off", "--set",
@@ -84,10 +82,9 @@ TEST_F(SpecialFile, InputsKeepTheirFolderAsItIs) {
     gis::test::make_vector(path("in/a.shp"), "ESRI Shapefile", "EPSG:32632", square);
     write_dtm({}, true, "in/dtm.asc");
     const std::vector<std::string> before = files();
-    const std::vector<std::string> keys{"terrain.dtm=in/dtm.asc",   "release.perimeter=in/a.gml",
-                                        "scar.perimeter=in/a.gpkg", "scar.deposit=in/a.shp",
-                                        "output.maps=off",          "output.animation=off",
-                                        "output.frames=off"};
+    const std::vector<std::string> keys{
+        "terrain.dtm=in/dtm.asc", "release.perimeter=in/a.gml", "scar.perimeter=in/a.gpkg", "scar.deposit=in/a.shp",
+        "output.maps=off",        "output.animation=off",       "output.frames=off"};
     for (const std::string command : {"check", "run"}) {
         std::vector<std::string> arguments{command, "scene.ini"};
         for (const std::string& key : keys) arguments.insert(arguments.end(), {"--set", key});
@@ -101,8 +98,7 @@ TEST_F(SpecialFile, InputsKeepTheirFolderAsItIs) {
 
 // Each pair told would be 44 850 lines.
 TEST_F(SpecialFile, EqualPolygonsAreToldOnceAndCounted) {
-    const std::string square =
-        "POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))";
+    const std::string square = "POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))";
     gis::test::make_vector(path("equal.gpkg"), "GPKG", "EPSG:32632", std::vector<std::string>(300, square));
     const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=equal.gpkg"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -115,12 +111,12 @@ TEST_F(SpecialFile, AThousandProblemsAreCountedToo) {
     for (int i = 0; i < 1000; ++i) {
         const std::string west = std::to_string(527020 + i % 40), east = west + ".5",
                           south = std::to_string(5094055 + i / 40), north = south + ".5";
-        squares.push_back("POLYGON((" + west + " " + south + "," + east + " " + south + "," + east + " " +
-                          north + "," + west + " " + north + "," + west + " " + south + "))");
+        squares.push_back("POLYGON((" + west + " " + south + "," + east + " " + south + "," + east + " " + north + "," +
+                          west + " " + north + "," + west + " " + south + "))");
     }
     gis::test::make_vector(path("many.gpkg"), "GPKG", "EPSG:32632", squares);
-    const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=many.gpkg", "--set",
-                                   "release.thickness=attribute:none"});
+    const Outcome outcome = frana(
+        {"check", "scene.ini", "--set", "release.perimeter=many.gpkg", "--set", "release.thickness=attribute:none"});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_LT(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 60) << outcome.err;
 }
@@ -143,14 +139,12 @@ TEST_F(SpecialFile, ADamagedBackgroundIsFoundByCheck) {
 }
 
 TEST_F(SpecialFile, AFilterThatHoldsAQueryIsRefused) {
-    gis::test::make_vector(
-        path("a.gpkg"), "GPKG", "EPSG:32632",
-        {"POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"});
+    gis::test::make_vector(path("a.gpkg"), "GPKG", "EPSG:32632",
+                           {"POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"});
     const std::string endless =
         "1 IN (WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x+1 FROM c) SELECT x FROM c WHERE x < 0)";
-    expect_refused(
-        {"scene.ini", "--set", "release.perimeter=a.gpkg", "--set", "release.perimeter-filter=" + endless},
-        "holds a query of its own");
+    expect_refused({"scene.ini", "--set", "release.perimeter=a.gpkg", "--set", "release.perimeter-filter=" + endless},
+                   "holds a query of its own");
     EXPECT_EQ(frana({"check", "scene.ini", "--set", "release.perimeter=a.gpkg", "--set",
                      "release.perimeter-filter=name <> 'select' AND thick = 10"})
                   .exit_code,
@@ -159,15 +153,14 @@ TEST_F(SpecialFile, AFilterThatHoldsAQueryIsRefused) {
 
 // Somebody who lets VRTs run programs in work of their own has not said that those of a stranger may.
 TEST_F(SpecialFile, AVrtRunsNoProgram) {
-    write("own.vrt",
-          "<VRTDataset rasterXSize=\"60\" rasterYSize=\"30\"><SRS>EPSG:32632</SRS><GeoTransform>" +
-              std::to_string(k_west) + ",5,0," + std::to_string(k_south + 150) +
-              ",0,-5</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\" "
-              "subClass=\"VRTDerivedRasterBand\">"
-              "<PixelFunctionType>f</PixelFunctionType><PixelFunctionLanguage>Python</PixelFunctionLanguage>"
-              "<PixelFunctionCode><![CDATA[\ndef f(in_ar, out_ar, *args, **kwargs):\n    open('" +
-              path("ran") +
-              "', 'w')\n    out_ar[:] = 300\n]]></PixelFunctionCode></VRTRasterBand></VRTDataset>");
+    write("own.vrt", "<VRTDataset rasterXSize=\"60\" rasterYSize=\"30\"><SRS>EPSG:32632</SRS><GeoTransform>" +
+                         std::to_string(k_west) + ",5,0," + std::to_string(k_south + 150) +
+                         ",0,-5</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\" "
+                         "subClass=\"VRTDerivedRasterBand\">"
+                         "<PixelFunctionType>f</PixelFunctionType><PixelFunctionLanguage>Python</PixelFunctionLanguage>"
+                         "<PixelFunctionCode><![CDATA[\ndef f(in_ar, out_ar, *args, **kwargs):\n    open('" +
+                         path("ran") +
+                         "', 'w')\n    out_ar[:] = 300\n]]></PixelFunctionCode></VRTRasterBand></VRTDataset>");
     ::setenv("GDAL_VRT_ENABLE_PYTHON", "YES", 1);
     EXPECT_EQ(frana({"check", "scene.ini", "--set", "terrain.dtm=own.vrt"}).exit_code, 2);
     ::unsetenv("GDAL_VRT_ENABLE_PYTHON");
@@ -177,9 +170,8 @@ TEST_F(SpecialFile, AVrtRunsNoProgram) {
 // A library cannot be stopped in the middle; the program can.
 TEST_F(SpecialFile, AViewThatNeverEndsIsGivenUp) {
     const std::string file = path("view.gpkg");
-    gis::test::make_vector(
-        file, "GPKG", "EPSG:32632",
-        {"POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"});
+    gis::test::make_vector(file, "GPKG", "EPSG:32632",
+                           {"POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"});
     {
         const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
         ASSERT_TRUE(dataset);

@@ -13,15 +13,13 @@ class StructuredPlaces : public TinyScene {
   protected:
     StructuredPlaces() {
         // Two halves of the release, 2000 m3 each, and ground around the western one.
-        write_zones("zones.geojson",
-                    {{0, 45, R"("c": 0, "alpha": 0.4)"}, {45, 90, R"("c": 1e6, "alpha": 0.6)"}});
-        write(
-            "scene.ini",
-            "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
-            "model = structured\n[structured]\nphases = solids-and-fluid\ncohesion = 1e6\n"
-            "internal-friction-angle = 28\nbed-friction-angle = 12\nyoung-modulus = 1e6\nbulk-modulus = 1e6\n"
-            "[numerics]\nparticles-per-cell = 9\n[time]\nend = 0.2\nframe-interval = 0.2\n"
-            "[output]\nmaps = off\nanimation = off\nreport = off\nformats = geotiff, particles-gpkg\n");
+        write_zones("zones.geojson", {{0, 45, R"("c": 0, "alpha": 0.4)"}, {45, 90, R"("c": 1e6, "alpha": 0.6)"}});
+        write("scene.ini",
+              "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
+              "model = structured\n[structured]\nphases = solids-and-fluid\ncohesion = 1e6\n"
+              "internal-friction-angle = 28\nbed-friction-angle = 12\nyoung-modulus = 1e6\nbulk-modulus = 1e6\n"
+              "[numerics]\nparticles-per-cell = 9\n[time]\nend = 0.2\nframe-interval = 0.2\n"
+              "[output]\nmaps = off\nanimation = off\nreport = off\nformats = geotiff, particles-gpkg\n");
     }
     struct Strip {
         double west, east;  // offsets [m]
@@ -34,9 +32,7 @@ class StructuredPlaces : public TinyScene {
             << R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::32632"}},)"
             << R"( "features": [)";
         for (std::size_t i = 0; i < strips.size(); ++i) {
-            const auto corner = [&](double x, double y) {
-                text << '[' << k_west + x << ',' << k_south + y << ']';
-            };
+            const auto corner = [&](double x, double y) { text << '[' << k_west + x << ',' << k_south + y << ']'; };
             text << (i > 0 ? "," : "") << R"({"type": "Feature", "properties": {)" << strips[i].properties
                  << R"(}, "geometry": {"type": "Polygon", "coordinates": [[)";
             corner(strips[i].west, 5);
@@ -76,8 +72,7 @@ TEST_F(StructuredPlaces, PolygonsGiveCohesionAndSolidsShare) {
     const Points points = start();
     double west = 0, east = 0, held = 0;
     for (std::size_t p = 0; p < points.size(); ++p) {
-        const double volume = points.columns.at("volume_m3")[p],
-                     confined = points.columns.at("confined_fluid_m3")[p];
+        const double volume = points.columns.at("volume_m3")[p], confined = points.columns.at("confined_fluid_m3")[p];
         if (points.columns.at("x")[p] < k_west + 45) {
             west += volume;
             EXPECT_EQ(confined, 0);
@@ -108,16 +103,15 @@ TEST_F(StructuredPlaces, RastersGiveTheDepthsOfBothPhases) {
         const double x = points.columns.at("x")[p] - k_west;
         if (std::abs(x - 45) < k_cell) continue;  // depths are interpolated between cells' centres
         EXPECT_NEAR(points.columns.at("depth_m")[p], x < 45 ? 2 : 2.5, 1e-9);
-        EXPECT_NEAR(points.columns.at("confined_fluid_m3")[p] / points.columns.at("volume_m3")[p],
-                    x < 45 ? 0.25 : 0.4, 1e-9);
+        EXPECT_NEAR(points.columns.at("confined_fluid_m3")[p] / points.columns.at("volume_m3")[p], x < 45 ? 0.25 : 0.4,
+                    1e-9);
     }
 }
 
 // Water on the flat ground at the foot, 200 m to 290 m, besides the release.
 TEST_F(StructuredPlaces, FluidLiesOnTheGroundAtTheStart) {
-    write_dtm(
-        [](int row, int column) { return column >= 42 && column < 58 && row >= 5 && row < 25 ? 1.5 : -9999; },
-        true, "water.asc");
+    write_dtm([](int row, int column) { return column >= 42 && column < 58 && row >= 5 && row < 25 ? 1.5 : -9999; },
+              true, "water.asc");
     const Outcome outcome = run({"structured.initial-fluid-depth=raster:water.asc"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NEAR(number("initial_m3"), 4000 + 1.5 * 16 * 20 * 25, 1e-6);
@@ -129,13 +123,12 @@ TEST_F(StructuredPlaces, FluidLiesOnTheGroundAtTheStart) {
 // particles.
 TEST_F(StructuredPlaces, SolidsFailLaterAndFluidFlowsIn) {
     write("hydrograph.csv", "time,discharge,velocity\n0,0,2\n0.5,40,2\n1,40,2\n1.5,0,2\n");
-    write(
-        "line.geojson",
-        R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
-        R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)"
-        R"([[527100,5094060],[527100,5094090]]}}]})");
-    const Outcome outcome = run({"inflow.line=line.geojson", "inflow.hydrograph=hydrograph.csv",
-                                 "release.start=1", "time.end=2", "structured.solid-fraction=1"});
+    write("line.geojson",
+          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+          R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)"
+          R"([[527100,5094060],[527100,5094090]]}}]})");
+    const Outcome outcome = run({"inflow.line=line.geojson", "inflow.hydrograph=hydrograph.csv", "release.start=1",
+                                 "time.end=2", "structured.solid-fraction=1"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(start().size(), 0U);
     EXPECT_NEAR(number("inflow_m3"), 40, 1e-9);
@@ -149,8 +142,7 @@ TEST_F(StructuredPlaces, SolidsFailLaterAndFluidFlowsIn) {
     EXPECT_NEAR(end.sum("volume_m3"), 4000, 1e-6);
     // A second of sliding on 26.6 degrees with 12 degrees of friction, slowed or hastened by what flows round
     // it.
-    const double angle = std::atan(0.5),
-                 gain = 9.81 * (std::sin(angle) - std::cos(angle) * std::tan(12 * M_PI / 180));
+    const double angle = std::atan(0.5), gain = 9.81 * (std::sin(angle) - std::cos(angle) * std::tan(12 * M_PI / 180));
     EXPECT_NEAR(end.sum("speed_ms") / static_cast<double>(end.size()), gain, 0.1 * gain);
 }
 

@@ -29,7 +29,8 @@ struct Figures {
 class SampleRun {
   public:
     SampleRun(const std::string& file, const std::string& cell_size, std::vector<std::string> overrides = {})
-        : scene_(read(file, cell_size, std::move(overrides))), release_(make_release(scene_)),
+        : scene_(read(file, cell_size, std::move(overrides))),
+          release_(make_release(scene_)),
           flow_(release_.bed_at_start, scene_.walls, *scene_.structured, scene_.numerics, release_.particles, 1) {}
 
     Figures at(double time) {
@@ -121,7 +122,7 @@ TEST(FractureSample, TwoBBreaksAndItsPartsSeparate) {
     SampleRun run("fracture/2b.ini", "20");
     const Figures soon = run.at(5), late = run.at(24);
     EXPECT_GT(soon.lost, 0.02);
-    EXPECT_LT(late.lost, 0.4);         // parts, not rubble
+    EXPECT_LT(late.lost, 0.4);          // parts, not rubble
     EXPECT_GT(late.length, 2.5 * 193);  // 551 m
     breaks_where_it_yields(late);
 }
@@ -143,8 +144,8 @@ TEST(FractureSample, ThreeAKeepsItsShape) {
     }
 }
 
-// "Slight fragmentation at the edges" on the slope is missed: there is none. On an even slope nothing strains a block that
-// bears its own weight, and one that does not loses its edges and then all of it; 20 m of it bear 84 kPa or more.
+// "Slight fragmentation at the edges" on the slope is missed: there is none. On an even slope nothing strains a block
+// that bears its own weight, and one that does not loses its edges and then all of it; 20 m of it bear 84 kPa or more.
 TEST(FractureSample, ThreeBBreaksMostlyInTheValley) {
     SampleRun run("fracture/3b.ini", "20");
     EXPECT_LT(run.at(14).lost, 0.05);
@@ -162,8 +163,8 @@ TEST(FractureSample, ThreeCBreaksAtOnceTogetherWithItsWater) {
     for (const double time : {8.0, 14.0, 20.0, 24.0}) EXPECT_LT(run.at(time).apart, 5) << time << " s";
 }
 
-// How much of it hardly depends on the cells, of 20, 12.5 and 10 m, where it breaks as a whole. Where a band breaks (2B)
-// the loss is as wide as a cell or two, and that is missed: only that it breaks, and how far its parts get, hold.
+// How much of it hardly depends on the cells, of 20, 12.5 and 10 m, where it breaks as a whole. Where a band breaks
+// (2B) the loss is as wide as a cell or two, and that is missed: only that it breaks, and how far its parts get, hold.
 TEST(FractureSample, HardlyDependsOnTheCells) {
     std::vector<double> third, valley, length;
     for (const char* cell : {"20", "12.5", "10"}) {
@@ -177,8 +178,8 @@ TEST(FractureSample, HardlyDependsOnTheCells) {
         for (const double f : *figures) EXPECT_NEAR(f, figures->back(), 0.15 * figures->back());
 }
 
-// A quarter of a second after the impact. Along the obstacle's corner the block is broken from its front to about half its
-// length; behind it, and on the free side of it, whole. What is missed: not a line breaks but all that the obstacle
+// A quarter of a second after the impact. Along the obstacle's corner the block is broken from its front to about half
+// its length; behind it, and on the free side of it, whole. What is missed: not a line breaks but all that the obstacle
 // stopped, on its side of the corner.
 TEST(FlumeSample, ACrackFromTheCornerAlongHalfTheBlock) {
     SampleRun run("flume/material_1.ini", "0.05");
@@ -190,7 +191,7 @@ TEST(FlumeSample, ACrackFromTheCornerAlongHalfTheBlock) {
         front = std::max(front, cell.column);
         back = std::min(back, cell.column);
     }
-    ASSERT_EQ(front - back, 4);  // five cells long
+    ASSERT_EQ(front - back, 4);                                                      // five cells long
     const auto corner = static_cast<std::int64_t>(sample::k_obstacle_north / 0.05);  // its row
     double blocked = 0, free = 0;
     for (const auto& cell : cells) {

@@ -12,11 +12,10 @@ class StructuredScene : public TinyScene {
   protected:
     // The tiny slope with water instead of a Voellmy material.
     void write_fluid(const std::string& more = "") const {
-        write(
-            "scene.ini",
-            "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
-            "model = structured\n[structured]\nphases = fluid\nmanning = 0.05\n[time]\nend = 20\n" +
-                more);
+        write("scene.ini",
+              "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[material]\n"
+              "model = structured\n[structured]\nphases = fluid\nmanning = 0.05\n[time]\nend = 20\n" +
+                  more);
     }
     [[nodiscard]] double summary_number(const std::string& result, const std::string& key) const {
         const std::string text = read_text(path(result + "/summary.json"));
@@ -32,10 +31,9 @@ TEST_F(StructuredScene, WritesTheSameFilesAsTheFirstModel) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     for (const std::string name :
-         {"scene.ini", "summary.json", "extent.gpkg", "timeseries.csv", "log.txt", "dtm.tif", "bed.tif",
-          "release.tif", "animation.mp4", "frames/depth_0000.tif", "frames/velocity_0004.tif",
-          "maps/max_depth.png", "max_depth.tif", "max_velocity.tif", "final_depth.tif", "arrival_time.tif",
-          "max_pressure.tif"})
+         {"scene.ini", "summary.json", "extent.gpkg", "timeseries.csv", "log.txt", "dtm.tif", "bed.tif", "release.tif",
+          "animation.mp4", "frames/depth_0000.tif", "frames/velocity_0004.tif", "maps/max_depth.png", "max_depth.tif",
+          "max_velocity.tif", "final_depth.tif", "arrival_time.tif", "max_pressure.tif"})
         EXPECT_TRUE(fs::exists(path("result/" + name)) && fs::file_size(path("result/" + name)) > 0) << name;
     const std::string summary = read_text(path("result/summary.json"));
     for (const std::string words : {"\"model\": \"structured\"", "Manning bed resistance", "finite volumes"})
@@ -56,16 +54,14 @@ TEST_F(StructuredScene, WritesTheSameFilesAsTheFirstModel) {
 // Blocks of solids with their water, through the same pipeline: both phases in rasters and frames, nothing
 // lost.
 TEST_F(StructuredScene, RunsSolidsWithTheirFluid) {
-    write_fluid(
-        "frame-interval = 1\n[numerics]\nparticles-per-cell = 9\n[output]\nmaps = off\nanimation = off\n");
-    const Outcome outcome =
-        frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2", "--set",
-               "structured.phases=solids-and-fluid", "--set", "structured.cohesion=2e3", "--set",
-               "structured.internal-friction-angle=28", "--set", "structured.bed-friction-angle=12", "--set",
-               "structured.young-modulus=1e6", "--set", "structured.bulk-modulus=1e6"});
+    write_fluid("frame-interval = 1\n[numerics]\nparticles-per-cell = 9\n[output]\nmaps = off\nanimation = off\n");
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2", "--set",
+                                   "structured.phases=solids-and-fluid", "--set", "structured.cohesion=2e3", "--set",
+                                   "structured.internal-friction-angle=28", "--set", "structured.bed-friction-angle=12",
+                                   "--set", "structured.young-modulus=1e6", "--set", "structured.bulk-modulus=1e6"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    for (const std::string name : {"solid_depth", "solid_velocity", "solid_fraction", "cohesion_ratio",
-                                   "strain", "fluid_depth", "fluid_velocity", "released_water"}) {
+    for (const std::string name : {"solid_depth", "solid_velocity", "solid_fraction", "cohesion_ratio", "strain",
+                                   "fluid_depth", "fluid_velocity", "released_water"}) {
         EXPECT_TRUE(fs::exists(path("result/" + name + ".tif"))) << name;
         EXPECT_TRUE(fs::exists(path("result/" + name + ".qml"))) << name;
     }
@@ -108,14 +104,12 @@ TEST_F(StructuredScene, CheckTellsWhatWouldRun) {
 // Inflow and a release that fails later come in as they do in the first model.
 TEST_F(StructuredScene, ReceivesWhatComesLater) {
     write("hydrograph.csv", "time,discharge,velocity\n0,0,2\n2,30,2\n8,30,2\n10,0,2\n");
-    write(
-        "line.geojson",
-        R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
-        R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)"
-        R"([[527100,5094060],[527100,5094090]]}}]})");
+    write("line.geojson",
+          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+          R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":)"
+          R"([[527100,5094060],[527100,5094090]]}}]})");
     write_fluid("[inflow]\nline = line.geojson\nhydrograph = hydrograph.csv\n" + k_numbers_only);
-    const Outcome outcome =
-        frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "release.start=3"});
+    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "release.start=3"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NEAR(summary_number("result", "inflow_m3"), 240, 1e-9);
     EXPECT_NEAR(summary_number("result", "entered_m3"), 4240, 1e-6);
@@ -123,11 +117,10 @@ TEST_F(StructuredScene, ReceivesWhatComesLater) {
 }
 
 TEST_F(StructuredScene, RecordsSections) {
-    write(
-        "section.geojson",
-        R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
-        R"("features":[{"type":"Feature","properties":{"name":"foot"},"geometry":{"type":"LineString","coordinates":)"
-        R"([[527150,5094145],[527150,5094005]]}}]})");
+    write("section.geojson",
+          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
+          R"("features":[{"type":"Feature","properties":{"name":"foot"},"geometry":{"type":"LineString","coordinates":)"
+          R"([[527150,5094145],[527150,5094005]]}}]})");
     write_fluid(k_numbers_only + "cross-sections = section.geojson\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -159,30 +152,30 @@ TEST_P(StructuredRefuses, ByName) {
 
 INSTANTIATE_TEST_SUITE_P(
     What, StructuredRefuses,
-    ::testing::Values(
-        Refused{"solids_without_strength",
-                {"structured.phases=solids-and-fluid"},
-                {"structured.cohesion", "structured.internal-friction-angle", "is missing",
-                 "numerics.particles-per-cell"}},
-        Refused{"solids_keys_of_fluid_alone",
-                {"structured.cohesion=1e4"},
-                {"structured.cohesion", "structured.phases = fluid does not read it"}},
-        Refused{"stiffness_out_of_bounds",
-                {"structured.phases=solids-and-fluid", "structured.cohesion=1e4",
-                 "structured.internal-friction-angle=30", "numerics.particles-per-cell=9",
-                 "structured.bulk-modulus=1e6"},
-                {"structured.young-modulus", "less than 9 times"}},
-        Refused{"keys_of_the_other_model",
-                {"material.friction-angle=20", "numerics.scheme=paper", "entrainment.erosion=growth"},
-                {"3 problems", "material.friction-angle", "numerics.scheme", "entrainment.erosion",
-                 "does not read it"}},
-        Refused{"its_keys_with_the_other_model",
-                {"material.model=voellmy-bingham", "material.friction-angle=20"},
-                {"structured.manning", "material.model = voellmy-bingham does not read it"}},
-        Refused{"a_preset", {"material.preset=mudflow"}, {"material.preset", "does not read it"}},
-        Refused{"long_steps", {"numerics.cfl=0.9"}, {"numerics.cfl", "0.9", "at most 0.5"}},
-        Refused{"surface_form", {"numerics.slope-correction=surface"}, {"numerics.slope-correction"}},
-        Refused{"negative_manning", {"structured.manning=-0.1"}, {"structured.manning", "-0.1", "0 to 1"}}),
+    ::testing::Values(Refused{"solids_without_strength",
+                              {"structured.phases=solids-and-fluid"},
+                              {"structured.cohesion", "structured.internal-friction-angle", "is missing",
+                               "numerics.particles-per-cell"}},
+                      Refused{"solids_keys_of_fluid_alone",
+                              {"structured.cohesion=1e4"},
+                              {"structured.cohesion", "structured.phases = fluid does not read it"}},
+                      Refused{"stiffness_out_of_bounds",
+                              {"structured.phases=solids-and-fluid", "structured.cohesion=1e4",
+                               "structured.internal-friction-angle=30", "numerics.particles-per-cell=9",
+                               "structured.bulk-modulus=1e6"},
+                              {"structured.young-modulus", "less than 9 times"}},
+                      Refused{"keys_of_the_other_model",
+                              {"material.friction-angle=20", "numerics.scheme=paper", "entrainment.erosion=growth"},
+                              {"3 problems", "material.friction-angle", "numerics.scheme", "entrainment.erosion",
+                               "does not read it"}},
+                      Refused{"its_keys_with_the_other_model",
+                              {"material.model=voellmy-bingham", "material.friction-angle=20"},
+                              {"structured.manning", "material.model = voellmy-bingham does not read it"}},
+                      Refused{"a_preset", {"material.preset=mudflow"}, {"material.preset", "does not read it"}},
+                      Refused{"long_steps", {"numerics.cfl=0.9"}, {"numerics.cfl", "0.9", "at most 0.5"}},
+                      Refused{"surface_form", {"numerics.slope-correction=surface"}, {"numerics.slope-correction"}},
+                      Refused{
+                          "negative_manning", {"structured.manning=-0.1"}, {"structured.manning", "-0.1", "0 to 1"}}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST_F(StructuredScene, SaysThatPhasesAreMissing) {

@@ -22,17 +22,14 @@ class Terrain : public TinyScene {
 };
 
 TEST_F(Terrain, BeyondAllGroundIsRefused) {
-    expect_said(
-        check([](int row, int column) { return row == 20 && column == 40 ? 1e38 : slope(column); }), 2,
-        {"terrain.dtm", "dtm.asc", "an elevation that no ground has", "1e+38 m at 527202.5, 5094047.5",
-         "row 20, column 40", "-100 000 to 100 000 m", "terrain.nodata-value"});
+    expect_said(check([](int row, int column) { return row == 20 && column == 40 ? 1e38 : slope(column); }), 2,
+                {"terrain.dtm", "dtm.asc", "an elevation that no ground has", "1e+38 m at 527202.5, 5094047.5",
+                 "row 20, column 40", "-100 000 to 100 000 m", "terrain.nodata-value"});
     // Declared, it is no elevation any more.
     EXPECT_EQ(frana({"check", "scene.ini", "--set", "terrain.nodata-value=1e38"}).exit_code, 0);
-    expect_said(check([](int, int column) { return column > 50 ? -2e5 : slope(column); }), 2,
-                {"-200000 m at"});
+    expect_said(check([](int, int column) { return column > 50 ? -2e5 : slope(column); }), 2, {"-200000 m at"});
     // In a frame of it that the grid leaves out it does not matter.
-    EXPECT_EQ(
-        frana({"check", "scene.ini", "--set", "terrain.bounds=527000 5094000 527250 5094150"}).exit_code, 0);
+    EXPECT_EQ(frana({"check", "scene.ini", "--set", "terrain.bounds=527000 5094000 527250 5094150"}).exit_code, 0);
 }
 
 TEST_F(Terrain, HigherAndLowerThanAnyIsToldWithItsPlace) {
@@ -50,9 +47,8 @@ TEST_F(Terrain, SlopesThatAreAMistakenUnitAreTold) {
 }
 
 TEST_F(Terrain, SingleCellsOffAllNeighboursAreToldAndCounted) {
-    expect_said(
-        check([](int row, int column) { return slope(column) + (row == 12 && column == 30 ? 50 : 0); }), 0,
-        {"1 single cell stands", "47.5 m at 527152.5, 5094087.5 (row 12, column 30)"});
+    expect_said(check([](int row, int column) { return slope(column) + (row == 12 && column == 30 ? 50 : 0); }), 0,
+                {"1 single cell stands", "47.5 m at 527152.5, 5094087.5 (row 12, column 30)"});
     expect_said(check([](int row, int column) {
                     return slope(column) + (row % 4 == 2 && column % 4 == 2 && column > 20 ? -30 : 0);
                 }),
@@ -75,8 +71,7 @@ TEST_F(Terrain, APathWithALineBreakIsRefusedBeforeItRuns) {
     std::filesystem::create_directory(folder_ / "two\nlines");
     for (const std::string name : {"dtm.asc", "dtm.prj", "perimeter.geojson", "scene.ini"})
         std::filesystem::copy(folder_ / name, folder_ / "two\nlines" / name);
-    expect_said(frana({"run", "two\nlines/scene.ini", "--out", "result"}), 2,
-                {"two?lines/scene.ini", "line break"});
+    expect_said(frana({"run", "two\nlines/scene.ini", "--out", "result"}), 2, {"two?lines/scene.ini", "line break"});
     expect_said(frana({"run", "scene.ini", "--out", "result", "--set", "output.title=two\nlines"}), 2,
                 {"output.title", "line break"});
     EXPECT_FALSE(std::filesystem::exists(folder_ / "result"));

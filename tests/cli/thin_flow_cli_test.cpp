@@ -76,8 +76,8 @@ TEST_F(ThinFlow, ThatOutlinesDoNotShowIsAWarningOfCheckAndRun) {
 
 TEST_F(ThinFlow, OnTheWayIsAWarning) {
     write_scene(k_numbers_only);
-    const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--set", "release.thickness=0.02", "--set",
-                                   "time.end=30"});
+    const Outcome outcome =
+        frana({"run", "scene.ini", "--out", "result", "--set", "release.thickness=0.02", "--set", "time.end=30"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("of the flow was thinner than numerics.minimum-depth = 0.01 m"), std::string::npos)
         << outcome.err;

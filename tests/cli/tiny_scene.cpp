@@ -56,20 +56,18 @@ void TinyScene::write_dtm(const std::function<double(int, int)>& elevation, bool
                           const std::string& name) const {
     std::ofstream file(folder_ / name);
     file.precision(12);
-    file << "ncols " << k_columns << "\nnrows " << k_rows << "\nxllcorner " << k_west << "\nyllcorner "
-         << k_south << "\ncellsize " << k_cell << "\nNODATA_value -9999\n";
+    file << "ncols " << k_columns << "\nnrows " << k_rows << "\nxllcorner " << k_west << "\nyllcorner " << k_south
+         << "\ncellsize " << k_cell << "\nNODATA_value -9999\n";
     for (int row = 0; row < k_rows; ++row) {
         for (int column = 0; column < k_columns; ++column)
-            file << (elevation ? elevation(row, column) : slope(row, column))
-                 << (column + 1 < k_columns ? ' ' : '\n');
+            file << (elevation ? elevation(row, column) : slope(row, column)) << (column + 1 < k_columns ? ' ' : '\n');
     }
     const fs::path projection = (folder_ / name).replace_extension(".prj");
     fs::remove(projection);
     if (with_crs) std::ofstream(projection) << esri_utm_32();
 }
 
-void TinyScene::write_polygon(const std::string& name,
-                              const std::vector<std::pair<double, double>>& corners) const {
+void TinyScene::write_polygon(const std::string& name, const std::vector<std::pair<double, double>>& corners) const {
     std::ofstream file(folder_ / (name + ".geojson"));
     file.precision(12);
     file

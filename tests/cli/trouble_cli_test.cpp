@@ -14,8 +14,7 @@ TEST_F(TroubledRun, NamesPlaceStepAndTimeEverywhere) {
     write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nframes = on\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
     EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
-    const std::string summary = read_text(path("result/summary.json")),
-                      log = read_text(path("result/log.txt"));
+    const std::string summary = read_text(path("result/summary.json")), log = read_text(path("result/log.txt"));
     // Column 16 begins 80 m east of the DTM's corner; the flow comes from the west.
     for (const std::string& text : {outcome.err, summary, log}) {
         EXPECT_NE(text.find("the flow came upon ground without elevation"), std::string::npos) << text;
@@ -46,8 +45,7 @@ TEST_F(TroubledRun, AGoodRunHasNone) {
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_NE(summary.find("\"troubles\": []"), std::string::npos) << summary;
-    for (const char* count :
-         {"non_finite", "entered_no_data", "impossible_speed", "volume_drift", "depth_clamped"})
+    for (const char* count : {"non_finite", "entered_no_data", "impossible_speed", "volume_drift", "depth_clamped"})
         EXPECT_NE(summary.find(std::string("\"") + count + "\": 0"), std::string::npos) << count;
 }
 
@@ -74,13 +72,12 @@ TEST_F(MemoryLimit, RefusesBeforehandInRunAndCheck) {
 TEST_F(MemoryLimit, TinyCellsAreAnEstimateAndARefusal) {
     write_scene(k_numbers_only);
     for (const char* size : {"1e-6", "1e-3", "1e-300", "5e-324"}) {
-        const Outcome outcome =
-            frana({"check", "scene.ini", "--set", std::string("terrain.cell-size=") + size});
+        const Outcome outcome = frana({"check", "scene.ini", "--set", std::string("terrain.cell-size=") + size});
         EXPECT_EQ(outcome.exit_code, 2) << size << outcome.err;
         EXPECT_NE(outcome.err.find("terrain.cell-size"), std::string::npos) << outcome.err;
     }
-    const Outcome many = frana({"check", "scene.ini", "--memory-limit", "20MB", "--set",
-                                "terrain.cell-size=1", "--set", "numerics.particles-per-cell=16"});
+    const Outcome many = frana({"check", "scene.ini", "--memory-limit", "20MB", "--set", "terrain.cell-size=1", "--set",
+                                "numerics.particles-per-cell=16"});
     EXPECT_EQ(many.exit_code, 2);
     EXPECT_NE(many.err.find("--memory-limit"), std::string::npos) << many.err;
 }

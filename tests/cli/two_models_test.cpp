@@ -42,11 +42,12 @@ TEST_F(BothModels, AgreeWhereTheirEquationsDo) {
     EXPECT_NEAR(json_number(loose, "initial_m3"), json_number(friction, "initial_m3"), 1);
 }
 
-// 38 m load their mean height with some 300 kPa: blocks of 300 kPa stay whole and cover a third less ground; of 30 kPa they
-// break and set all their water free, which goes farther than what is dry.
+// 38 m load their mean height with some 300 kPa: blocks of 300 kPa stay whole and cover a third less ground; of 30 kPa
+// they break and set all their water free, which goes farther than what is dry.
 TEST_F(BothModels, StrongBlocksCoverLessAndWeakOnesBreak) {
     const std::string loose = summary("structured.ini", {"structured.cohesion=0", "structured.solid-fraction=1"});
-    const std::string strong = summary("structured.ini", {"structured.cohesion=300000"}), weak = summary("structured.ini");
+    const std::string strong = summary("structured.ini", {"structured.cohesion=300000"}),
+                      weak = summary("structured.ini");
     EXPECT_LT(json_number(strong, "covered_area_m2"), 0.85 * json_number(loose, "covered_area_m2"));
     EXPECT_EQ(json_number(strong, "released_water_m3"), 0);
     EXPECT_NEAR(json_number(weak, "released_water_m3"), 0.5 * json_number(weak, "initial_m3"), 1);
@@ -74,7 +75,8 @@ TEST_F(BothModels, LookingOnChangesNothing) {
             ASSERT_EQ(now.size(), values.size());
             EXPECT_EQ(std::memcmp(now.data(), values.data(), values.size() * sizeof(double)), 0) << name;
         }
-        for (const char* figure : {"steps", "max_depth_m", "max_velocity_ms", "covered_area_m2", "horizontal_m", "final_m3"})
+        for (const char* figure :
+             {"steps", "max_depth_m", "max_velocity_ms", "covered_area_m2", "horizontal_m", "final_m3"})
             EXPECT_EQ(json_number(watched, figure), json_number(alone, figure)) << figure;
     }
 }

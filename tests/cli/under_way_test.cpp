@@ -17,7 +17,8 @@ class UnderWay : public TinyScene {
   protected:
     UnderWay() {
         write_scene(
-            "stop-when-still = off\nstop-change = 0\nframe-interval = 0.05\n[numerics]\nparticles-per-cell = 16\n[output]\n"
+            "stop-when-still = off\nstop-change = 0\nframe-interval = 0.05\n[numerics]\nparticles-per-cell = "
+            "16\n[output]\n"
             "maps = off\nanimation = off\n[terrain]\ncell-size = 1\n");
         run_ = std::make_unique<StartedProgram>(
             folder_.string(), std::vector<std::string>{"run", "scene.ini", "--out", "result", "--set", "time.end=400"});
@@ -44,8 +45,7 @@ TEST_F(UnderWay, FilmsAndMapsShowTheFramesSoFar) {
     const Outcome film = frana({"render", "result", "--animation", "film/", "--size", "640x480"});
     ASSERT_EQ(film.exit_code, 0) << film.err;
     EXPECT_TRUE(fs::exists(path("film/frame_0002.png")));
-    const Outcome view =
-        frana({"render", "result", "--animation", "view.mp4", "--view", "3d", "--size", "640x480"});
+    const Outcome view = frana({"render", "result", "--animation", "view.mp4", "--view", "3d", "--size", "640x480"});
     EXPECT_EQ(view.exit_code, 0) << view.err;
     const Outcome map = frana({"render", "result", "--map", "depth@0.1", "--map", "velocity@0.1", "--out", "maps"});
     ASSERT_EQ(map.exit_code, 0) << map.err;

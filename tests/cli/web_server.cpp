@@ -60,8 +60,7 @@ void WebServer::answer(int caller) const {
     const bool known = text != texts_.end();
     const std::string body = known ? text->second : "";
     std::string reply = std::string("HTTP/1.1 ") + (known ? "200 OK" : "404 Not Found") +
-                        "\r\nConnection: close\r\nContent-Length: " + std::to_string(body.size()) +
-                        "\r\n\r\n";
+                        "\r\nConnection: close\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n";
     if (method != "HEAD") reply += body;
     for (std::size_t sent = 0; sent < reply.size();) {
         const ssize_t count = ::send(caller, reply.data() + sent, reply.size() - sent, MSG_NOSIGNAL);

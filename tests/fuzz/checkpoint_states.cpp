@@ -107,8 +107,17 @@ Bytes whole_file() {
     waiting.particles.places = {{1, 2}, {3, 4}};
     waiting.particles.add("depth_m");
     app::write_checkpoint(path.string(),
-                          {app::checkpoint_build(), "terrain.dtm = dtm.asc\n", k_steps, 0.5, 5, 1, {0, 1},
-                           {waiting}, {"a line", "another"}, OriginCell{1, 2}, {{"depth_0000.tif", 3, 4}}},
+                          {app::checkpoint_build(),
+                           "terrain.dtm = dtm.asc\n",
+                           k_steps,
+                           0.5,
+                           5,
+                           1,
+                           {0, 1},
+                           {waiting},
+                           {"a line", "another"},
+                           OriginCell{1, 2},
+                           {{"depth_0000.tif", 3, 4}}},
                           from_bytes(run.state), none);
     Bytes bytes;
     {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checkpoints, changed. First byte: f a file; h a file whose size and checksum are made to fit, as if it had been written
-// like that; v, p, s, w the state of a small run (see checkpoint_states.h), which goes on from it. Then the changes, one
-// after another: place (4 bytes), count of bytes (1), the bytes; a count of 0 cuts off what follows the place.
+// Checkpoints, changed. First byte: f a file; h a file whose size and checksum are made to fit, as if it had been
+// written like that; v, p, s, w the state of a small run (see checkpoint_states.h), which goes on from it. Then the
+// changes, one after another: place (4 bytes), count of bytes (1), the bytes; a count of 0 cuts off what follows the
+// place.
 #include <sys/mman.h>
 #include <unistd.h>
 #include <zlib.h>

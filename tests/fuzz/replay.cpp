@@ -27,10 +27,24 @@ std::size_t below(Random& random, std::size_t count) {
 }
 
 // What readers stumble over: numbers that are none, too large or negative, both as text and as bytes.
-constexpr std::string_view k_words[] = {
-    "nan", "inf", "-1", "1e308", "-1e-308", "0", "99999999999999999999", "", "\n", ",", "=", "[", "\"",
-    std::string_view("\0\0\0\0", 4), "\xff\xff\xff\xff", std::string_view("\0\0\0\x80", 4),
-    std::string_view("\0\0\0\0\0\0\xf8\x7f", 8), "\xc3\x28"};
+constexpr std::string_view k_words[] = {"nan",
+                                        "inf",
+                                        "-1",
+                                        "1e308",
+                                        "-1e-308",
+                                        "0",
+                                        "99999999999999999999",
+                                        "",
+                                        "\n",
+                                        ",",
+                                        "=",
+                                        "[",
+                                        "\"",
+                                        std::string_view("\0\0\0\0", 4),
+                                        "\xff\xff\xff\xff",
+                                        std::string_view("\0\0\0\x80", 4),
+                                        std::string_view("\0\0\0\0\0\0\xf8\x7f", 8),
+                                        "\xc3\x28"};
 
 void change(Bytes& bytes, const std::vector<Bytes>& corpus, Random& random) {
     constexpr std::size_t k_longest = 64;

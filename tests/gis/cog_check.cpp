@@ -69,9 +69,8 @@ std::vector<std::string> cog_problems(const std::string& path) {
     if (!file) return {"cannot be opened"};
     const std::string bytes = text_in(path);
     const std::string ghost = bytes.substr(8, 1024);
-    for (const char* promise :
-         {"GDAL_STRUCTURAL_METADATA_SIZE=", "LAYOUT=IFDS_BEFORE_DATA", "BLOCK_ORDER=ROW_MAJOR",
-          "BLOCK_LEADER=SIZE_AS_UINT4", "BLOCK_TRAILER=LAST_4_BYTES_REPEATED"})
+    for (const char* promise : {"GDAL_STRUCTURAL_METADATA_SIZE=", "LAYOUT=IFDS_BEFORE_DATA", "BLOCK_ORDER=ROW_MAJOR",
+                                "BLOCK_LEADER=SIZE_AS_UINT4", "BLOCK_TRAILER=LAST_4_BYTES_REPEATED"})
         if (ghost.find(promise) == std::string::npos) problems.push_back(std::string("no ") + promise);
     if (ghost.find("KNOWN_INCOMPATIBLE_EDITION=YES") != std::string::npos)
         problems.emplace_back("was edited after it was written");
@@ -87,8 +86,7 @@ std::vector<std::string> cog_problems(const std::string& path) {
         if (width != height) problems.push_back(name + ": not tiled");
         check_blocks(*images[i], bytes, name, problems);
         if (i == 0) continue;
-        if (images[i]->GetXSize() > images[i - 1]->GetXSize() ||
-            images[i]->GetYSize() > images[i - 1]->GetYSize())
+        if (images[i]->GetXSize() > images[i - 1]->GetXSize() || images[i]->GetYSize() > images[i - 1]->GetYSize())
             problems.push_back(name + ": larger than the one before");
         if (number(*images[i], "IFD_OFFSET") < number(*images[i - 1], "IFD_OFFSET"))
             problems.push_back(name + ": its directory comes before that of a larger image");

@@ -36,8 +36,7 @@ TEST(Crs, NamesForPeople) {
 }
 
 TEST(Crs, OnlyMetresEastAndNorthMakeSquareCells) {
-    EXPECT_TRUE(
-        is_projected_in_metres(crs_from_user("EPSG:31287", "")));  // axes north, east: only the order differs
+    EXPECT_TRUE(is_projected_in_metres(crs_from_user("EPSG:31287", "")));  // axes north, east: only the order differs
     EXPECT_FALSE(is_projected_in_metres(crs_from_user("EPSG:4326", "")));
     EXPECT_FALSE(is_projected_in_metres(crs_from_user("EPSG:2927", "")));  // US survey feet
     EXPECT_FALSE(is_projected_in_metres(crs_from_user("EPSG:2053", "")));  // axes west and south

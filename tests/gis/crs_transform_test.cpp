@@ -101,8 +101,8 @@ TEST(CrsTransform, EqualCrssLeaveCoordinatesToTheLastBit) {
     }
     EXPECT_TRUE(CrsTransform("", utm).is_identity());
     EXPECT_EQ(CrsTransform("", utm).info().operation, "none");
-    EXPECT_FALSE(CrsTransform(utm, crs_from_user("EPSG:32633", ""), Bounds{529000, 5094000, 530000, 5095000})
-                     .is_identity());
+    EXPECT_FALSE(
+        CrsTransform(utm, crs_from_user("EPSG:32633", ""), Bounds{529000, 5094000, 530000, 5095000}).is_identity());
 }
 
 TEST(CrsTransform, SaysWhenABetterGridIsMissing) {
@@ -111,8 +111,7 @@ TEST(CrsTransform, SaysWhenABetterGridIsMissing) {
                                  Bounds{400000, 300000, 401000, 301000});
     EXPECT_TRUE(transform.info().needs_missing_grid);
     EXPECT_EQ(transform.info().accuracy_m, 2);
-    EXPECT_NE(transform.info().missing_grid.find("OSTN15"), std::string::npos)
-        << transform.info().missing_grid;
+    EXPECT_NE(transform.info().missing_grid.find("OSTN15"), std::string::npos) << transform.info().missing_grid;
     EXPECT_LT(transform.info().missing_accuracy_m, 2);
 }
 
@@ -124,8 +123,7 @@ TEST(CrsTransform, AnAreaAcrossTheAntimeridianIsASmallOne) {
                             Bounds{179.7, -16.6, 179.9, -16.4});
     EXPECT_EQ(transform.info().operation, west.info().operation);
     EXPECT_EQ(transform.source_turn(), 360);
-    EXPECT_EQ(CrsTransform(crs_from_user("EPSG:32632", ""), crs_from_user("EPSG:32633", "")).source_turn(),
-              0);
+    EXPECT_EQ(CrsTransform(crs_from_user("EPSG:32632", ""), crs_from_user("EPSG:32633", "")).source_turn(), 0);
 }
 
 TEST(CrsTransform, PointsBeyondTheProjectionAreRefusedOrMarked) {

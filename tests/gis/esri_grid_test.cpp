@@ -83,10 +83,9 @@ void write_grid(const std::string& folder) {
     // Both name their length in shorts at byte 24.
     data.put_at(24, static_cast<std::int32_t>(data.size() / 2)).write(folder + "/w001001.adf");
     index.put_at(24, static_cast<std::int32_t>(index.size() / 2)).write(folder + "/w001001x.adf");
-    std::ofstream(folder + "/prj.adf")
-        << "Projection    UTM\nZone          32\nDatum         WGS84\nZunits        NO\n"
-           "Units         METERS\nSpheroid      WGS84\nXshift        0.0\n"
-           "Yshift        0.0\nParameters\n";
+    std::ofstream(folder + "/prj.adf") << "Projection    UTM\nZone          32\nDatum         WGS84\nZunits        NO\n"
+                                          "Units         METERS\nSpheroid      WGS84\nXshift        0.0\n"
+                                          "Yshift        0.0\nParameters\n";
 }
 
 TEST(EsriGrid, AFolderOfAdfFilesIsARaster) {

@@ -36,8 +36,7 @@ Folder::~Folder() {
 
 std::vector<std::string> Folder::names() const {
     std::vector<std::string> found;
-    for (const auto& entry : std::filesystem::directory_iterator(path_))
-        found.push_back(entry.path().filename());
+    for (const auto& entry : std::filesystem::directory_iterator(path_)) found.push_back(entry.path().filename());
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -45,11 +44,10 @@ std::vector<std::string> Folder::names() const {
 void make_raster(const std::string& path, const TestRaster& raster) {
     const GdalSession session;
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
-    const GDALDatasetUniquePtr dataset(driver->Create(path.c_str(), raster.columns, raster.rows, 1,
-                                                      raster.bytes ? GDT_Byte : GDT_Float64, nullptr));
+    const GDALDatasetUniquePtr dataset(
+        driver->Create(path.c_str(), raster.columns, raster.rows, 1, raster.bytes ? GDT_Byte : GDT_Float64, nullptr));
     ASSERT_TRUE(dataset);
-    double geo[6] = {raster.west,  raster.cell_x,   raster.rotation,
-                     raster.north, raster.rotation, -raster.cell_y};
+    double geo[6] = {raster.west, raster.cell_x, raster.rotation, raster.north, raster.rotation, -raster.cell_y};
     dataset->SetGeoTransform(geo);
     if (!raster.crs.empty()) {
         const OGRSpatialReference crs = crs_from(raster.crs);
@@ -62,8 +60,8 @@ void make_raster(const std::string& path, const TestRaster& raster) {
     if (raster.offset != 0) band.SetOffset(raster.offset);
     std::vector<double> values = raster.values;
     ASSERT_EQ(values.size(), static_cast<std::size_t>(raster.columns * raster.rows));
-    ASSERT_EQ(band.RasterIO(GF_Write, 0, 0, raster.columns, raster.rows, values.data(), raster.columns,
-                            raster.rows, GDT_Float64, 0, 0),
+    ASSERT_EQ(band.RasterIO(GF_Write, 0, 0, raster.columns, raster.rows, values.data(), raster.columns, raster.rows,
+                            GDT_Float64, 0, 0),
               CE_None);
 }
 
@@ -72,18 +70,15 @@ void make_vector(const std::string& path, const std::string& driver_name, const 
     const GdalSession session;
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_name.c_str());
     const bool exists = std::filesystem::exists(path);
-    const GDALDatasetUniquePtr dataset(exists
-                                           ? GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE)
-                                           : driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const GDALDatasetUniquePtr dataset(exists ? GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE)
+                                              : driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     ASSERT_TRUE(dataset);
     OGRSpatialReference crs = crs_from(crs_text.empty() ? "EPSG:4326" : crs_text);
     OGRGeometry* first = nullptr;
     if (!wkt.empty()) OGRGeometryFactory::createFromWkt(wkt.front().c_str(), nullptr, &first);
-    const OGRwkbGeometryType type =
-        driver_name == "ESRI Shapefile" && first ? first->getGeometryType() : wkbUnknown;
+    const OGRwkbGeometryType type = driver_name == "ESRI Shapefile" && first ? first->getGeometryType() : wkbUnknown;
     OGRGeometryFactory::destroyGeometry(first);
-    OGRLayer* layer =
-        dataset->CreateLayer(layer_name.c_str(), crs_text.empty() ? nullptr : &crs, type, nullptr);
+    OGRLayer* layer = dataset->CreateLayer(layer_name.c_str(), crs_text.empty() ? nullptr : &crs, type, nullptr);
     ASSERT_TRUE(layer);
     OGRFieldDefn thick("thick", OFTReal), name("name", OFTString);
     layer->CreateField(&thick);

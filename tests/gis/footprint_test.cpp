@@ -12,8 +12,8 @@ const GridSpec k_grid{1000, 2100, 5, 20, 20, ""};
 
 Raster cells_of(const MultiPolygon& outline, Cover cover, bool& thin) {
     Raster mask(k_grid);
-    thin = visit_cells(outline, k_grid, cover,
-                       [&](std::int64_t row, std::int64_t column) { mask.at(row, column) += 1; });
+    thin =
+        visit_cells(outline, k_grid, cover, [&](std::int64_t row, std::int64_t column) { mask.at(row, column) += 1; });
     return mask;
 }
 

@@ -63,17 +63,16 @@ TEST_P(Stack, HasCfCoordinatesUnitsAndCrs) {
     ASSERT_TRUE(crs);
     OGRSpatialReference utm;
     utm.importFromEPSG(32632);
-    EXPECT_TRUE(crs->IsSame(&utm, std::array<const char*, 3>{"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
-                                                             "CRITERION=EQUIVALENT", nullptr}
-                                      .data()));
-    EXPECT_TRUE(root->OpenMDArray(text_of(*depth, "grid_mapping")))
-        << "the variable that the attribute names";
+    EXPECT_TRUE(crs->IsSame(
+        &utm, std::array<const char*, 3>{"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", "CRITERION=EQUIVALENT", nullptr}
+                  .data()));
+    EXPECT_TRUE(root->OpenMDArray(text_of(*depth, "grid_mapping"))) << "the variable that the attribute names";
     const auto read = [&](const char* name, std::size_t count) {
         std::vector<double> values(count);
         const GUInt64 start = 0;
         const auto array = root->OpenMDArray(name);
-        EXPECT_TRUE(array->Read(&start, &count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float64),
-                                values.data()));
+        EXPECT_TRUE(
+            array->Read(&start, &count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float64), values.data()));
         return values;
     };
     EXPECT_EQ(read("time", 2), (std::vector<double>{0, 2.5}));
@@ -103,8 +102,8 @@ TEST_P(Stack, HoldsEveryFrameWithNodataWhereThereIsNoFlow) {
         std::vector<float> values(15);
         const GUInt64 start[3] = {1, 0, 0};
         const size_t count[3] = {1, 3, 5};
-        ASSERT_TRUE(array->Read(start, count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float32),
-                                values.data()));
+        ASSERT_TRUE(
+            array->Read(start, count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float32), values.data()));
         for (std::size_t i = 0; i < 15; ++i) {
             const float expected = 100 + static_cast<float>(i);
             if (name == "depth")
@@ -117,8 +116,8 @@ TEST_P(Stack, HoldsEveryFrameWithNodataWhereThereIsNoFlow) {
 
 TEST_P(Stack, OpensAsAnOrdinaryRasterInItsPlace) {
     const GdalSession session;
-    const std::string name = GetParam() == StackFormat::netcdf ? "NETCDF:\"" + path_ + "\":depth"
-                                                               : "ZARR:\"" + path_ + "\":/depth:1";
+    const std::string name =
+        GetParam() == StackFormat::netcdf ? "NETCDF:\"" + path_ + "\":depth" : "ZARR:\"" + path_ + "\":/depth:1";
     const GDALDatasetUniquePtr file(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER));
     ASSERT_TRUE(file) << session.last_message();
     double geo[6];

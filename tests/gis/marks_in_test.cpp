@@ -52,15 +52,14 @@ TEST(ReadMarks, RefusesWhatItCannotUse) {
                   .find("does not exist"),
               std::string::npos);
     write_text(folder.file("text.shp"), "no vector");
-    EXPECT_NE(std::string(error_of([&] { read_marks(folder.file("text.shp"), "", "k"); }).what())
-                  .find("not a vector file"),
-              std::string::npos);
+    EXPECT_NE(
+        std::string(error_of([&] { read_marks(folder.file("text.shp"), "", "k"); }).what()).find("not a vector file"),
+        std::string::npos);
     make_vector(folder.file("a.shp"), "ESRI Shapefile", "", {"POINT (1 2)"});
-    EXPECT_NE(std::string(error_of([&] {
-                              read_marks(folder.file("a.shp"), crs_from_user("EPSG:32632", ""), "k");
-                          }).what())
-                  .find("coordinate reference system"),
-              std::string::npos);
+    EXPECT_NE(
+        std::string(error_of([&] { read_marks(folder.file("a.shp"), crs_from_user("EPSG:32632", ""), "k"); }).what())
+            .find("coordinate reference system"),
+        std::string::npos);
     EXPECT_EQ(read_marks(folder.file("a.shp"), "", "k").points[0].place.y, 2);
 }
 

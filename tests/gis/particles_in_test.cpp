@@ -37,8 +37,7 @@ void write_particles(const std::string& path) {
 TEST(ValuedPoints, PlacesAndNumbersAreReadInTheOrderAsked) {
     const test::Folder folder;
     write_particles(folder.file("a.gpkg"));
-    const ValuedPoints points =
-        read_valued_points(folder.file("a.gpkg"), {"speed_ms", "depth_m"}, "particles");
+    const ValuedPoints points = read_valued_points(folder.file("a.gpkg"), {"speed_ms", "depth_m"}, "particles");
     ASSERT_EQ(points.places.size(), 2U);
     EXPECT_EQ(points.places[1].x, 527002);
     EXPECT_EQ(points.places[1].y, 5094002);

@@ -37,8 +37,7 @@ std::string size_text(const Pixels& pixels) {
 
 void compare_inside(const Pixels& found, const Pixels& expected, std::vector<std::string>& problems) {
     if (found.width != expected.width || found.height != expected.height) {
-        problems.push_back("the picture inside is of " + size_text(found) + " pixels, not of " +
-                           size_text(expected));
+        problems.push_back("the picture inside is of " + size_text(found) + " pixels, not of " + size_text(expected));
         return;
     }
     std::size_t others = 0;
@@ -63,8 +62,7 @@ int block_mean(const Pixels& pixels, int left, int top, int colour) {
 }
 
 void compare_page(const Pixels& page, const Pixels& expected, std::vector<std::string>& problems) {
-    if (std::abs(page.width - expected.width) > k_stretched ||
-        std::abs(page.height - expected.height) > k_stretched) {
+    if (std::abs(page.width - expected.width) > k_stretched || std::abs(page.height - expected.height) > k_stretched) {
         problems.push_back("the page is of " + size_text(page) + " pixels, not of " + size_text(expected));
         return;
     }
@@ -73,8 +71,7 @@ void compare_page(const Pixels& page, const Pixels& expected, std::vector<std::s
             for (int colour = 0; colour < 3; ++colour) {
                 const int off = block_mean(page, left, top, colour) - block_mean(expected, left, top, colour);
                 if (std::abs(off) <= k_moved + 1) continue;
-                problems.push_back("the page differs at " + std::to_string(left) + ", " +
-                                   std::to_string(top));
+                problems.push_back("the page differs at " + std::to_string(left) + ", " + std::to_string(top));
                 return;
             }
         }
@@ -92,8 +89,8 @@ Pixels pixels_of(const std::string& path) {
     }
     Pixels pixels{file->GetRasterXSize(), file->GetRasterYSize(), {}};
     pixels.rgb.resize(3 * static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height));
-    EXPECT_EQ(file->RasterIO(GF_Read, 0, 0, pixels.width, pixels.height, pixels.rgb.data(), pixels.width,
-                             pixels.height, GDT_Byte, 3, nullptr, 3, 3 * pixels.width, 1, nullptr),
+    EXPECT_EQ(file->RasterIO(GF_Read, 0, 0, pixels.width, pixels.height, pixels.rgb.data(), pixels.width, pixels.height,
+                             GDT_Byte, 3, nullptr, 3, 3 * pixels.width, 1, nullptr),
               CE_None);
     return pixels;
 }

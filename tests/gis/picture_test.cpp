@@ -63,8 +63,8 @@ TEST(PictureOut, PdfIsAPageOfTheRightSizeThatKnowsItsPlace) {
     const test::Folder folder;
     const std::string path = folder.file("map.pdf");
     const std::vector<std::uint8_t> rgb = gradient(1754, 1240);
-    const PicturePlace place{{526000, 5093000, 529508, 5095480}, {526200, 5093200, 528800, 5095300},
-                             crs_from_user(k_utm, "")};
+    const PicturePlace place{
+        {526000, 5093000, 529508, 5095480}, {526200, 5093200, 528800, 5095300}, crs_from_user(k_utm, "")};
     write_picture_pdf(path, {1754, 1240, rgb}, 150, place, "A map");
     // The page in points, of which 72 make an inch: 1754 / 150 inches are A4's 297 mm.
     const std::string bytes = test::text_in(path);
@@ -95,9 +95,10 @@ TEST(PictureOut, PdfShowsTheVeryPixelsOnSeveralThreads) {
     test::Pixels picture{1240, 874, {}};
     picture.rgb.resize(3 * 1240 * 874);
     std::uint32_t state = 1;
-    for (std::uint8_t& value : picture.rgb) value = static_cast<std::uint8_t>((state = 1664525 * state + 1013904223) >> 24);
-    const PicturePlace place{{526000, 5093000, 528480, 5094748}, {526200, 5093200, 528200, 5094600},
-                             crs_from_user(k_utm, "")};
+    for (std::uint8_t& value : picture.rgb)
+        value = static_cast<std::uint8_t>((state = 1664525 * state + 1013904223) >> 24);
+    const PicturePlace place{
+        {526000, 5093000, 528480, 5094748}, {526200, 5093200, 528200, 5094600}, crs_from_user(k_utm, "")};
     using Strings = std::vector<std::string>;
     for (const auto& where : {std::optional<PicturePlace>(place), std::optional<PicturePlace>()}) {
         const std::string path = folder.file(where ? "map.pdf" : "chart.pdf");
@@ -111,8 +112,9 @@ TEST(PictureOut, PdfShowsTheVeryPixelsOnSeveralThreads) {
 
 TEST(PictureOut, AFullOrMissingFolderIsSaid) {
     const std::vector<std::uint8_t> rgb = gradient(20, 20);
-    const Error error = test::error_of(
-        [&] { write_picture_pdf("/nowhere/at/all/map.pdf", {20, 20, rgb}, 150, std::nullopt, "A map"); });
+    const Error error = test::error_of([&] {
+        write_picture_pdf("/nowhere/at/all/map.pdf", {20, 20, rgb}, 150, std::nullopt, "A map");
+    });
     EXPECT_EQ(error.kind(), ErrorKind::environment);
 }
 

@@ -20,8 +20,7 @@ inline double plane(double x, double y) {
 }
 
 inline TestRaster plane_raster(int columns, int rows, double cell) {
-    TestRaster raster{columns, rows,         527000, 5095000, cell, cell, "EPSG:32632",
-                      {},      std::nullopt, "",     1,       0,    0,    false};
+    TestRaster raster{columns, rows, 527000, 5095000, cell, cell, "EPSG:32632", {}, std::nullopt, "", 1, 0, 0, false};
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
             raster.values.push_back(plane(527000 + (column + 0.5) * cell, 5095000 - (row + 0.5) * cell));

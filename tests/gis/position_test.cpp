@@ -32,8 +32,7 @@ constexpr double k_cell = 5;
 TEST(Position, ASquareInThreeSystemsCoversTheSameCells) {
     const test::Folder folder;
     // A terrain model of 5 m cells, 10 m high inside the square and 0 outside.
-    test::TestRaster dtm{120, 120,          260800, 346400, k_cell, k_cell, "EPSG:31287",
-                         {},  std::nullopt, "",     1,      0,      0,      false};
+    test::TestRaster dtm{120, 120, 260800, 346400, k_cell, k_cell, "EPSG:31287", {}, std::nullopt, "", 1, 0, 0, false};
     for (int row = 0; row < 120; ++row)
         for (int column = 0; column < 120; ++column)
             dtm.values.push_back(row >= 40 && row < 80 && column >= 40 && column < 80 ? 10 : 0);

@@ -54,8 +54,7 @@ GDALDatasetUniquePtr part_of_ground(int first, int columns, GDALDataType type) {
 void write_as(const std::string& driver_name, const std::string& path, GDALDataset& from) {
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_name.c_str());
     ASSERT_TRUE(driver) << driver_name;
-    const GDALDatasetUniquePtr copy(
-        driver->CreateCopy(path.c_str(), &from, FALSE, nullptr, nullptr, nullptr));
+    const GDALDatasetUniquePtr copy(driver->CreateCopy(path.c_str(), &from, FALSE, nullptr, nullptr, nullptr));
     ASSERT_TRUE(copy) << CPLGetLastErrorMsg();
 }
 
@@ -101,20 +100,16 @@ TEST_P(RasterFormat, GivesBackTheGround) {
     expect_ground(path);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, RasterFormat,
-                         testing::Values(Format{"geotiff_float", "GTiff", "a.tif", GDT_Float32},
-                                         Format{"geotiff_int16", "GTiff", "a.tif", GDT_Int16},
-                                         Format{"geotiff_uint16", "GTiff", "a.tif", GDT_UInt16},
-                                         Format{"geotiff_int32", "GTiff", "a.tif", GDT_Int32},
-                                         Format{"geotiff_uint32", "GTiff", "a.tif", GDT_UInt32},
-                                         Format{"geotiff_int64", "GTiff", "a.tif", GDT_Int64},
-                                         Format{"ascii_grid", "AAIGrid", "a.asc", GDT_Float32},
-                                         Format{"esri_binary", "EHdr", "a.flt", GDT_Float32},
-                                         Format{"esri_bil", "EHdr", "a.bil", GDT_Int16},
-                                         Format{"imagine", "HFA", "a.img", GDT_Float32},
-                                         Format{"netcdf", "netCDF", "a.nc", GDT_Float32},
-                                         Format{"envi", "ENVI", "a.dat", GDT_Float64}),
-                         [](const auto& tested) { return tested.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Formats, RasterFormat,
+    testing::Values(
+        Format{"geotiff_float", "GTiff", "a.tif", GDT_Float32}, Format{"geotiff_int16", "GTiff", "a.tif", GDT_Int16},
+        Format{"geotiff_uint16", "GTiff", "a.tif", GDT_UInt16}, Format{"geotiff_int32", "GTiff", "a.tif", GDT_Int32},
+        Format{"geotiff_uint32", "GTiff", "a.tif", GDT_UInt32}, Format{"geotiff_int64", "GTiff", "a.tif", GDT_Int64},
+        Format{"ascii_grid", "AAIGrid", "a.asc", GDT_Float32}, Format{"esri_binary", "EHdr", "a.flt", GDT_Float32},
+        Format{"esri_bil", "EHdr", "a.bil", GDT_Int16}, Format{"imagine", "HFA", "a.img", GDT_Float32},
+        Format{"netcdf", "netCDF", "a.nc", GDT_Float32}, Format{"envi", "ENVI", "a.dat", GDT_Float64}),
+    [](const auto& tested) { return tested.param.name; });
 
 TEST(RasterFiles, AMosaicOfTilesIsOneRaster) {
     const GdalSession session;
@@ -128,9 +123,7 @@ TEST(RasterFiles, AMosaicOfTilesIsOneRaster) {
     // A tile that is gone must not read as flat ground.
     std::filesystem::remove(east);
     const GridSpec grid{k_west, k_north, k_cell, k_columns, k_rows, crs_from_user("EPSG:32632", "")};
-    EXPECT_EQ(error_of([&] {
-                  (void)read_raster_on(folder.file("all.vrt"), grid, "", Resampling::automatic);
-              }).kind(),
+    EXPECT_EQ(error_of([&] { (void)read_raster_on(folder.file("all.vrt"), grid, "", Resampling::automatic); }).kind(),
               ErrorKind::input);
 }
 
@@ -156,8 +149,7 @@ TEST(RasterFiles, SeveralRastersInOneFileAreNamed) {
                                                            const_cast<char**>(options), nullptr, nullptr));
         ASSERT_TRUE(copy) << CPLGetLastErrorMsg();
     }
-    const Error error =
-        error_of([&] { (void)inspect_raster(folder.file("two.gpkg"), "scene.ini: terrain.dtm"); });
+    const Error error = error_of([&] { (void)inspect_raster(folder.file("two.gpkg"), "scene.ini: terrain.dtm"); });
     EXPECT_NE(std::string(error.what()).find("several rasters"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("GPKG:" + folder.file("two.gpkg") + ":after"), std::string::npos)
         << error.what();
@@ -202,8 +194,7 @@ void expect_tile(const std::string& driver, const std::string& name) {
             std::vector<double> line;
             for (int column = 0; column < n; ++column)
                 line.push_back(std::round(height(9 + column * step, 47 - row * step)));
-            ASSERT_EQ(from->GetRasterBand(1)->RasterIO(GF_Write, 0, row, n, 1, line.data(), n, 1, GDT_Float64,
-                                                       0, 0),
+            ASSERT_EQ(from->GetRasterBand(1)->RasterIO(GF_Write, 0, row, n, 1, line.data(), n, 1, GDT_Float64, 0, 0),
                       CE_None);
         }
         write_as(driver, folder.file(name), *from);

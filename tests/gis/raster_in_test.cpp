@@ -50,8 +50,7 @@ TEST(InspectRaster, RefusesWithPathAndKey) {
     test::write_text(folder.file("note.txt"), "not a raster");
     test::write_text(folder.file("nowhere.asc"), "");
     for (const char* name : {"missing.tif", "note.txt"}) {
-        const Error error =
-            error_of([&] { (void)inspect_raster(folder.file(name), "scene.ini: terrain.dtm"); });
+        const Error error = error_of([&] { (void)inspect_raster(folder.file(name), "scene.ini: terrain.dtm"); });
         EXPECT_EQ(error.kind(), ErrorKind::input);
         EXPECT_EQ(error.problems().front().where, "scene.ini: terrain.dtm");
         EXPECT_EQ(error.problems().front().value, folder.file(name));
@@ -60,19 +59,18 @@ TEST(InspectRaster, RefusesWithPathAndKey) {
                   .find("does not exist"),
               std::string::npos);
     test::write_text(folder.file("unplaced.pgm"), "P2\n2 2\n255\n1 2\n3 4\n");
-    EXPECT_EQ(error_of([&] { (void)inspect_raster(folder.file("unplaced.pgm"), ""); }).kind(),
-              ErrorKind::input);
+    EXPECT_EQ(error_of([&] { (void)inspect_raster(folder.file("unplaced.pgm"), ""); }).kind(), ErrorKind::input);
 }
 
 // 4 cells whose blocks would take 2.5 GB, all bands side by side.
 TEST(InspectRaster, RefusesBlocksThatTakeTooMuchMemory) {
     const Folder folder;
     const GdalSession session;
-    const char* const options[] = {"TILED=YES",       "BLOCKXSIZE=1024",  "BLOCKYSIZE=1024",
+    const char* const options[] = {"TILED=YES",      "BLOCKXSIZE=1024",  "BLOCKYSIZE=1024",
                                    "SPARSE_OK=TRUE", "INTERLEAVE=PIXEL", nullptr};
     GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName("GTiff");
-    GDALDatasetUniquePtr(driver.Create(folder.file("blocks.tif").c_str(), 2, 2, 300, GDT_Float64,
-                                       const_cast<char**>(options)))
+    GDALDatasetUniquePtr(
+        driver.Create(folder.file("blocks.tif").c_str(), 2, 2, 300, GDT_Float64, const_cast<char**>(options)))
         .reset();
     const Error error = error_of([&] { (void)inspect_raster(folder.file("blocks.tif"), "scene.ini: terrain.dtm"); });
     EXPECT_NE(std::string(error.what()).find("1024 x 1024 cells, 300 bands; allowed up to 1 GB"), std::string::npos)
@@ -82,8 +80,8 @@ TEST(InspectRaster, RefusesBlocksThatTakeTooMuchMemory) {
 TEST(ReadRaster, SameCellsAreCopiedBitByBit) {
     const Folder folder;
     make_raster(folder.file("dtm.tif"), plane_raster(40, 30, 5));
-    const RasterRead read = read_raster_on(folder.file("dtm.tif"), utm_grid(527010, 5094990, 5, 20, 10), "",
-                                           Resampling::automatic);
+    const RasterRead read =
+        read_raster_on(folder.file("dtm.tif"), utm_grid(527010, 5094990, 5, 20, 10), "", Resampling::automatic);
     EXPECT_EQ(read.resampling_used, "exact copy");
     EXPECT_EQ(read.nodata_cells, 0);
     for (int row = 0; row < 10; ++row) {
@@ -98,8 +96,8 @@ TEST(ReadRaster, BeyondTheFileThereIsNoData) {
     const Folder folder;
     make_raster(folder.file("dtm.tif"), plane_raster(4, 4, 5));
     for (const double cell : {5.0, 2.5}) {
-        const RasterRead read = read_raster_on(
-            folder.file("dtm.tif"), utm_grid(526990, 5095010, cell, 12, 12), "", Resampling::automatic);
+        const RasterRead read =
+            read_raster_on(folder.file("dtm.tif"), utm_grid(526990, 5095010, cell, 12, 12), "", Resampling::automatic);
         const auto inside = static_cast<std::int64_t>(20 / cell * 20 / cell);
         const auto covered = std::min<std::int64_t>(inside, cell == 5 ? 16 : 64);
         EXPECT_EQ(read.nodata_cells, 144 - covered) << cell;
@@ -118,9 +116,8 @@ TEST(ReadRaster, APlaneStaysAPlane) {
         Resampling resampling;
         const char* name;
     };
-    for (const Wanted& w :
-         {Wanted{2, Resampling::automatic, "bilinear"}, Wanted{15, Resampling::automatic, "average"},
-          Wanted{10, Resampling::average, "average"}, Wanted{2, Resampling::cubic, "cubic"}}) {
+    for (const Wanted& w : {Wanted{2, Resampling::automatic, "bilinear"}, Wanted{15, Resampling::automatic, "average"},
+                            Wanted{10, Resampling::average, "average"}, Wanted{2, Resampling::cubic, "cubic"}}) {
         const int n = static_cast<int>(240 / w.cell);
         const GridSpec grid = utm_grid(527030, 5094970, w.cell, n, n);
         const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", w.resampling);
@@ -129,8 +126,7 @@ TEST(ReadRaster, APlaneStaysAPlane) {
             for (int column = 0; column < n; ++column) {
                 const Point centre = grid.cell_centre(row, column);
                 // Rounding of weights only: 1e-9 of values about 1000.
-                ASSERT_NEAR(read.raster.at(row, column), plane(centre.x, centre.y), 1e-6)
-                    << w.name << " " << w.cell;
+                ASSERT_NEAR(read.raster.at(row, column), plane(centre.x, centre.y), 1e-6) << w.name << " " << w.cell;
             }
         }
     }
@@ -205,10 +201,10 @@ TEST(ReadRaster, FeetBecomeMetres) {
         double factor;
     };
     for (const Wanted& w :
-         {Wanted{"ft", "EPSG:32632", "auto", 0.3048},
-          Wanted{"US survey foot", "EPSG:32632", "auto", 1200.0 / 3937}, Wanted{"m", "EPSG:32632", "auto", 1},
-          Wanted{"", "EPSG:32632+6360", "auto", 1200.0 / 3937}, Wanted{"", "EPSG:32632+5703", "auto", 1},
-          Wanted{"", "EPSG:32632", "foot", 0.3048}, Wanted{"ft", "EPSG:32632", "metre", 1}}) {
+         {Wanted{"ft", "EPSG:32632", "auto", 0.3048}, Wanted{"US survey foot", "EPSG:32632", "auto", 1200.0 / 3937},
+          Wanted{"m", "EPSG:32632", "auto", 1}, Wanted{"", "EPSG:32632+6360", "auto", 1200.0 / 3937},
+          Wanted{"", "EPSG:32632+5703", "auto", 1}, Wanted{"", "EPSG:32632", "foot", 0.3048},
+          Wanted{"ft", "EPSG:32632", "metre", 1}}) {
         TestRaster raster = plane_raster(4, 4, 5);
         raster.unit = w.unit;
         raster.crs = w.crs;
@@ -223,9 +219,7 @@ TEST(ReadRaster, ReprojectsToTheRightPlace) {
     const Folder folder;
     // A plane in degrees, 0.0001 degree cells; its values at any UTM point follow from the point's own
     // degrees.
-    const auto height = [](Point degrees) {
-        return 1000 + 5000 * (degrees.x - 9.37) + 8000 * (degrees.y - 46);
-    };
+    const auto height = [](Point degrees) { return 1000 + 5000 * (degrees.x - 9.37) + 8000 * (degrees.y - 46); };
     TestRaster raster{400, 300, 9.36, 46.02, 1e-4, 1e-4, "EPSG:4326", {}, std::nullopt, "", 1, 0, 0, false};
     for (int row = 0; row < 300; ++row) {
         for (int column = 0; column < 400; ++column) {
@@ -241,8 +235,7 @@ TEST(ReadRaster, ReprojectsToTheRightPlace) {
         for (int column = 0; column < 200; column += 7) {
             // Positions are approximated to 0.01 cell of 1e-4 degrees, in each direction.
             const double tolerance = 0.01 * 1e-4 * (5000 + 8000);
-            ASSERT_NEAR(read.raster.at(row, column), height(to_degrees(grid.cell_centre(row, column))),
-                        tolerance);
+            ASSERT_NEAR(read.raster.at(row, column), height(to_degrees(grid.cell_centre(row, column))), tolerance);
         }
     }
 }
@@ -282,8 +275,8 @@ TEST(ReadRaster, StoredFromTheSouthItIsTheSameGround) {
     }
     make_raster(folder.file("dtm.tif"), raster);
     make_raster(folder.file("south.tif"), upside_down);
-    for (const GridSpec& grid : {utm_grid(527000, 5095000, 5, 6, 4), utm_grid(527005, 5094995, 5, 9, 9),
-                                 utm_grid(526990, 5095010, 5, 4, 4)}) {
+    for (const GridSpec& grid :
+         {utm_grid(527000, 5095000, 5, 6, 4), utm_grid(527005, 5094995, 5, 9, 9), utm_grid(526990, 5095010, 5, 4, 4)}) {
         const RasterRead right = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::automatic);
         const RasterRead turned = read_raster_on(folder.file("south.tif"), grid, "", Resampling::automatic);
         EXPECT_EQ(turned.resampling_used, "exact copy");
@@ -317,8 +310,7 @@ TEST(ReadRaster, AcrossTheAntimeridianThereIsNoGap) {
     const Folder folder;
     // Taveuni, Fiji: counted 179.9 to 180.1, as a mosaic of tiles is, and -180.1 to -179.9.
     for (const double west : {179.9, -180.1}) {
-        TestRaster raster{200, 100,          west, -16.4, 1e-3, 1e-3, "EPSG:4326",
-                          {},  std::nullopt, "",   1,     0,    0,    false};
+        TestRaster raster{200, 100, west, -16.4, 1e-3, 1e-3, "EPSG:4326", {}, std::nullopt, "", 1, 0, 0, false};
         for (int row = 0; row < 100; ++row)
             for (int column = 0; column < 200; ++column) raster.values.push_back(column);
         make_raster(folder.file("dtm.tif"), raster);
@@ -341,8 +333,7 @@ TEST(ReadRaster, WithoutACrsOnlyLocalWorks) {
     const Error error =
         error_of([&] { (void)read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::automatic); });
     EXPECT_NE(std::string(error.what()).find("no coordinate reference system"), std::string::npos);
-    EXPECT_EQ(read_raster_on(folder.file("dtm.tif"), grid, grid.crs_wkt, Resampling::automatic).nodata_cells,
-              0);
+    EXPECT_EQ(read_raster_on(folder.file("dtm.tif"), grid, grid.crs_wkt, Resampling::automatic).nodata_cells, 0);
     grid.crs_wkt.clear();
     EXPECT_EQ(read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::automatic).nodata_cells, 0);
 }

@@ -45,8 +45,8 @@ TEST(ReadRaster, NoDataStaysAndDoesNotBleed) {
         read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 20, 5, 5), "", Resampling::average);
     EXPECT_EQ(coarse.nodata_cells, 0);
     for (const double value : coarse.raster.values) ASSERT_NEAR(value, 500, 1e-9);
-    const RasterRead same = read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 5, 20, 20), "",
-                                           Resampling::automatic);
+    const RasterRead same =
+        read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 5, 20, 20), "", Resampling::automatic);
     EXPECT_EQ(same.nodata_cells, 3);
     EXPECT_TRUE(same.warnings.empty());
 }
@@ -103,9 +103,9 @@ TEST(ReadRaster, MasksHideCells) {
     {
         const GDALDatasetUniquePtr file(GDALDataset::Open(folder.file("dtm.tif").c_str(), GDAL_OF_UPDATE));
         ASSERT_EQ(file->CreateMaskBand(GMF_PER_DATASET), CE_None);
-        ASSERT_EQ(file->GetRasterBand(1)->GetMaskBand()->RasterIO(GF_Write, 0, 0, 4, 4, seen.data(), 4, 4,
-                                                                  GDT_Byte, 0, 0),
-                  CE_None);
+        ASSERT_EQ(
+            file->GetRasterBand(1)->GetMaskBand()->RasterIO(GF_Write, 0, 0, 4, 4, seen.data(), 4, 4, GDT_Byte, 0, 0),
+            CE_None);
     }
     const RasterRead masked =
         read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 5, 4, 4), "", Resampling::automatic);
@@ -122,8 +122,7 @@ TEST(ReadRaster, AFrameOfZerosIsNoticedAndCanBeDeclared) {
     const RasterRead framed = read_raster_on(folder.file("framed.tif"), grid, "", Resampling::automatic);
     EXPECT_EQ(framed.zero_rim_cells, 20);
     EXPECT_EQ(framed.nodata_cells, 0) << "nothing is taken for no data unasked";
-    const RasterRead declared =
-        read_raster_on(folder.file("framed.tif"), grid, "", Resampling::automatic, "auto", 0);
+    const RasterRead declared = read_raster_on(folder.file("framed.tif"), grid, "", Resampling::automatic, "auto", 0);
     EXPECT_EQ(declared.nodata_cells, 20);
     EXPECT_EQ(declared.zero_rim_cells, 0);
     // The sea: its shore rises gently.
@@ -133,10 +132,10 @@ TEST(ReadRaster, AFrameOfZerosIsNoticedAndCanBeDeclared) {
     make_raster(folder.file("shore.tif"), raster);
     EXPECT_EQ(read_raster_on(folder.file("shore.tif"), grid, "", Resampling::automatic).zero_rim_cells, 0);
     // Resampled, the frame would no longer be 0: it is seen in the file.
-    EXPECT_EQ(read_raster_on(folder.file("framed.tif"), utm_grid(527000, 5095000, 10, 10, 10), "",
-                             Resampling::automatic)
-                  .zero_rim_cells,
-              20);
+    EXPECT_EQ(
+        read_raster_on(folder.file("framed.tif"), utm_grid(527000, 5095000, 10, 10, 10), "", Resampling::automatic)
+            .zero_rim_cells,
+        20);
 }
 
 TEST(ReadRaster, UndeclaredNoDataIsSeenBeforeItIsAveraged) {
@@ -144,8 +143,8 @@ TEST(ReadRaster, UndeclaredNoDataIsSeenBeforeItIsAveraged) {
     TestRaster raster = plane_raster(20, 20, 5);
     raster.values[45] = -32767;
     make_raster(folder.file("dtm.tif"), raster);
-    const RasterRead read = read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 10, 10, 10), "",
-                                           Resampling::automatic);
+    const RasterRead read =
+        read_raster_on(folder.file("dtm.tif"), utm_grid(527000, 5095000, 10, 10, 10), "", Resampling::automatic);
     ASSERT_EQ(read.warnings.size(), 1U);
     EXPECT_NE(read.warnings[0].find("hold -32767"), std::string::npos) << read.warnings[0];
 }

@@ -25,14 +25,12 @@ using test::Folder;
 Raster bowl(int columns, int rows) {
     Raster raster(GridSpec{527000, 5095000, 2, columns, rows, crs_from_user("EPSG:32632", "")}, k_no_data);
     for (int row = rows / 4; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column)
-            raster.at(row, column) = 0.1 * column + std::sin(row * 0.1);
+        for (int column = 0; column < columns; ++column) raster.at(row, column) = 0.1 * column + std::sin(row * 0.1);
     }
     return raster;
 }
 
-const BandText k_text{
-    "max_depth", "Maximum flow depth, vertical", "m", {{"PROGRAM", "frana"}, {"VERSION", "0"}}};
+const BandText k_text{"max_depth", "Maximum flow depth, vertical", "m", {{"PROGRAM", "frana"}, {"VERSION", "0"}}};
 
 /// No file may grow beyond a limit while one lives: what a full disk does.
 class FullDisk {
@@ -104,10 +102,8 @@ TEST(WriteGeotiff, IsCloudOptimisedWithTextsAndStatisticsInside) {
     ASSERT_EQ(band.ComputeStatistics(FALSE, &least, &greatest, &mean, &deviation, nullptr, nullptr), CE_None);
     EXPECT_EQ(greatest, expected);
     const GDALDatasetUniquePtr fresh(GDALDataset::Open(folder.file("a.tif").c_str(), GDAL_OF_RASTER));
-    EXPECT_NEAR(std::atof(fresh->GetRasterBand(1)->GetMetadataItem("STATISTICS_MEAN")), mean,
-                1e-9 * std::abs(mean));
-    EXPECT_NEAR(std::atof(fresh->GetRasterBand(1)->GetMetadataItem("STATISTICS_STDDEV")), deviation,
-                1e-9 * deviation);
+    EXPECT_NEAR(std::atof(fresh->GetRasterBand(1)->GetMetadataItem("STATISTICS_MEAN")), mean, 1e-9 * std::abs(mean));
+    EXPECT_NEAR(std::atof(fresh->GetRasterBand(1)->GetMetadataItem("STATISTICS_STDDEV")), deviation, 1e-9 * deviation);
 }
 
 TEST(WriteGeotiff, IsValidAsGdalsValidatorHasIt) {
@@ -115,8 +111,7 @@ TEST(WriteGeotiff, IsValidAsGdalsValidatorHasIt) {
     for (const int columns : {3, 255, 256, 257, 1100}) {
         write_geotiff(folder.file("a.tif"), bowl(columns, 600), k_text);
         EXPECT_EQ(test::cog_problems(folder.file("a.tif")), std::vector<std::string>{}) << columns;
-        write_class_geotiff(folder.file("c.tif"), Raster(bowl(columns, 600).grid, 1), {{1, "one", {1, 2, 3}}},
-                            k_text);
+        write_class_geotiff(folder.file("c.tif"), Raster(bowl(columns, 600).grid, 1), {{1, "one", {1, 2, 3}}}, k_text);
         EXPECT_EQ(test::cog_problems(folder.file("c.tif")), std::vector<std::string>{}) << columns;
     }
 }
@@ -139,8 +134,8 @@ TEST(WriteGeotiff, TheCheckFindsWhatIsNotCloudOptimised) {
         std::vector<float> values(1100 * 300);
         std::uint32_t noise = 1;  // which does not compress, so that blocks outgrow their place
         for (float& value : values) value = static_cast<float>(noise = noise * 1664525 + 1013904223);
-        ASSERT_EQ(file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 1100, 300, values.data(), 1100, 300,
-                                                   GDT_Float32, 0, 0, nullptr),
+        ASSERT_EQ(file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 1100, 300, values.data(), 1100, 300, GDT_Float32, 0,
+                                                   0, nullptr),
                   CE_None);
     }
     EXPECT_FALSE(test::cog_problems(folder.file("a.tif")).empty()) << "edited";
@@ -185,8 +180,7 @@ TEST(WriteGeotiff, SmallAndEmptyRastersToo) {
     EXPECT_EQ(read_result_raster(folder.file("small.tif")).values, std::vector<double>(4, 1.5));
     EXPECT_TRUE(read_result_raster(folder.file("small.tif")).grid.crs_wkt.empty());
     write_geotiff(folder.file("none.tif"), Raster(GridSpec{0, 10, 5, 2, 2, ""}, k_no_data), k_text);
-    for (const double value : read_result_raster(folder.file("none.tif")).values)
-        EXPECT_TRUE(std::isnan(value));
+    for (const double value : read_result_raster(folder.file("none.tif")).values) EXPECT_TRUE(std::isnan(value));
 }
 
 TEST(WriteGeotiff, TwiceTheSameBits) {
@@ -209,8 +203,7 @@ TEST(WriteGeotiff, AFailureLeavesTheOldFileAndNothingElse) {
     }
     EXPECT_TRUE(test::text_in(path) == before);
     EXPECT_EQ(folder.names(), std::vector<std::string>{"a.tif"});
-    const Error error =
-        error_of([&] { write_geotiff(folder.file("no/such/folder/a.tif"), bowl(20, 20), k_text); });
+    const Error error = error_of([&] { write_geotiff(folder.file("no/such/folder/a.tif"), bowl(20, 20), k_text); });
     EXPECT_EQ(error.kind(), ErrorKind::environment);
 }
 
@@ -245,8 +238,7 @@ TEST(ReadResultRaster, RefusesWhatFranaCannotDrawTruly) {
     test::make_raster(folder.file("tilted.tif"),
                       {2, 2, 9, 46, 1, 1, "EPSG:32632", {1, 2, 3, 4}, {}, "", 1, 0, 0.3, false});
     for (const char* name : {"degrees.tif", "oblong.tif", "tilted.tif", "missing.tif"}) {
-        EXPECT_EQ(error_of([&] { (void)read_result_raster(folder.file(name)); }).kind(), ErrorKind::input)
-            << name;
+        EXPECT_EQ(error_of([&] { (void)read_result_raster(folder.file(name)); }).kind(), ErrorKind::input) << name;
     }
 }
 

@@ -42,8 +42,7 @@ TEST(SampleData, ScenesOfTheStructuredModelComeOutBitForBitAsCommitted) {
         const test::Folder folder;
         write(folder.file("."));
         for (const std::string& file : folder.names())
-            EXPECT_TRUE(test::text_in(folder.file(file)) ==
-                        test::text_in((k_committed / ".." / name / file).string()))
+            EXPECT_TRUE(test::text_in(folder.file(file)) == test::text_in((k_committed / ".." / name / file).string()))
                 << name << '/' << file << " differs: run generate_sample " << name << " if the change is wanted";
         EXPECT_EQ(folder.names().size(), name == std::string("flume") ? 3U : 4U);
     }
@@ -58,8 +57,7 @@ TEST(SampleData, ReleaseHasItsVolumeAndLiesInItsPerimeter) {
     }
     EXPECT_NEAR(volume, sample::k_release_volume, 0.01 * sample::k_release_volume);  // the sample's promise
     EXPECT_NEAR(thickest, sample::k_release_thickest, 0.1);
-    const PolygonLayer perimeter =
-        read_polygons(committed("perimeter.shp"), thickness.grid.crs_wkt, "perimeter");
+    const PolygonLayer perimeter = read_polygons(committed("perimeter.shp"), thickness.grid.crs_wkt, "perimeter");
     ASSERT_EQ(perimeter.features.size(), 1U);
     for (std::int64_t row = 0; row < thickness.grid.rows; ++row) {
         for (std::int64_t column = 0; column < thickness.grid.columns; ++column) {
@@ -90,8 +88,7 @@ TEST(SampleData, OutlinesOfBothDatumsLieWhereTheyWereDrawn) {
         for (const Point& local : w.ring) {
             const Point map = grid.map_from_local(local);
             double nearest = 1e9;
-            for (const Point& point : read)
-                nearest = std::min(nearest, std::hypot(point.x - map.x, point.y - map.y));
+            for (const Point& point : read) nearest = std::min(nearest, std::hypot(point.x - map.x, point.y - map.y));
             EXPECT_LT(nearest, w.rounding) << w.file;
         }
     }

@@ -55,8 +55,7 @@ TEST(Sweep, AgreesWithGeosOnRandomOutlines) {
     for (int k = 0; k < 4000; ++k) {
         Polygon polygon;
         const int points = 3 + k % 6;
-        for (int i = 0; i < points; ++i)
-            polygon.outer.push_back({529400 + uniform(random), 5094000 + uniform(random)});
+        for (int i = 0; i < points; ++i) polygon.outer.push_back({529400 + uniform(random), 5094000 + uniform(random)});
         if (k % 2 == 0) {
             polygon.outer = round_ring({0, 0}, 10 + uniform(random) / 5, 40, 8 + k % 30);
             polygon.holes = {round_ring({uniform(random) / 5, 0}, 3, 5, 9)};

@@ -40,8 +40,7 @@ TEST(WriteStyles, BothFilesHoldEveryClassAndItsColour) {
     EXPECT_EQ(count(qml, "<item "), 2U);
     EXPECT_NE(qml.find("colorRampType=\"DISCRETE\""), std::string::npos);
     EXPECT_NE(qml.find("value=\"2\" color=\"#ff0010\""), std::string::npos);
-    EXPECT_NE(qml.find("value=\"inf\" color=\"#0000ff\""), std::string::npos)
-        << "nothing above the last class is lost";
+    EXPECT_NE(qml.find("value=\"inf\" color=\"#0000ff\""), std::string::npos) << "nothing above the last class is lost";
     EXPECT_NE(qml.find("a &lt; b &amp; &quot;c&quot;"), std::string::npos);
     EXPECT_EQ(count(sld, "<ColorMapEntry "), 2U);
     EXPECT_NE(sld.find("type=\"intervals\""), std::string::npos);

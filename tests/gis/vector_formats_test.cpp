@@ -83,12 +83,13 @@ TEST_P(VectorFormat, StaysAloneInItsFolder) {
     EXPECT_EQ(contents(folder), before);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Formats, VectorFormat,
-    testing::Values(Format{"shapefile", "ESRI Shapefile", "a.shp"}, Format{"geopackage", "GPKG", "a.gpkg"},
-                    Format{"geojson", "GeoJSON", "a.geojson"}, Format{"flatgeobuf", "FlatGeobuf", "a.fgb"},
-                    Format{"gml", "GML", "a.gml"}, Format{"mapinfo", "MapInfo File", "a.tab"}),
-    [](const auto& tested) { return tested.param.name; });
+INSTANTIATE_TEST_SUITE_P(Formats, VectorFormat,
+                         testing::Values(Format{"shapefile", "ESRI Shapefile", "a.shp"},
+                                         Format{"geopackage", "GPKG", "a.gpkg"},
+                                         Format{"geojson", "GeoJSON", "a.geojson"},
+                                         Format{"flatgeobuf", "FlatGeobuf", "a.fgb"}, Format{"gml", "GML", "a.gml"},
+                                         Format{"mapinfo", "MapInfo File", "a.tab"}),
+                         [](const auto& tested) { return tested.param.name; });
 
 TEST(VectorFiles, KmlHasItsOwnColumns) {
     const Folder folder;
@@ -119,8 +120,7 @@ TEST(VectorFiles, ACrsGivenStandsBeforeAWrongOne) {
     // Latitude and longitude swapped in the label, not in the file: coordinates in metres, .prj in degrees.
     make_vector(folder.file("a.shp"), "ESRI Shapefile", "EPSG:4326",
                 {"POLYGON((529400 5094000,529400 5094100,529500 5094100,529500 5094000,529400 5094000))"});
-    EXPECT_EQ(error_of([&] { (void)read_polygons(folder.file("a.shp"), utm(), k_where); }).kind(),
-              ErrorKind::input);
+    EXPECT_EQ(error_of([&] { (void)read_polygons(folder.file("a.shp"), utm(), k_where); }).kind(), ErrorKind::input);
     const PolygonLayer layer = read_polygons(folder.file("a.shp"), utm(), k_where, {"", "", utm()});
     EXPECT_EQ(total_area(layer), 10000);
     EXPECT_TRUE(layer.transform.operation == "none");
@@ -144,8 +144,7 @@ TEST(VectorFiles, ACrsThatIsNotUnderstoodIsRefused) {
         test::write_text(folder.file("a.geojson"), geojson(top, within));
         return read_polygons(folder.file("a.geojson"), utm(), k_where);
     };
-    const auto refused = [&](const std::string& name, const std::string& top,
-                             const std::string& within = {}) {
+    const auto refused = [&](const std::string& name, const std::string& top, const std::string& within = {}) {
         const Problem problem = error_of([&] { (void)read(top, within); }).problems().front();
         EXPECT_NE(problem.where.find("a.geojson"), std::string::npos) << problem.where;
         EXPECT_NE(problem.value.find(name), std::string::npos) << problem.what << problem.value;
@@ -159,20 +158,17 @@ TEST(VectorFiles, ACrsThatIsNotUnderstoodIsRefused) {
     refused("swisstopo", R"(, "crs": {"type": "swisstopo", "properties": {"name": "EPSG:4326"}})");
     refused("EPSG:4267", "", named("EPSG:4267"));  // of the feature alone
     refused("", R"(, "crs": null)");
-    for (const std::string& top :
-         {std::string(), named("urn:ogc:def:crs:OGC:1.3:CRS84"), named("EPSG:4326")}) {
+    for (const std::string& top : {std::string(), named("urn:ogc:def:crs:OGC:1.3:CRS84"), named("EPSG:4326")}) {
         EXPECT_EQ(read(top).crs_label.substr(0, 9), "EPSG:4326");
-        EXPECT_EQ(read(top, R"(, "properties": {"crs": "of an attribute", "b": {"crs": 3}})")
-                      .crs_label.substr(0, 9),
+        EXPECT_EQ(read(top, R"(, "properties": {"crs": "of an attribute", "b": {"crs": 3}})").crs_label.substr(0, 9),
                   "EPSG:4326");
     }
     EXPECT_EQ(read(named("EPSG:4267")).crs_label.substr(0, 9), "EPSG:4267");
     // Who knows better says so.
     test::write_text(folder.file("a.geojson"), geojson(named("NAD27 / nonsense"), ""));
-    EXPECT_EQ(
-        read_polygons(folder.file("a.geojson"), utm(), k_where, {"", "", crs_from_user("EPSG:4267", "")})
-            .crs_label.substr(0, 9),
-        "EPSG:4267");
+    EXPECT_EQ(read_polygons(folder.file("a.geojson"), utm(), k_where, {"", "", crs_from_user("EPSG:4267", "")})
+                  .crs_label.substr(0, 9),
+              "EPSG:4267");
     // A line for each feature: OGR's driver for these reads no crs at all.
     test::write_text(
         folder.file("a.geojsonl"),
@@ -182,10 +178,9 @@ TEST(VectorFiles, ACrsThatIsNotUnderstoodIsRefused) {
             "\n"
             R"({"type": "Feature", "properties": {}, "geometry": null})"
             "\n");
-    EXPECT_NE(
-        std::string(error_of([&] { (void)read_polygons(folder.file("a.geojsonl"), utm(), k_where); }).what())
-            .find("EPSG:4267"),
-        std::string::npos);
+    EXPECT_NE(std::string(error_of([&] { (void)read_polygons(folder.file("a.geojsonl"), utm(), k_where); }).what())
+                  .find("EPSG:4267"),
+              std::string::npos);
 }
 
 TEST(VectorFiles, ALayerAndAFilterChoose) {
@@ -196,17 +191,11 @@ TEST(VectorFiles, ALayerAndAFilterChoose) {
                 {"POLYGON((0 0,20 0,20 20,0 20,0 0))", "POLYGON((50 0,80 0,80 30,50 30,50 0))"}, "second");
     EXPECT_EQ(total_area(read_polygons(path, utm(), k_where, {"second", "", ""})), 1300);
     EXPECT_EQ(total_area(read_polygons(path, utm(), k_where, {"second", "thick > 15", ""})), 900);
-    EXPECT_EQ(
-        total_area(read_polygons(path, utm(), k_where, {"second", "name = 'slope' AND thick = 10", ""})),
-        400);
-    const Error none = error_of([&] {
-        (void)read_polygons(path, utm(), k_where, {"second", "thick > 99", ""});
-    });
+    EXPECT_EQ(total_area(read_polygons(path, utm(), k_where, {"second", "name = 'slope' AND thick = 10", ""})), 400);
+    const Error none = error_of([&] { (void)read_polygons(path, utm(), k_where, {"second", "thick > 99", ""}); });
     EXPECT_NE(std::string(none.what()).find("no feature satisfies the filter"), std::string::npos);
     EXPECT_NE(std::string(none.what()).find("thick, name"), std::string::npos);
-    const Error wrong = error_of([&] {
-        (void)read_polygons(path, utm(), k_where, {"second", "depth > 1", ""});
-    });
+    const Error wrong = error_of([&] { (void)read_polygons(path, utm(), k_where, {"second", "depth > 1", ""}); });
     EXPECT_NE(std::string(wrong.what()).find("not understood"), std::string::npos) << wrong.what();
     const Error twice = error_of([&] {
         (void)read_polygons(path + "|layer=first", utm(), k_where, {"second", "", ""});
@@ -223,8 +212,7 @@ TEST(VectorFiles, ArchivesAreReadInPlace) {
     VSILFILE* file = VSIFOpenL(("/vsizip/" + folder.file("a.zip") + "/a.geojson").c_str(), "wb");
     VSIFWriteL(bytes.data(), 1, bytes.size(), file);
     VSIFCloseL(file);
-    const PolygonLayer layer =
-        read_polygons("/vsizip/" + folder.file("a.zip") + "/a.geojson", utm(), k_where);
+    const PolygonLayer layer = read_polygons("/vsizip/" + folder.file("a.zip") + "/a.geojson", utm(), k_where);
     EXPECT_NEAR(layer.bounds.south, 5094117.682, 0.01);
 }
 
@@ -264,11 +252,10 @@ TEST(VectorFiles, AnArchiveStaysAloneInItsFolder) {
 TEST(VectorFiles, HolesThatTouchTheRimAndMeasuresDoNotMatter) {
     const Folder folder;
     // A hole that touches the outline in a point is sound; M values are dropped like heights.
-    make_vector(
-        folder.file("a.gpkg"), "GPKG", "EPSG:32632",
-        {"POLYGON ZM((0 0 1 1,10 0 1 2,10 10 1 3,0 10 1 4,0 0 1 5),(0 5 1 1,4 3 1 1,4 7 1 1,0 5 1 1))",
-         "MULTISURFACE(CURVEPOLYGON(COMPOUNDCURVE((100 0,110 0),CIRCULARSTRING(110 0,115 5,110 10),(110 10,"
-         "100 10,100 0))))"});
+    make_vector(folder.file("a.gpkg"), "GPKG", "EPSG:32632",
+                {"POLYGON ZM((0 0 1 1,10 0 1 2,10 10 1 3,0 10 1 4,0 0 1 5),(0 5 1 1,4 3 1 1,4 7 1 1,0 5 1 1))",
+                 "MULTISURFACE(CURVEPOLYGON(COMPOUNDCURVE((100 0,110 0),CIRCULARSTRING(110 0,115 5,110 10),(110 10,"
+                 "100 10,100 0))))"});
     const PolygonLayer layer = read_polygons(folder.file("a.gpkg"), utm(), k_where);
     ASSERT_EQ(layer.features.size(), 2U);
     EXPECT_EQ(area(layer.features[0].parts), 100 - 8);

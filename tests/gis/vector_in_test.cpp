@@ -66,9 +66,8 @@ TEST(ReadPolygons, EveryUsualFormatAndCrs) {
 
 TEST(ReadPolygons, ShiftsTheDatum) {
     const Folder folder;
-    make_vector(
-        folder.file("scar.shp"), "ESRI Shapefile", "EPSG:3003",
-        {"POLYGON((1529430 5094000,1529530 5094000,1529530 5094100,1529430 5094100,1529430 5094000))"});
+    make_vector(folder.file("scar.shp"), "ESRI Shapefile", "EPSG:3003",
+                {"POLYGON((1529430 5094000,1529530 5094000,1529530 5094100,1529430 5094100,1529430 5094000))"});
     const PolygonLayer layer = read_polygons(folder.file("scar.shp"), utm(), k_where);
     bool found = false;
     for (const Point& point : layer.features[0].parts[0].outer) {
@@ -82,8 +81,7 @@ TEST(ReadPolygons, LongEdgesBendWithTheProjection) {
     const Folder folder;
     // The southern edge runs a degree along a parallel, which UTM bends: its middle lies 121 m south of its
     // ends.
-    make_vector(folder.file("a.gpkg"), "GPKG", "EPSG:4326",
-                {"POLYGON((8.5 46,9.5 46,9.5 46.1,8.5 46.1,8.5 46))"});
+    make_vector(folder.file("a.gpkg"), "GPKG", "EPSG:4326", {"POLYGON((8.5 46,9.5 46,9.5 46.1,8.5 46.1,8.5 46))"});
     const PolygonLayer layer = read_polygons(folder.file("a.gpkg"), utm(), k_where);
     EXPECT_NEAR(layer.bounds.south, 5094047.492, 0.001);  // 9 E 46 N by gdaltransform
     // Around the curve no vertex may be missed by more than a millimetre; that takes some hundred of them.

@@ -38,9 +38,8 @@ TEST(WriteOutlines, ComesBackAsWritten) {
     EXPECT_EQ(back.features[0].numbers.at("thickness_m"), 2.5);
     EXPECT_EQ(back.features[0].texts.at("name"), "upper part");
     EXPECT_EQ(back.crs_label, "EPSG:32632 (WGS 84 / UTM zone 32N)");
-    EXPECT_EQ(
-        error_of([&] { (void)read_polygons(folder.file("extent.gpkg") + "|layer=trace", crs, ""); }).kind(),
-        ErrorKind::input)
+    EXPECT_EQ(error_of([&] { (void)read_polygons(folder.file("extent.gpkg") + "|layer=trace", crs, ""); }).kind(),
+              ErrorKind::input)
         << "the empty layer is there, and empty";
 }
 

@@ -37,8 +37,7 @@ TEST(WorkingGrid, IsTheDtmsOwnWhereNothingElseIsAsked) {
 
 TEST(WorkingGrid, BoundsKeepTheDtmsLattice) {
     const RasterInfo dtm = dtm_5m();
-    const GridSpec grid =
-        working_grid(dtm, dtm.crs_wkt, Bounds{527100, 5094100, 527200, 5094200}, std::nullopt);
+    const GridSpec grid = working_grid(dtm, dtm.crs_wkt, Bounds{527100, 5094100, 527200, 5094200}, std::nullopt);
     EXPECT_EQ(grid.west, 527097.5);
     EXPECT_EQ(grid.east(), 527202.5);
     EXPECT_EQ(grid.south(), 5094097.5);
@@ -94,10 +93,8 @@ TEST(WorkingGrid, RefusesBoundsElsewhereNamingBoth) {
 
 TEST(WorkingGrid, RefusesAbsurdSizes) {
     const RasterInfo dtm = dtm_5m();
-    EXPECT_EQ(error_of([&] { (void)working_grid(dtm, dtm.crs_wkt, std::nullopt, 0.01); }).kind(),
-              ErrorKind::input);
-    EXPECT_EQ(error_of([&] { (void)working_grid(dtm, dtm.crs_wkt, std::nullopt, 5000.0); }).kind(),
-              ErrorKind::input);
+    EXPECT_EQ(error_of([&] { (void)working_grid(dtm, dtm.crs_wkt, std::nullopt, 0.01); }).kind(), ErrorKind::input);
+    EXPECT_EQ(error_of([&] { (void)working_grid(dtm, dtm.crs_wkt, std::nullopt, 5000.0); }).kind(), ErrorKind::input);
 }
 
 }  // namespace

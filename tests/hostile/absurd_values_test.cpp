@@ -107,8 +107,7 @@ class AbsurdValue : public TrialGround {
 
     void attempt(const std::string& key, const std::string& value, Trials& trials) const {
         std::vector<std::string> check{"check", "in/scene.ini", "--set", "time.end=1"};
-        if (key.rfind("structured.", 0) == 0)
-            check.insert(check.end(), {"--set", "material.model=structured"});
+        if (key.rfind("structured.", 0) == 0) check.insert(check.end(), {"--set", "material.model=structured"});
         check.insert(check.end(), {"--set", key + "=" + value});
         std::vector<std::string> run_it = check;
         run_it.front() = "run";
@@ -118,8 +117,7 @@ class AbsurdValue : public TrialGround {
 
         const Ending checked = run(Launch{check});
         expect_decent_end(checked);
-        EXPECT_TRUE(checked.exit_code == 0 || checked.exit_code == 2 || checked.exit_code == 4)
-            << checked.err;
+        EXPECT_TRUE(checked.exit_code == 0 || checked.exit_code == 2 || checked.exit_code == 4) << checked.err;
         EXPECT_EQ(in_lines(differences(inputs_, state_of(at("in")))), "") << "check writes";
         Launch launch{run_it};
         launch.stop_after_seconds = 20;
@@ -128,11 +126,11 @@ class AbsurdValue : public TrialGround {
         trials.ended(ended.exit_code);
         const bool for_memory = ended.err.find("--memory-limit") != std::string::npos;
         EXPECT_TRUE(for_memory || (checked.exit_code == 2) == (ended.exit_code == 2))
-            << "check says " << checked.exit_code << ": " << checked.err << "run says " << ended.exit_code
-            << ": " << ended.err;
+            << "check says " << checked.exit_code << ": " << checked.err << "run says " << ended.exit_code << ": "
+            << ended.err;
         EXPECT_EQ(in_lines(broken_rasters(at("out"))), "");
-        const FolderState now = part_of(
-            state_of(at("in")), [&](const auto& name) { return inputs_.contains(name) || !own_place; });
+        const FolderState now =
+            part_of(state_of(at("in")), [&](const auto& name) { return inputs_.contains(name) || !own_place; });
         EXPECT_EQ(in_lines(differences(inputs_, now)), "") << "run changes inputs";
         EXPECT_TRUE(ended.exit_code != 2 || !fs::exists(at("out/r"))) << "refused, and yet there is a result";
         clear();
@@ -160,8 +158,8 @@ TEST_F(AbsurdValue, OfAnyKeyIsRefusedOrComputed) {
     Trials trials;
     for (std::size_t k = 0; k < std::min(all.size(), static_cast<std::size_t>(trial_count(8))); ++k) {
         trials.begin("absurd values");
-        SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " +
-                     all[k].first + " = " + ::testing::PrintToString(all[k].second.substr(0, 60)));
+        SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " + all[k].first +
+                     " = " + ::testing::PrintToString(all[k].second.substr(0, 60)));
         attempt(all[k].first, all[k].second, trials);
     }
 }

@@ -22,8 +22,8 @@ bool can_be_read(const std::string& path) {
         const int columns = GDALGetRasterXSize(dataset), rows = GDALGetRasterYSize(dataset);
         std::vector<float> row(static_cast<std::size_t>(columns));
         for (int k = 0; k < rows && good; ++k)
-            good = GDALRasterIO(GDALGetRasterBand(dataset, 1), GF_Read, 0, k, columns, 1, row.data(), columns,
-                                1, GDT_Float32, 0, 0) == CE_None;
+            good = GDALRasterIO(GDALGetRasterBand(dataset, 1), GF_Read, 0, k, columns, 1, row.data(), columns, 1,
+                                GDT_Float32, 0, 0) == CE_None;
         GDALClose(dataset);
     }
     CPLPopErrorHandler();

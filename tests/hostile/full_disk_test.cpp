@@ -61,8 +61,7 @@ class FullDisk : public TrialGround {
 TEST_F(FullDisk, OfAnySizeLosesNothing) {
     {
         Disk disk(at("out"));
-        if (!disk.mount(64))
-            GTEST_SKIP() << "a small disk can be mounted by root only: " << std::strerror(errno);
+        if (!disk.mount(64)) GTEST_SKIP() << "a small disk can be mounted by root only: " << std::strerror(errno);
     }
     std::vector<TriedCommand> tried = commands();
     ASSERT_FALSE(HasFatalFailure());
@@ -77,9 +76,8 @@ TEST_F(FullDisk, OfAnySizeLosesNothing) {
         const std::size_t there = kilobytes(command.before), needed = kilobytes(command.after);
         const auto size =
             there + static_cast<std::size_t>(random.between(0, 0.7) * static_cast<double>(needed - there));
-        SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " +
-                     command.name + ", disk of " + std::to_string(size) + " kB, of which " +
-                     std::to_string(there) + " are taken");
+        SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " + command.name +
+                     ", disk of " + std::to_string(size) + " kB, of which " + std::to_string(there) + " are taken");
         Disk disk(at("out"));
         ASSERT_TRUE(move_out_onto(disk, size));
         const Ending ending = run(Launch{command.arguments});

@@ -15,8 +15,7 @@ struct Fault {
     bool lasting = false;  ///< every later call of the name fails too
 
     [[nodiscard]] std::string text() const {
-        const std::string what =
-            answer.kind == Answer::Kind::shorten ? "half of it" : std::strerror(answer.number);
+        const std::string what = answer.kind == Answer::Kind::shorten ? "half of it" : std::strerror(answer.number);
         return what + (lasting ? ", from then on" : ", once");
     }
 };
@@ -36,8 +35,7 @@ std::vector<int> errors_of(const std::string& name) {
 class InjectedError : public TrialGround {
   protected:
     void SetUp() override {
-        if (!can_watch_calls())
-            GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
+        if (!can_watch_calls()) GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
     }
 
     [[nodiscard]] Fault fault_for(const SystemCall& call) {
@@ -45,8 +43,7 @@ class InjectedError : public TrialGround {
         const bool write = call.name == "write" || call.name == "pwrite64";
         if (write && random_.once_in(4)) return {{Answer::Kind::shorten}, false};
         const int error = errors[random_.below(errors.size())];
-        return {{Answer::Kind::fail, error},
-                error != EINTR && random_.once_in(2)};  // what interrupts goes by
+        return {{Answer::Kind::fail, error}, error != EINTR && random_.once_in(2)};  // what interrupts goes by
     }
 
     /// One call of those that change the disk, read it, or ask for memory, by turns.
@@ -59,8 +56,7 @@ class InjectedError : public TrialGround {
     /// 0 to 2: changes, reads, memory. Most files are opened to be read.
     static int group_of(const SystemCall& call) {
         if (call.name == "mmap") return 2;
-        return call.name.find("read") != std::string::npos || call.name == "getdents64" ||
-               call.name == "openat";
+        return call.name.find("read") != std::string::npos || call.name == "getdents64" || call.name == "openat";
     }
 
     void attempt(const TriedCommand& command, const SystemCall& where, const Fault& fault, Trials& trials) {
@@ -78,8 +74,7 @@ class InjectedError : public TrialGround {
         if (ending.err.find("error while loading shared libraries") != std::string::npos)
             return;  // frana has not begun
         // What cannot be listed cannot be removed either.
-        const bool removal =
-            where.name.rfind("unlink", 0) == 0 || where.name == "rmdir" || where.name == "getdents64";
+        const bool removal = where.name.rfind("unlink", 0) == 0 || where.name == "rmdir" || where.name == "getdents64";
         trials.ended(ending.exit_code);
         expect_nothing_lost(command, ending,
                             memory    ? Disturbance::memory
@@ -102,11 +97,10 @@ TEST_F(InjectedError, LosesNothingAndChangesNoResult) {
         if (HasFatalFailure()) return;
         const SystemCall call = call_of(command, k);
         const Fault fault = fault_for(call);
-        static constexpr const char* k_kinds[] = {"errors while writing", "errors while reading",
-                                                  "memory refused"};
+        static constexpr const char* k_kinds[] = {"errors while writing", "errors while reading", "memory refused"};
         trials.begin(k_kinds[group_of(call)]);
-        SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " +
-                     command.name + ", " + call.text() + ": " + fault.text());
+        SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " + command.name +
+                     ", " + call.text() + ": " + fault.text());
         attempt(command, call, fault, trials);
     }
 }

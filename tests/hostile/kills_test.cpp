@@ -14,18 +14,15 @@ namespace {
 class Killed : public TrialGround {
   protected:
     void SetUp() override {
-        if (!can_watch_calls())
-            GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
+        if (!can_watch_calls()) GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
     }
 
-    void attempt(const TriedCommand& command, const SystemCall& moment, int signal_number,
-                 Trials& trials) const {
+    void attempt(const TriedCommand& command, const SystemCall& moment, int signal_number, Trials& trials) const {
         restore(command.begins_in);
         const Ending ending = run({command.arguments}, {}, [&](const SystemCall& call) {
             return call == moment ? Answer{Answer::Kind::signal, signal_number} : Answer{};
         });
-        expect_nothing_lost(command, ending,
-                            signal_number == SIGKILL ? Disturbance::kill : Disturbance::error);
+        expect_nothing_lost(command, ending, signal_number == SIGKILL ? Disturbance::kill : Disturbance::error);
         trials.ended(ending.exit_code);
         expect_repaired(command);
     }
@@ -36,19 +33,17 @@ class Killed : public TrialGround {
 TEST_F(Killed, OrStoppedBeforeAnyChangeOnDiskLosesNothing) {
     std::vector<TriedCommand> tried = commands();
     if (HasFatalFailure()) return;
-    std::erase_if(tried,
-                  [](const TriedCommand& command) { return command.name == "check"; });  // changes nothing
+    std::erase_if(tried, [](const TriedCommand& command) { return command.name == "check"; });  // changes nothing
     Trials trials;
     for (int k = 0; k < trial_count(5); ++k) {
         const int signal_number = k % 3 == 2 ? SIGTERM : SIGKILL;
-        trials.begin(signal_number == SIGKILL ? "kills before a change on disk"
-                                              : "SIGTERM before a change on disk");
+        trials.begin(signal_number == SIGKILL ? "kills before a change on disk" : "SIGTERM before a change on disk");
         TriedCommand& command = tried[random_.below(tried.size())];
         measure(command);
         if (HasFatalFailure()) return;
         const SystemCall call = random_call(command.calls, random_);
-        SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " +
-                     command.name + ", signal " + std::to_string(signal_number) + " before " + call.text());
+        SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " + command.name +
+                     ", signal " + std::to_string(signal_number) + " before " + call.text());
         attempt(command, call, signal_number, trials);
     }
 }
@@ -69,8 +64,8 @@ TEST_F(Killed, AtRandomMomentsLosesNothing) {
         restore(command.begins_in);
         Launch launch{command.arguments};
         launch.patience_seconds = random_.between(0.02, 1) * std::max(whole, 0.5);
-        SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " +
-                     command.name + ", SIGKILL after " + std::to_string(launch.patience_seconds) + " s");
+        SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " + command.name +
+                     ", SIGKILL after " + std::to_string(launch.patience_seconds) + " s");
         const Ending ending = run(launch);
         trials.ended(ending.exit_code);
         expect_nothing_lost(command, ending, Disturbance::kill);

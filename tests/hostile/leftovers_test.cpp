@@ -14,8 +14,7 @@ namespace {
 class Leftovers : public TrialGround {
   protected:
     void SetUp() override {
-        if (!can_watch_calls())
-            GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
+        if (!can_watch_calls()) GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
         tried_ = commands();
     }
     TriedCommand& measured(const std::string& name) {
@@ -92,11 +91,10 @@ TEST_F(Leftovers, TheNoteOfAResultThatHasJustTakenItsNameGoesWithTheNextRun) {
     for (const char* name : {"run", "run --overwrite"}) {
         SCOPED_TRACE(name);
         const TriedCommand& command = measured(name);
-        EXPECT_EQ(
-            disturb(command, {Answer::Kind::signal, SIGKILL},
-                    [](const SystemCall& call) { return is_of(call, "unlink", "out/r/being_built.json"); })
-                .exit_code,
-            -SIGKILL);
+        EXPECT_EQ(disturb(command, {Answer::Kind::signal, SIGKILL},
+                          [](const SystemCall& call) { return is_of(call, "unlink", "out/r/being_built.json"); })
+                      .exit_code,
+                  -SIGKILL);
         expect_mended(command, command.again);
     }
 }
@@ -122,16 +120,14 @@ TEST_F(Leftovers, AListThatCannotBeReadIsSaidAndTheNextRunTidiesUp) {
 TEST_F(Leftovers, AnEmptiedFolderGoesWithTheNextRun) {
     const TriedCommand& over = measured("run --overwrite");
     const Ending emptied = disturb(over, {Answer::Kind::fail, EACCES}, [](const SystemCall& call) {
-        return is_of(call, "rmdir", "out/r.partial-*") &&
-               call.path.size() <= std::string("out/r.partial-*/").size();
+        return is_of(call, "rmdir", "out/r.partial-*") && call.path.size() <= std::string("out/r.partial-*/").size();
     });
     EXPECT_EQ(emptied.exit_code, 0) << emptied.err;
     EXPECT_FALSE(differences(over.after, state()).empty());
     expect_mended(over, over.again);
     // A folder in it that cannot be removed keeps list and note.
-    const Ending part = disturb(over, {Answer::Kind::fail, EACCES}, [](const SystemCall& call) {
-        return is_of(call, "rmdir", "out/r.partial-*/maps");
-    });
+    const Ending part = disturb(over, {Answer::Kind::fail, EACCES},
+                                [](const SystemCall& call) { return is_of(call, "rmdir", "out/r.partial-*/maps"); });
     EXPECT_EQ(part.exit_code, 0) << part.err;
     EXPECT_FALSE(differences(over.after, state()).empty());
     expect_mended(over, over.again);
@@ -142,30 +138,24 @@ TEST_F(Leftovers, AnEmptiedFolderGoesWithTheNextRun) {
     });
     EXPECT_EQ(refused.exit_code, 4) << refused.err;
     EXPECT_EQ(in_lines(differences(anew.before, state())), "");
-    EXPECT_EQ(
-        disturb(anew, {Answer::Kind::signal, SIGKILL},
-                [](const SystemCall& call) { return is_of(call, "link", "out/r.partial-*/being_built"); })
-            .exit_code,
-        -SIGKILL);
+    EXPECT_EQ(disturb(anew, {Answer::Kind::signal, SIGKILL},
+                      [](const SystemCall& call) { return is_of(call, "link", "out/r.partial-*/being_built"); })
+                  .exit_code,
+              -SIGKILL);
     expect_mended(anew, anew.again);
 }
 
 TEST_F(Leftovers, AFolderOfTheReportsPicturesGoesWithTheNextRun) {
-    EXPECT_TRUE(std::none_of(measured("run").calls.begin(), measured("run").calls.end(),
-                             [](const SystemCall& call) {
-                                 return call.path.find("report_pictures") != std::string::npos &&
-                                        call.name.find("mkdir") != std::string::npos;
-                             }))
-        << "made, though the maps are PNG";
+    EXPECT_TRUE(std::none_of(measured("run").calls.begin(), measured("run").calls.end(), [](const SystemCall& call) {
+        return call.path.find("report_pictures") != std::string::npos && call.name.find("mkdir") != std::string::npos;
+    })) << "made, though the maps are PNG";
     TriedCommand pdf = measured("run");
     pdf.after.clear();
     for (auto* arguments : {&pdf.arguments, &pdf.again})
         arguments->insert(arguments->end(), {"--set", "output.map-formats=pdf"});
     measure(pdf, k_all);
     EXPECT_EQ(disturb(pdf, {Answer::Kind::fail, EIO},
-                      [](const SystemCall& call) {
-                          return is_of(call, "rmdir", "out/r.partial-*/report_pictures");
-                      })
+                      [](const SystemCall& call) { return is_of(call, "rmdir", "out/r.partial-*/report_pictures"); })
                   .exit_code,
               0);
     expect_mended(pdf, pdf.again);

@@ -67,8 +67,7 @@ class Damaged : public TrialGround {
     [[nodiscard]] std::vector<std::string> files_of(const std::string& beginning) const {
         std::vector<std::string> files;
         for (const auto& [path, content] : state())
-            if (path.rfind(beginning, 0) == 0 && !path.ends_with("/") && !is_users(path))
-                files.push_back(path);
+            if (path.rfind(beginning, 0) == 0 && !path.ends_with("/") && !is_users(path)) files.push_back(path);
         return files;
     }
 
@@ -109,8 +108,7 @@ TEST_F(Damaged, InputsAreRefusedOrComputed) {
             files.push_back(file);
         const std::string what = damage_one_of(files);
         SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " + what);
-        const FolderState before =
-            part_of(state(), [](const auto& name) { return name.rfind("in/", 0) == 0; });
+        const FolderState before = part_of(state(), [](const auto& name) { return name.rfind("in/", 0) == 0; });
         std::vector<std::string> arguments{
             "check", "in/scene.ini", "--set", "terrain.dtm=" + dtm, "--set", "release.perimeter=" + outline,
             "--set", "time.end=1"};
@@ -128,8 +126,8 @@ TEST_F(Damaged, InputsAreRefusedOrComputed) {
         EXPECT_EQ(in_lines(broken_rasters(at("out"))), "");
         const bool for_memory = ended.err.find("--memory-limit") != std::string::npos;
         EXPECT_TRUE(for_memory || (checked.exit_code == 2) == (ended.exit_code == 2))
-            << "check says " << checked.exit_code << ": " << checked.err << "run says " << ended.exit_code
-            << ": " << ended.err;
+            << "check says " << checked.exit_code << ": " << checked.err << "run says " << ended.exit_code << ": "
+            << ended.err;
     }
 }
 
@@ -137,14 +135,10 @@ TEST_F(Damaged, ResultsAndCheckpointsAreRefusedOrDrawnAndChangeNoResult) {
     std::vector<TriedCommand> tried = commands();
     ASSERT_FALSE(HasFatalFailure());
     for (const char* more : {"--charts", "--plates"})
-        tried.push_back({std::string("render ") + more,
-                         "older",
-                         {"render", "out/r", more, "--size", "640x480"},
-                         {},
-                         false});
-    std::erase_if(tried, [](const TriedCommand& command) {
-        return command.begins_in == "inputs" || command.name == "check";
-    });
+        tried.push_back(
+            {std::string("render ") + more, "older", {"render", "out/r", more, "--size", "640x480"}, {}, false});
+    std::erase_if(tried,
+                  [](const TriedCommand& command) { return command.begins_in == "inputs" || command.name == "check"; });
     Trials trials;
     for (int k = 0; k < trial_count(4); ++k) {
         trials.begin("damaged results and checkpoints");
@@ -152,8 +146,8 @@ TEST_F(Damaged, ResultsAndCheckpointsAreRefusedOrDrawnAndChangeNoResult) {
         measure(command);
         restore(command.begins_in);
         const std::string what = damage_one_of(files_of("out/r"));
-        SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " +
-                     command.name + ", " + what);
+        SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " + command.name +
+                     ", " + what);
         const Ending ended = run(Launch{command.arguments});
         expect_decent_end(ended);
         trials.ended(ended.exit_code);

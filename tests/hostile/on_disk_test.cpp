@@ -12,8 +12,7 @@ class OnDisk : public TrialGround {
   protected:
     /// Whether a path was brought to the disk before the first call that satisfies `then`.
     template <class Then>
-    static bool is_synced_before(const std::vector<SystemCall>& calls, const std::string& path,
-                                 const Then& then) {
+    static bool is_synced_before(const std::vector<SystemCall>& calls, const std::string& path, const Then& then) {
         const auto end = std::find_if(calls.begin(), calls.end(), then);
         EXPECT_NE(end, calls.end());
         return std::any_of(calls.begin(), end,
@@ -43,9 +42,8 @@ TEST_F(OnDisk, IsEveryFileOfAResultBeforeItHasItsName) {
     EXPECT_GT(files, 20);
     EXPECT_TRUE(is_synced_before(ending.calls, "out/r.partial-*", takes_name));
     EXPECT_FALSE(is_synced_before(ending.calls, "out", takes_name));  // the name itself: after that
-    EXPECT_TRUE(std::any_of(ending.calls.begin(), ending.calls.end(), [](const SystemCall& call) {
-        return call.name == "fsync" && call.path == "out";
-    }));
+    EXPECT_TRUE(std::any_of(ending.calls.begin(), ending.calls.end(),
+                            [](const SystemCall& call) { return call.name == "fsync" && call.path == "out"; }));
 }
 
 TEST_F(OnDisk, IsAPictureBeforeTheResultListsIt) {

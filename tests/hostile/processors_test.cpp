@@ -54,8 +54,8 @@ TEST_F(Processors, DoNotChangeAByteOfAnyFile) {
         for (const char* name : {"OMP_NUM_THREADS=", "GDAL_NUM_THREADS=", "VTK_SMP_MAX_THREADS="})
             if (random.once_in(2)) launch.environment.push_back(name + other);
         const int load = random.once_in(2) ? 4 : 0;
-        std::string what = "--threads " + threads + ", processors " + std::to_string(launch.processors) +
-                           ", load " + std::to_string(load);
+        std::string what = "--threads " + threads + ", processors " + std::to_string(launch.processors) + ", load " +
+                           std::to_string(load);
         for (const std::string& variable : launch.environment) what += ", " + variable;
         SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " + what);
         const BusyMachine busy(load);

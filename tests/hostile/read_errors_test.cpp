@@ -60,8 +60,7 @@ TEST_F(ReadError, InOutlinesNeverLeavesThemOffAMap) {
         ASSERT_GT(reads.size(), 10U);
         for (int k = 0; k < trial_count(4); ++k) {
             trials.begin("errors while outlines are read for a map");
-            attempt(drawing, reads[random_.below(reads.size())], random_.once_in(2) ? EIO : EINTR, expected,
-                    trials);
+            attempt(drawing, reads[random_.below(reads.size())], random_.once_in(2) ? EIO : EINTR, expected, trials);
         }
     }
 }

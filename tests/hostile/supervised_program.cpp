@@ -83,8 +83,7 @@ int receive_descriptor(int socket) {
     return descriptor;
 }
 
-[[noreturn]] void become_frana(const std::string& folder, const Launch& launch, const Watch* watch,
-                               int socket) {
+[[noreturn]] void become_frana(const std::string& folder, const Launch& launch, const Watch* watch, int socket) {
     const int out = ::open((folder + k_out).c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
     const int err = ::open((folder + k_err).c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
     if (::chdir(folder.c_str()) != 0 || ::dup2(out, 1) < 0 || ::dup2(err, 2) < 0) ::_exit(126);
@@ -168,8 +167,7 @@ class Supervisor {
         const auto value = [&](int argument) { return asked.data.args[argument]; };
         if (place.kind == CallPlace::Kind::memory) return "memory";
         if (place.kind == CallPlace::Kind::descriptor)
-            return without_chance(
-                below(descriptor_path(process, static_cast<int>(value(place.argument))), folder_));
+            return without_chance(below(descriptor_path(process, static_cast<int>(value(place.argument))), folder_));
         std::string path = text_at(process, value(place.argument));
         if (path.empty()) return {};
         if (path.front() != '/') {
@@ -207,12 +205,11 @@ class Supervisor {
         const iovec there{reinterpret_cast<void*>(asked.data.args[1]), bytes.size()};
         const ssize_t count = ::process_vm_readv(static_cast<pid_t>(asked.pid), &here, 1, &there, 1, 0);
         const Descriptor process(static_cast<int>(::syscall(SYS_pidfd_open, child_, 0)));
-        const Descriptor file(static_cast<int>(
-            ::syscall(SYS_pidfd_getfd, process.get(), static_cast<int>(asked.data.args[0]), 0)));
+        const Descriptor file(
+            static_cast<int>(::syscall(SYS_pidfd_getfd, process.get(), static_cast<int>(asked.data.args[0]), 0)));
         if (!file.good() || count != static_cast<ssize_t>(bytes.size())) return 0;
-        return placed
-                   ? ::pwrite(file.get(), bytes.data(), bytes.size(), static_cast<off_t>(asked.data.args[3]))
-                   : ::write(file.get(), bytes.data(), bytes.size());
+        return placed ? ::pwrite(file.get(), bytes.data(), bytes.size(), static_cast<off_t>(asked.data.args[3]))
+                      : ::write(file.get(), bytes.data(), bytes.size());
     }
 
     std::string folder_;
@@ -225,8 +222,7 @@ class Supervisor {
 
 }  // namespace
 
-Ending run_supervised(const std::string& folder, const Launch& launch, const Watch& watch,
-                      const Judge& judge) {
+Ending run_supervised(const std::string& folder, const Launch& launch, const Watch& watch, const Judge& judge) {
     Ending ending;
     int sockets[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) return ending;

@@ -13,9 +13,8 @@ namespace frana::test {
 /// A call to the system that is about to happen.
 struct SystemCall {
     std::string name;  ///< rename, pwrite64 ...
-    std::string
-        path;  ///< from the folder watched; what a rename makes; letters and numbers drawn for a name are *
-    int again = 0;  ///< earlier calls of this name on this path
+    std::string path;  ///< from the folder watched; what a rename makes; letters and numbers drawn for a name are *
+    int again = 0;     ///< earlier calls of this name on this path
 
     /// The same call in another run of the same command.
     [[nodiscard]] bool operator==(const SystemCall&) const = default;
@@ -35,8 +34,8 @@ struct Launch {
     std::vector<std::string> arguments;
     std::vector<std::string> environment{};  ///< NAME=value, added
     double stop_after_seconds = 0;           ///< SIGTERM then; 0: never
-    double patience_seconds = 0;  ///< SIGKILL then; 0: longer than anything takes on a busy machine
-    int processors = 0;           ///< it may use; 0: all
+    double patience_seconds = 0;             ///< SIGKILL then; 0: longer than anything takes on a busy machine
+    int processors = 0;                      ///< it may use; 0: all
 };
 
 struct Ending : Outcome {

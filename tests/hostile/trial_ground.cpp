@@ -13,14 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // In a result, in its folders, beside it, and with names close to those that frana gives.
-const std::vector<std::string> k_users_files{"out/beside.txt",
-                                             "out/r/notes.txt",
-                                             "out/r/my maps/valley.qgz",
-                                             "out/r/maps/mine.png",
-                                             "out/r/frames/mine.csv",
-                                             "out/r/max_depth.txt",
-                                             "out/r.partial-copy/summary.json",
-                                             "out/r.old/max_depth.tif"};
+const std::vector<std::string> k_users_files{
+    "out/beside.txt",        "out/r/notes.txt",     "out/r/my maps/valley.qgz",        "out/r/maps/mine.png",
+    "out/r/frames/mine.csv", "out/r/max_depth.txt", "out/r.partial-copy/summary.json", "out/r.old/max_depth.tif"};
 
 // Pictures that could not be drawn do not cost the run: exit code 4, all else is there.
 bool is_picture(const std::string& path) {
@@ -54,11 +49,9 @@ bool is_kept_copy(const std::string& difference) {
 }
 
 bool is_users(const std::string& path) {
-    return path.rfind("in/", 0) == 0 ||
-           std::any_of(k_users_files.begin(), k_users_files.end(), [&](const auto& file) {
-               return file == path ||
-                      (path.ends_with("/") && path != "out/" && path != "out/r/" && path != "out/r/maps/" &&
-                       path != "out/r/frames/" && file.rfind(path, 0) == 0);
+    return path.rfind("in/", 0) == 0 || std::any_of(k_users_files.begin(), k_users_files.end(), [&](const auto& file) {
+               return file == path || (path.ends_with("/") && path != "out/" && path != "out/r/" &&
+                                       path != "out/r/maps/" && path != "out/r/frames/" && file.rfind(path, 0) == 0);
            });
 }
 
@@ -147,15 +140,13 @@ std::vector<TriedCommand> TrialGround::commands() const {
     };
     const std::vector<std::string> render{"render", "out/r",       "--map",  "max_velocity",
                                           "--map",  "final_depth", "--size", "640x480"};
-    const std::vector<std::string> compare{"compare",         "out/r",  "--scar",
-                                           "in/scar.geojson", "--size", "640x480"};
+    const std::vector<std::string> compare{"compare", "out/r", "--scar", "in/scar.geojson", "--size", "640x480"};
     const std::vector<std::string> converge{"converge", "in/scene.ini", "--out",     "out/study",
                                             "--quiet",  "--set",        "time.end=1"};
     std::vector<std::string> converge_again = converge;
     converge_again.emplace_back("--overwrite");
-    const std::vector<std::string> robustness{"bench",     "robustness", "in/scene.ini", "--out",
-                                              "out/tried", "--quiet",    "--set",        "time.end=1",
-                                              "--case",    "turned-90"};
+    const std::vector<std::string> robustness{"bench",   "robustness", "in/scene.ini", "--out",  "out/tried",
+                                              "--quiet", "--set",      "time.end=1",   "--case", "turned-90"};
     return {
         {"run", "inputs", run_it, with({"--resume"})},
         {"run --overwrite", "older", with({"--overwrite"}), with({"--overwrite", "--resume"})},
@@ -185,8 +176,7 @@ void expect_decent_end(const Ending& ending, Disturbance by) {
         << "exit code " << ending.exit_code << ": '" << ending.err << "'";
 }
 
-void TrialGround::expect_old_or_new(const TriedCommand& command, const Ending& ending,
-                                    const FolderState& now) const {
+void TrialGround::expect_old_or_new(const TriedCommand& command, const Ending& ending, const FolderState& now) const {
     const FolderState before = part_of(command.before, is_result), after = part_of(command.after, is_result);
     const FolderState found = part_of(now, is_result);
     if (!command.whole) {
@@ -203,14 +193,12 @@ void TrialGround::expect_old_or_new(const TriedCommand& command, const Ending& e
     std::vector<std::string> wrong = differences(after, found);
     std::erase_if(wrong, is_kept_copy);
     if (ending.exit_code == 4)
-        std::erase_if(wrong,
-                      [](const auto& text) { return text.rfind("missing: ", 0) == 0 && is_picture(text); });
+        std::erase_if(wrong, [](const auto& text) { return text.rfind("missing: ", 0) == 0 && is_picture(text); });
     EXPECT_TRUE(wrong.empty()) << "neither the older result nor the new one, which would differ so:\n"
                                << in_lines(wrong);
 }
 
-void TrialGround::expect_nothing_lost(const TriedCommand& command, const Ending& ending,
-                                      Disturbance by) const {
+void TrialGround::expect_nothing_lost(const TriedCommand& command, const Ending& ending, Disturbance by) const {
     expect_decent_end(ending, by);
     const FolderState now = state();
     const FolderState users = part_of(command.before, is_users);
@@ -240,8 +228,7 @@ void TrialGround::expect_repaired(const TriedCommand& command) const {
     EXPECT_EQ(ending.exit_code, 0) << "the same again: " << ending.err;
     std::vector<std::string> wrong = differences(command.after, state());
     std::erase_if(wrong, is_kept_copy);
-    EXPECT_TRUE(wrong.empty()) << "the same again does not end in the same:\n"
-                               << in_lines(wrong) << ending.err;
+    EXPECT_TRUE(wrong.empty()) << "the same again does not end in the same:\n" << in_lines(wrong) << ending.err;
 }
 
 }  // namespace frana::test

@@ -40,9 +40,7 @@ class TrialGround : public TinyScene {
     [[nodiscard]] FolderState state() const { return state_of(place()); }
 
     [[nodiscard]] Ending run(const Launch& launch, const Watch& watch = {}, const Judge& judge = {}) const;
-    [[nodiscard]] Ending run(const std::vector<std::string>& arguments) const {
-        return run(Launch{arguments});
-    }
+    [[nodiscard]] Ending run(const std::vector<std::string>& arguments) const { return run(Launch{arguments}); }
 
     /// run, run --overwrite, run --resume, render, compare, converge and check; the places that they begin in
     /// are kept.

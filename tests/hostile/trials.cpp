@@ -45,8 +45,7 @@ Trials::~Trials() {
     for (const auto& [name, kind] : kinds_) {
         std::cout << "hostile: " << name << ", seed " << trial_seed() << ": " << kind.count << " trials, "
                   << kind.faulty << " with a fault;";
-        for (const auto& [code, times] : kind.endings)
-            std::cout << " exit code " << code << ": " << times << ';';
+        for (const auto& [code, times] : kind.endings) std::cout << " exit code " << code << ": " << times << ';';
         std::cout << '\n';
         count += kind.count;
         faulty += kind.faulty;

@@ -77,10 +77,8 @@ class Filter {
                 add_open(watch);
             } else if (row.group == Group::memory && watch.memory) {
                 add_map();
-            } else if ((row.group == Group::changes && watch.changes) ||
-                       (row.group == Group::reads && watch.reads)) {
-                code_.push_back(
-                    BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(row.number), 0, 1));
+            } else if ((row.group == Group::changes && watch.changes) || (row.group == Group::reads && watch.reads)) {
+                code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(row.number), 0, 1));
                 end(SECCOMP_RET_USER_NOTIF);
             }
         }

@@ -8,8 +8,7 @@ namespace frana::test {
 
 /// Which calls to the system somebody wants to see before they happen.
 struct Watch {
-    bool changes =
-        true;  ///< whatever changes what is on disk: write, rename, fsync, unlink, mkdir and their like
+    bool changes = true;  ///< whatever changes what is on disk: write, rename, fsync, unlink, mkdir and their like
     bool reads = false;   ///< openat, read, pread64, getdents64
     bool memory = false;  ///< mmap of 128 KiB and more that belong to no file
 };
@@ -26,7 +25,7 @@ std::string call_name(int number);
 struct CallPlace {
     enum class Kind { path, descriptor, memory } kind = Kind::path;
     int argument = 0;  ///< of the path, or of the descriptor
-    int folder = -1;  ///< argument of the descriptor that a relative path counts from; -1: the current folder
+    int folder = -1;   ///< argument of the descriptor that a relative path counts from; -1: the current folder
 };
 CallPlace call_place(int number);
 

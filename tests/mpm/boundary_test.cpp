@@ -11,8 +11,7 @@ Flow slope_flow(Boundary boundary) {
     const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.5 * (40 - p.x) + 0.1 * p.y; });
     const ParticleSet seeds = bench::fill_lattice(
         grid, 2, 0.3, [](Point p) { return bench::Seed{2 - 0.3 * std::hypot(p.x - 20, p.y - 15)}; });
-    return Flow(bed, seeds, dry_friction(5), numerics(Scheme::standard, SlopeCorrection::normal, boundary),
-                1);
+    return Flow(bed, seeds, dry_friction(5), numerics(Scheme::standard, SlopeCorrection::normal, boundary), 1);
 }
 
 TEST(OpenBoundary, LetsMaterialOutAndAccountsForIt) {
@@ -43,8 +42,8 @@ TEST(WallBoundary, KeepsEverythingAndStaysBounded) {
 
 TEST(NoDataWall, HoldsTheFlowBack) {
     const GridSpec grid = bench::plain_grid(60, 20, 1);
-    const Raster bed = bench::sample_raster(
-        grid, [](Point p) { return p.x > 40 && p.x < 44 ? k_no_data : 0.3 * (60 - p.x); });
+    const Raster bed =
+        bench::sample_raster(grid, [](Point p) { return p.x > 40 && p.x < 44 ? k_no_data : 0.3 * (60 - p.x); });
     const ParticleSet seeds =
         bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{p.x > 5 && p.x < 15 ? 2.0 : 0.0}; });
     Numerics n = numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall);

@@ -58,8 +58,7 @@ Rider ride(const Track& track, double start, double speed, double friction, bool
 constexpr double k_radius = 60;
 Track arc(double cell) {
     const auto from_bottom = [](double x) { return std::max(0.0, k_radius - x); };
-    return {80, cell,
-            [=](double x) { return k_radius - std::sqrt(k_radius * k_radius - std::pow(from_bottom(x), 2)); },
+    return {80, cell, [=](double x) { return k_radius - std::sqrt(k_radius * k_radius - std::pow(from_bottom(x), 2)); },
             [=](double x) {
                 const double a = from_bottom(x);
                 return -a / std::sqrt(k_radius * k_radius - a * a);
@@ -71,9 +70,7 @@ Track arc(double cell) {
 double arc_speed(double mu, double a, double b) {
     const double m = k_gravity * k_radius / (1 + 4 * mu * mu);
     const double in_phase = 2 * m * (1 - 2 * mu * mu), off_phase = 6 * mu * m;
-    const auto particular = [&](double angle) {
-        return in_phase * std::cos(angle) + off_phase * std::sin(angle);
-    };
+    const auto particular = [&](double angle) { return in_phase * std::cos(angle) + off_phase * std::sin(angle); };
     return std::sqrt(particular(b) - particular(a) * std::exp(2 * mu * (b - a)));
 }
 
@@ -86,8 +83,7 @@ TEST_P(CircularArc, SpeedIsExact) {
         const Track track = arc(level == 0 ? 1 : 0.5);
         const Rider rider = ride(track, start, 0, mu, true, 3.5);
         ASSERT_GT(rider.x, start + 15);
-        const double a = std::asin((k_radius - start) / k_radius),
-                     b = std::asin((k_radius - rider.x) / k_radius);
+        const double a = std::asin((k_radius - start) / k_radius), b = std::asin((k_radius - rider.x) / k_radius);
         error[level] = std::abs(rider.speed / arc_speed(mu, a, b) - 1);
     }
     // First order in step and cell; cells of 0.25 m and this length: 1e-4 without friction.
@@ -122,9 +118,7 @@ TEST(Bump, FasterThanGravityBendsItsPathItHasNoFrictionAndKeepsItsEnergy) {
 // cliff's steepness reads as speed along the bed must not come out as speed on the flat.
 TEST(Curvature, CliffGivesTheSpeedOfItsDrop) {
     const auto rounded = [](double x) { return 5 * std::log1p(std::exp(x / 5)); };
-    const auto bed = [&](double x) {
-        return 0.7 * rounded(140 - x) + 1.8 * (rounded(140 - x) - rounded(100 - x));
-    };
+    const auto bed = [&](double x) { return 0.7 * rounded(140 - x) + 1.8 * (rounded(140 - x) - rounded(100 - x)); };
     // Cells of 4, 2, 1 and 0.5 m: errors of 0.8, 0.4, 0.16 and 0.06 %. With the map speed kept where the bed
     // falls away faster than the motion: 28 % too fast at every cell size.
     for (const double cell : {4.0, 2.0}) {
@@ -175,9 +169,8 @@ TEST(Bump, SlowerItPressesLess) {
 // On a plane the curvature is nothing to rounding, and a quadric's is exact.
 TEST(CurvatureLoad, IsExactOnQuadrics) {
     const GridSpec grid = bench::plain_grid(9, 9, 2);
-    const NodeGrid nodes(bench::sample_raster(grid, [](Point p) {
-        return 3 * p.x - 2 * p.y + 0.05 * p.x * p.x + 0.02 * p.x * p.y - 0.03 * p.y * p.y;
-    }));
+    const NodeGrid nodes(bench::sample_raster(
+        grid, [](Point p) { return 3 * p.x - 2 * p.y + 0.05 * p.x * p.x + 0.02 * p.x * p.y - 0.03 * p.y * p.y; }));
     EXPECT_NEAR(bed_curvature(nodes, nodes.index(4, 4), 4 + k_ghost, 4 + k_ghost).load(7, -3),
                 49 * 0.1 + 2 * 7 * -3 * 0.02 - 9 * 0.06, 1e-12);
 }

@@ -103,7 +103,8 @@ TEST(Flight, AnEdgeThatIsTooGentleOrTooLowThrowsNothing) {
     EXPECT_TRUE(find_jump(flow.nodes(), {k_gravity, true}, {98, 8}, {20, 0}, 1, 0.5));
 }
 
-// What flows level over the lip is not as fast as the face below is steep, and what has spread in the air covers more ground.
+// What flows level over the lip is not as fast as the face below is steep, and what has spread in the air covers more
+// ground.
 TEST(Flight, AThickFilmIsNoFasterAtTheLipAndShowsItsVolumeAfterwards) {
     Strip strip{5, cliff, 20, 400};
     strip.thickness = 1;
@@ -136,8 +137,9 @@ TEST(Flight, OffKeepsToTheBedAndCostsNothing) {
 
 TEST(Flight, WhatFliesAcrossAnOpenEdgeHasLeft) {
     const GridSpec grid = bench::plain_grid(60, 8, 2);
-    const ParticleSet seeds = bench::fill_lattice(
-        grid, 2, 0, [&](Point p) { return bench::Seed{std::abs(p.x - 20) < 6 ? 0.05 : 0, 20, 0}; });
+    const ParticleSet seeds = bench::fill_lattice(grid, 2, 0, [&](Point p) {
+        return bench::Seed{std::abs(p.x - 20) < 6 ? 0.05 : 0, 20, 0};
+    });
     Numerics how = numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open);
     how.minimum_depth = 1e-6;
     Flow flow(bench::sample_raster(grid, [](Point p) { return p.x < 100 ? 50 : 0; }), seeds, water(), how, 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particle shifting (mpm/shifting.h): irregular particles become even while they flow. That still water stays with irregular
-// particles is in lake_at_rest_test.cpp, what shifting does to errors in dam_break_test.cpp, that it changes neither volume
-// nor velocity of any particle in vector_kernels_test.cpp.
+// Particle shifting (mpm/shifting.h): irregular particles become even while they flow. That still water stays with
+// irregular particles is in lake_at_rest_test.cpp, what shifting does to errors in dam_break_test.cpp, that it changes
+// neither volume nor velocity of any particle in vector_kernels_test.cpp.
 #include <gtest/gtest.h>
 
 #include "mpm/shifting.h"
@@ -31,15 +31,16 @@ double unevenness(Flow& flow, std::int64_t first, std::int64_t last) {
 TEST(Shifting, MakesIrregularParticlesEven) {
     const GridSpec grid = bench::plain_grid(200, 10, 1);
     const ParticleSet seeds = bench::fill_lattice(grid, 2, k_jitter, [](Point) { return bench::Seed{2, 5, 0}; });
-    Flow flow(Raster(grid, 0.0), seeds, water(), numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1);
+    Flow flow(Raster(grid, 0.0), seeds, water(), numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall),
+              1);
     const double before = unevenness(flow, 60, 140);
     EXPECT_GT(before, 0.02);
     flow.advance_to(5);  // 25 cells; what happens at the ends is over 40 cells away
     EXPECT_LT(unevenness(flow, 60, 140), 0.3 * before);
 }
 
-// Nothing without motion, at a free front, where a cell of the stencil is far from full or particles lie on each other; and
-// never far.
+// Nothing without motion, at a free front, where a cell of the stencil is far from full or particles lie on each other;
+// and never far.
 TEST(Shifting, IsBounded) {
     const auto far = [](double courant, double support, double least, double slope, double share = 1) {
         return shift_of(k_shift, courant, support, least, share, slope, 0.0, 1.0, 0.0, 0.0, 2.0).x;
@@ -57,7 +58,8 @@ TEST(Shifting, IsBounded) {
 // The depth follows the nodes' depth, here one that grows by a tenth over a metre; phi does not matter to it.
 TEST(Shifting, CarriesTheDepthAlongItsGradient) {
     const double phi = 1.1, phi_x = 0.2, depth = 3, depth_x = 0.3;
-    const Shift<double> s = shift_of(k_shift, 0.3, 1.0, 1.0, phi, phi_x, 0.0, phi * depth, phi_x * depth + phi * depth_x, 0.0, 1.0);
+    const Shift<double> s =
+        shift_of(k_shift, 0.3, 1.0, 1.0, phi, phi_x, 0.0, phi * depth, phi_x * depth + phi * depth_x, 0.0, 1.0);
     EXPECT_DOUBLE_EQ(s.x, -k_shift * phi_x);
     EXPECT_NEAR(s.growth, 1 - s.x * depth_x / depth, 1e-14);
 }

@@ -170,8 +170,8 @@ void step_nodes(const ParticleSet& particles, const ParticleTile& tile, double d
 }
 
 template <bool FollowsBed, class Stress>
-void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile& tile, const Stress& stress,
-                    bool wall, double shift = 0) {
+void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile& tile, const Stress& stress, bool wall,
+                    double shift = 0) {
     Fields fields(bed);
     NodeGrid& nodes = fields.nodes;
     const double dt = 0.05;
@@ -183,7 +183,8 @@ void compare_update(const Raster& bed, ParticleSet particles, const ParticleTile
         nodes_to_particles<Shape, ApicTransfer, Stress, true, FollowsBed>(tile, update, stress, nodes, particles);
     ParticleReport b;
     if constexpr (Stress::active) {
-        b = (FollowsBed ? kernels.along_bed_with_stress : kernels.nodes_to_particles_with_stress)(tile, update, stress, nodes, fast);
+        b = (FollowsBed ? kernels.along_bed_with_stress : kernels.nodes_to_particles_with_stress)(tile, update, stress,
+                                                                                                  nodes, fast);
     } else {
         b = (FollowsBed ? kernels.along_bed : kernels.nodes_to_particles)(tile, update, {}, nodes, fast);
     }
@@ -213,7 +214,8 @@ TEST_P(VectorKernelsTest, NodesToParticles) {
     compare_update<false>(bed_, particles, tile, BinghamStress{0, 0.25, 0.01, true}, false);
 }
 
-// Small ones, of which 15 000 claim 22 x 22 cells about once: what lies on top of each other is not shifted, nor what is alone.
+// Small ones, of which 15 000 claim 22 x 22 cells about once: what lies on top of each other is not shifted, nor what
+// is alone.
 ParticleSet side_by_side(std::size_t count, std::mt19937& random) {
     ParticleSet particles = random_particles(count, 13, 35, random);
     for (std::size_t p = 0; p < count; ++p) {
@@ -232,7 +234,8 @@ TEST_P(VectorKernelsTest, NodesToParticlesThatShift) {
     compare_update<true>(bed_, particles, tile, BinghamStress{0.5, 0.25, 0.01, true}, false, k_shift);
 }
 
-// Shifting moves particles and changes their areas; volume, momentum and kinetic energy keep every bit, particle by particle.
+// Shifting moves particles and changes their areas; volume, momentum and kinetic energy keep every bit, particle by
+// particle.
 TEST(Shifting, ChangesNeitherVolumeNorVelocity) {
     std::mt19937 random(20240517);
     const Raster bed = rough_bed(random);
@@ -249,7 +252,8 @@ TEST(Shifting, ChangesNeitherVolumeNorVelocity) {
     std::size_t moved = 0;
     for (std::size_t p = 0; p < still.size(); ++p) {
         for (const Field f : {Field::u, Field::v, Field::volume, Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy})
-            ASSERT_EQ(still[f][p], shifted[f][p]) << k_field_table[static_cast<std::size_t>(f)].name << " of particle " << p;
+            ASSERT_EQ(still[f][p], shifted[f][p])
+                << k_field_table[static_cast<std::size_t>(f)].name << " of particle " << p;
         const double x = shifted[Field::x][p] - still[Field::x][p], y = shifted[Field::y][p] - still[Field::y][p];
         // To the rounding of a sum of places, some tens of metres.
         ASSERT_LE(std::max(std::abs(x), std::abs(y)), k_shift_farthest * k_cell + 1e-13);

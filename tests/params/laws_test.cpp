@@ -42,15 +42,11 @@ INSTANTIATE_TEST_SUITE_P(
         LawCase{"cohesion_without_value",
                 "[material]\nfriction-angle = 20\nbed-friction = voellmy, cohesion\n",
                 {"material.cohesion: is missing", "bed-friction = cohesion"}},
-        LawCase{"cohesion",
-                "[material]\nfriction-angle = 20\ncohesion = 500\nbed-friction = voellmy, cohesion\n",
-                {}},
+        LawCase{"cohesion", "[material]\nfriction-angle = 20\ncohesion = 500\nbed-friction = voellmy, cohesion\n", {}},
         LawCase{"cohesion_unread",
                 "[material]\nfriction-angle = 20\ncohesion = 500\n",
                 {"material.cohesion: is given, but no law", "set material.bed-friction = cohesion"}},
-        LawCase{"unknown_law",
-                "[material]\nfriction-angle = 20\nbed-friction = voellmi\n",
-                {"'voellmi' is not known"}},
+        LawCase{"unknown_law", "[material]\nfriction-angle = 20\nbed-friction = voellmi\n", {"'voellmi' is not known"}},
         LawCase{"bingham", "[material]\nbed-friction = bingham\nviscosity = 50\nyield-stress = 200\n", {}},
         LawCase{"bingham_without_viscosity",
                 "[material]\nbed-friction = bingham\nyield-stress = 200\n",
@@ -71,11 +67,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "[material]\nfriction-angle = 20\nin-plane-stress = earth-pressure\ninternal-friction-angle "
                 "= 30\n",
                 {}},
-        LawCase{
-            "earth_pressure_too_smooth",
-            "[material]\nfriction-angle = 35\nin-plane-stress = earth-pressure\ninternal-friction-angle = "
-            "30\n",
-            {"material.internal-friction-angle: is less than the friction angle of the bed", "at least 35"}},
+        LawCase{"earth_pressure_too_smooth",
+                "[material]\nfriction-angle = 35\nin-plane-stress = earth-pressure\ninternal-friction-angle = "
+                "30\n",
+                {"material.internal-friction-angle: is less than the friction angle of the bed", "at least 35"}},
         LawCase{"dissipation_without_pressure",
                 "[material]\nfriction-angle = 35\npore-dissipation-time = 30\n",
                 {"pore-dissipation-time: is given without a pore pressure"}},
@@ -96,10 +91,9 @@ INSTANTIATE_TEST_SUITE_P(
         LawCase{"erosion_without_layer",
                 "[material]\nfriction-angle = 20\n[entrainment]\nerosion = shear-stress\n",
                 {"entrainment.erodible-depth: is missing"}},
-        LawCase{
-            "erodible_below_zero",
-            "[material]\nfriction-angle = 20\n[entrainment]\nerosion = shear-stress\nerodible-depth = -1\n",
-            {"entrainment.erodible-depth: is out of range", "-1", "0 to 1000"}},
+        LawCase{"erodible_below_zero",
+                "[material]\nfriction-angle = 20\n[entrainment]\nerosion = shear-stress\nerodible-depth = -1\n",
+                {"entrainment.erodible-depth: is out of range", "-1", "0 to 1000"}},
         LawCase{"growth_rate_of_another_law",
                 "[material]\nfriction-angle = 20\n[entrainment]\nerosion = shear-stress\nerodible-depth = 1\n"
                 "growth-rate = 0.01\n",
@@ -134,8 +128,7 @@ TEST_F(Laws, StressInThePlaneGivesWayToTheBed) {
 TEST_F(Laws, AnotherLawThanThePresetsForgetsItsFriction) {
     const SceneReading reading =
         read(k_ground + "[material]\npreset = rock-avalanche\nbed-friction = manning\nmanning = 0.06\n");
-    EXPECT_TRUE(reading.problems.empty())
-        << (reading.problems.empty() ? "" : describe(reading.problems.list()[0]));
+    EXPECT_TRUE(reading.problems.empty()) << (reading.problems.empty() ? "" : describe(reading.problems.list()[0]));
     EXPECT_FALSE(reading.scene.material.friction_coefficient);
     EXPECT_FALSE(reading.scene.material.turbulence);
     EXPECT_EQ(messages(scene_text(reading.scene, {})), "");

@@ -23,50 +23,41 @@ const std::string k_solids =
 TEST_F(ModelKeys, StructuredScenesNeedNoFrictionAndSayTheirPhases) {
     EXPECT_EQ(messages(k_fluid), "");
     EXPECT_EQ(messages(k_solids), "");
-    EXPECT_NE(
-        messages(
-            "[terrain]\ndtm = d\n[release]\nperimeter = a\nthickness = 2\n[material]\nmodel = structured\n")
-            .find("structured.phases: is missing"),
-        std::string::npos);
+    EXPECT_NE(messages("[terrain]\ndtm = d\n[release]\nperimeter = a\nthickness = 2\n[material]\nmodel = structured\n")
+                  .find("structured.phases: is missing"),
+              std::string::npos);
 }
 
 TEST_F(ModelKeys, EachModelRefusesTheOthersKeysByName) {
-    const std::string all = messages(
-        k_fluid, {"material.density=2000", "zones.turbulence=raster:x.tif", "entrainment.erosion=growth",
-                  "numerics.scheme=paper", "terrain.friction-zones=z.shp", "material.preset=mudflow"});
+    const std::string all =
+        messages(k_fluid, {"material.density=2000", "zones.turbulence=raster:x.tif", "entrainment.erosion=growth",
+                           "numerics.scheme=paper", "terrain.friction-zones=z.shp", "material.preset=mudflow"});
     for (const char* key : {"material.density", "zones.turbulence", "entrainment.erosion", "numerics.scheme",
                             "terrain.friction-zones", "material.preset"})
         EXPECT_NE(all.find(std::string(key) + ": is given, but material.model = structured does not read it"),
                   std::string::npos)
             << key << " in\n"
             << all;
-    EXPECT_EQ(all.find("material.yield-stress"), std::string::npos)
-        << "what the preset brought is not named\n"
-        << all;
-    EXPECT_NE(
-        messages(k_least + "[structured]\nmanning = 0.05\n")
-            .find("structured.manning: is given, but material.model = voellmy-bingham does not read it"),
-        std::string::npos);
+    EXPECT_EQ(all.find("material.yield-stress"), std::string::npos) << "what the preset brought is not named\n" << all;
+    EXPECT_NE(messages(k_least + "[structured]\nmanning = 0.05\n")
+                  .find("structured.manning: is given, but material.model = voellmy-bingham does not read it"),
+              std::string::npos);
 }
 
 TEST_F(ModelKeys, FluidAloneRefusesWhatIsOfSolids) {
     EXPECT_NE(messages(k_fluid + "cohesion = 1e4\n").find("structured.phases = fluid does not read it"),
               std::string::npos);
-    EXPECT_EQ(
-        messages(k_fluid + "manning = 0.03\nfluid-viscosity = 0.001\ndry-depth = 1e-5\nvelocity-shape = 2\n"),
-        "");
+    EXPECT_EQ(messages(k_fluid + "manning = 0.03\nfluid-viscosity = 0.001\ndry-depth = 1e-5\nvelocity-shape = 2\n"),
+              "");
 }
 
 TEST_F(ModelKeys, SolidsNeedStrengthAndNeighbours) {
     const std::string all = messages(k_fluid, {"structured.phases=solids-and-fluid"});
-    for (const char* words :
-         {"structured.cohesion: is missing", "structured.internal-friction-angle: is missing",
-          "numerics.particles-per-cell: is too few"})
+    for (const char* words : {"structured.cohesion: is missing", "structured.internal-friction-angle: is missing",
+                              "numerics.particles-per-cell: is too few"})
         EXPECT_NE(all.find(words), std::string::npos) << words << " in\n" << all;
-    EXPECT_NE(messages(k_solids, {"structured.bulk-modulus=1e6"}).find("structured.young-modulus"),
-              std::string::npos);
-    EXPECT_NE(messages(k_solids, {"structured.drag-exponent=1.5"}).find("is neither 1 nor 2"),
-              std::string::npos);
+    EXPECT_NE(messages(k_solids, {"structured.bulk-modulus=1e6"}).find("structured.young-modulus"), std::string::npos);
+    EXPECT_NE(messages(k_solids, {"structured.drag-exponent=1.5"}).find("is neither 1 nor 2"), std::string::npos);
 }
 
 TEST_F(ModelKeys, SolidsTakeTheirMaterialByPlace) {
@@ -79,8 +70,7 @@ TEST_F(ModelKeys, SolidsTakeTheirMaterialByPlace) {
     EXPECT_EQ(messages(k_solids, {"release.thickness=phases:solids.tif,fluid.tif"}), "");
     EXPECT_NE(messages(k_fluid, {"release.thickness=phases:solids.tif,fluid.tif"}).find("tells solids from fluid"),
               std::string::npos);
-    EXPECT_NE(messages(k_solids, {"release.thickness=phases:solids.tif"}).find("is not understood"),
-              std::string::npos);
+    EXPECT_NE(messages(k_solids, {"release.thickness=phases:solids.tif"}).find("is not understood"), std::string::npos);
     EXPECT_NE(messages(k_fluid, {"output.formats=particles-gpkg"}).find("fluid alone has no particles"),
               std::string::npos);
 }

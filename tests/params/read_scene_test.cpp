@@ -30,14 +30,12 @@ TEST_F(ReadScene, EveryFaultInOnePass) {
         "density = heavy\nfriction-coefficient = 7\n[time]\nend = 0\n");
     EXPECT_NE(all.find("scene.ini: terrain.cell-sise: unknown key. Did you mean terrain.cell-size?"),
               std::string::npos);
-    EXPECT_NE(
-        all.find("terrain.nodata-policy: is not one of the choices (value ignore; allowed stop, wall, fill)"),
-        std::string::npos);
+    EXPECT_NE(all.find("terrain.nodata-policy: is not one of the choices (value ignore; allowed stop, wall, fill)"),
+              std::string::npos);
     EXPECT_NE(all.find("release.thickness: is not a thickness (value -3"), std::string::npos);
     EXPECT_NE(all.find("material.density: is not a number (value heavy; allowed 10 to 10000 [kg/m3])"),
               std::string::npos);
-    EXPECT_NE(all.find("material.friction-coefficient: is out of range (value 7; allowed 0 to 2)"),
-              std::string::npos);
+    EXPECT_NE(all.find("material.friction-coefficient: is out of range (value 7; allowed 0 to 2)"), std::string::npos);
     EXPECT_NE(all.find("time.end: is out of range (value 0"), std::string::npos);
     EXPECT_NE(all.find("terrain.dtm: is missing"), std::string::npos);
     EXPECT_NE(all.find("release.perimeter: is missing"), std::string::npos);
@@ -47,15 +45,14 @@ TEST_F(ReadScene, EveryFaultInOnePass) {
 }
 
 TEST_F(ReadScene, FrictionMustBeSaid) {
-    EXPECT_NE(messages("[terrain]\ndtm = a\n[release]\nperimeter = b\nthickness = 1\n")
-                  .find("no bed friction is given"),
-              std::string::npos);
+    EXPECT_NE(
+        messages("[terrain]\ndtm = a\n[release]\nperimeter = b\nthickness = 1\n").find("no bed friction is given"),
+        std::string::npos);
 }
 
 TEST_F(ReadScene, FrictionSaidTwiceIsAContradiction) {
-    EXPECT_NE(
-        messages(k_least + "friction-coefficient = 0.3\n").find("contradicts material.friction-coefficient"),
-        std::string::npos);
+    EXPECT_NE(messages(k_least + "friction-coefficient = 0.3\n").find("contradicts material.friction-coefficient"),
+              std::string::npos);
 }
 
 TEST_F(ReadScene, LaterLayersOverrideEarlierOnes) {
@@ -85,8 +82,7 @@ TEST_F(ReadScene, UnknownPresetNamesThePresets) {
 
 TEST_F(ReadScene, WhatIsNotAvailableIsSaidNotIgnored) {
     for (const std::string line :
-         {"[numerics]\nprecision = single\n",
-          "[numerics]\nscheme = paper\nshape = quadratic\n"}) {
+         {"[numerics]\nprecision = single\n", "[numerics]\nscheme = paper\nshape = quadratic\n"}) {
         EXPECT_NE(messages(line).find("not available in this version"), std::string::npos) << line;
     }
 }
@@ -94,11 +90,10 @@ TEST_F(ReadScene, WhatIsNotAvailableIsSaidNotIgnored) {
 TEST_F(ReadScene, SlopeCorrectionFollowsTheScheme) {
     EXPECT_EQ(slope_correction(read(k_least).scene.numerics), "normal");
     EXPECT_EQ(slope_correction(read(k_least + "[numerics]\nscheme = paper\n").scene.numerics), "none");
-    EXPECT_EQ(slope_correction(
-                  read(k_least + "[numerics]\nscheme = paper\nslope-correction = surface\n").scene.numerics),
-              "surface");
-    EXPECT_NE(messages(k_least + "[numerics]\nscheme = paper\nwell-balanced = on\n")
-                  .find("belong to scheme default"),
+    EXPECT_EQ(
+        slope_correction(read(k_least + "[numerics]\nscheme = paper\nslope-correction = surface\n").scene.numerics),
+        "surface");
+    EXPECT_NE(messages(k_least + "[numerics]\nscheme = paper\nwell-balanced = on\n").find("belong to scheme default"),
               std::string::npos);
 }
 
@@ -119,14 +114,11 @@ TEST_F(ReadScene, ThicknessInEveryForm) {
 }
 
 TEST_F(ReadScene, RepeatedKeysEmptyValuesAndStrayWords) {
-    EXPECT_NE(messages(k_least + "density = 1\ndensity = 2\n").find("is given more than once"),
-              std::string::npos);
+    EXPECT_NE(messages(k_least + "density = 1\ndensity = 2\n").find("is given more than once"), std::string::npos);
     EXPECT_NE(messages(k_least + "density =\n").find("material.density: has no value"), std::string::npos);
     EXPECT_THROW(read(k_least + "just words\n"), Error);
-    EXPECT_NE(messages("dtm = x\n" + k_least).find("dtm: unknown key. Did you mean terrain.dtm?"),
-              std::string::npos);
-    EXPECT_NE(messages(k_least, {"time.end"}).find("--set time.end: is not section.key=value"),
-              std::string::npos);
+    EXPECT_NE(messages("dtm = x\n" + k_least).find("dtm: unknown key. Did you mean terrain.dtm?"), std::string::npos);
+    EXPECT_NE(messages(k_least, {"time.end"}).find("--set time.end: is not section.key=value"), std::string::npos);
 }
 
 TEST_F(ReadScene, DecimalCommaIsExplained) {
@@ -161,8 +153,7 @@ TEST_F(ReadScene, FrameIntervalIsRoundAndOnlyWhereFramesAreWanted) {
     EXPECT_EQ(frame_interval(read(k_least + "[time]\nend = 300\n").scene), 5);
     EXPECT_EQ(frame_interval(read(k_least + "[time]\nend = 20\n").scene), 0.5);
     EXPECT_EQ(frame_interval(read(k_least + "[output]\nframes = off\nanimation = off\n").scene), 0);
-    EXPECT_NE(messages(k_least + "[time]\nframe-interval = 0.001\n").find("more than 10000 frames"),
-              std::string::npos);
+    EXPECT_NE(messages(k_least + "[time]\nframe-interval = 0.001\n").find("more than 10000 frames"), std::string::npos);
 }
 
 TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
@@ -171,8 +162,8 @@ TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
                                      "sample-interval = 1\n[hazard]\nscheme = custom\n");
     for (const std::string words :
          {"output.formats: netcdf and zarr hold the frames, but the scene makes none",
-          "output.formats: ascii is a format of the AvaFrame rasters",
-          "output.sample-interval: has nothing to sample", "hazard.scheme: scheme custom needs limits"})
+          "output.formats: ascii is a format of the AvaFrame rasters", "output.sample-interval: has nothing to sample",
+          "hazard.scheme: scheme custom needs limits"})
         EXPECT_NE(all.find(words), std::string::npos) << words << " in\n" << all;
     EXPECT_EQ(messages(k_least + "[output]\nformats = netcdf\n"), "") << "GeoTIFFs need not be asked for";
 }
@@ -188,9 +179,8 @@ TEST_F(ReadScene, LimitsRiseFromAboveZero) {
                       .find("hazard.depth-limits"),
                   std::string::npos)
             << limits;
-    EXPECT_NE(
-        messages(k_least + "[hazard]\nscheme = swiss\n").find("hazard.scheme: is not one of the choices"),
-        std::string::npos);
+    EXPECT_NE(messages(k_least + "[hazard]\nscheme = swiss\n").find("hazard.scheme: is not one of the choices"),
+              std::string::npos);
 }
 
 }  // namespace

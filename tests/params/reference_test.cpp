@@ -21,8 +21,7 @@ TEST(Parameters, EveryDefaultIsWithinItsOwnLimitsAndEveryKeySaysWhatItMeans) {
         EXPECT_FALSE(parameter.meaning.empty()) << parameter.name();
         const std::string text = parameter.default_text();
         if (text.empty()) {
-            EXPECT_FALSE(parameter.absent.empty())
-                << parameter.name() << " has no default and does not say what then";
+            EXPECT_FALSE(parameter.absent.empty()) << parameter.name() << " has no default and does not say what then";
             continue;
         }
         SceneSpec scene;
@@ -62,8 +61,7 @@ using ReferenceFile = SceneFixture;
 TEST_F(ReferenceFile, TheIniFormIsAValidSceneFileOfDefaults) {
     const SceneReading reading = read(reference_ini());
     for (const Problem& problem : reading.problems.list())
-        EXPECT_TRUE(problem.what == "is missing" || problem.what == "no bed friction is given")
-            << describe(problem);
+        EXPECT_TRUE(problem.what == "is missing" || problem.what == "no bed friction is given") << describe(problem);
 }
 
 TEST_F(ReferenceFile, EveryPresetMakesASceneAndNamesItsSource) {
@@ -71,8 +69,8 @@ TEST_F(ReferenceFile, EveryPresetMakesASceneAndNamesItsSource) {
     ASSERT_GE(presets.size(), 5U);
     for (const MaterialPreset& preset : presets) {
         const SceneReading reading =
-            read("[terrain]\ndtm = a\n[release]\nperimeter = b\nthickness = 1\n[material]\npreset = " +
-                 preset.name + (preset.name == "earthflow" ? "\nviscosity = 20000\n" : "\n"));
+            read("[terrain]\ndtm = a\n[release]\nperimeter = b\nthickness = 1\n[material]\npreset = " + preset.name +
+                 (preset.name == "earthflow" ? "\nviscosity = 20000\n" : "\n"));
         for (const Problem& problem : reading.problems.list())
             ADD_FAILURE() << preset.name << ": " << describe(problem);
         std::string comments;

@@ -28,8 +28,8 @@ TEST_F(WriteScene, ReadingItBackGivesTheSameScene) {
 }
 
 TEST_F(WriteScene, SaysWhereEachValueCameFrom) {
-    const std::string text = scene_text(read(k_least + "preset = debris-flow\n", {"time.end=9"}).scene,
-                                        {{"terrain.cell-size", "5"}});
+    const std::string text =
+        scene_text(read(k_least + "preset = debris-flow\n", {"time.end=9"}).scene, {{"terrain.cell-size", "5"}});
     EXPECT_NE(text.find("[degrees] From: scene file\nfriction-angle = 20\n"), std::string::npos);
     EXPECT_NE(text.find("[m/s2] From: preset\nturbulence = 200\n"), std::string::npos);
     EXPECT_NE(text.find("[s] From: command line\nend = 9\n"), std::string::npos);

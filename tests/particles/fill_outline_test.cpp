@@ -47,11 +47,9 @@ TEST(FillOutline, IsTheSimpleWayToTheBit) {
         const double wild = k % 4 * 0.2;
         Polygon polygon{random_ring({60, 55}, 50, 5 + 7 * k, wild, random), {}};
         if (k % 3 == 1)
-            polygon.holes = {random_ring({50, 50}, 8, 20, 0.5, random),
-                             random_ring({70, 60}, 6, 9, 0, random)};
+            polygon.holes = {random_ring({50, 50}, 8, 20, 0.5, random), random_ring({70, 60}, 6, 9, 0, random)};
         MultiPolygon outline{polygon};
-        if (k % 5 == 2)
-            outline.push_back({random_ring({90, 60}, 30, 40, 0.5, random), {}});  // overlaps the first
+        if (k % 5 == 2) outline.push_back({random_ring({90, 60}, 30, 40, 0.5, random), {}});  // overlaps the first
         if (k % 5 == 3) outline.push_back({random_ring({190, 60}, 30, 40, 0.5, random), {}});
         expect_same_bits(outline, k % 2 == 0 ? 2.5 : 1.7);
     }
@@ -75,8 +73,8 @@ TEST(FillOutline, SliversGiveNoParticlesButKeepTheirVolume) {
     }
     // What is no more than that is kept.
     ParticleSet line;
-    EXPECT_NEAR(fill_outline({{{{0, 0.5}, {10, 0.5}, {10, 0.5 + 1e-6}, {0, 0.5 + 1e-6}}, {}}}, 1, one, line),
-                1e-5, 1e-14);
+    EXPECT_NEAR(fill_outline({{{{0, 0.5}, {10, 0.5}, {10, 0.5 + 1e-6}, {0, 0.5 + 1e-6}}, {}}}, 1, one, line), 1e-5,
+                1e-14);
     EXPECT_EQ(line.size(), 10U);
 }
 

@@ -73,8 +73,8 @@ TEST(Resample, SplitsALongParticleAlongItsAxisAndKeepsTheBudgets) {
     EXPECT_NEAR(std::atan2(dy, dx), angle, 1e-12);
     EXPECT_NEAR(std::hypot(dx, dy), 0.6, 1e-12);  // halves of 0.6 m side by side
     // Each half is 0.6 by 0.4 m: determinant of the squared extents.
-    const double determinant = particles[Field::q_xx][0] * particles[Field::q_yy][0] -
-                               particles[Field::q_xy][0] * particles[Field::q_xy][0];
+    const double determinant =
+        particles[Field::q_xx][0] * particles[Field::q_yy][0] - particles[Field::q_xy][0] * particles[Field::q_xy][0];
     EXPECT_NEAR(determinant, 0.36 * 0.16, 1e-12);
 }
 

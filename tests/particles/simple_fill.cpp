@@ -33,8 +33,7 @@ void cut(const Polygon& polygon, double y, std::vector<double>& crossings, std::
         if (!hole.empty()) cross(hole);
     }
     std::sort(crossings.begin(), crossings.end());
-    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
-        inside.push_back({crossings[i], crossings[i + 1]});
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) inside.push_back({crossings[i], crossings[i + 1]});
 }
 
 // Sorts and joins intervals that overlap: parts drawn twice count once.
@@ -83,8 +82,8 @@ std::vector<double> strip_edges(const MultiPolygon& outline, double from, double
         if (a.x == b.x) return;
         const double slope = (b.x - a.x) / (b.y - a.y);
         const double one = a.x + (low - a.y) * slope, other = a.x + (high - a.y) * slope;
-        for (double column = std::floor(std::min(one, other) / spacing) + 1;
-             column * spacing < std::max(one, other); ++column)
+        for (double column = std::floor(std::min(one, other) / spacing) + 1; column * spacing < std::max(one, other);
+             ++column)
             edges.push_back(std::clamp(a.y + (column * spacing - a.x) / slope, low, high));
     });
     std::sort(edges.begin(), edges.end());
@@ -106,8 +105,8 @@ double simple_fill(const MultiPolygon& outline, double spacing, const std::funct
     double volume = 0;
     for (std::int64_t row = first_row; row <= last_row; ++row) {
         std::fill(cells.begin(), cells.end(), Covered{});
-        const std::vector<double> edges = strip_edges(outline, static_cast<double>(row) * spacing,
-                                                      static_cast<double>(row + 1) * spacing, spacing);
+        const std::vector<double> edges =
+            strip_edges(outline, static_cast<double>(row) * spacing, static_cast<double>(row + 1) * spacing, spacing);
         for (std::size_t strip = 0; strip + 1 < edges.size(); ++strip) {
             const double half = 0.5 * (edges[strip + 1] - edges[strip]);
             if (!(half > 0)) continue;
@@ -119,8 +118,7 @@ double simple_fill(const MultiPolygon& outline, double spacing, const std::funct
                 join(inside);
                 for (const Interval& piece : inside) {
                     const auto from = static_cast<std::int64_t>(std::floor(piece.from / spacing));
-                    const auto to =
-                        std::min(static_cast<std::int64_t>(std::floor(piece.to / spacing)), last_column);
+                    const auto to = std::min(static_cast<std::int64_t>(std::floor(piece.to / spacing)), last_column);
                     for (std::int64_t column = from; column <= to; ++column) {
                         const double west = std::max(piece.from, static_cast<double>(column) * spacing);
                         const double east = std::min(piece.to, static_cast<double>(column + 1) * spacing);

@@ -84,8 +84,7 @@ TEST(RammsYield, GrowsFromFrictionOf45DegreesToItsCeiling) {
     const double mu = 0.3, n0 = 800;
     const RammsYield law{k_density, n0, {mu}};
     const double normal = k_density * k_normal * k_thickness;
-    EXPECT_NEAR(bed_under(law).yield * k_density * k_thickness, (1 - mu) * n0 * (1 - std::exp(-normal / n0)),
-                1e-9);
+    EXPECT_NEAR(bed_under(law).yield * k_density * k_thickness, (1 - mu) * n0 * (1 - std::exp(-normal / n0)), 1e-9);
     EXPECT_NEAR(bed_under(law, 1e-9).yield, (1 - mu) * k_normal, 1e-6);
     EXPECT_NEAR(bed_under(law, 50).yield * k_density * 50, (1 - mu) * n0, 1e-9);
     EXPECT_EQ(bed_under(law, 1, 0).yield, 0);
@@ -111,18 +110,14 @@ TEST(PolynomialFriction, SolvesTheImplicitEquation) {
 
 // Fluids in steady simple shear: the profile of du/dz = ((tau_B (1 - z/d) - tau_Y) / K)^(1/m), integrated
 // twice over the depth by Simpson's rule, is the mean speed.
-double mean_speed_by_quadrature(double bed_stress, double yield, double consistency, double index,
-                                double depth) {
+double mean_speed_by_quadrature(double bed_stress, double yield, double consistency, double index, double depth) {
     const int n = 20000;
     const double sheared = depth * (1 - yield / bed_stress), dz = sheared / n;
     // mean = 1/d int_0^d u dz = 1/d int_0^d (d - z) u'(z) dz
     double sum = 0;
     for (int i = 0; i <= n; ++i) {
         const double z = i * dz, excess = std::max(0.0, bed_stress * (1 - z / depth) - yield);
-        sum += (i == 0 || i == n ? 1
-                : i % 2          ? 4
-                                 : 2) *
-               (depth - z) * std::pow(excess / consistency, 1 / index);
+        sum += (i == 0 || i == n ? 1 : i % 2 ? 4 : 2) * (depth - z) * std::pow(excess / consistency, 1 / index);
     }
     return sum * dz / 3 / depth;
 }

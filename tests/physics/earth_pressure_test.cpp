@@ -42,8 +42,7 @@ TEST(EarthPressure, ChangesWithoutAJump) {
 // Savage and Hutter's parabolic cap, which spreads from the start, under K_act; and the same run without the
 // law is wrong.
 double depth_error(bool with_law) {
-    constexpr double k_slope = 35, k_bed = 20, k_inside = 36, k_height = 4, k_radius = 80, k_time = 5,
-                     k_cell = 5;
+    constexpr double k_slope = 35, k_bed = 20, k_inside = 36, k_height = 4, k_radius = 80, k_time = 5, k_cell = 5;
     const double sine = std::sin(k_slope * M_PI / 180), cosine = std::cos(k_slope * M_PI / 180);
     const GridSpec grid = bench::plain_grid(60, 44, k_cell);
     const auto place = [](Point p) { return Point{p.x - 110, p.y - 110}; };
@@ -56,8 +55,7 @@ double depth_error(bool with_law) {
         material.plane_stress = PlaneStressLaw::earth_pressure;
         material.internal_friction_coefficient = tangent(k_inside);
     }
-    Flow flow(Raster(grid), seeds, material,
-              numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1,
+    Flow flow(Raster(grid), seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1,
               TiltedGravity{9.81 * sine, 0, 9.81 * cosine});
     flow.advance_to(k_time);
     const double k = EarthPressureStress::of(tangent(k_inside), tangent(k_bed), 9.81).spreading;

@@ -63,15 +63,14 @@ TEST(BinghamStress, ResultDoesNotDependOnTheRegularisation) {
     const auto front = [](double regularisation) {
         const GridSpec grid = bench::plain_grid(100, 6, 1);
         const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.2 * (100 - p.x); });
-        const ParticleSet seeds = bench::fill_lattice(
-            grid, 2, 0, [](Point p) { return bench::Seed{p.x > 10 && p.x < 30 ? 4.0 : 0.0}; });
+        const ParticleSet seeds =
+            bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{p.x > 10 && p.x < 30 ? 4.0 : 0.0}; });
         Material material = dry_friction(8);
         material.density = 1500;
         material.viscosity = 200;
         material.yield_stress = 2000;
         material.yield_regularisation = regularisation;
-        Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall),
-                  1);
+        Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1);
         flow.advance_to(4);
         return flow.centroid().x - 20;
     };

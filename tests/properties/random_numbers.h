@@ -22,9 +22,7 @@ class RandomNumbers {
         return z ^ (z >> 31);
     }
     /// In [from, to).
-    double between(double from, double to) {
-        return from + (to - from) * static_cast<double>(word() >> 11) * 0x1p-53;
-    }
+    double between(double from, double to) { return from + (to - from) * static_cast<double>(word() >> 11) * 0x1p-53; }
     /// As often small as large.
     double log_between(double from, double to) { return from * std::pow(to / from, between(0, 1)); }
     /// 0 to count - 1.

@@ -30,8 +30,7 @@ GridSpec random_grid(RandomNumbers& random) {
 // A slope in any direction with humps, gullies and the roughness of a survey.
 Raster random_terrain(RandomNumbers& random, const GridSpec& grid) {
     const double dx = grid.cell_size, size = dx * static_cast<double>(std::min(grid.columns, grid.rows));
-    const double steepness = std::tan(random.between(0, 38) * k_degree),
-                 towards = random.between(0, 2 * M_PI);
+    const double steepness = std::tan(random.between(0, 38) * k_degree), towards = random.between(0, 2 * M_PI);
     struct Hump {
         Point at;
         double height, radius;
@@ -64,8 +63,7 @@ Raster random_terrain(RandomNumbers& random, const GridSpec& grid) {
 // A star with three to nine corners; the middle lies within the inner half of the grid.
 Polygon random_star(RandomNumbers& random, const GridSpec& grid) {
     const double width = grid.east() - grid.west, height = grid.north - grid.south();
-    const Point middle{grid.west + random.between(0.3, 0.7) * width,
-                       grid.south() + random.between(0.3, 0.7) * height};
+    const Point middle{grid.west + random.between(0.3, 0.7) * width, grid.south() + random.between(0.3, 0.7) * height};
     const double radius = random.between(0.08, 0.25) * std::min(width, height);
     const std::size_t corners = 3 + random.below(7);
     Polygon star;
@@ -73,8 +71,7 @@ Polygon random_star(RandomNumbers& random, const GridSpec& grid) {
         const double angle =
             2 * M_PI * (static_cast<double>(k) + random.between(0, 0.8)) / static_cast<double>(corners);
         const double r = radius * random.between(0.5, 1);
-        star.outer.push_back(
-            {on_lattice(middle.x + r * std::cos(angle)), on_lattice(middle.y + r * std::sin(angle))});
+        star.outer.push_back({on_lattice(middle.x + r * std::cos(angle)), on_lattice(middle.y + r * std::sin(angle))});
     }
     return star;
 }
@@ -161,8 +158,7 @@ Scene random_plane(RandomNumbers& random) {
     }
     ReleaseArea area;
     const double west = on_lattice(random.between(10, 20)), east = west + on_lattice(random.between(8, 20));
-    const double south = on_lattice(random.between(10, 20)),
-                 north = south + on_lattice(random.between(8, 18));
+    const double south = on_lattice(random.between(10, 20)), north = south + on_lattice(random.between(8, 18));
     area.outline = {{{{west, south}, {east, south}, {east, north}, {west, north}}, {}}};
     area.thickness = random.between(0.5, 3);
     scene.release = {area};

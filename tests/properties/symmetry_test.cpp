@@ -58,8 +58,7 @@ bool stays_inside(const RunResult& result) {
     const GridSpec& grid = result.max_depth.grid;
     for (std::int64_t row = 0; row < grid.rows; ++row) {
         for (std::int64_t column = 0; column < grid.columns; ++column) {
-            const std::int64_t to_edge =
-                std::min({row, column, grid.rows - 1 - row, grid.columns - 1 - column});
+            const std::int64_t to_edge = std::min({row, column, grid.rows - 1 - row, grid.columns - 1 - column});
             if (to_edge < 5 && result.max_depth.at(row, column) > 0) return false;
         }
     }
@@ -78,8 +77,7 @@ TEST(Property, MoreTerrainOnAnySideGivesTheSameBits) {
         const auto more = [&] { return static_cast<std::int64_t>(random.below(60)); };
         const RunResult broad = run(widened(scene, more(), more(), more(), more(), random.between(0, 5)), {});
         EXPECT_EQ(narrow.steps, broad.steps);
-        for (const auto raster : k_fields)
-            EXPECT_TRUE(same_bits(narrow.*raster, narrowed(broad.*raster, scene.grid)));
+        for (const auto raster : k_fields) EXPECT_TRUE(same_bits(narrow.*raster, narrowed(broad.*raster, scene.grid)));
         EXPECT_TRUE(same_bits(narrow.arrival_time, narrowed(broad.arrival_time, scene.grid)));
     });
     EXPECT_GE(compared, scene_count(20) / 3);

@@ -66,9 +66,9 @@ TEST(Chart, NamesAxesPanelsAndSeriesOnThePage) {
         ASSERT_NE(found, layout.texts.end()) << word;
         EXPECT_TRUE(found->box.inside(page)) << word;
     }
-    EXPECT_EQ(std::count_if(layout.texts.begin(), layout.texts.end(),
-                            [](const TextBox& box) { return box.text == "one"; }),
-              1)
+    EXPECT_EQ(
+        std::count_if(layout.texts.begin(), layout.texts.end(), [](const TextBox& box) { return box.text == "one"; }),
+        1)
         << "a label that panels share stands once";
 }
 

@@ -70,9 +70,8 @@ TEST(ColourScale, SkewedValuesGetWideningClasses) {
     std::vector<double> list(100, 0.3);
     list.push_back(17);
     const Raster layer = values(list);
-    EXPECT_EQ(
-        labels(ColourScale({"depth", {}, {}, false, {}, &layer})),
-        (std::vector<std::string>{"0 – 0.2", "0.2 – 0.5", "0.5 – 1", "1 – 2", "2 – 5", "5 – 10", "10 – 20"}));
+    EXPECT_EQ(labels(ColourScale({"depth", {}, {}, false, {}, &layer})),
+              (std::vector<std::string>{"0 – 0.2", "0.2 – 0.5", "0.5 – 1", "1 – 2", "2 – 5", "5 – 10", "10 – 20"}));
 }
 
 TEST(ColourScale, BothSidesOfZero) {
@@ -85,8 +84,7 @@ TEST(ColourScale, BothSidesOfZero) {
 
 TEST(ColourScale, CategoriesMatchExactly) {
     const Raster layer = values({1, 2, 3, 4});
-    const ColourScale scale(
-        {"depth", {}, {}, false, {{1, "hit", {1, 2, 3}}, {3, "miss", {4, 5, 6}}}, &layer});
+    const ColourScale scale({"depth", {}, {}, false, {{1, "hit", {1, 2, 3}}, {3, "miss", {4, 5, 6}}}, &layer});
     EXPECT_EQ(scale.find(1)->label, "hit");
     EXPECT_EQ(scale.find(3)->colour, (Rgb{4, 5, 6}));
     EXPECT_EQ(scale.find(2), nullptr);

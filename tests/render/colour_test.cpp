@@ -21,11 +21,8 @@ TEST(Colour, EndsAndMiddle) {
 
 /// Lightness L* of the CIE, from 0 black to 100 white.
 double lightness(Rgb c) {
-    const auto linear = [](double v) {
-        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    };
-    const double y =
-        0.2126 * linear(c.r / 255.0) + 0.7152 * linear(c.g / 255.0) + 0.0722 * linear(c.b / 255.0);
+    const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+    const double y = 0.2126 * linear(c.r / 255.0) + 0.7152 * linear(c.g / 255.0) + 0.0722 * linear(c.b / 255.0);
     return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
 }
 
@@ -34,8 +31,7 @@ TEST(Colour, EveryPaletteDarkensSteadilySoThatGreyPrintsKeepTheOrder) {
         double last = 200;  // lighter than anything
         for (int i = 0; i <= 7; ++i) {
             const double now = lightness(colour_at(palette(name), i / 7.0));
-            EXPECT_LT(now, last - 4) << name << " class "
-                                     << i;  // four units of L* are told apart side by side
+            EXPECT_LT(now, last - 4) << name << " class " << i;  // four units of L* are told apart side by side
             last = now;
         }
     }

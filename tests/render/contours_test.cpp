@@ -36,8 +36,7 @@ TEST(Contours, OfAConeAreClosedCirclesOfTheRightRadius) {
 TEST(Contours, GapsInterruptAndPlanesGiveStraightLines) {
     Raster plane(GridSpec{0, 100, 1, 100, 100, ""});
     for (std::int64_t row = 0; row < 100; ++row) {
-        for (std::int64_t column = 0; column < 100; ++column)
-            plane.at(row, column) = static_cast<double>(column) + 0.5;
+        for (std::int64_t column = 0; column < 100; ++column) plane.at(row, column) = static_cast<double>(column) + 0.5;
     }
     plane.at(50, 40) = k_no_data;
     int pieces = 0;

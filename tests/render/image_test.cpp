@@ -31,8 +31,7 @@ TEST(WritePng, IsReadBackPixelForPixel) {
     ASSERT_EQ(size[1], 23);
     for (int row = 0; row < 23; ++row) {
         for (int column = 0; column < 37; ++column) {
-            const auto* p =
-                static_cast<unsigned char*>(reader->GetOutput()->GetScalarPointer(column, 22 - row, 0));
+            const auto* p = static_cast<unsigned char*>(reader->GetOutput()->GetScalarPointer(column, 22 - row, 0));
             ASSERT_EQ((Rgb{p[0], p[1], p[2]}), image.colour(column, row));
         }
     }

@@ -28,8 +28,7 @@ TEST(Lettering, BoxesTellWhereTheInkIs) {
             Image page(300, 300);
             TextStyle style{20, {0, 0, 0}};
             style.angle_deg = angle;
-            const TextBox told =
-                lettering.write(page, "Ágp 5 m²", {150, 150}, style, across, Upright::middle);
+            const TextBox told = lettering.write(page, "Ágp 5 m²", {150, 150}, style, across, Upright::middle);
             const TextBox placed = lettering.place("Ágp 5 m²", {150, 150}, style, across, Upright::middle);
             const PageBox found = ink(page);
             EXPECT_EQ(told.box.left, placed.box.left);
@@ -82,8 +81,8 @@ TEST(Lettering, DollarsAreNotMathematics) {
 TEST(Lettering, BrokenUtf8AndLineEndsDoNoHarm) {
     const Lettering lettering;
     Image page(200, 50);
-    const TextBox box = lettering.write(page, "a\xff\xc3(\n\xf0\x9f", {10, 25}, {20, {0, 0, 0}}, Across::left,
-                                        Upright::middle);
+    const TextBox box =
+        lettering.write(page, "a\xff\xc3(\n\xf0\x9f", {10, 25}, {20, {0, 0, 0}}, Across::left, Upright::middle);
     EXPECT_GT(box.box.width(), 20);
 }
 

@@ -78,12 +78,10 @@ TEST(Map, NothingIsColouredWhereNothingFlowed) {
         for (int x = static_cast<int>(layout.map.left) + 3; x < layout.map.right - 3; ++x) {
             const double east = layout.window.west + (x + 0.5 - layout.map.left) * layout.metres_per_pixel;
             const double north = layout.window.north - (y + 0.5 - layout.map.top) * layout.metres_per_pixel;
-            const bool beside =
-                east < 527500 - 2 || east > 527700 + 2 || north > 5094800 + 2 || north < 5094150 - 2;
+            const bool beside = east < 527500 - 2 || east > 527700 + 2 || north > 5094800 + 2 || north < 5094150 - 2;
             if (!beside) continue;
             const Rgb c = map.colour(x, y);
-            ASSERT_LT(std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}), 40)
-                << x << ", " << y;  // grey relief
+            ASSERT_LT(std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}), 40) << x << ", " << y;  // grey relief
         }
     }
 }
@@ -136,8 +134,7 @@ TEST(Map, ScaleBarIsAsLongAsItSays) {
         // A round length, and said so.
         const double power = std::pow(10, std::floor(std::log10(layout.scale_bar_metres)));
         const double leading = layout.scale_bar_metres / power;
-        EXPECT_TRUE(std::fabs(leading - 1) < 1e-9 || std::fabs(leading - 2) < 1e-9 ||
-                    std::fabs(leading - 5) < 1e-9);
+        EXPECT_TRUE(std::fabs(leading - 1) < 1e-9 || std::fabs(leading - 2) < 1e-9 || std::fabs(leading - 5) < 1e-9);
         const std::string words = std::to_string(static_cast<int>(layout.scale_bar_metres)) + " m";
         EXPECT_TRUE(std::any_of(layout.texts.begin(), layout.texts.end(), [&](const TextBox& text) {
             return text.text == words;
@@ -178,10 +175,10 @@ TEST(Map, NorthArrowTurnsWithTheConvergence) {
         const auto letter = std::find_if(layout.texts.begin(), layout.texts.end(),
                                          [](const TextBox& text) { return text.text == "N"; });
         ASSERT_NE(letter, layout.texts.end());
-        const double x = (letter->box.left + letter->box.right) / 2 -
-                         (layout.north_arrow.left + layout.north_arrow.right) / 2;
-        const double y = (layout.north_arrow.top + layout.north_arrow.bottom) / 2 -
-                         (letter->box.top + letter->box.bottom) / 2;
+        const double x =
+            (letter->box.left + letter->box.right) / 2 - (layout.north_arrow.left + layout.north_arrow.right) / 2;
+        const double y =
+            (layout.north_arrow.top + layout.north_arrow.bottom) / 2 - (letter->box.top + letter->box.bottom) / 2;
         // The letter stands some 30 pixels from the centre; a pixel of rounding is two degrees there.
         EXPECT_NEAR(std::atan2(x, y) * 180 / std::numbers::pi, angle, 2.5);
         const bool said = std::any_of(layout.texts.begin(), layout.texts.end(),
@@ -197,8 +194,7 @@ TEST(Map, CoordinateLabelsStandAtTheirCoordinates) {
     int eastings = 0, northings = 0;
     for (const TextBox& text : layout.texts) {
         const std::string& words = text.text;
-        if (words.size() < 5 || words[words.size() - 2] != ' ' ||
-            !std::isdigit(static_cast<unsigned char>(words[0])))
+        if (words.size() < 5 || words[words.size() - 2] != ' ' || !std::isdigit(static_cast<unsigned char>(words[0])))
             continue;
         std::string digits;
         std::copy_if(words.begin(), words.end(), std::back_inserter(digits),
@@ -225,9 +221,8 @@ TEST(Map, AnEmptyLayerIsSaidToBeEmpty) {
     MapLayout layout;
     draw_map(spec, &layout);
     EXPECT_TRUE(layout.legend.empty());
-    EXPECT_TRUE(std::any_of(layout.texts.begin(), layout.texts.end(), [](const TextBox& text) {
-        return text.text.find("no values") != std::string::npos;
-    }));
+    EXPECT_TRUE(std::any_of(layout.texts.begin(), layout.texts.end(),
+                            [](const TextBox& text) { return text.text.find("no values") != std::string::npos; }));
 }
 
 TEST(Map, CategoriesAreDrawnInTheirOwnColours) {
@@ -239,8 +234,7 @@ TEST(Map, CategoriesAreDrawnInTheirOwnColours) {
     MapSpec spec = test::full_map(ground, classes, 900, 700);
     spec.outlines.clear();
     spec.contours = false;
-    spec.categories = {
-        {1, "hit", {40, 120, 60}}, {2, "false alarm", {230, 160, 20}}, {3, "miss", {160, 30, 120}}};
+    spec.categories = {{1, "hit", {40, 120, 60}}, {2, "false alarm", {230, 160, 20}}, {3, "miss", {160, 30, 120}}};
     MapLayout layout;
     const Image map = draw_map(spec, &layout);
     ASSERT_EQ(layout.legend.size(), 3U);

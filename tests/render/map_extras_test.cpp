@@ -82,8 +82,8 @@ TEST(Inset, ShowsAllTerrainWithTheWindowInItsPlace) {
     const Image map = draw_map(spec, &layout);
     ASSERT_TRUE(layout.inset.has_value());
     const double metre = layout.inset_window.width() / layout.inset->width();
-    EXPECT_NEAR(layout.inset->width() / layout.inset->height(), ground.grid.bounds().width() /
-                ground.grid.bounds().height(), 0.03);  // whole pixels
+    EXPECT_NEAR(layout.inset->width() / layout.inset->height(),
+                ground.grid.bounds().width() / ground.grid.bounds().height(), 0.03);  // whole pixels
     const auto red = [&](double x, double y) {
         const Rgb c = map.colour(static_cast<int>(layout.inset->left + (x - layout.inset_window.west) / metre),
                                  static_cast<int>(layout.inset->top + (layout.inset_window.north - y) / metre));
@@ -223,9 +223,8 @@ TEST(Dots, LieWhereTheirParticlesAreInTheLegendsColours) {
     MapLayout layout;
     const Image map = draw_map(spec, &layout);
     const auto pixel = [&](Point place) {
-        return map.colour(
-            static_cast<int>(layout.map.left + (place.x - layout.window.west) / layout.metres_per_pixel),
-            static_cast<int>(layout.map.top + (layout.window.north - place.y) / layout.metres_per_pixel));
+        return map.colour(static_cast<int>(layout.map.left + (place.x - layout.window.west) / layout.metres_per_pixel),
+                          static_cast<int>(layout.map.top + (layout.window.north - place.y) / layout.metres_per_pixel));
     };
     ASSERT_EQ(layout.legend.size(), 3U);  // the greatest on top
     EXPECT_EQ(pixel({527600, 5094500}), layout.legend[2].colour);

@@ -28,8 +28,7 @@ void expect_tidy(const std::vector<TextBox>& texts, const PageBox& page, const I
         EXPECT_TRUE(texts[i].box.inside(page)) << texts[i].text;
         EXPECT_GE(texts[i].size_px, 9) << texts[i].text;  // DejaVu is legible from 9 pixels on
         // Rotated or straight, letters ink at least one pixel in twelve of their box.
-        EXPECT_GT(dark_pixels(image, texts[i].box), texts[i].box.width() * texts[i].box.height() / 12)
-            << texts[i].text;
+        EXPECT_GT(dark_pixels(image, texts[i].box), texts[i].box.width() * texts[i].box.height() / 12) << texts[i].text;
         for (std::size_t j = 0; j < i; ++j) {
             EXPECT_FALSE(texts[i].box.overlaps(texts[j].box)) << texts[i].text << " / " << texts[j].text;
         }
@@ -43,8 +42,7 @@ TEST_P(AtSize, MapsAreTidy) {
     const auto [width, height] = GetParam();
     MapSpec spec = test::full_map(ground, layer, width, height);
     spec.title = "Maximum flow depth of the rock slide above the village in the second scenario";
-    spec.attribution =
-        "frana 0.1.0, terrain of the regional survey of 2019, not for construction; file max_depth.tif";
+    spec.attribution = "frana 0.1.0, terrain of the regional survey of 2019, not for construction; file max_depth.tif";
     MapLayout layout;
     const Image map = draw_map(spec, &layout);
     expect_tidy(layout.texts, layout.page, map);
@@ -115,12 +113,13 @@ MapSpec fullest_map(const Raster& ground, const Raster& layer, int width, int he
     spec.title = std::string(119, 'w') + "\u2026: Maximum energy head";
     spec.attribution = std::string(400, 'w');
     spec.outlines.clear();
-    for (const char* label : {"Friction zones", "Obstacles", "Walls", "Profiles", "Cross-sections", "Gauges", "Release",
-                              "Surveyed scar"})
+    for (const char* label :
+         {"Friction zones", "Obstacles", "Walls", "Profiles", "Cross-sections", "Gauges", "Release", "Surveyed scar"})
         spec.outlines.push_back({label, test::square({527600, 5094700}, 80), {200, 20, 30}, 2.5, true});
-    spec.side_notes = {"Volume 1 200 000 m³", "Covered 1 200 000 m²", "(deeper than 0.1 m)", "Run-out 12 345 m",
-                       "Drop 1 234 m", "Angle of reach 21.3°", "Still moving at the end",
-                       "1 200 000 m³ left the map", "1 s of film: 100 s"};
+    spec.side_notes = {
+        "Volume 1 200 000 m³", "Covered 1 200 000 m²", "(deeper than 0.1 m)",     "Run-out 12 345 m",
+        "Drop 1 234 m",        "Angle of reach 21.3°", "Still moving at the end", "1 200 000 m³ left the map",
+        "1 s of film: 100 s"};
     return spec;
 }
 
@@ -167,7 +166,8 @@ TEST(OnPlates, PartsAreTidy) {
     const Raster ground = test::terrain(), layer = test::tongue();
     for (const auto& [width, height] : {std::pair{1280, 960}, {1600, 1200}, {1754, 1240}}) {
         SCOPED_TRACE(width);
-        Plate plate{"Bindo (synthetic terrain): snapshots of the depth", "Voellmy-Bingham, 120 s simulated", "EPSG", 2, {}};
+        Plate plate{
+            "Bindo (synthetic terrain): snapshots of the depth", "Voellmy-Bingham, 120 s simulated", "EPSG", 2, {}};
         for (int part = 0; part < 4; ++part) {
             plate.parts.push_back([&](int w, int h) {
                 MapSpec spec = test::full_map(ground, layer, w, h);
@@ -189,7 +189,10 @@ TEST(OnPlates, PartsAreTidy) {
 TEST_P(AtSize, ChartsAreTidy) {
     const auto [width, height] = GetParam();
     CurveChart chart{"Rock slide above the village in the second scenario: profile along the flow path",
-                     "Voellmy-Bingham, scheme default, 20 s simulated", "profiles.csv  ·  survey of 2019", 1, {}};
+                     "Voellmy-Bingham, scheme default, 20 s simulated",
+                     "profiles.csv  ·  survey of 2019",
+                     1,
+                     {}};
     const auto curve = [](const std::string& label, double factor) {
         Curve one{label, {0, 114, 178}, {}};
         for (int i = 0; i <= 100; ++i) one.points.push_back({5.0 * i, 600 + factor * i});
@@ -217,8 +220,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, AtSize,
                                          std::pair{3508, 2480},                         // A4 at 300 dpi
                                          std::pair{2480, 1754}),                        // A3 at 150 dpi
                          [](const auto& size) {
-                             return std::to_string(size.param.first) + "x" +
-                                    std::to_string(size.param.second);
+                             return std::to_string(size.param.first) + "x" + std::to_string(size.param.second);
                          });
 
 }  // namespace

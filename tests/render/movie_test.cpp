@@ -46,9 +46,8 @@ Film decoded(const std::string& path) {
             film.pixels = std::to_string(frame->format);
             Image image(frame->width, frame->height);
             SwsContext* scaler = sws_getContext(
-                frame->width, frame->height, static_cast<AVPixelFormat>(frame->format), frame->width,
-                frame->height, AV_PIX_FMT_RGB24, SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT,
-                nullptr, nullptr, nullptr);
+                frame->width, frame->height, static_cast<AVPixelFormat>(frame->format), frame->width, frame->height,
+                AV_PIX_FMT_RGB24, SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr);
             const int* rec709 = sws_getCoefficients(SWS_CS_ITU709);
             sws_setColorspaceDetails(scaler, rec709, 0, rec709, 1, 0, 1 << 16, 1 << 16);
             std::uint8_t* to[1] = {image.rgb.data()};
@@ -104,8 +103,7 @@ TEST(Movie, Mp4HasItsFramesInOrderWithSizeRateAndColours) {
         ASSERT_EQ(frame.width, 160);
         ASSERT_EQ(frame.height, 120);
         // The codec loses a little, BT.601 read as BT.709 would lose thirty.
-        EXPECT_TRUE(test::near(frame.colour(80, 30), {static_cast<std::uint8_t>(40 + 15 * k), 120, 60}, 8))
-            << k;
+        EXPECT_TRUE(test::near(frame.colour(80, 30), {static_cast<std::uint8_t>(40 + 15 * k), 120, 60}, 8)) << k;
         EXPECT_TRUE(test::near(frame.colour(80, 90), {30, 40, 200}, 8)) << k;
     }
 }

@@ -80,8 +80,7 @@ inline MapSpec crowded_map(const Raster& ground, const Raster& layer, int width,
     MapSpec spec = full_map(ground, layer, width, height);
     spec.source = "max_depth.tif, band 1";
     Outline gauges{"Gauges", {}, {150, 0, 60}, 2, false, {}, {}};
-    gauges.places = {
-        {"bridge", {527560, 5094300}}, {"road", {527680, 5094620}}, {"church", {527400, 5094450}}};
+    gauges.places = {{"bridge", {527560, 5094300}}, {"road", {527680, 5094620}}, {"church", {527400, 5094450}}};
     Outline sections{"Cross-sections", {}, {70, 50, 120}, 2, false, {}, {}};
     sections.lines = {{{527450, 5094400}, {527760, 5094420}}};
     spec.outlines.push_back(gauges);
@@ -93,16 +92,14 @@ inline MapSpec crowded_map(const Raster& ground, const Raster& layer, int width,
 }
 
 inline bool near(Rgb a, Rgb b, int tolerance) {
-    return std::abs(a.r - b.r) <= tolerance && std::abs(a.g - b.g) <= tolerance &&
-           std::abs(a.b - b.b) <= tolerance;
+    return std::abs(a.r - b.r) <= tolerance && std::abs(a.g - b.g) <= tolerance && std::abs(a.b - b.b) <= tolerance;
 }
 
 /// A folder of its own for each test, removed with what is in it.
 class Folder {
   public:
     explicit Folder(const std::string& name)
-        : path_(std::filesystem::temp_directory_path() /
-                ("frana_render_" + name + std::to_string(getpid()))) {
+        : path_(std::filesystem::temp_directory_path() / ("frana_render_" + name + std::to_string(getpid()))) {
         std::filesystem::create_directories(path_);
     }
     ~Folder() {

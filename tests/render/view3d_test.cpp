@@ -31,8 +31,8 @@ TEST(View, TheFlowFillsThePictureAndStaysInIt) {
     const Image image = draw_view(view(ground, layer), &layout);
     EXPECT_EQ(image.width, 800);
     EXPECT_TRUE(layout.flow.inside(layout.picture));
-    const double share = std::max(layout.flow.width() / layout.picture.width(),
-                                  layout.flow.height() / layout.picture.height());
+    const double share =
+        std::max(layout.flow.width() / layout.picture.width(), layout.flow.height() / layout.picture.height());
     EXPECT_NEAR(share, 0.8, 0.01);  // the margin that place_camera leaves
 }
 
@@ -68,12 +68,8 @@ TEST(View, ShowsTheFlowInHuesOfTheLegend) {
             for (int x = static_cast<int>(layout.flow.left); x < layout.flow.right; ++x) {
                 // Shading takes at most an eighth of the light.
                 const Rgb c = image.colour(x, y);
-                const auto shaded = [](int seen, int full) {
-                    return seen <= full + 6 && seen >= 0.87 * full - 6;
-                };
-                like_it += shaded(c.r, one.colour.r) && shaded(c.g, one.colour.g) && shaded(c.b, one.colour.b)
-                               ? 1
-                               : 0;
+                const auto shaded = [](int seen, int full) { return seen <= full + 6 && seen >= 0.87 * full - 6; };
+                like_it += shaded(c.r, one.colour.r) && shaded(c.g, one.colour.g) && shaded(c.b, one.colour.b) ? 1 : 0;
             }
         }
         EXPECT_GT(like_it, 100) << one.label;
@@ -90,8 +86,7 @@ TEST(View, GivenCameraAndExaggerationAreUsed) {
     EXPECT_EQ(layout.camera.azimuth_deg, 90);
     EXPECT_EQ(layout.north_arrow_deg, -90);
     EXPECT_TRUE(std::any_of(layout.texts.begin(), layout.texts.end(), [](const TextBox& text) {
-        return text.text.find("exaggerated 2") != std::string::npos ||
-               text.text.find("2 times") != std::string::npos;
+        return text.text.find("exaggerated 2") != std::string::npos || text.text.find("2 times") != std::string::npos;
     }));
 }
 

@@ -14,8 +14,8 @@ namespace {
 std::unique_ptr<Flow> pile_on_map(std::int64_t columns) {
     const GridSpec grid = bench::plain_grid(columns, columns, 2);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.2 * std::max(0.0, 190 - p.x); });
-    const ParticleSet seeds = bench::fill_lattice(
-        grid, 2, 0, [](Point p) { return bench::Seed{4 - 0.2 * std::hypot(p.x - 40, p.y - 40)}; });
+    const ParticleSet seeds =
+        bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{4 - 0.2 * std::hypot(p.x - 40, p.y - 40)}; });
     return std::make_unique<Flow>(bed, seeds, dry_friction(8),
                                   numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who looks on changes nothing: with frames or without, at any interval, with gauges, saved often or never, by any number
-// of threads, a run has the same rasters, series and figures, bit for bit.
+// Who looks on changes nothing: with frames or without, at any interval, with gauges, saved often or never, by any
+// number of threads, a run has the same rasters, series and figures, bit for bit.
 #include "played_runs.h"
 
 namespace frana {
@@ -83,10 +83,11 @@ TEST_P(Observed, GaugesAndIntensitiesChangeNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Observed,
-                         testing::Values(Case{"hillside", hillside}, Case{"eventful", eventful}, Case{"resting", resting}, Case{"settling", settling},
-                                         Case{"paper", paper}, Case{"earth_pressure", earth_pressure},
-                                         Case{"fluid", fluid}, Case{"breaking", breaking},
-                                         Case{"breaking_later", breaking_later}, Case{"loose_and_dry", loose_and_dry}),
+                         testing::Values(Case{"hillside", hillside}, Case{"eventful", eventful},
+                                         Case{"resting", resting}, Case{"settling", settling}, Case{"paper", paper},
+                                         Case{"earth_pressure", earth_pressure}, Case{"fluid", fluid},
+                                         Case{"breaking", breaking}, Case{"breaking_later", breaking_later},
+                                         Case{"loose_and_dry", loose_and_dry}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

@@ -72,8 +72,7 @@ TEST(PlacedScene, AQuarterTurnPutsCellsAndPointsInAnotherOrder) {
     EXPECT_NEAR(*placed.scene.release[0].azimuth, 1.5 - M_PI / 2, 1e-15);
     const Scene whole = placed_otherwise(scene, {0, 360}).scene;
     EXPECT_EQ(whole.terrain.values, scene.terrain.values);
-    EXPECT_EQ(whole.release[0].outline[0].outer[2].x,
-              scene.release[0].outline[0].outer[2].x - scene.grid.west);
+    EXPECT_EQ(whole.release[0].outline[0].outer[2].x, scene.release[0].outline[0].outer[2].x - scene.grid.west);
 }
 
 // Cubic convolution is exact for polynomials of the second degree.
@@ -87,8 +86,7 @@ TEST(PlacedScene, GroundLiesWhereTheTurnedOutlineLies) {
         for (std::int64_t column = 0; column < 60; ++column)
             scene.terrain.at(row, column) = ground(scene.grid.cell_centre(row, column));
     scene.terrain.at(20, 50) = k_no_data;
-    for (const GridPlacement& placement :
-         {GridPlacement{0.5, 0}, GridPlacement{0, 30}, GridPlacement{0, 45}}) {
+    for (const GridPlacement& placement : {GridPlacement{0.5, 0}, GridPlacement{0, 30}, GridPlacement{0, 45}}) {
         const PlacedScene placed = placed_otherwise(scene, placement);
         const Scene& other = placed.scene;
         // Two corners of the outline tell where a place of the new grid lies on the old one.
@@ -169,8 +167,7 @@ TEST(PlacedScene, AFlowTurnedByAQuarterIsTheSameButForRounding) {
     const Scene scene = gully();
     RunOptions options;
     options.threads = 2;
-    const RunResult straight = run(scene, options),
-                    turned = run(placed_otherwise(scene, {0, 90}).scene, options);
+    const RunResult straight = run(scene, options), turned = run(placed_otherwise(scene, {0, 90}).scene, options);
     EXPECT_GT(straight.steps, 150);
     EXPECT_EQ(straight.steps, turned.steps);
     EXPECT_EQ(straight.particles_final, turned.particles_final);

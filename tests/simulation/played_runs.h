@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs that tests save, interrupt and look at, of both models and all that can happen along the way; compared bit for bit.
+// Runs that tests save, interrupt and look at, of both models and all that can happen along the way; compared bit for
+// bit.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -29,8 +30,7 @@ inline Scene hillside() {
     for (std::int64_t r = 0; r < scene.grid.rows; ++r) {
         for (std::int64_t c = 0; c < scene.grid.columns; ++c) {
             const Point p = scene.grid.cell_centre(r, c);
-            scene.terrain.at(r, c) =
-                200 + 0.6 * std::max(0.0, 130 - p.x) + 2 * std::exp(-std::pow((p.y - 60) / 20, 2));
+            scene.terrain.at(r, c) = 200 + 0.6 * std::max(0.0, 130 - p.x) + 2 * std::exp(-std::pow((p.y - 60) / 20, 2));
         }
     }
     scene.release = {{{box(10, 40, 40, 80)}, 3}};
@@ -173,7 +173,8 @@ struct Played {
 };
 
 // Saves after every `every`th step; from a state, or from the start. Stops on request after the step `stop`.
-inline Played play(const Scene& scene, int threads, std::int64_t every, const Bytes* from = nullptr, std::int64_t stop = 0) {
+inline Played play(const Scene& scene, int threads, std::int64_t every, const Bytes* from = nullptr,
+                   std::int64_t stop = 0) {
     Played played;
     RunOptions options;
     options.threads = threads;
@@ -219,26 +220,25 @@ bool same(const std::vector<Row>& a, const std::vector<Row>& b) {
 }
 
 inline void expect_same(const RunResult& a, const RunResult& b) {
-    for (Raster RunResult::*raster : {&RunResult::bed, &RunResult::release, &RunResult::max_depth,
-                                      &RunResult::max_velocity, &RunResult::max_pressure, &RunResult::arrival_time,
-                                      &RunResult::final_depth, &RunResult::max_flux, &RunResult::max_head,
-                                      &RunResult::eroded_depth, &RunResult::deposited_depth,
-                                      &RunResult::jump_height})
+    for (Raster RunResult::*raster :
+         {&RunResult::bed, &RunResult::release, &RunResult::max_depth, &RunResult::max_velocity,
+          &RunResult::max_pressure, &RunResult::arrival_time, &RunResult::final_depth, &RunResult::max_flux,
+          &RunResult::max_head, &RunResult::eroded_depth, &RunResult::deposited_depth, &RunResult::jump_height})
         EXPECT_TRUE(same(a.*raster, b.*raster));
     ASSERT_EQ(a.more.size(), b.more.size());
     for (std::size_t i = 0; i < a.more.size(); ++i) EXPECT_TRUE(same(a.more[i].values, b.more[i].values));
     EXPECT_TRUE(same(a.series, b.series));
     EXPECT_TRUE(same(a.gauges, b.gauges));
     EXPECT_TRUE(same(a.sections, b.sections));
-    for (std::int64_t RunResult::*number : {&RunResult::steps, &RunResult::particles_initial,
-                                            &RunResult::particles_final, &RunResult::particles_peak,
-                                            &RunResult::particle_steps, &RunResult::unsupported})
+    for (std::int64_t RunResult::*number :
+         {&RunResult::steps, &RunResult::particles_initial, &RunResult::particles_final, &RunResult::particles_peak,
+          &RunResult::particle_steps, &RunResult::unsupported})
         EXPECT_EQ(a.*number, b.*number);
-    for (double RunResult::*number : {&RunResult::simulated_seconds, &RunResult::volume_initial,
-                                      &RunResult::volume_final, &RunResult::volume_left, &RunResult::volume_entered,
-                                      &RunResult::volume_inflow, &RunResult::volume_eroded,
-                                      &RunResult::volume_deposited, &RunResult::momentum_deposited,
-                                      &RunResult::thin_share, &RunResult::moving_share})
+    for (double RunResult::*number :
+         {&RunResult::simulated_seconds, &RunResult::volume_initial, &RunResult::volume_final, &RunResult::volume_left,
+          &RunResult::volume_entered, &RunResult::volume_inflow, &RunResult::volume_eroded,
+          &RunResult::volume_deposited, &RunResult::momentum_deposited, &RunResult::thin_share,
+          &RunResult::moving_share})
         EXPECT_EQ(std::bit_cast<std::uint64_t>(a.*number), std::bit_cast<std::uint64_t>(b.*number));
     EXPECT_EQ(a.stop_reason, b.stop_reason);
     ASSERT_EQ(a.settling.has_value(), b.settling.has_value());

@@ -91,8 +91,7 @@ TEST_F(AtTheDam, GreatestFluxIsThatOfTheDamAndRowsKeepTheInterval) {
     // q(x, t) has its maximum 8/27 h c at x = 0.
     const double exact = 8.0 / 27 * 10 * std::sqrt(98.1);
     const Point place{grid_.west + 520, grid_.south() + width() / 2};
-    const double there =
-        result_.max_flux.at(1, static_cast<std::int64_t>((place.x - grid_.west) / grid_.cell_size));
+    const double there = result_.max_flux.at(1, static_cast<std::int64_t>((place.x - grid_.west) / grid_.cell_size));
     // After 20 s: xi = x / (c t) = 0.105, q = h u = (2 - xi)^2 (1 + xi) 2/27 h c = 0.992 of the greatest.
     EXPECT_NEAR(there, 0.992 * exact, 0.02 * exact);
 }
@@ -104,11 +103,8 @@ TEST(Recorder, FluxAndHeadLieWithinWhatTheMaximaAllowAndChangeNothingElse) {
     for (std::int64_t r = 0; r < 60; ++r)
         for (std::int64_t c = 0; c < 120; ++c)
             scene.terrain.at(r, c) = 100 + std::max(0.0, 0.5 * (120 - 2.0 * static_cast<double>(c)));
-    scene.release = {{{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}},
-                      2,
-                      {},
-                      {},
-                      false}};
+    scene.release = {
+        {{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}}, 2, {}, {}, false}};
     scene.material.friction_coefficient = 0.3;
     scene.time.end = 8;
     const RunResult plain = run(scene, {});

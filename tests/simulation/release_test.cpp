@@ -10,8 +10,7 @@
 namespace frana {
 namespace {
 
-const Polygon k_square_with_hole{{{10, 10}, {50, 10}, {50, 50}, {10, 50}},
-                                 {{{20, 20}, {30, 20}, {30, 30}, {20, 30}}}};
+const Polygon k_square_with_hole{{{10, 10}, {50, 10}, {50, 50}, {10, 50}}, {{{20, 20}, {30, 20}, {30, 30}, {20, 30}}}};
 
 TEST(FillOutline, KeepsAreaHolesAndParts) {
     const MultiPolygon outline{k_square_with_hole, {{{70, 10}, {90, 10}, {80, 30}}, {}}};
@@ -50,11 +49,8 @@ Scene slope_scene() {
     for (std::int64_t r = 0; r < 50; ++r) {
         for (std::int64_t c = 0; c < 50; ++c) scene.terrain.at(r, c) = 0.75 * 2 * static_cast<double>(c);
     }
-    scene.release = {{{{{{500040, 5100040}, {500060, 5100040}, {500060, 5100060}, {500040, 5100060}}, {}}},
-                      3,
-                      {},
-                      {},
-                      false}};
+    scene.release = {
+        {{{{{500040, 5100040}, {500060, 5100040}, {500060, 5100060}, {500040, 5100060}}, {}}}, 3, {}, {}, false}};
     return scene;
 }
 

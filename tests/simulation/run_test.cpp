@@ -17,11 +17,8 @@ Scene slide() {
         for (std::int64_t c = 0; c < 120; ++c)
             scene.terrain.at(r, c) = 100 + std::max(0.0, 0.5 * (120 - 2.0 * static_cast<double>(c)));
     }
-    scene.release = {{{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}},
-                      2,
-                      {},
-                      {},
-                      false}};
+    scene.release = {
+        {{{{{600030, 5000040}, {600060, 5000040}, {600060, 5000080}, {600030, 5000080}}, {}}}, 2, {}, {}, false}};
     scene.material.friction_coefficient = 0.3;
     scene.time.end = 40;
     scene.time.frame_interval = 2;
@@ -37,8 +34,7 @@ TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
     EXPECT_EQ(result.stop_reason, StopReason::still);
     EXPECT_TRUE(result.hard_events.none());
     EXPECT_NEAR(result.volume_initial, 2 * 30 * 40, 1e-9 * result.volume_initial);
-    EXPECT_NEAR(result.volume_final + result.volume_left, result.volume_initial,
-                1e-12 * result.volume_initial);
+    EXPECT_NEAR(result.volume_final + result.volume_left, result.volume_initial, 1e-12 * result.volume_initial);
     EXPECT_EQ(static_cast<std::int64_t>(result.series.size()), result.steps);
     ASSERT_GT(times.size(), 3u);
     EXPECT_EQ(times[0], 0);
@@ -56,8 +52,7 @@ TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
         if (!std::isnan(result.final_depth.values[i])) {
             EXPECT_LE(result.final_depth.values[i], depth + 1e-12);
         }
-        EXPECT_NEAR(result.max_pressure.values[i], 2000 * std::pow(result.max_velocity.values[i], 2) / 1000,
-                    1e-9);
+        EXPECT_NEAR(result.max_pressure.values[i], 2000 * std::pow(result.max_velocity.values[i], 2) / 1000, 1e-9);
     }
     EXPECT_GE(seen, 1.9);
     EXPECT_LT(seen, 4);
@@ -172,7 +167,8 @@ TEST(Run, EveryRowOfTheSeriesClosesItsBalance) {
         EXPECT_GT(part, 10);
     double worst = 0;
     for (const SeriesRow& row : result.series) {
-        const double came = row.volume_entered + row.volume_eroded, is = row.volume + row.volume_left + row.volume_deposited;
+        const double came = row.volume_entered + row.volume_eroded,
+                     is = row.volume + row.volume_left + row.volume_deposited;
         worst = std::max(worst, std::abs(came - is) / came);
     }
     EXPECT_LT(worst, 1e-13);

@@ -52,7 +52,8 @@ TEST(Settling, NeverWhileItRunsOn) {
     scene.grid = {0, 100, 5, 400, 20, ""};
     scene.terrain = Raster(scene.grid);
     for (std::int64_t r = 0; r < scene.grid.rows; ++r)
-        for (std::int64_t c = 0; c < scene.grid.columns; ++c) scene.terrain.at(r, c) = 0.5 * 5 * static_cast<double>(400 - c);
+        for (std::int64_t c = 0; c < scene.grid.columns; ++c)
+            scene.terrain.at(r, c) = 0.5 * 5 * static_cast<double>(400 - c);
     scene.release = {{{box(100, 30, 160, 70)}, 2}};
     scene.material.friction_coefficient = 0.4;
     scene.material.turbulence = 2;  // about half a metre a second

@@ -71,8 +71,8 @@ TEST(Trouble, AnOutlineThatPassesTheCellsByNothingIsNone) {
             for (std::int64_t r = 0; r < 50; ++r)
                 for (std::int64_t c = 0; c < 200; ++c)
                     scene.terrain.at(r, c) = scale * std::max(0.8, 2 - 0.012 * static_cast<double>(c));
-            const double west = (0.2 - over) * scale, east = (0.5 - over) * scale,
-                         south = (0.3 - over) * scale, north = (0.7 - over) * scale;
+            const double west = (0.2 - over) * scale, east = (0.5 - over) * scale, south = (0.3 - over) * scale,
+                         north = (0.7 - over) * scale;
             ReleaseArea area;
             area.outline = {{{{west, south}, {east, south}, {east, north}, {west, north}}, {}}};
             area.thickness = 0.02 * scale;
@@ -83,8 +83,7 @@ TEST(Trouble, AnOutlineThatPassesTheCellsByNothingIsNone) {
             const RunResult result = run(scene, {});
             EXPECT_TRUE(result.troubles.empty()) << describe(result.troubles.front());
             for (const SeriesRow& row : result.series) {
-                ASSERT_LT(row.max_speed, 5 * std::sqrt(scale))
-                    << over;  // 3.9 where the outline is on the edges
+                ASSERT_LT(row.max_speed, 5 * std::sqrt(scale)) << over;  // 3.9 where the outline is on the edges
             }
         }
     }
@@ -143,8 +142,7 @@ TEST_P(AnyMaterial, TheBoundIsWhatTheFallAllows) {
     // The release's highest cell, the one that begins at x = 20 m, lies 20 m above the flat; 2 m deep.
     EXPECT_NEAR(bound_of(scene), std::sqrt(2 * 9.81 * (0.5 * (60 - 20) + 2)) + 2 * std::sqrt(9.81 * 2), 1e-9);
     scene.release[0].speed = 5;
-    EXPECT_NEAR(bound_of(scene) - bound_of(slope(GetParam())), 5, 1e-9)
-        << "what moves from the start may go on";
+    EXPECT_NEAR(bound_of(scene) - bound_of(slope(GetParam())), 5, 1e-9) << "what moves from the start may go on";
 }
 
 // Blocks of 2 MPa that hook on a corner and tear off: 2 T / (rho c) = 2 * 2.4034 MPa / (1700 kg/m3 * 129.845 m/s).
@@ -213,9 +211,7 @@ TEST_P(AnyMaterial, GroundWithoutElevationIsLocated) {
 
 INSTANTIATE_TEST_SUITE_P(Trouble, AnyMaterial, testing::Values(Of::mass, Of::fluid, Of::solids),
                          [](const auto& tested) {
-                             return tested.param == Of::mass    ? "Mass"
-                                    : tested.param == Of::fluid ? "Fluid"
-                                                                : "Solids";
+                             return tested.param == Of::mass ? "Mass" : tested.param == Of::fluid ? "Fluid" : "Solids";
                          });
 
 }  // namespace

@@ -48,8 +48,7 @@ inline std::function<double(Point)> spline_bed(const Raster& bed, Boundary bound
 inline double greatest_speed(const Flow& flow) {
     double speed = 0;
     const ParticleSet& p = flow.particles();
-    for (std::size_t i = 0; i < p.size(); ++i)
-        speed = std::max(speed, std::hypot(p[Field::u][i], p[Field::v][i]));
+    for (std::size_t i = 0; i < p.size(); ++i) speed = std::max(speed, std::hypot(p[Field::u][i], p[Field::v][i]));
     return speed;
 }
 

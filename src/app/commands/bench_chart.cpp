@@ -12,8 +12,8 @@ namespace {
 constexpr Rgb k_default{0, 90, 181}, k_paper{213, 94, 0}, k_peer{90, 90, 90};
 
 // Told apart without colours, too: depth by full and dash-dotted lines, momentum by dashed and dotted ones.
-render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name,
-                              Scheme scheme, bool momentum) {
+render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name, Scheme scheme,
+                              bool momentum) {
     const bool paper = scheme == Scheme::paper;
     render::ChartSeries series{
         std::string("scheme = ") + bench::name_of(scheme) + (momentum ? ", momentum" : ", depth"),
@@ -38,8 +38,8 @@ render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const
 render::ChartSeries geoclaw_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name) {
     render::ChartSeries series{
         "GeoClaw, depth, published, its own machine", k_peer, render::Marker::triangle, render::Stroke::dashed, {}};
-    const auto row = std::find_if(rows.begin(), rows.end(),
-                                  [&](const bench::AccuracyRow& one) { return one.case_name == name; });
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const bench::AccuracyRow& one) { return one.case_name == name; });
     const double mean_depth = row->figures.mean_depth_error / row->figures.l1_depth;
     for (const bench::PeerFigure& peer : bench::peer_figures())
         if (peer.case_name == name && peer.code == "GeoClaw, order 2")
@@ -50,14 +50,13 @@ render::ChartSeries geoclaw_of(const std::vector<bench::AccuracyRow>& rows, cons
 }  // namespace
 
 render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows) {
-    render::ChartContent content{
-        "Error against time",
-        "One point a resolution, coarse to fine; one thread. A scheme that converges falls "
-        "to the right.",
-        "wall time of the engine [s]",
-        "relative L1 error [-]",
-        5,
-        {}};
+    render::ChartContent content{"Error against time",
+                                 "One point a resolution, coarse to fine; one thread. A scheme that converges falls "
+                                 "to the right.",
+                                 "wall time of the engine [s]",
+                                 "relative L1 error [-]",
+                                 5,
+                                 {}};
     for (const bench::AccuracyRow& row : rows) {
         if (!content.panels.empty() && content.panels.back().title == row.case_name) continue;
         render::ChartPanel panel{row.case_name, {}, "no error: exact to the last bit"};
@@ -87,8 +86,11 @@ render::Image speed_chart(const bench::SpeedResult& result) {
         auto line = std::find_if(lines.begin(), lines.end(), [&](const auto& one) { return one.label == label; });
         if (line == lines.end()) {
             const bool one = row.threads == 1;
-            lines.push_back({label, one ? k_paper : k_default,
-                             one ? render::Marker::square : render::Marker::circle, render::Stroke::solid, {}});
+            lines.push_back({label,
+                             one ? k_paper : k_default,
+                             one ? render::Marker::square : render::Marker::circle,
+                             render::Stroke::solid,
+                             {}});
             line = lines.end() - 1;
         }
         line->points.push_back({static_cast<double>(row.particles), row.particle_steps_per_second / 1e6});

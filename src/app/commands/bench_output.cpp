@@ -10,8 +10,7 @@ namespace frana::app {
 namespace fs = std::filesystem;
 
 std::optional<BenchOutput> bench_output(const boost::program_options::variables_map& values,
-                                        const std::vector<const char*>& names,
-                                        const std::vector<std::string>& inputs) {
+                                        const std::vector<const char*>& names, const std::vector<std::string>& inputs) {
     const auto folder = text_option(values, "out");
     if (!folder) return {};
     BenchOutput output(*folder, names);
@@ -24,8 +23,8 @@ std::optional<BenchOutput> bench_output(const boost::program_options::variables_
     std::error_code failure;
     fs::create_directories(*folder, failure);
     if (failure) {
-        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), "--out", *folder,
-                                                    "", "Choose another folder"});
+        throw Error(ErrorKind::environment,
+                    Problem{"cannot be made: " + failure.message(), "--out", *folder, "", "Choose another folder"});
     }
     return output;
 }

@@ -23,8 +23,7 @@ std::uint64_t seed_of(const boost::program_options::variables_map& values) {
     const std::string text = text_option(values, "seed").value_or("1");
     const auto seed = integer_from_text(text);
     if (!seed || *seed < 0)
-        throw Error(ErrorKind::input,
-                    Problem{"is not a seed", "--seed", text, "a whole number, 0 or more", ""});
+        throw Error(ErrorKind::input, Problem{"is not a seed", "--seed", text, "a whole number, 0 or more", ""});
     return static_cast<std::uint64_t>(*seed);
 }
 
@@ -54,8 +53,8 @@ int bench_robustness(const std::string& scene, const boost::program_options::var
         write_text_file(out->path(k_json), bench::robustness_json(rows, options, spec.file));
         out->list();
     }
-    const bool whole = std::all_of(rows.begin(), rows.end(),
-                                   [](const bench::RobustnessRow& row) { return row.trouble.empty(); });
+    const bool whole =
+        std::all_of(rows.begin(), rows.end(), [](const bench::RobustnessRow& row) { return row.trouble.empty(); });
     return static_cast<int>(whole ? ExitCode::done : ExitCode::numerical);
 }
 

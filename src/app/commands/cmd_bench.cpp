@@ -27,18 +27,19 @@ namespace fs = std::filesystem;
 
 CommandForm bench_form() {
     namespace options = boost::program_options;
-    CommandForm form{"frana bench accuracy|stability|speed [options]\n"
-                     "       frana bench robustness SCENE.ini [options]",
-                     "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
-                     "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
-                     "with --out also writes\naccuracy.csv and accuracy.png, stability.csv or "
-                     "speed.csv,\nspeed_stages.csv, speed_terms.csv, law_costs.csv and speed.png.\n"
-                     "accuracy takes some ten minutes, with --quick under a minute.\n"
-                     "robustness: a scene as it is, with its grid shifted and turned, with rough ground, with other "
-                     "numbers of\nparticles and Courant numbers: how much do its figures change? robustness.csv, "
-                     "robustness.json. It takes as\nlong as some twenty runs without pictures.",
-                     "accuracy|stability|speed|robustness SCENE.ini",
-                     {}};
+    CommandForm form{
+        "frana bench accuracy|stability|speed [options]\n"
+        "       frana bench robustness SCENE.ini [options]",
+        "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
+        "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
+        "with --out also writes\naccuracy.csv and accuracy.png, stability.csv or "
+        "speed.csv,\nspeed_stages.csv, speed_terms.csv, law_costs.csv and speed.png.\n"
+        "accuracy takes some ten minutes, with --quick under a minute.\n"
+        "robustness: a scene as it is, with its grid shifted and turned, with rough ground, with other "
+        "numbers of\nparticles and Courant numbers: how much do its figures change? robustness.csv, "
+        "robustness.json. It takes as\nlong as some twenty runs without pictures.",
+        "accuracy|stability|speed|robustness SCENE.ini",
+        {}};
     form.repeats = true;
     form.options.add_options()("out", options::value<std::string>(), "folder for the files")(
         "quick", "accuracy: two resolutions; speed: no more than a million particles")(
@@ -77,8 +78,7 @@ int bench_accuracy(const boost::program_options::variables_map& values) {
             "lake-dtm is left out: the sample's terrain (sample_data/bindo/dtm.tif) is not beside the "
             "share folder");
     const auto rows = bench::run_accuracy(options);
-    std::cout << bench::accuracy_table(rows) << bench::accuracy_verdict(rows)
-              << bench::time_to_error_table(rows);
+    std::cout << bench::accuracy_table(rows) << bench::accuracy_verdict(rows) << bench::time_to_error_table(rows);
     if (out) {
         out->begin();
         write_text_file(out->path("accuracy.csv"), bench::accuracy_csv(rows));
@@ -107,8 +107,8 @@ int bench_stability(const boost::program_options::variables_map& values) {
 }
 
 int bench_speed(const boost::program_options::variables_map& values) {
-    const auto out = bench_output(
-        values, {"speed.csv", "speed_stages.csv", "speed_terms.csv", "law_costs.csv", "speed.png"});
+    const auto out =
+        bench_output(values, {"speed.csv", "speed_stages.csv", "speed_terms.csv", "law_costs.csv", "speed.png"});
     bench::SpeedOptions options;
     options.quick = values.count("quick") > 0;
     options.threads = thread_count(values);

@@ -33,9 +33,8 @@ CommandForm check_form() {
                      {}};
     form.options.add_options()("out", options::value<std::string>(),
                                "result directory that the run would have (overrides output.directory)")(
-        "set", options::value<std::vector<std::string>>(),
-        "section.key=value, overrides the scene; repeatable")("threads", options::value<std::string>(),
-                                                              "number of threads (default: all processors)")(
+        "set", options::value<std::vector<std::string>>(), "section.key=value, overrides the scene; repeatable")(
+        "threads", options::value<std::string>(), "number of threads (default: all processors)")(
         "memory-limit", options::value<std::string>(), "refuse a run that would take more (4GB, 500MB)");
     return form;
 }
@@ -87,12 +86,11 @@ void print_site(const Scene& scene) {
                     grouped(std::count(scene.walls->values.begin(), scene.walls->values.end(), 1.0)).c_str());
 }
 
-void print_run(const Prepared& prepared, const RunEstimate& expected,
-               const std::optional<TimeEstimate>& trial, int threads, const std::string& directory) {
+void print_run(const Prepared& prepared, const RunEstimate& expected, const std::optional<TimeEstimate>& trial,
+               int threads, const std::string& directory) {
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
     std::printf("\nRun\n");
-    line("released",
-         words(grouped(expected.volume), "m3 from") + " " + grouped(prepared.release.area_m2) + " m2");
+    line("released", words(grouped(expected.volume), "m3 from") + " " + grouped(prepared.release.area_m2) + " m2");
     if (expected.inflow > 0) line("flows in", grouped(expected.inflow) + " m3 until the end");
     line("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                         : "is the bed: the release lies on top of it");
@@ -105,10 +103,9 @@ void print_run(const Prepared& prepared, const RunEstimate& expected,
                  (trial ? " at the start, about " + grouped(two_digits(trial->particles_peak)) + " at most" : ""));
         line("fields", std::to_string(expected.bytes_per_particle) + " bytes a particle, " + node_bytes + "node");
     }
-    line("first step", figure(expected.first_step_seconds, 3) + " s, end at " +
-                           shortest_text(prepared.scene.time.end) + " s at most");
-    line("estimated time",
-         time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
+    line("first step", figure(expected.first_step_seconds, 3) + " s, end at " + shortest_text(prepared.scene.time.end) +
+                           " s at most");
+    line("estimated time", time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
     for (std::size_t i = 0; i < expected.terms.size(); ++i) line(i == 0 ? "terms" : "", expected.terms[i]);
     const std::string place = result_path(directory);
     line("result", place + (holds_files(place) ? ", where one is already: --overwrite replaces it" : ""));
@@ -122,8 +119,8 @@ int cmd_check(const Arguments& arguments) {
     const int threads = thread_count(*values);
     RunLog log(false);
     take_memory_limit(*values, log);
-    SceneReading reading = read_scene((*values)["operand"].as<std::string>(),
-                                      text_options(*values, "set"), materials_directory());
+    SceneReading reading =
+        read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), materials_directory());
     // Whether a result that is there already may be replaced is asked of whoever runs the scene.
     const auto out = text_option(*values, "out");
     const std::string directory = out.value_or(output_directory(reading.scene));

@@ -55,8 +55,8 @@ Raster foreign_depth(const std::string& file) {
     const gis::RasterInfo info = gis::inspect_raster(file, "RESULT_DIR|RASTER");
     if (!info.crs_wkt.empty() && !gis::is_projected_in_metres(info.crs_wkt)) {
         throw Error(ErrorKind::input,
-                    Problem{"is not in a projected system in metres, so areas are not known",
-                            "RESULT_DIR|RASTER", file, info.crs_label, "Warp it first, with gdalwarp"});
+                    Problem{"is not in a projected system in metres, so areas are not known", "RESULT_DIR|RASTER", file,
+                            info.crs_label, "Warp it first, with gdalwarp"});
     }
     return gis::read_result_raster(file);
 }
@@ -87,8 +87,8 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
         }
         if (result.has("final_depth.tif")) input.final_depth = result.raster("final_depth");
         simulated.source = result.map_source();
-        usual_threshold = result.scene_number("scar.threshold",
-                                              result.scene_number("output.trace-threshold", usual_threshold));
+        usual_threshold =
+            result.scene_number("scar.threshold", result.scene_number("output.trace-threshold", usual_threshold));
         input.depth_label = result.path("max_depth.tif");
     } else {
         input.depth = foreign_depth(operand);
@@ -105,8 +105,7 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
 Survey read_survey(const std::optional<std::string>& scar, const std::optional<std::string>& deposit,
                    const GridSpec& grid, RunLog& log) {
     Survey survey;
-    if (grid.crs_wkt.empty())
-        log.warn("the raster has no CRS: the survey's coordinates are taken as they are");
+    if (grid.crs_wkt.empty()) log.warn("the raster has no CRS: the survey's coordinates are taken as they are");
     if (scar) add_surveyed(*scar, grid.crs_wkt, "--scar", log, survey);
     if (deposit) add_deposit(*deposit, grid, "--deposit", log, survey);
     return survey;
@@ -190,8 +189,8 @@ std::string make_folder(const std::string& folder) {
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) {
-        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), "--out", folder,
-                                                    "", "Choose another folder"});
+        throw Error(ErrorKind::environment,
+                    Problem{"cannot be made: " + failure.message(), "--out", folder, "", "Choose another folder"});
     }
     return folder;
 }
@@ -220,8 +219,8 @@ int cmd_compare(const Arguments& arguments) {
     const std::vector<std::string> scars = text_options(*values, "scar");
     const auto deposit = text_option(*values, "deposit");
     if (scars.empty() && !deposit) {
-        throw Error(ErrorKind::input, Problem{"--scar is missing", "command line", "", "",
-                                              "Name the surveyed outline: --scar VECTOR"});
+        throw Error(ErrorKind::input,
+                    Problem{"--scar is missing", "command line", "", "", "Name the surveyed outline: --scar VECTOR"});
     }
     const auto threshold = threshold_option(*values);
     const auto size = size_option(*values);

@@ -35,19 +35,16 @@ namespace fs = std::filesystem;
 
 CommandForm converge_form() {
     namespace options = boost::program_options;
-    CommandForm form{
-        "frana converge SCENE.ini [options]",
-        "Runs a scene at several resolutions, the scene's own cells being the finest and each other level "
-        "twice as\ncoarse, and estimates how far the finest is from the truth: convergence.csv, "
-        "convergence.json, convergence.png, uncertainty.tif.",
-        "SCENE.ini",
-        {}};
-    form.options.add_options()("out", options::value<std::string>(),
-                               "folder (default: RESULT_DIR-convergence)")(
+    CommandForm form{"frana converge SCENE.ini [options]",
+                     "Runs a scene at several resolutions, the scene's own cells being the finest and each other level "
+                     "twice as\ncoarse, and estimates how far the finest is from the truth: convergence.csv, "
+                     "convergence.json, convergence.png, uncertainty.tif.",
+                     "SCENE.ini",
+                     {}};
+    form.options.add_options()("out", options::value<std::string>(), "folder (default: RESULT_DIR-convergence)")(
         "levels", options::value<std::string>()->default_value("3"), "number of resolutions, 3 to 6")(
-        "set", options::value<std::vector<std::string>>(),
-        "section.key=value, overrides the scene; repeatable")("threads", options::value<std::string>(),
-                                                              "number of threads (default: all processors)")(
+        "set", options::value<std::vector<std::string>>(), "section.key=value, overrides the scene; repeatable")(
+        "threads", options::value<std::string>(), "number of threads (default: all processors)")(
         "overwrite", "replace an existing convergence study")("quiet,q", "no progress on the terminal");
     return form;
 }
@@ -117,9 +114,7 @@ std::string json_text(const std::vector<Level>& levels, const SceneSpec& spec) {
     json.begin_object("figures");
     for (const RunFigure& name : told_figures()) {
         const GridConvergence c = convergence_of(levels, name);
-        json.begin_object(name.key)
-            .number("finest", name.of(levels.back().figures))
-            .text("trend", describe(c.trend));
+        json.begin_object(name.key).number("finest", name.of(levels.back().figures)).text("trend", describe(c.trend));
         if (std::isnan(c.observed_order)) {
             json.null("observed_order");
         } else {
@@ -140,8 +135,7 @@ std::string table_text(const std::vector<Level>& levels) {
         std::snprintf(line, sizeof line,
                       "%6.2f m  %10lld  %6lld  %6.1f s  %5.2f m  %5.2f m  %6.2f m/s %6.2f m/s  %7.0f m2  "
                       "%6.1f m\n",
-                      l.cell_size,
-                      static_cast<long long>(l.particles), static_cast<long long>(l.steps), l.wall_seconds,
+                      l.cell_size, static_cast<long long>(l.particles), static_cast<long long>(l.steps), l.wall_seconds,
                       l.figures.depth.greatest, l.figures.depth.p999, l.figures.speed.greatest, l.figures.speed.p999,
                       l.figures.covered_area, l.figures.run_out);
         text += line;
@@ -154,8 +148,8 @@ std::string sentences(const std::vector<Level>& levels) {
     for (const RunFigure& name : told_figures()) {
         const GridConvergence c = convergence_of(levels, name);
         text += std::string(name.title) + ' ' + figure(name.of(levels.back().figures)) + ' ' + name.unit +
-                ", estimated error " + figure(c.error, 2) + ' ' + name.unit + " (" +
-                figure(c.index_percent, 2) + " %; " + describe(c.trend);
+                ", estimated error " + figure(c.error, 2) + ' ' + name.unit + " (" + figure(c.index_percent, 2) +
+                " %; " + describe(c.trend);
         if (c.trend == Trend::converging) text += ", order " + figure(c.observed_order, 2);
         text += ")\n";
     }
@@ -192,8 +186,7 @@ int level_count(const boost::program_options::variables_map& values) {
     const std::string text = values["levels"].as<std::string>();
     const auto count = integer_from_text(text);
     if (!count || *count < k_least || *count > k_most) {
-        throw Error(ErrorKind::input,
-                    Problem{"is not a number of resolutions", "--levels", text, "3 to 6", ""});
+        throw Error(ErrorKind::input, Problem{"is not a number of resolutions", "--levels", text, "3 to 6", ""});
     }
     return static_cast<int>(*count);
 }
@@ -217,16 +210,16 @@ fs::path make_folder(const std::string& name, bool overwrite, const SceneSpec& s
     kept.check(files_of(folder), "--out", problems);
     problems.throw_if_any();
     if (fs::exists(folder / k_study) && !overwrite) {
-        throw Error(ErrorKind::input, Problem{"holds a convergence study already", "--out", folder.string(),
-                                              "", "Choose another folder, or add --overwrite"});
+        throw Error(ErrorKind::input, Problem{"holds a convergence study already", "--out", folder.string(), "",
+                                              "Choose another folder, or add --overwrite"});
     }
     check_own(folder.string(), files_of(folder), "--out", {}, problems);
     problems.throw_if_any();
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) {
-        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), "--out",
-                                                    folder.string(), "", "Choose another folder"});
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), "--out", folder.string(),
+                                                    "", "Choose another folder"});
     }
     return folder;
 }

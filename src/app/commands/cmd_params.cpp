@@ -13,8 +13,8 @@ int cmd_params(const Arguments& arguments) {
                      "Prints every key of a scene file: type, unit, default, allowed values, meaning.",
                      "",
                      {}};
-    form.options.add_options()("ini", "as a scene file to fill in (default)")("json", "for programs")(
-        "markdown", "for documents");
+    form.options.add_options()("ini", "as a scene file to fill in (default)")("json", "for programs")("markdown",
+                                                                                                      "for documents");
     const auto values = parse_arguments(form, arguments);
     if (!values) return static_cast<int>(ExitCode::done);
     if (values->count("ini") + values->count("json") + values->count("markdown") > 1) {

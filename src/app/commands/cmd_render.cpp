@@ -44,21 +44,18 @@ CommandForm render_form() {
         "write the frames as FILE.mp4 or FILE.gif, or as pictures into FOLDER/, instead of maps; --map "
         "velocity shows speeds, --map particles the particles")(
         "beside", text(), "film: another result to show beside, with the same colours")(
-        "fly", "film, 3d: the camera glides along the flow")("charts",
-                                                             "draw the charts of a result instead of maps")(
+        "fly", "film, 3d: the camera glides along the flow")("charts", "draw the charts of a result instead of maps")(
         "plates", "draw its plates instead: initial state, snapshots, stresses, profile beside comparison")(
-        "size", text(), k_sizes)(
-        "format", texts(), "png (default), pdf, tif (what is inside the frame, in its place); repeatable")(
-        "legend", text(), "classed (default) or continuous")(
-        "background", text(), "orthophoto or topographic raster instead of the relief")(
-        "attribution", text(), "sources of the data and author, at the foot")(
-        "title", text(), "title of the maps")("camera", text(), k_cameras)(
-        "exaggeration", text(), "factor of heights in views (default: 1)")(
+        "size", text(), k_sizes)("format", texts(),
+                                 "png (default), pdf, tif (what is inside the frame, in its place); repeatable")(
+        "legend", text(), "classed (default) or continuous")("background", text(),
+                                                             "orthophoto or topographic raster instead of the relief")(
+        "attribution", text(), "sources of the data and author, at the foot")("title", text(), "title of the maps")(
+        "camera", text(), k_cameras)("exaggeration", text(), "factor of heights in views (default: 1)")(
         "plain", "views: white behind the terrain")("dtm", text(), "terrain under a RASTER")(
         "unit", text(), "of the values of a RASTER, where the file does not say")(
         "above", text(), "draw the values of a RASTER above this one only")(
-        "out", text(),
-        "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
+        "out", text(), "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
     return form;
 }
 
@@ -78,8 +75,7 @@ void read_style(const Values& values, MapStyle& style, Problems& problems) {
     }
     if (const auto formats = text_options(values, "format"); !formats.empty()) {
         for (const std::string& one : formats) {
-            if (one != "png" && one != "pdf" && one != "tif")
-                problems.add(not_one_of("format", one, "png, pdf, tif"));
+            if (one != "png" && one != "pdf" && one != "tif") problems.add(not_one_of("format", one, "png, pdf, tif"));
         }
         style.formats = formats;
     }
@@ -127,29 +123,26 @@ Request read_request(const Values& values, Problems& problems) {
     request.out = text_option(values, "out");
     request.maps = text_options(values, "map");
     const bool pages = request.charts || request.plates;
-    if (pages &&
-        (request.film || request.view_3d || !request.maps.empty() || (request.charts && request.plates))) {
+    if (pages && (request.film || request.view_3d || !request.maps.empty() || (request.charts && request.plates))) {
         problems.add({"goes without --map, --view and --animation, and one at a time",
                       request.charts ? "--charts" : "--plates", "", "", ""});
     }
     if (!request.film) {
         if (request.beside || request.fly)
-            problems.add(
-                {"makes sense with --animation only", request.fly ? "--fly" : "--beside", "", "", ""});
+            problems.add({"makes sense with --animation only", request.fly ? "--fly" : "--beside", "", "", ""});
         return request;
     }
     const std::string ending = fs::path(*request.film).extension().string();
     if (ending != ".mp4" && ending != ".gif" && !request.film->ends_with('/')) {
-        problems.add(
-            {"is not a film's name", "--animation", *request.film, "FILE.mp4, FILE.gif, FOLDER/", ""});
+        problems.add({"is not a film's name", "--animation", *request.film, "FILE.mp4, FILE.gif, FOLDER/", ""});
     }
     if (request.fly && (!request.view_3d || request.beside))
         problems.add({"needs --view 3d and one result", "--fly", "", "", ""});
     if (!request.maps.empty()) request.film_of = request.maps.front();
     if (request.maps.size() > 1 ||
         (request.film_of != "depth" && request.film_of != "velocity" && request.film_of != "particles"))
-        problems.add({"is not what frames hold", "--map", joined(request.maps, ", "),
-                      "depth, velocity, particles", ""});
+        problems.add(
+            {"is not what frames hold", "--map", joined(request.maps, ", "), "depth, velocity, particles", ""});
     return request;
 }
 
@@ -212,10 +205,9 @@ void render_film(const ResultReader& result, const MapSource& source, const Requ
         MapSource second = other.map_source();
         second.style = source.style;
         if (second.crs_label != source.crs_label) {
-            throw Error(ErrorKind::input,
-                        Problem{"has another coordinate reference system than the result", "--beside",
-                                *request.beside, source.crs_label + ", not " + second.crs_label,
-                                "Run one of the scenes with the other's terrain.crs"});
+            throw Error(ErrorKind::input, Problem{"has another coordinate reference system than the result", "--beside",
+                                                  *request.beside, source.crs_label + ", not " + second.crs_label,
+                                                  "Run one of the scenes with the other's terrain.crs"});
         }
         film.second = film_source(other, second, request.film_of);
         kept.add_result(other.directory());
@@ -242,8 +234,7 @@ void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool vie
         for (const std::string& file : picture_files(source.style, stem(layer), !view_3d)) files.push_back(file);
     prepare_place(place, files, kept, problems);
     LayerDrawer drawer(source);
-    for (const MapLayer& layer : layers)
-        tell_written(drawer.draw(layer, view_3d, stem(layer)));
+    for (const MapLayer& layer : layers) tell_written(drawer.draw(layer, view_3d, stem(layer)));
 }
 
 /// A picture among a result's rasters would be taken for one of them.
@@ -254,8 +245,8 @@ void check_folder(const ResultReader& result, const Request& request, const MapS
     const fs::path folder = fs::weakly_canonical(*request.out, ignored);
     for (const char* data : {"", "frames"}) {
         if (fs::weakly_canonical(result.path(data), ignored) / "" == folder / "")
-            problems.add({"holds the result's own rasters: pictures as tif do not go among them", "--out",
-                          *request.out, "", "Leave --out away: RESULT_DIR/maps"});
+            problems.add({"holds the result's own rasters: pictures as tif do not go among them", "--out", *request.out,
+                          "", "Leave --out away: RESULT_DIR/maps"});
     }
 }
 
@@ -320,8 +311,8 @@ void render_result(const Values& values, const Request& request, Problems& probl
                                     : draw_plates(result, source, folder));
         problems.throw_if_any();
     } else {
-        draw(source, layers, request.view_3d,
-             {request.out.value_or(result.path("maps")), "--out", own_result(result)}, kept);
+        draw(source, layers, request.view_3d, {request.out.value_or(result.path("maps")), "--out", own_result(result)},
+             kept);
     }
 }
 
@@ -343,14 +334,12 @@ void render_raster(const Values& values, const Request& request, Problems& probl
     refuse_too_large(values, request, style.size, {}, map.layer.values.grid.cell_count());
     map.source.style = style;
     map.source.title = text_option(values, "title").value_or(map.source.title);
-    if (!style.background.empty())
-        gis::check_picture(style.background, map.layer.values.grid.crs_wkt, "--background");
+    if (!style.background.empty()) gis::check_picture(style.background, map.layer.values.grid.crs_wkt, "--background");
     KeptFiles kept;
     kept.add(file);
     kept.add(text_option(values, "dtm").value_or(""));
     kept.add(style.background);
-    draw(map.source, {std::move(map.layer)}, request.view_3d, {request.out.value_or("."), "--out", {file}},
-         kept);
+    draw(map.source, {std::move(map.layer)}, request.view_3d, {request.out.value_or("."), "--out", {file}}, kept);
 }
 
 }  // namespace

@@ -31,12 +31,11 @@ namespace {
 
 CommandForm run_form() {
     namespace options = boost::program_options;
-    CommandForm form{
-        "frana run SCENE.ini [options]",
-        "Computes a scene and writes the result directory: GeoTIFFs, outlines, maps, animation, series, "
-        "summary,\nand the comparison with a scar where one is given.",
-        "SCENE.ini",
-        {}};
+    CommandForm form{"frana run SCENE.ini [options]",
+                     "Computes a scene and writes the result directory: GeoTIFFs, outlines, maps, animation, series, "
+                     "summary,\nand the comparison with a scar where one is given.",
+                     "SCENE.ini",
+                     {}};
     form.options.add_options()("out", options::value<std::string>(),
                                "result directory, from the current folder (overrides output.directory)")(
         "set", options::value<std::vector<std::string>>(),
@@ -91,8 +90,7 @@ void refuse_to_forget(const InterruptedRun& interrupted, const std::string& targ
 void tell_of_resuming(const CheckpointFile& from, RunLog& log) {
     const CheckpointHead& head = from.head();
     log.continue_from(head.log);
-    log.tell("going on from " + figure(head.time, 6) + " s, step " + std::to_string(head.step) + ": " +
-             from.path());
+    log.tell("going on from " + figure(head.time, 6) + " s, step " + std::to_string(head.step) + ": " + from.path());
     if (head.build != checkpoint_build()) {
         log.warn("the checkpoint is of another build (" + head.build + "; this is " + checkpoint_build() +
                  "): the result can differ in rounding from that of a run never interrupted");
@@ -139,8 +137,7 @@ struct Session {
 
 void tell_of_run(const RunResult& result, double end, RunLog& log) {
     log.tell("computed " + figure(result.simulated_seconds, 4) + " s in " + std::to_string(result.steps) +
-             " steps and " + figure(result.engine_seconds, 3) +
-             " s of wall time: " + describe(result.stop_reason));
+             " steps and " + figure(result.engine_seconds, 3) + " s of wall time: " + describe(result.stop_reason));
     if (result.exchanges) {
         log.tell("the flow eroded " + figure(result.volume_eroded, 4) + " m3 and deposited " +
                  figure(result.volume_deposited, 4) + " m3 in its bed");
@@ -154,12 +151,12 @@ void tell_of_run(const RunResult& result, double end, RunLog& log) {
                  metres(jumps.to.y) + "); see jump_height.tif");
     }
     if (result.unsupported > 0) {
-        log.note("over convex ground the motion lifted the flow off its bed at " +
-                 std::to_string(result.unsupported) + " nodes times steps; there it had no friction");
+        log.note("over convex ground the motion lifted the flow off its bed at " + std::to_string(result.unsupported) +
+                 " nodes times steps; there it had no friction");
     }
     if (result.stop_reason == StopReason::requested) {
-        log.warn("the run was stopped at " + figure(result.simulated_seconds, 4) + " s of at most " +
-                 figure(end, 4) + " s: the maps are not complete; the same command with --resume goes on");
+        log.warn("the run was stopped at " + figure(result.simulated_seconds, 4) + " s of at most " + figure(end, 4) +
+                 " s: the maps are not complete; the same command with --resume goes on");
     }
 }
 
@@ -174,8 +171,8 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     if (wants_frames) directory.make_folder("frames");
     publish_ground(prepared, directory);
     FrameWriter* const written_frames = wants_frames ? &frames : nullptr;
-    Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared,
-                            written_frames, session.since_start, session.earlier_seconds, log);
+    Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared, written_frames,
+                            session.since_start, session.earlier_seconds, log);
     ProgressReporter progress(session.quiet);
     RunOptions options = run_options(session.threads, written_frames, particles.any(), progress, checkpoints, log);
     if (from != nullptr) {
@@ -188,13 +185,13 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     checkpoints.release();
     tell_of_run(result, prepared.scene.time.end, log);
 
-    const PictureOutcome pictures = publish({prepared, result, session.threads, session.input_seconds,
-                                             session.earlier_seconds, session.since_start},
-                                            directory, frames, log);
+    const PictureOutcome pictures = publish(
+        {prepared, result, session.threads, session.input_seconds, session.earlier_seconds, session.since_start},
+        directory, frames, log);
     // Whatever ends with another code than 0 leaves what --resume needs to complete it.
     const bool stopped = result.stop_reason == StopReason::requested || !pictures.left_out.empty();
-    const int code = stopped ? static_cast<int>(ExitCode::signal) + stop_signal()
-                             : static_cast<int>(exit_code(result, pictures));
+    const int code =
+        stopped ? static_cast<int>(ExitCode::signal) + stop_signal() : static_cast<int>(exit_code(result, pictures));
     const bool finished = code == static_cast<int>(ExitCode::done);
     const std::vector<Problem> of_the_older =
         directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
@@ -219,8 +216,8 @@ int cmd_run(const Arguments& arguments) {
     RunLog log(quiet);
     take_memory_limit(*values, log);
 
-    SceneReading reading = read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"),
-                                      materials_directory());
+    SceneReading reading =
+        read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), materials_directory());
     const auto out = text_option(*values, "out");
     const std::string place = out.value_or(output_directory(reading.scene)), target = result_path(place);
     const bool resume = values->count("resume") > 0;
@@ -228,9 +225,9 @@ int cmd_run(const Arguments& arguments) {
     const bool is_complete = resume && !overwrite && !interrupted.any() && is_finished(target);
     std::optional<Problem> place_fault;
     if (!is_complete)
-        place_fault = check_result_directory(
-            place, overwrite || (resume && interrupted.in_place()), input_files(reading.scene),
-            out ? "--out" : reading.where("output.directory"), reading.problems);
+        place_fault =
+            check_result_directory(place, overwrite || (resume && interrupted.in_place()), input_files(reading.scene),
+                                   out ? "--out" : reading.where("output.directory"), reading.problems);
     if (!resume && !overwrite) refuse_to_forget(interrupted, target, reading.problems);
     log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
              std::to_string(threads) + " threads");
@@ -262,8 +259,7 @@ int cmd_run(const Arguments& arguments) {
                               from ? folder_of(*from, target) : "");
     if (from) restore_files(*from, directory);
     try {
-        return run_into({prepared, threads, quiet, input_seconds, earlier, since_start}, from.get(),
-                        directory, log);
+        return run_into({prepared, threads, quiet, input_seconds, earlier, since_start}, from.get(), directory, log);
     } catch (const Error& error) {
         explain_trouble(error, directory.folder());
     }

@@ -23,15 +23,13 @@ struct CommandForm {
 
 /// Reads the arguments of a command. None: help was asked for and printed, nothing else is to be done.
 /// Throws Error(input) for anything not in the form, or when the operand is missing.
-std::optional<boost::program_options::variables_map> parse_arguments(
-    const CommandForm& form, const std::vector<std::string>& arguments);
+std::optional<boost::program_options::variables_map> parse_arguments(const CommandForm& form,
+                                                                     const std::vector<std::string>& arguments);
 
 /// A text option as given, if it was.
-std::optional<std::string> text_option(const boost::program_options::variables_map& values,
-                                       const std::string& name);
+std::optional<std::string> text_option(const boost::program_options::variables_map& values, const std::string& name);
 /// All texts of an option that may be repeated.
-std::vector<std::string> text_options(const boost::program_options::variables_map& values,
-                                      const std::string& name);
+std::vector<std::string> text_options(const boost::program_options::variables_map& values, const std::string& name);
 /// --threads: as given (1 to 1024), else all processors this process may use. Throws Error(input).
 int thread_count(const boost::program_options::variables_map& values);
 /// --size WxH. Throws Error(input).

@@ -61,9 +61,8 @@ double seconds_to_read() {
     if (text == nullptr) return k_default;
     const auto seconds = number_from_text(text);
     if (!seconds || !(*seconds > 0 && *seconds <= k_most))
-        throw Error(ErrorKind::input,
-                    Problem{"is not a time in seconds", "FRANA_READ_SECONDS", text,
-                            "above 0, up to " + shortest_text(k_most), "Correct or unset it"});
+        throw Error(ErrorKind::input, Problem{"is not a time in seconds", "FRANA_READ_SECONDS", text,
+                                              "above 0, up to " + shortest_text(k_most), "Correct or unset it"});
     return *seconds;
 }
 

@@ -10,10 +10,9 @@ namespace frana::app {
 
 std::string library_versions() {
     const std::string boost = std::to_string(BOOST_VERSION / 100000) + "." +
-                              std::to_string(BOOST_VERSION / 100 % 1000) + "." +
-                              std::to_string(BOOST_VERSION % 100);
-    return gis::library_versions() + render::library_versions() + "Boost " + boost + "\nbuilt with " +
-           FRANA_COMPILER + "\n";
+                              std::to_string(BOOST_VERSION / 100 % 1000) + "." + std::to_string(BOOST_VERSION % 100);
+    return gis::library_versions() + render::library_versions() + "Boost " + boost + "\nbuilt with " + FRANA_COMPILER +
+           "\n";
 }
 
 }  // namespace frana::app

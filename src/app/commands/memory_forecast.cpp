@@ -45,9 +45,8 @@ Drawing drawing_of(const Prepared& prepared) {
     Drawing drawing;
     drawing.cells = prepared.scene.grid.cell_count();
     if (draws_maps(prepared) || prepared.scar) drawing.page = page;
-    drawing.views = std::any_of(output.maps.begin(), output.maps.end(), [](const std::string& name) {
-        return name == "on" || name.ends_with("_3d");
-    });
+    drawing.views = std::any_of(output.maps.begin(), output.maps.end(),
+                                [](const std::string& name) { return name == "on" || name.ends_with("_3d"); });
     drawing.maps = prepared.scar || output.charts ||
                    !std::all_of(output.maps.begin(), output.maps.end(),
                                 [](const std::string& name) { return name.ends_with("_3d"); });
@@ -60,14 +59,12 @@ struct Course {
     double steps = 0;
 };
 
-std::int64_t memory_of(const Prepared& prepared, std::int64_t held, const RunEstimate& expected,
-                       const Course& course) {
+std::int64_t memory_of(const Prepared& prepared, std::int64_t held, const RunEstimate& expected, const Course& course) {
     const OutputSpec& output = prepared.spec.output;
     const std::int64_t cells = prepared.scene.grid.cell_count();
     const auto steps = static_cast<std::int64_t>(std::min(course.steps, 1e12));
-    std::int64_t engine =
-        expected.memory_bytes + steps * k_step_bytes +
-        expected.bytes_of_particles(std::max<std::int64_t>(0, course.particles - expected.particles));
+    std::int64_t engine = expected.memory_bytes + steps * k_step_bytes +
+                          expected.bytes_of_particles(std::max<std::int64_t>(0, course.particles - expected.particles));
     if (prepared.scene.time.frame_interval > 0) engine += cells * k_frame_cell_bytes;
     if (prepared.scene.time.frame_interval > 0 && particle_formats(output.formats).any())
         engine += course.particles * k_frame_particle_bytes;
@@ -100,12 +97,9 @@ double most_steps(const Prepared& prepared, const RunEstimate& expected) {
 
 std::int64_t memory_of_drawing(const Drawing& drawing) {
     if (pixels(drawing.page) == 0 && pixels(drawing.film) == 0) return 0;
-    const std::int64_t of_pixel =
-        (drawing.maps ? k_map_pixel_bytes : 0) + (drawing.views ? k_view_pixel_bytes : 0);
-    std::int64_t bytes =
-        k_picture_bytes + drawing.cells * k_drawn_cell_bytes + pixels(drawing.page) * of_pixel;
-    if (pixels(drawing.film) > 0)
-        bytes += k_film_bytes + pixels(drawing.film) * (of_pixel + k_film_pixel_bytes);
+    const std::int64_t of_pixel = (drawing.maps ? k_map_pixel_bytes : 0) + (drawing.views ? k_view_pixel_bytes : 0);
+    std::int64_t bytes = k_picture_bytes + drawing.cells * k_drawn_cell_bytes + pixels(drawing.page) * of_pixel;
+    if (pixels(drawing.film) > 0) bytes += k_film_bytes + pixels(drawing.film) * (of_pixel + k_film_pixel_bytes);
     return bytes;
 }
 
@@ -126,13 +120,13 @@ std::int64_t memory_of_run(const Prepared& prepared, std::int64_t held, const Ru
 std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t held, const RunEstimate& expected) {
     // As many as merging leaves in every cell of the map.
     constexpr std::int64_t k_crowd = 3;
-    const std::int64_t crowded = prepared.scene.structured
-                                     ? 0
-                                     : prepared.scene.grid.cell_count() *
-                                           std::max(4, prepared.scene.numerics.particles_per_cell) * k_crowd;
+    const std::int64_t crowded =
+        prepared.scene.structured
+            ? 0
+            : prepared.scene.grid.cell_count() * std::max(4, prepared.scene.numerics.particles_per_cell) * k_crowd;
     const std::int64_t nodes = prepared.scene.grid.cell_count() * expected.bytes_per_node;
-    return nodes + memory_of(prepared, held, expected,
-                             {std::max(expected.particles, crowded), most_steps(prepared, expected)});
+    return nodes +
+           memory_of(prepared, held, expected, {std::max(expected.particles, crowded), most_steps(prepared, expected)});
 }
 
 }  // namespace frana::app

@@ -19,7 +19,7 @@ class ProgressReporter {
     bool quiet_;
     bool terminal_;
     bool line_is_open_ = false;
-    double next_ = 0;  ///< seconds after the start
+    double next_ = 0;    ///< seconds after the start
     double begin_ = -1;  ///< simulated time when first shown; less than 0: not yet [s]
     Stopwatch since_start_;
 };

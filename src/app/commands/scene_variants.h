@@ -14,11 +14,7 @@ class SceneVariants {
   public:
     /// @param overrides section.key=value of the command line, which hold for all
     SceneVariants(std::string file, std::vector<std::string> overrides, int threads, bool quiet)
-        : file_(std::move(file)),
-          overrides_(std::move(overrides)),
-          threads_(threads),
-          quiet_(quiet),
-          log_(quiet) {}
+        : file_(std::move(file)), overrides_(std::move(overrides)), threads_(threads), quiet_(quiet), log_(quiet) {}
 
     /// The scene with more overrides. Throws Error(input) as prepare does.
     Prepared read(const std::vector<std::string>& more);

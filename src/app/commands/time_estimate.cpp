@@ -67,21 +67,19 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     const bool both = !fine.cut_short && !coarse.cut_short;
     const bool use_fine = both || coarse.cut_short;
     const Trial& base = use_fine ? fine : coarse;
-    const double growth =
-        both ? std::clamp(fine.particle_steps / coarse.particle_steps, 0.8, 2.0) : k_usual_growth;
+    const double growth = both ? std::clamp(fine.particle_steps / coarse.particle_steps, 0.8, 2.0) : k_usual_growth;
     const double more = std::clamp(fine.particles_peak / coarse.particles_peak, 1.0, 2.0);
     TimeEstimate estimate;
     estimate.coarsening = use_fine ? factor : 2 * factor;
     estimate.trial_end = base.reached;
     estimate.cut_short = base.cut_short;
     // Of few particles each is dear (the trial), and so are the first steps (the scene itself).
-    const double start_cost = start.wall_seconds * start.first_step_seconds / reading.scene.time.end /
-                              static_cast<double>(start.particles);
+    const double start_cost =
+        start.wall_seconds * start.first_step_seconds / reading.scene.time.end / static_cast<double>(start.particles);
     estimate.engine_seconds = base.particle_steps * std::pow(growth, std::log2(estimate.coarsening)) *
                               std::min(start_cost, fine.seconds_per_particle_step);
     estimate.steps = std::max(fine.steps, coarse.steps);
-    estimate.particles_peak =
-        std::max(start.particles, static_cast<std::int64_t>(base.particles_peak * more));
+    estimate.particles_peak = std::max(start.particles, static_cast<std::int64_t>(base.particles_peak * more));
     if (!std::isfinite(estimate.engine_seconds)) return std::nullopt;
     return estimate;
 } catch (const Error&) {

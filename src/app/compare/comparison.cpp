@@ -76,8 +76,7 @@ void compare_fronts_and_tips(const ComparisonInput& input, RunLog& log, Comparis
     for (const gis::NamedLine& front : survey.fronts)
         comparison.fronts.push_back(compare_front(front, outline, inside_trace, input.depth.grid.cell_size));
     for (const gis::NamedPoint& tip : survey.tips)
-        comparison.tips.push_back(
-            {tip.name, outline.distance(tip.place) * (inside_trace(tip.place) ? 1 : -1)});
+        comparison.tips.push_back({tip.name, outline.distance(tip.place) * (inside_trace(tip.place) ? 1 : -1)});
 }
 
 void compare_area(const ComparisonInput& input, const Raster& depth, RunLog& log, Comparison& comparison) {
@@ -89,8 +88,7 @@ void compare_area(const ComparisonInput& input, const Raster& depth, RunLog& log
     comparison.path_runout = path_runout(input, observed);
     const MultiPolygon trace = gis::polygonise(trace_mask(input.depth, input.threshold));
     if (!trace.empty()) {
-        comparison.outline =
-            distance_between(LineSet(trace), LineSet(input.survey.scar), input.depth.grid.cell_size);
+        comparison.outline = distance_between(LineSet(trace), LineSet(input.survey.scar), input.depth.grid.cell_size);
     }
 }
 
@@ -103,13 +101,11 @@ void compare_deposits(const ComparisonInput& input, const Bounds& box, RunLog& l
     }
     if (!survey.deposit.empty()) {
         const Raster depth = padded_to(*input.final_depth, box, k_no_data);
-        comparison.deposit_overlap =
-            compare(depth, gis::coverage(survey.deposit, depth.grid), input.threshold);
+        comparison.deposit_overlap = compare(depth, gis::coverage(survey.deposit, depth.grid), input.threshold);
     } else {
-        comparison.deposit_overlap = compare(
-            *input.final_depth, trace_mask(*survey.elevation_change, input.threshold), input.threshold);
-        comparison.deposit_depth =
-            compare_deposit(*input.final_depth, *survey.elevation_change, input.threshold);
+        comparison.deposit_overlap =
+            compare(*input.final_depth, trace_mask(*survey.elevation_change, input.threshold), input.threshold);
+        comparison.deposit_depth = compare_deposit(*input.final_depth, *survey.elevation_change, input.threshold);
     }
 }
 
@@ -136,11 +132,10 @@ std::string comparison_headline(const Comparison& comparison) {
                " %, Jaccard " + figure(comparison.figures->jaccard, 3);
     }
     for (const FrontComparison& front : comparison.fronts)
-        text += (text.empty() ? "" : "; ") + std::string("front ") + front.name + ": " +
-                figure(front.mean_m, 3) + " m on average";
+        text += (text.empty() ? "" : "; ") + std::string("front ") + front.name + ": " + figure(front.mean_m, 3) +
+                " m on average";
     for (const TipComparison& tip : comparison.tips)
-        text += (text.empty() ? "" : "; ") + std::string("tip ") + tip.name + ": " +
-                figure(tip.distance_m, 3) + " m";
+        text += (text.empty() ? "" : "; ") + std::string("tip ") + tip.name + ": " + figure(tip.distance_m, 3) + " m";
     if (comparison.deposit_overlap)
         text += (text.empty() ? "" : "; ") + std::string("deposit: Jaccard ") +
                 figure(comparison.deposit_overlap->jaccard, 3);

@@ -172,9 +172,8 @@ void write_comparison(const Comparison& comparison, const ComparisonInput& input
         stops.push_back({static_cast<double>(entry.kind), entry.colour, entry.label});
     }
     const std::string raster = (place / raster_file()).string();
-    gis::write_class_geotiff(
-        raster, comparison.classes, classes,
-        {k_name, find_result_raster(k_name)->description, "", input.metadata});
+    gis::write_class_geotiff(raster, comparison.classes, classes,
+                             {k_name, find_result_raster(k_name)->description, "", input.metadata});
     gis::write_styles(raster, stops, "", gis::StyleKind::exact);
 }
 
@@ -195,16 +194,15 @@ void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const st
     MapLayer layer;
     layer.notes_alone = true;
     layer.notes = {"Deeper than " + figure(f.threshold_m) + " m counts",
-                    "Observed " + grouped(f.observed_area_m2) + " m²",
-                    "Simulated " + grouped(f.simulated_area_m2) + " m²",
-                    "Area difference " + figure(f.area_difference_percent, 3) + " %",
-                    "Hit " + grouped(f.hit_m2) + " m²",
-                    "False alarm " + grouped(f.false_alarm_m2) + " m²",
-                    "Miss " + grouped(f.miss_m2) + " m²",
-                    "Jaccard " + figure(f.jaccard, 3),
-                    "Dice " + figure(f.dice, 3)};
-    if (comparison.outline)
-        layer.notes.push_back("Outlines " + figure(comparison.outline->mean_m, 3) + " m apart");
+                   "Observed " + grouped(f.observed_area_m2) + " m²",
+                   "Simulated " + grouped(f.simulated_area_m2) + " m²",
+                   "Area difference " + figure(f.area_difference_percent, 3) + " %",
+                   "Hit " + grouped(f.hit_m2) + " m²",
+                   "False alarm " + grouped(f.false_alarm_m2) + " m²",
+                   "Miss " + grouped(f.miss_m2) + " m²",
+                   "Jaccard " + figure(f.jaccard, 3),
+                   "Dice " + figure(f.dice, 3)};
+    if (comparison.outline) layer.notes.push_back("Outlines " + figure(comparison.outline->mean_m, 3) + " m apart");
     layer.title = "Comparison with the scar";
     layer.values = comparison.classes;
     layer.source = raster_file() + ", band 1";

@@ -58,18 +58,16 @@ std::string Ranking::csv() const {
     int rank = 0;
     for (const Entry* entry : order) {
         const Comparison& c = entry->comparison;
-        text += std::to_string(++rank) + "," + csv_cell(entry->folder) + "," + csv_cell(entry->simulated) +
-                "," + csv_cell(entry->observed);
-        const auto add = [&text](double value) {
-            text += "," + (std::isnan(value) ? "" : shortest_text(value));
-        };
+        text += std::to_string(++rank) + "," + csv_cell(entry->folder) + "," + csv_cell(entry->simulated) + "," +
+                csv_cell(entry->observed);
+        const auto add = [&text](double value) { text += "," + (std::isnan(value) ? "" : shortest_text(value)); };
         const auto add_figure = [&](double ComparisonFigures::*member) {
             add(c.figures ? (*c.figures).*member : k_unknown);
         };
         for (const auto member :
-             {&ComparisonFigures::jaccard, &ComparisonFigures::dice,
-              &ComparisonFigures::area_difference_percent, &ComparisonFigures::true_positive_rate,
-              &ComparisonFigures::false_positive_rate, &ComparisonFigures::d2pc, &ComparisonFigures::auroc})
+             {&ComparisonFigures::jaccard, &ComparisonFigures::dice, &ComparisonFigures::area_difference_percent,
+              &ComparisonFigures::true_positive_rate, &ComparisonFigures::false_positive_rate, &ComparisonFigures::d2pc,
+              &ComparisonFigures::auroc})
             add_figure(member);
         add(c.outline ? c.outline->mean_m : k_unknown);
         add(c.outline ? c.outline->percentile_95_m : k_unknown);

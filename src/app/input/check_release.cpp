@@ -48,8 +48,7 @@ std::string cells_text(const CellList& list) {
 
 MultiPolygon all_outlines(const ReleaseInput& release) {
     MultiPolygon all;
-    for (const ReleaseArea& area : release.areas)
-        all.insert(all.end(), area.outline.begin(), area.outline.end());
+    for (const ReleaseArea& area : release.areas) all.insert(all.end(), area.outline.begin(), area.outline.end());
     return all;
 }
 
@@ -57,10 +56,8 @@ MultiPolygon all_outlines(const ReleaseInput& release) {
 bool check_extent(const SceneReading& reading, const TerrainInput& ground, const MultiPolygon& outlines,
                   Problems& problems) {
     const Bounds box = bounds(outlines), map = ground.terrain.grid.bounds();
-    if (box.west >= map.west && box.east <= map.east && box.south >= map.south && box.north <= map.north)
-        return true;
-    const bool apart =
-        box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north;
+    if (box.west >= map.west && box.east <= map.east && box.south >= map.south && box.north <= map.north) return true;
+    const bool apart = box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north;
     problems.add({apart ? "lies outside the DTM" : "reaches beyond the DTM",
                   reading.where(reading.scene.release.perimeter ? "release.perimeter" : "release.thickness"),
                   extent_text(box), "the working grid's " + extent_text(map) + ", in " + ground.crs_label,
@@ -70,40 +67,35 @@ bool check_extent(const SceneReading& reading, const TerrainInput& ground, const
     return false;
 }
 
-void check_ground(const SceneReading& reading, const TerrainInput& ground, const Raster& cover,
-                  Problems& problems) {
-    const CellList holes =
-        cells_where(cover, [&](std::size_t i) { return std::isnan(ground.terrain.values[i]); });
+void check_ground(const SceneReading& reading, const TerrainInput& ground, const Raster& cover, Problems& problems) {
+    const CellList holes = cells_where(cover, [&](std::size_t i) { return std::isnan(ground.terrain.values[i]); });
     if (holes.count == 0) return;
-    problems.add(
-        {"the DTM has no elevation under the release", reading.where("terrain.dtm"), cells_text(holes), "",
-         "Repair the DTM, change the perimeter, or set terrain.nodata-policy = fill to interpolate"});
+    problems.add({"the DTM has no elevation under the release", reading.where("terrain.dtm"), cells_text(holes), "",
+                  "Repair the DTM, change the perimeter, or set terrain.nodata-policy = fill to interpolate"});
 }
 
-void check_thickness_raster(const SceneReading& reading, const Raster& thickness, const Raster& cover,
-                            RunLog& log, Problems& problems) {
+void check_thickness_raster(const SceneReading& reading, const Raster& thickness, const Raster& cover, RunLog& log,
+                            Problems& problems) {
     const std::string where = reading.where("release.thickness");
     const CellList negative = cells_where(cover, [&](std::size_t i) { return thickness.values[i] < 0; });
     if (negative.count > 0) {
-        problems.add(
-            {"the thickness raster is negative inside the perimeter", where, cells_text(negative),
-             "0 or more",
-             "A raster of after less before has the wrong sign: use difference:PRE,POST or negate it"});
+        problems.add({"the thickness raster is negative inside the perimeter", where, cells_text(negative), "0 or more",
+                      "A raster of after less before has the wrong sign: use difference:PRE,POST or negate it"});
         return;
     }
     const CellList empty = cells_where(cover, [&](std::size_t i) { return std::isnan(thickness.values[i]); });
     const CellList filled = cells_where(cover, [&](std::size_t i) { return thickness.values[i] > 0; });
     if (filled.count == 0) {
-        problems.add({"nothing is released: the thickness raster is nowhere positive inside the perimeter",
-                      where, "", "", "Check the raster's place and coordinate reference system"});
+        problems.add({"nothing is released: the thickness raster is nowhere positive inside the perimeter", where, "",
+                      "", "Check the raster's place and coordinate reference system"});
     } else if (empty.count > 0) {
         log.warn("the thickness raster has no value on part of the perimeter, nothing is released there: " +
                  cells_text(empty));
     }
 }
 
-/// Areas whose thickness rasters are to be looked at: a raster file is the same for all, a fitted surface is each area's
-/// own.
+/// Areas whose thickness rasters are to be looked at: a raster file is the same for all, a fitted surface is each
+/// area's own.
 std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, const ReleaseInput& release) {
     std::vector<const ReleaseArea*> areas;
     for (const ReleaseArea& area : release.areas) {
@@ -120,11 +112,11 @@ void check_greatest(const SceneReading& reading, const ReleaseInput& release, co
     const auto refuse_beyond = [&](double thickness, const std::string& key) {
         const bool thick = thickness > k_most_thickness;
         if (!thick && !(thickness > 0 && thickness < k_least_thickness)) return;
-        problems.add({std::string("the release would be ") + (thick ? "thicker" : "thinner") + " than any landslide",
-                      reading.where(key), figure(thickness, 6) + " m",
-                      thick ? "at most " + figure(k_most_thickness) + " m"
-                            : "at least " + figure(k_least_thickness) + " m",
-                      "Check the unit, the sign and the nodata value of what gives it"});
+        problems.add(
+            {std::string("the release would be ") + (thick ? "thicker" : "thinner") + " than any landslide",
+             reading.where(key), figure(thickness, 6) + " m",
+             thick ? "at most " + figure(k_most_thickness) + " m" : "at least " + figure(k_least_thickness) + " m",
+             "Check the unit, the sign and the nodata value of what gives it"});
     };
     double least = k_most_thickness, greatest = 0, mean = 0;
     for (const ReleaseArea* release_area : different_rasters(reading, release)) {
@@ -160,8 +152,8 @@ void check_overlap(const ReleaseInput& release, const GridSpec& grid, RunLog& lo
 
 }  // namespace
 
-void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
-                   RunLog& log, Problems& problems) {
+void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, RunLog& log,
+                   Problems& problems) {
     const MultiPolygon outlines = all_outlines(release);
     if (outlines.empty()) {
         if (problems.empty())

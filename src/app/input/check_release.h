@@ -8,7 +8,7 @@ namespace frana::app {
 /// Does the release lie on known ground, with a thickness that makes sense? Adds to `problems`: outlines
 /// outside the DTM (both extents named), nodata under the release (cells named), negative or missing
 /// thickness (cells named).
-void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release,
-                   RunLog& log, Problems& problems);
+void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, RunLog& log,
+                   Problems& problems);
 
 }  // namespace frana::app

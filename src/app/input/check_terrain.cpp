@@ -11,7 +11,7 @@
 namespace frana::app {
 namespace {
 
-constexpr double k_impossible = 1e5;  // [m]; a unit taken for another is a factor of 100 at most
+constexpr double k_impossible = 1e5;                 // [m]; a unit taken for another is a factor of 100 at most
 constexpr double k_highest = 9000, k_lowest = -500;  // Everest 8849 m; the Dead Sea's shore -440 m
 constexpr double k_steepest_median = 60;             // degrees; of the steepest mountains some 45
 // A single cell of fine models: higher than trees and houses. Of coarse ones a summit may be as steep as 56
@@ -20,8 +20,8 @@ constexpr double k_needle = 20, k_needle_cells = 1.5;
 
 std::string place(const GridSpec& grid, const Spot& spot) {
     const Point centre = grid.cell_centre(spot.row, spot.column);
-    return figure(centre.x, 9) + ", " + figure(centre.y, 9) + " (row " + std::to_string(spot.row) +
-           ", column " + std::to_string(spot.column) + ")";
+    return figure(centre.x, 9) + ", " + figure(centre.y, 9) + " (row " + std::to_string(spot.row) + ", column " +
+           std::to_string(spot.column) + ")";
 }
 
 const char* const k_remedy =
@@ -57,12 +57,11 @@ void check_terrain(const SceneReading& reading, const Raster& terrain, RunLog& l
     for (const Spot& spot : found.first_needles)
         list += (list.empty() ? "" : "; ") + figure(spot.value, 4) + " m at " + place(grid, spot);
     const bool one = found.needles == 1;
-    log.warn(
-        "DTM: " + grouped(found.needles) + (one ? " single cell stands" : " single cells stand") +
-        " more than " + figure(needle) +
-        " m over or under all eight neighbours, where the flow is thrown aside and its speed is wrong: " +
-        list + (found.needles > static_cast<std::int64_t>(found.first_needles.size()) ? "; ..." : "") +
-        ". Repair the DTM there (a mast, a bird, noise, forgotten no data)");
+    log.warn("DTM: " + grouped(found.needles) + (one ? " single cell stands" : " single cells stand") + " more than " +
+             figure(needle) +
+             " m over or under all eight neighbours, where the flow is thrown aside and its speed is wrong: " + list +
+             (found.needles > static_cast<std::int64_t>(found.first_needles.size()) ? "; ..." : "") +
+             ". Repair the DTM there (a mast, a bird, noise, forgotten no data)");
 }
 
 }  // namespace frana::app

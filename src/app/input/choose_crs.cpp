@@ -26,21 +26,19 @@ std::string asked_crs(const SceneReading& reading, const gis::RasterInfo& dtm) {
     const std::string where = reading.where("terrain.crs"), asked = reading.scene.terrain.crs;
     const std::string crs = gis::crs_from_user(asked, where);
     if (!gis::is_projected_in_metres(crs)) {
-        throw Error(ErrorKind::input, Problem{"is not a projected system in metres with axes east and north",
-                                              where, asked, "a projected CRS in metres, such as a UTM zone",
-                                              "Choose another, or remove the key"});
+        throw Error(ErrorKind::input,
+                    Problem{"is not a projected system in metres with axes east and north", where, asked,
+                            "a projected CRS in metres, such as a UTM zone", "Choose another, or remove the key"});
     }
     std::string horizontal = gis::horizontal_crs(crs);
     if (dtm.crs_wkt.empty()) return horizontal;
     const Point centre = centre_of(dtm.bounds);
-    const gis::CrsTransform to_working(dtm.crs_wkt, horizontal,
-                                       Bounds{centre.x, centre.y, centre.x, centre.y});
+    const gis::CrsTransform to_working(dtm.crs_wkt, horizontal, Bounds{centre.x, centre.y, centre.x, centre.y});
     const gis::MapScale scale = gis::map_scale(horizontal, to_working(centre));
     if (scale.error() > k_largest_scale_error) {
-        throw Error(ErrorKind::input,
-                    Problem{"lengths in this system are not lengths on the ground", where,
-                            asked + " with a scale of " + scale_text(scale) + " at the DTM",
-                            "a scale within 1 % of 1", "Choose a UTM zone, or remove the key"});
+        throw Error(ErrorKind::input, Problem{"lengths in this system are not lengths on the ground", where,
+                                              asked + " with a scale of " + scale_text(scale) + " at the DTM",
+                                              "a scale within 1 % of 1", "Choose a UTM zone, or remove the key"});
     }
     return horizontal;
 }
@@ -48,10 +46,9 @@ std::string asked_crs(const SceneReading& reading, const gis::RasterInfo& dtm) {
 /// Without a CRS coordinates must be metres already.
 void check_local(const SceneReading& reading, const gis::RasterInfo& dtm) {
     if (dtm.crs_wkt.empty() || gis::is_projected_in_metres(dtm.crs_wkt)) return;
-    throw Error(
-        ErrorKind::input,
-        Problem{"the DTM's coordinates are not metres, so they cannot be taken as they are",
-                reading.where("terrain.crs"), "local", "", "Remove the key: frana then chooses a UTM zone"});
+    throw Error(ErrorKind::input,
+                Problem{"the DTM's coordinates are not metres, so they cannot be taken as they are",
+                        reading.where("terrain.crs"), "local", "", "Remove the key: frana then chooses a UTM zone"});
 }
 
 std::string automatic_crs(const gis::RasterInfo& dtm, RunLog& log) {
@@ -60,8 +57,8 @@ std::string automatic_crs(const gis::RasterInfo& dtm, RunLog& log) {
         std::string own = gis::horizontal_crs(dtm.crs_wkt);
         const gis::MapScale scale = gis::map_scale(own, centre);
         if (scale.error() <= k_largest_scale_error) return own;
-        log.warn("DTM: lengths in " + dtm.crs_label + " are not lengths on the ground (scale " +
-                 scale_text(scale) + "); the run is computed in the UTM zone instead");
+        log.warn("DTM: lengths in " + dtm.crs_label + " are not lengths on the ground (scale " + scale_text(scale) +
+                 "); the run is computed in the UTM zone instead");
     }
     const Point degrees = gis::to_longitude_latitude(dtm.crs_wkt, centre);
     return gis::utm_crs_for(degrees.x, degrees.y);
@@ -83,10 +80,9 @@ std::string choose_working_crs(const SceneReading& reading, const gis::RasterInf
         problems.add(error);
     }
     if (dtm.crs_wkt.empty()) {
-        problems.add(
-            {"has no coordinate reference system", reading.where("terrain.dtm"), dtm.path, "",
-             "Say which one it is in with terrain.dtm-crs = EPSG:..., or set terrain.crs = local to take its "
-             "coordinates, and the perimeter's, as plain metres"});
+        problems.add({"has no coordinate reference system", reading.where("terrain.dtm"), dtm.path, "",
+                      "Say which one it is in with terrain.dtm-crs = EPSG:..., or set terrain.crs = local to take its "
+                      "coordinates, and the perimeter's, as plain metres"});
     }
     problems.throw_if_any();
     return crs.empty() ? automatic_crs(dtm, log) : crs;

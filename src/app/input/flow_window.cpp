@@ -20,8 +20,7 @@ constexpr double k_least_friction = 0.01;  // with less, the energy line bounds 
 constexpr int k_samples = 400;             // along each side of what is looked at
 
 Bounds united(const Bounds& a, const Bounds& b) {
-    return {std::min(a.west, b.west), std::min(a.south, b.south), std::max(a.east, b.east),
-            std::max(a.north, b.north)};
+    return {std::min(a.west, b.west), std::min(a.south, b.south), std::max(a.east, b.east), std::max(a.north, b.north)};
 }
 
 Bounds widened(const Bounds& b, double by) {
@@ -29,8 +28,7 @@ Bounds widened(const Bounds& b, double by) {
 }
 
 bool holds(const Bounds& outer, const Bounds& inner) {
-    return outer.west < inner.west && outer.south < inner.south && outer.east > inner.east &&
-           outer.north > inner.north;
+    return outer.west < inner.west && outer.south < inner.south && outer.east > inner.east && outer.north > inner.north;
 }
 
 double distance(const Bounds& box, Point p) {
@@ -69,22 +67,20 @@ std::optional<Origin> release_origin(const SceneReading& reading, const std::str
     const double gravity = reading.scene.numerics.gravity;
     Origin origin{{}, thickness_bound(release)};
     const auto& velocity = release.velocity;
-    if (velocity && velocity->kind == SourceSpec::Kind::number)
-        origin.head += velocity_head(velocity->number, gravity);
+    if (velocity && velocity->kind == SourceSpec::Kind::number) origin.head += velocity_head(velocity->number, gravity);
     if (!release.perimeter) {
         if (!release.thickness || release.thickness->kind != ThicknessSpec::Kind::raster) return std::nullopt;
         return if_readable([&] {
             const gis::RasterInfo file =
                 gis::inspect_raster(release.thickness->raster, reading.where("release.thickness"));
-            origin.extent =
-                gis::CrsTransform(crs.empty() ? "" : file.crs_wkt, crs, file.bounds).around(file.bounds);
+            origin.extent = gis::CrsTransform(crs.empty() ? "" : file.crs_wkt, crs, file.bounds).around(file.bounds);
             return origin;
         });
     }
     return if_readable([&] {
         const std::string key = "release.perimeter";
-        const gis::PolygonLayer layer = gis::read_polygons(
-            *release.perimeter, crs, reading.where(key), layer_choice(reading, release.perimeter_layer, key));
+        const gis::PolygonLayer layer = gis::read_polygons(*release.perimeter, crs, reading.where(key),
+                                                           layer_choice(reading, release.perimeter_layer, key));
         origin.extent = layer.bounds;
         if (velocity && velocity->kind == SourceSpec::Kind::attribute) {
             double fastest = 0;
@@ -108,12 +104,11 @@ std::optional<std::vector<Origin>> inflow_origins(const SceneReading& reading, c
             const Polyline& line = layer.features[i].line;
             Origin origin{bounds(MultiPolygon{{line, {}}}), 0};
             const double length = length_of(line);
-            for (const HydrographPoint& point :
-                 read_hydrograph(hydrograph_file(reading, layer.features[i], i + 1),
-                                 reading.where("inflow.hydrograph"), gravity, length)) {
+            for (const HydrographPoint& point : read_hydrograph(hydrograph_file(reading, layer.features[i], i + 1),
+                                                                reading.where("inflow.hydrograph"), gravity, length)) {
                 if (point.discharge > 0)
-                    origin.head = std::max(origin.head, point.discharge / (length * point.speed) +
-                                                            velocity_head(point.speed, gravity));
+                    origin.head = std::max(
+                        origin.head, point.discharge / (length * point.speed) + velocity_head(point.speed, gravity));
             }
             origins.push_back(origin);
         }
@@ -147,8 +142,7 @@ std::vector<Bounds> layers_to_hold(const SceneReading& reading, const std::strin
                               const LayerSpec& layer = {}) {
         if (!file) return;
         const auto box = if_readable([&] {
-            return gis::read_polygons(*file, crs, reading.where(key), layer_choice(reading, layer, key))
-                .bounds;
+            return gis::read_polygons(*file, crs, reading.where(key), layer_choice(reading, layer, key)).bounds;
         });
         if (box) boxes.push_back(*box);
     };
@@ -171,17 +165,17 @@ std::vector<Bounds> layers_to_hold(const SceneReading& reading, const std::strin
     return boxes;
 }
 
-/// The least friction that the energy line may count on; 0 where places differ, and where no law at the bed resists with
-/// it: the structured model's fluid, RAMMS's yield term alone, laws of fluids.
+/// The least friction that the energy line may count on; 0 where places differ, and where no law at the bed resists
+/// with it: the structured model's fluid, RAMMS's yield term alone, laws of fluids.
 double sure_friction(const SceneSpec& scene) {
     const bool by_place =
         scene.terrain.friction_zones || scene.zones.friction_angle || scene.zones.friction_coefficient;
     const std::vector<BedLaw> laws = bed_laws_of(scene.material);
-    const bool resists = scene.material.model == "voellmy-bingham" &&
-                         std::any_of(laws.begin(), laws.end(), [](const BedLaw& law) { return law.resists_with_friction; });
+    const bool resists =
+        scene.material.model == "voellmy-bingham" &&
+        std::any_of(laws.begin(), laws.end(), [](const BedLaw& law) { return law.resists_with_friction; });
     if (by_place || !resists || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
-    return k_caution * friction_coefficient(scene.material) *
-           (1 - scene.material.pore_pressure_ratio.value_or(0));
+    return k_caution * friction_coefficient(scene.material) * (1 - scene.material.pore_pressure_ratio.value_or(0));
 }
 
 }  // namespace
@@ -205,8 +199,7 @@ std::optional<Bounds> flow_window(const SceneReading& reading, const gis::Raster
     for (Origin& origin : *origins) {
         needed = united(needed, origin.extent);
         double top = -HUGE_VAL;
-        for (const gis::ElevationSample& s : sample(widened(origin.extent, 2 * cell)))
-            top = std::max(top, s.elevation);
+        for (const gis::ElevationSample& s : sample(widened(origin.extent, 2 * cell))) top = std::max(top, s.elevation);
         if (!std::isfinite(top)) return std::nullopt;  // it lies outside the DTM: reported later
         origin.head += top;                            // now above sea level
     }

@@ -13,8 +13,8 @@ namespace frana::app {
 /// it, and all ground under the energy line. A mass on a bed of friction mu loses mu metres of height for each metre
 /// on the map (Heim 1932), so nothing it reaches lies above z + v^2 / 2g - mu * distance, with z the top of the mass
 /// and v its speed where it starts; mu is taken a fifth smaller, to be on the safe side, and less what pore pressure
-/// takes off. None where the whole DTM is needed: no friction, one that differs by place or that no law of the bed resists
-/// with at least, or nothing that starts.
+/// takes off. None where the whole DTM is needed: no friction, one that differs by place or that no law of the bed
+/// resists with at least, or nothing that starts.
 std::optional<Bounds> flow_window(const SceneReading& reading, const gis::RasterInfo& dtm,
                                   const std::string& working_crs);
 

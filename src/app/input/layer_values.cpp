@@ -45,8 +45,8 @@ std::optional<double> value_of(const SceneReading& reading, const std::string& k
     const std::string name = "feature " + std::to_string(feature + 1) + " of " + layer.layer_name;
     const auto found = from.numbers.find(source.name);
     if (found == from.numbers.end()) {
-        problems.add({name + " has no number in the attribute " + source.name, reading.where(key), "",
-                      columns_of(from), "Name one of its attributes"});
+        problems.add({name + " has no number in the attribute " + source.name, reading.where(key), "", columns_of(from),
+                      "Name one of its attributes"});
         return std::nullopt;
     }
     if (!within_limits(reading, key, found->second, name + ", attribute " + source.name + ",", problems))
@@ -54,11 +54,10 @@ std::optional<double> value_of(const SceneReading& reading, const std::string& k
     return found->second;
 }
 
-bool lies_on_ground(const SceneReading& reading, const std::string& key, const Bounds& box,
-                    const TerrainInput& ground, bool may_reach_beyond, Problems& problems) {
+bool lies_on_ground(const SceneReading& reading, const std::string& key, const Bounds& box, const TerrainInput& ground,
+                    bool may_reach_beyond, Problems& problems) {
     const Bounds map = ground.terrain.grid.bounds();
-    const bool apart =
-        box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north;
+    const bool apart = box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north;
     const bool within =
         box.west >= map.west && box.east <= map.east && box.south >= map.south && box.north <= map.north;
     if (within || (may_reach_beyond && !apart)) return true;

@@ -80,11 +80,10 @@ void refuse_too_much(const SceneReading& reading, const Scene& scene, double rel
     const double needed = cells * k_least_cell_bytes + particles * k_least_particle_bytes;
     const std::string cell = shortest_text(scene.grid.cell_size) + " m";
     if (const MemoryBound bound = usable_memory(); needed > bound.bytes) {
-        throw Error(ErrorKind::input,
-                    Problem{"a run with " + grouped(cells) + " cells and " + grouped(particles) +
-                                " particles takes at least " + bytes_text(needed) + " of memory",
-                            reading.where("terrain.cell-size"), cell, bound_text(bound),
-                            "Choose larger cells or fewer numerics.particles-per-cell"});
+        throw Error(ErrorKind::input, Problem{"a run with " + grouped(cells) + " cells and " + grouped(particles) +
+                                                  " particles takes at least " + bytes_text(needed) + " of memory",
+                                              reading.where("terrain.cell-size"), cell, bound_text(bound),
+                                              "Choose larger cells or fewer numerics.particles-per-cell"});
     }
     if (particles > k_most_particles) {
         throw Error(ErrorKind::input,

@@ -51,8 +51,8 @@ Numerics numerics_of(const SceneSpec& spec) {
     return numerics;
 }
 
-std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const TerrainInput* ground,
-                                           RunLog& log, Problems& problems) {
+std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const TerrainInput* ground, RunLog& log,
+                                           Problems& problems) {
     if (!reading.scene.scar.perimeter) return std::nullopt;
     const std::string where = reading.where("scar.perimeter");
     try {
@@ -67,8 +67,7 @@ std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const Te
         if (ground != nullptr) {
             report_transform("scar", layer.transform, ground->terrain.grid.cell_size, log);
             const Bounds map = ground->terrain.grid.bounds(), box = layer.bounds;
-            if (box.east <= map.west || box.west >= map.east || box.north <= map.south ||
-                box.south >= map.north) {
+            if (box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north) {
                 problems.add({"lies outside the DTM", where, extent_text(box),
                               "the working grid's " + extent_text(map) + ", in " + ground->crs_label,
                               "Check the coordinate reference systems of both files"});
@@ -118,10 +117,9 @@ std::vector<UsedFile> used_files(const SceneSpec& spec, const TerrainInput& grou
 
 /// What only seeding finds: a wall on the release, a velocity without direction, an inflow over ground without data.
 void refuse_what_cannot_start(const Scene& scene) {
-    const bool in_motion = std::any_of(scene.release.begin(), scene.release.end(),
-                                       [](const ReleaseArea& area) { return area.speed > 0; });
-    if (scene.walls || in_motion || !scene.inflows.empty())
-        Arrivals(scene, make_release(scene).later);
+    const bool in_motion =
+        std::any_of(scene.release.begin(), scene.release.end(), [](const ReleaseArea& area) { return area.speed > 0; });
+    if (scene.walls || in_motion || !scene.inflows.empty()) Arrivals(scene, make_release(scene).later);
 }
 
 }  // namespace

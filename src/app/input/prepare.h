@@ -21,9 +21,9 @@ struct Prepared {
     TerrainInput ground;   ///< its raster has moved into the scene
     ReleaseInput release;  ///< its areas have moved into the scene
     std::optional<gis::PolygonLayer> scar;
-    ExtraInput extra;             ///< its recording has moved into the scene
-    std::vector<UsedFile> files;  ///< everything that was read
-    double convergence_deg = 0;  ///< true north from grid north at the grid's centre, clockwise
+    ExtraInput extra;                             ///< its recording has moved into the scene
+    std::vector<UsedFile> files;                  ///< everything that was read
+    double convergence_deg = 0;                   ///< true north from grid north at the grid's centre, clockwise
     std::map<std::string, std::string> resolved;  ///< what frana chose for keys left to it
 };
 

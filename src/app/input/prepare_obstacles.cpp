@@ -25,14 +25,13 @@ std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const s
     for (const std::string& warning : layer.warnings) log.warn(key + ": " + warning);
     files.push_back(used_polygons(key == "terrain.walls" ? "Walls" : "Obstacles", file, layer));
     if (ground != nullptr) report_transform(key, layer.transform, ground->terrain.grid.cell_size, log);
-    if (ground == nullptr || !lies_on_ground(reading, key, layer.bounds, *ground, false, problems))
-        return std::nullopt;
+    if (ground == nullptr || !lies_on_ground(reading, key, layer.bounds, *ground, false, problems)) return std::nullopt;
     return layer;
 }
 
 /// Sets every cell of a feature to at least `value`; says how much larger the footprint became where it is thin.
-void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, const std::string& key,
-           Raster& raster, CountedTexts& warnings, Problems& problems, const std::string& where) {
+void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, const std::string& key, Raster& raster,
+           CountedTexts& warnings, Problems& problems, const std::string& where) {
     const MultiPolygon& parts = layer.features[feature].parts;
     std::int64_t cells = 0;
     gis::visit_cells(parts, raster.grid, gis::Cover::closed, [&](std::int64_t row, std::int64_t column) {
@@ -75,8 +74,8 @@ void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector
 
 }  // namespace
 
-std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInput* ground,
-                                        std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
+std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInput* ground, std::vector<UsedFile>& files,
+                                        RunLog& log, Problems& problems) {
     const TerrainSpec& spec = reading.scene.terrain;
     std::optional<Raster> walls;
     try {
@@ -94,8 +93,7 @@ std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInpu
         for (std::size_t f = 0; f < layer->features.size(); ++f)
             stamp(*layer, f, 1, key, *walls, warnings, problems, reading.where(key));
         for (const std::string& warning : warnings.told()) log.warn(warning);
-        log.note("walls stand on " +
-                 grouped(std::count(walls->values.begin(), walls->values.end(), 1.0)) + " cells");
+        log.note("walls stand on " + grouped(std::count(walls->values.begin(), walls->values.end(), 1.0)) + " cells");
     } catch (const Error& error) {
         problems.add(error);
     }

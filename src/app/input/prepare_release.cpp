@@ -25,8 +25,7 @@ using Kind = ThicknessSpec::Kind;
 Raster sum_of_phases(const Raster& solids, const Raster& fluid, ReleaseInput& release) {
     Raster sum(solids.grid, k_no_data), share(solids.grid, k_no_data);
     for (std::size_t i = 0; i < sum.values.size(); ++i) {
-        const double s = solids.values[i] > 0 ? solids.values[i] : 0,
-                     f = fluid.values[i] > 0 ? fluid.values[i] : 0;
+        const double s = solids.values[i] > 0 ? solids.values[i] : 0, f = fluid.values[i] > 0 ? fluid.values[i] : 0;
         if (!(s + f > 0)) continue;
         sum.values[i] = s + f;
         share.values[i] = s / (s + f);
@@ -52,8 +51,8 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
         try {
             gis::RasterInfo info = gis::inspect_raster(file, where);
             if (reading.scene.release.thickness_crs) {
-                info.crs_wkt = gis::crs_from_user(*reading.scene.release.thickness_crs,
-                                                  reading.where("release.thickness-crs"));
+                info.crs_wkt =
+                    gis::crs_from_user(*reading.scene.release.thickness_crs, reading.where("release.thickness-crs"));
                 info.crs_label = gis::crs_name(info.crs_wkt);
             }
             if (ground == nullptr) continue;
@@ -78,12 +77,12 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
     if (spec.kind == Kind::raster) return std::move(rasters.front());
     if (spec.kind == Kind::phases) {
         for (std::size_t i = 0; i < files.size(); ++i) {
-            const double least = *std::min_element(
-                rasters[i].values.begin(), rasters[i].values.end(),
-                [](double a, double b) { return (std::isnan(a) ? 0 : a) < (std::isnan(b) ? 0 : b); });
+            const double least =
+                *std::min_element(rasters[i].values.begin(), rasters[i].values.end(),
+                                  [](double a, double b) { return (std::isnan(a) ? 0 : a) < (std::isnan(b) ? 0 : b); });
             if (!(least < 0)) continue;
-            problems.add({"a depth is negative", where, files[i] + ": " + shortest_text(least) + " m",
-                          "0 or more", "Correct the raster"});
+            problems.add({"a depth is negative", where, files[i] + ": " + shortest_text(least) + " m", "0 or more",
+                          "Correct the raster"});
             return std::nullopt;
         }
         return sum_of_phases(rasters[0], rasters[1], release);
@@ -113,14 +112,12 @@ void read_perimeter(const SceneReading& reading, const TerrainInput* ground, Run
     log.note("perimeter " + *reading.scene.release.perimeter + ": " + std::to_string(layer.features.size()) +
              " features in " + (layer.crs_label.empty() ? "plain metres" : layer.crs_label));
     for (const std::string& warning : layer.warnings) log.warn("perimeter: " + warning);
-    if (ground != nullptr)
-        report_transform("perimeter", layer.transform, ground->terrain.grid.cell_size, log);
+    if (ground != nullptr) report_transform("perimeter", layer.transform, ground->terrain.grid.cell_size, log);
 }
 
 }  // namespace
 
-ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* ground, RunLog& log,
-                             Problems& problems) {
+ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* ground, RunLog& log, Problems& problems) {
     ReleaseInput release;
     read_perimeter(reading, ground, log, problems, release);
     if (!reading.scene.release.thickness) return release;  // reported when the scene was read
@@ -132,8 +129,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
             release.areas = areas_of_raster(reading, *release.perimeter, *thickness, problems);
         } else {
             Raster positive(thickness->grid);
-            for (std::size_t i = 0; i < positive.values.size(); ++i)
-                positive.values[i] = thickness->values[i] > 0;
+            for (std::size_t i = 0; i < positive.values.size(); ++i) positive.values[i] = thickness->values[i] > 0;
             ReleaseArea area;
             area.outline = gis::polygonise(positive);
             area.thickness_raster = std::move(thickness);
@@ -141,11 +137,10 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
             release.areas.push_back(std::move(area));
         }
     } else if (release.perimeter && spec.fitted()) {
-        if (ground == nullptr || !lies_on_ground(reading, "release.perimeter", release.perimeter->bounds,
-                                                 *ground, false, problems))
+        if (ground == nullptr ||
+            !lies_on_ground(reading, "release.perimeter", release.perimeter->bounds, *ground, false, problems))
             return release;
-        release.areas =
-            areas_above_slip_surfaces(reading, *release.perimeter, ground->terrain, log, problems);
+        release.areas = areas_above_slip_surfaces(reading, *release.perimeter, ground->terrain, log, problems);
     } else if (release.perimeter) {
         release.areas = areas_by_feature(reading, *release.perimeter, problems);
     }

@@ -36,8 +36,7 @@ std::string dtm_crs(const SceneReading& reading, const gis::RasterInfo& file) {
 /// Where eastings are in feet, a guess at elevations would be wrong by a factor of three.
 void check_vertical_unit(const SceneReading& reading, const gis::RasterInfo& file) {
     const double metres = gis::metres_per_unit(file.crs_wkt);
-    if (reading.scene.terrain.vertical_unit != "auto" || file.vertical_unit_stated ||
-        std::abs(metres - 1) < 1e-9) {
+    if (reading.scene.terrain.vertical_unit != "auto" || file.vertical_unit_stated || std::abs(metres - 1) < 1e-9) {
         return;
     }
     throw Error(ErrorKind::input,
@@ -59,18 +58,16 @@ void check_size(const SceneReading& reading, const GridSpec& grid) {
     const double cells = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
     const double needed = cells * k_bytes_per_cell;
     if (const MemoryBound bound = usable_memory(); needed > bound.bytes) {
-        throw Error(ErrorKind::input,
-                    Problem{"a run on the working grid of " + grouped(cells) + " cells takes at least " +
-                                bytes_text(needed) + " of memory",
-                            reading.where("terrain.cell-size"), shortest_text(grid.cell_size) + " m",
-                            bytes_text(bound.bytes) + ", which " + bound.what,
-                            "Choose larger cells or a part of the DTM with terrain.bounds"});
+        throw Error(ErrorKind::input, Problem{"a run on the working grid of " + grouped(cells) +
+                                                  " cells takes at least " + bytes_text(needed) + " of memory",
+                                              reading.where("terrain.cell-size"), shortest_text(grid.cell_size) + " m",
+                                              bytes_text(bound.bytes) + ", which " + bound.what,
+                                              "Choose larger cells or a part of the DTM with terrain.bounds"});
     }
     if (cells <= k_most_cells) return;
     throw Error(ErrorKind::input,
-                Problem{"the working grid would have " + grouped(cells) + " cells",
-                        reading.where("terrain.cell-size"), shortest_text(grid.cell_size) + " m",
-                        "at most " + grouped(k_most_cells) + " cells",
+                Problem{"the working grid would have " + grouped(cells) + " cells", reading.where("terrain.cell-size"),
+                        shortest_text(grid.cell_size) + " m", "at most " + grouped(k_most_cells) + " cells",
                         "Choose larger cells or a part of the DTM with terrain.bounds"});
 }
 
@@ -88,14 +85,14 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     if (!bounds && static_cast<double>(input.file.columns) * static_cast<double>(input.file.rows) > k_large) {
         bounds = flow_window(reading, input.file, crs);
         if (bounds)
-            log.note("the DTM is large: of it frana takes what the release can reach, " +
-                     extent_text(*bounds) + "; terrain.bounds overrides this");
+            log.note("the DTM is large: of it frana takes what the release can reach, " + extent_text(*bounds) +
+                     "; terrain.bounds overrides this");
     }
     const GridSpec grid = gis::working_grid(input.file, crs, bounds, spec.cell_size);
     check_size(reading, grid);
-    gis::RasterRead read = gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "",
-                                               resampling_of(spec.resampling), spec.vertical_unit,
-                                               spec.nodata_value, reading.where("terrain.dtm"));
+    gis::RasterRead read =
+        gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "", resampling_of(spec.resampling),
+                            spec.vertical_unit, spec.nodata_value, reading.where("terrain.dtm"));
     for (const std::string& warning : read.warnings) log.warn("DTM: " + warning);
     if (read.zero_rim_cells > 0) {
         log.warn("DTM: " + grouped(read.zero_rim_cells) +
@@ -108,8 +105,8 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     input.nodata_cells = read.nodata_cells;
     if (input.nodata_cells >= grid.cell_count()) {
         throw Error(ErrorKind::input,
-                    Problem{"has no elevation anywhere on the working grid", reading.where("terrain.dtm"),
-                            spec.dtm, "", "Check terrain.bounds and the file's nodata value"});
+                    Problem{"has no elevation anywhere on the working grid", reading.where("terrain.dtm"), spec.dtm, "",
+                            "Check terrain.bounds and the file's nodata value"});
     }
     if (spec.nodata_policy == "fill" && input.nodata_cells > 0)
         input.filled_cells = gis::fill_nodata(input.terrain, k_fill_distance_cells);
@@ -121,20 +118,17 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
     const GridSpec& grid = input.terrain.grid;
     log.note("DTM " + reading.scene.terrain.dtm + " in " +
              (input.file.crs_wkt.empty() ? "plain metres" : gis::crs_name(input.file.crs_wkt)));
-    log.note("working grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
-             " cells of " + shortest_text(grid.cell_size) + " m in " + input.crs_label + ", resampling " +
-             input.resampling_used);
+    log.note("working grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " cells of " +
+             shortest_text(grid.cell_size) + " m in " + input.crs_label + ", resampling " + input.resampling_used);
     if (reading.scene.terrain.vertical_unit != "auto")
         log.note("elevations taken in the unit asked for: " + reading.scene.terrain.vertical_unit);
     else if (input.file.vertical_scale_to_metres != 1)
         log.note("elevations converted from " + input.file.vertical_unit + " to metres");
     report_transform("DTM", input.transform, grid.cell_size, log);
     if (input.nodata_cells > 0) {
-        const std::string cells =
-            grouped(input.nodata_cells) + " cells of the working grid have no elevation";
+        const std::string cells = grouped(input.nodata_cells) + " cells of the working grid have no elevation";
         if (input.filled_cells > 0)
-            log.warn(cells + "; " + grouped(input.filled_cells) +
-                     " of them were interpolated (nodata-policy = fill)");
+            log.warn(cells + "; " + grouped(input.filled_cells) + " of them were interpolated (nodata-policy = fill)");
         else
             log.note(cells + "; nodata-policy = " + reading.scene.terrain.nodata_policy);
     }
@@ -143,8 +137,7 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
 }  // namespace
 
 std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog& log, Problems& problems) {
-    if (reading.scene.terrain.dtm.empty())
-        return std::nullopt;  // reported as missing when the scene was read
+    if (reading.scene.terrain.dtm.empty()) return std::nullopt;  // reported as missing when the scene was read
     try {
         TerrainInput input = read_terrain(reading, log);
         report(input, reading, log);
@@ -152,8 +145,7 @@ std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog&
     } catch (const Error& error) {
         for (Problem problem : error.problems()) {
             // Coordinates that cannot be transformed know nothing of the file they come from.
-            if (problem.where.empty())
-                problem.where = reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm;
+            if (problem.where.empty()) problem.where = reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm;
             problems.add(problem);
         }
         return std::nullopt;

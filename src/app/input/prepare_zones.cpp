@@ -30,9 +30,11 @@ struct Quantity {
 std::vector<Quantity> quantities(const ZonesSpec& spec) {
     using Zones = MaterialZones;
     return {
-        {"zones.friction-angle", spec.friction_angle, &Zones::friction_coefficient, true,
-         {"friction_angle", "phi"}},
-        {"zones.friction-coefficient", spec.friction_coefficient, &Zones::friction_coefficient, false,
+        {"zones.friction-angle", spec.friction_angle, &Zones::friction_coefficient, true, {"friction_angle", "phi"}},
+        {"zones.friction-coefficient",
+         spec.friction_coefficient,
+         &Zones::friction_coefficient,
+         false,
          {"friction_coefficient", "mu"}},
         {"zones.turbulence", spec.turbulence, &Zones::turbulence, false, {"turbulence", "xi"}},
         {"zones.cohesion", spec.cohesion, &Zones::cohesion, false, {"cohesion"}},
@@ -45,8 +47,8 @@ bool by_attribute(const Quantity& quantity) {
 }
 
 /// Where no key names a column, columns with a customary name are used; a shapefile cuts names after ten letters.
-void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, std::vector<Quantity>& list,
-                  RunLog& log, Problems& problems) {
+void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, std::vector<Quantity>& list, RunLog& log,
+                  Problems& problems) {
     if (std::any_of(list.begin(), list.end(), by_attribute)) return;
     const auto& numbers = layer.features.front().numbers;
     std::string known, expected;
@@ -226,9 +228,8 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
     for (const Quantity& quantity : list) {
         if (!quantity.source || quantity.source->kind != SourceSpec::Kind::raster) continue;
         try {
-            std::optional<Raster> raster =
-                read_zone_raster(reading, ground, quantity.key, quantity.source->name,
-                                 "the material's own holds there", files, log, problems);
+            std::optional<Raster> raster = read_zone_raster(reading, ground, quantity.key, quantity.source->name,
+                                                            "the material's own holds there", files, log, problems);
             if (!raster) continue;
             for (double& value : raster->values) value = converted(value, quantity.degrees);
             zones.*quantity.target = std::move(raster);

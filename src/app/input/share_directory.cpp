@@ -23,9 +23,8 @@ std::string share_directory() {
     candidates.emplace_back(FRANA_SOURCE_SHARE);
     for (const fs::path& candidate : candidates)
         if (fs::is_directory(candidate / "materials", failure)) return candidate.string();
-    throw Error(ErrorKind::environment,
-                Problem{"the share folder with the material presets is missing", candidates.front().string(),
-                        "", "", "Set FRANA_SHARE to it"});
+    throw Error(ErrorKind::environment, Problem{"the share folder with the material presets is missing",
+                                                candidates.front().string(), "", "", "Set FRANA_SHARE to it"});
 }
 
 std::string materials_directory() {

@@ -20,12 +20,12 @@ std::string place_text(const std::string& name, Point place) {
     return name + " at " + shortest_text(place.x) + ", " + shortest_text(place.y);
 }
 
-void require_inside(const std::string& name, const Polyline& places, const GridSpec& grid,
-                    const std::string& where, Problems& problems) {
+void require_inside(const std::string& name, const Polyline& places, const GridSpec& grid, const std::string& where,
+                    Problems& problems) {
     for (const Point& place : places) {
         if (inside(grid, place)) continue;
-        problems.add({"lies outside the working grid", where, place_text(name, place),
-                      extent_text(grid.bounds()), "Move it, or take a larger DTM or terrain.bounds"});
+        problems.add({"lies outside the working grid", where, place_text(name, place), extent_text(grid.bounds()),
+                      "Move it, or take a larger DTM or terrain.bounds"});
         return;
     }
 }
@@ -53,8 +53,8 @@ std::vector<gis::NamedLine> lines_of(const std::optional<gis::Marks>& marks, con
     return marks->lines;
 }
 
-std::vector<Gauge> gauges_of(const std::optional<gis::Marks>& marks, const std::string& file,
-                             const std::string& where, const GridSpec& grid, Problems& problems) {
+std::vector<Gauge> gauges_of(const std::optional<gis::Marks>& marks, const std::string& file, const std::string& where,
+                             const GridSpec& grid, Problems& problems) {
     std::vector<Gauge> gauges;
     if (!marks) return gauges;
     if (marks->points.empty() || !marks->lines.empty() || marks->polygons > 0)
@@ -95,8 +95,7 @@ std::optional<Bounds> Survey::box() const {
 
 MultiPolygon parts_of(const std::vector<PolygonFeature>& features) {
     MultiPolygon all;
-    for (const PolygonFeature& feature : features)
-        all.insert(all.end(), feature.parts.begin(), feature.parts.end());
+    for (const PolygonFeature& feature : features) all.insert(all.end(), feature.parts.begin(), feature.parts.end());
     return all;
 }
 
@@ -151,13 +150,11 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunL
         if (marks) extra.files.push_back(used_marks(what, *file, *marks));
     };
     const std::string gauges_key = "output.gauges", sections_key = "output.cross-sections",
-                      profiles_key = "output.profiles", front_key = "scar.front",
-                      deposit_key = "scar.deposit";
+                      profiles_key = "output.profiles", front_key = "scar.front", deposit_key = "scar.deposit";
 
     const auto gauges = marks_of(output.gauges, gauges_key, reading, grid, problems);
     keep("Gauges", output.gauges, gauges);
-    extra.recording.gauges =
-        gauges_of(gauges, output.gauges.value_or(""), reading.where(gauges_key), grid, problems);
+    extra.recording.gauges = gauges_of(gauges, output.gauges.value_or(""), reading.where(gauges_key), grid, problems);
     require_different_names(extra.recording.gauges, reading.where(gauges_key), problems);
 
     const auto sections = marks_of(output.sections, sections_key, reading, grid, problems);
@@ -169,8 +166,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunL
 
     const auto profiles = marks_of(output.profiles, profiles_key, reading, grid, problems);
     keep("Profiles", output.profiles, profiles);
-    extra.profiles =
-        lines_of(profiles, output.profiles.value_or(""), reading.where(profiles_key), grid, problems);
+    extra.profiles = lines_of(profiles, output.profiles.value_or(""), reading.where(profiles_key), grid, problems);
     require_different_names(extra.profiles, reading.where(profiles_key), problems);
 
     extra.recording.interval = output.sample_interval.value_or(0);
@@ -200,9 +196,8 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunL
         });
     }
     if (const auto& deposit = reading.scene.scar.deposit)
-        attempt([&] {
-            extra.files.push_back(add_deposit(*deposit, grid, reading.where(deposit_key), log, extra.survey));
-        });
+        attempt(
+            [&] { extra.files.push_back(add_deposit(*deposit, grid, reading.where(deposit_key), log, extra.survey)); });
     return extra;
 }
 

@@ -41,7 +41,7 @@ void add_surveyed(const std::string& file, const std::string& crs_wkt, const std
 
 /// Adds a deposit: polygons, or a raster of elevation change. Throws Error(input).
 UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::string& where, RunLog& log,
-                 Survey& survey);
+                     Survey& survey);
 
 /// The parts of all features of a layer.
 MultiPolygon parts_of(const std::vector<PolygonFeature>& features);

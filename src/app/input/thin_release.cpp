@@ -9,8 +9,8 @@ namespace frana::app {
 void warn_of_thin_release(const RunEstimate& expected, const Scene& scene, RunLog& log) {
     const auto warn = [&](double share, const char* key, double depth, const std::string& then) {
         if (share <= k_thin_share) return;
-        log.warn(figure(100 * share, 2) + " % of the release is thinner than " + key + " = " +
-                 shortest_text(depth) + " m: " + then);
+        log.warn(figure(100 * share, 2) + " % of the release is thinner than " + key + " = " + shortest_text(depth) +
+                 " m: " + then);
     };
     warn(expected.thin_share, "numerics.minimum-depth", scene.numerics.minimum_depth,
          "maps and figures do not show it; set the key to about a hundredth of the flow's usual depth");

@@ -21,11 +21,9 @@ std::string transform_text(const gis::TransformInfo& transform) {
     return in_place(transform) ? "none" : transform.operation;
 }
 
-void report_transform(const std::string& input, const gis::TransformInfo& transform, double cell_size,
-                      RunLog& log) {
+void report_transform(const std::string& input, const gis::TransformInfo& transform, double cell_size, RunLog& log) {
     if (in_place(transform)) return;
-    log.note(input + " transformed by: " + transform_text(transform) + ", accuracy " +
-             accuracy_text(transform));
+    log.note(input + " transformed by: " + transform_text(transform) + ", accuracy " + accuracy_text(transform));
     if (transform.accuracy_m < 0) {
         log.warn(input + ": nothing is known of the accuracy of its transformation (" + transform.operation +
                  "); it may lie metres to hundreds of metres off");

@@ -15,7 +15,6 @@ std::string accuracy_text(const gis::TransformInfo& transform);
 
 /// Notes how an input ("DTM", "perimeter") came into the working CRS, and warns where its place is less sure
 /// than half a cell or a better operation needs a grid file that is not installed.
-void report_transform(const std::string& input, const gis::TransformInfo& transform, double cell_size,
-                      RunLog& log);
+void report_transform(const std::string& input, const gis::TransformInfo& transform, double cell_size, RunLog& log);
 
 }  // namespace frana::app

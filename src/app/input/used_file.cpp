@@ -26,13 +26,12 @@ std::string counted(std::size_t count, const std::string& what) {
 
 }  // namespace
 
-UsedFile used_raster(const std::string& role, const gis::RasterInfo& from,
-                     const gis::TransformInfo& transform, const std::string& resampling,
-                     std::int64_t nodata_cells) {
+UsedFile used_raster(const std::string& role, const gis::RasterInfo& from, const gis::TransformInfo& transform,
+                     const std::string& resampling, std::int64_t nodata_cells) {
     UsedFile file = positioned(role, from.path, from.crs_wkt, from.crs_label, from.bounds, transform);
-    file.content = grouped(from.columns) + " x " + grouped(from.rows) + " of\n" + figure(from.cell_x, 6) +
-                   " x " + figure(from.cell_y, 6) + (file.degrees ? " degrees" : "") + "\n" + from.data_type +
-                   " in " + from.vertical_unit + (from.vertical_unit_stated ? "" : " (assumed)") +
+    file.content = grouped(from.columns) + " x " + grouped(from.rows) + " of\n" + figure(from.cell_x, 6) + " x " +
+                   figure(from.cell_y, 6) + (file.degrees ? " degrees" : "") + "\n" + from.data_type + " in " +
+                   from.vertical_unit + (from.vertical_unit_stated ? "" : " (assumed)") +
                    (from.rotated ? "\nrotated" : "");
     file.nodata = grouped(nodata_cells) + "\n" + (from.has_nodata ? figure(from.nodata, 9) : "none declared");
     file.resampling = resampling;
@@ -56,8 +55,7 @@ UsedFile used_lines(const std::string& role, const std::string& path, const gis:
 
 UsedFile used_marks(const std::string& role, const std::string& path, const gis::Marks& marks) {
     UsedFile file = positioned(role, path, marks.crs_wkt, marks.crs_label, marks.own_bounds, marks.transform);
-    const std::string lines = counted(marks.lines.size(), "line"),
-                      points = counted(marks.points.size(), "point");
+    const std::string lines = counted(marks.lines.size(), "line"), points = counted(marks.points.size(), "point");
     file.content = lines + (lines.empty() || points.empty() ? "" : "\n") + points;
     return file;
 }

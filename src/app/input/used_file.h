@@ -26,9 +26,8 @@ struct UsedFile {
 };
 
 /// `nodata_cells` of the working grid.
-UsedFile used_raster(const std::string& role, const gis::RasterInfo& file,
-                     const gis::TransformInfo& transform, const std::string& resampling,
-                     std::int64_t nodata_cells);
+UsedFile used_raster(const std::string& role, const gis::RasterInfo& file, const gis::TransformInfo& transform,
+                     const std::string& resampling, std::int64_t nodata_cells);
 UsedFile used_polygons(const std::string& role, const std::string& path, const gis::PolygonLayer& layer);
 UsedFile used_lines(const std::string& role, const std::string& path, const gis::LineInputLayer& layer);
 UsedFile used_marks(const std::string& role, const std::string& path, const gis::Marks& marks);

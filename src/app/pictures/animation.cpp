@@ -54,8 +54,7 @@ class FilmOut {
         const bool gif = path.ends_with(".gif");
         const double pace = std::clamp(static_cast<double>(frames) / k_film_seconds, 4.0, k_playback);
         repeats_ = gif ? 1 : std::max(1, static_cast<int>(std::lround(k_playback / pace)));
-        movie_ =
-            std::make_unique<render::MovieWriter>(path, size.width, size.height, gif ? pace : k_playback);
+        movie_ = std::make_unique<render::MovieWriter>(path, size.width, size.height, gif ? pace : k_playback);
         seconds_ = static_cast<double>(frames) * repeats_ / (gif ? pace : k_playback);
     }
     [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< of playback; 0: a folder
@@ -152,10 +151,8 @@ bool film(const FilmRequest& request, const std::string& path) {
     Spec left = film_spec<Spec>(request.first, half, out.seconds());
     std::optional<Animator> right;
     if (request.second) {
-        Spec other =
-            film_spec<Spec>(*request.second, {request.size.width - half.width, half.height}, out.seconds());
-        const bool first_greater =
-            maximum(request.first.layer.values) >= maximum(request.second->layer.values);
+        Spec other = film_spec<Spec>(*request.second, {request.size.width - half.width, half.height}, out.seconds());
+        const bool first_greater = maximum(request.first.layer.values) >= maximum(request.second->layer.values);
         share(left, other, first_greater ? request.first.layer : request.second->layer);
         right.emplace(other);
     }
@@ -204,10 +201,9 @@ bool is_film_picture(const std::string& name) {
 FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {
     const bool particles = quantity == "particles";
     const std::string colours = particles ? "velocity" : quantity;
-    FilmSource film{source, result.greatest(colours), result.path("max_" + colours + ".tif"), result.frames(), quantity};
-    film.layer.title = particles             ? "Speed of particles"
-                       : quantity == "depth" ? "Flow depth"
-                                             : "Flow velocity";
+    FilmSource film{source, result.greatest(colours), result.path("max_" + colours + ".tif"), result.frames(),
+                    quantity};
+    film.layer.title = particles ? "Speed of particles" : quantity == "depth" ? "Flow depth" : "Flow velocity";
     film.layer.source = "frames/" + quantity + (particles ? "_*.gpkg, speed_ms" : "_*.tif, band 1");
     return film;
 }

@@ -34,8 +34,8 @@ struct FilmRequest {
     FilmSource first;
     std::optional<FilmSource> second;
     bool view_3d = false;
-    bool fly = false;  ///< 3-D: the camera glides from the flow's top to its front
-    Size size;         ///< of the whole picture
+    bool fly = false;                           ///< 3-D: the camera glides from the flow's top to its front
+    Size size;                                  ///< of the whole picture
     std::function<bool()> stop_requested = {};  ///< asked before every frame; empty: never
 };
 

@@ -145,11 +145,7 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
     render::CurveChart chart = page(source, "course of the flow", k_series_file);
     chart.across = 2;
     chart.panels = {
-        {"Greatest speed",
-         seconds,
-         "speed [m/s]",
-         {curve("max_speed_ms", "along the bed", k_vermilion)},
-         true},
+        {"Greatest speed", seconds, "speed [m/s]", {curve("max_speed_ms", "along the bed", k_vermilion)}, true},
         {"Greatest depth", seconds, "depth [m]", {curve("max_depth_m", "vertical", k_blue)}, true},
         {"Front", seconds, "distance [m]", {curve("front_distance_m", "farthest particle", k_purple)}, true},
         {"Covered area",
@@ -157,11 +153,7 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
          "area [1000 m\u00B2]",
          {curve("covered_area_m2", "at the time", k_green, 1e-3)},
          true},
-        {"Kinetic energy",
-         seconds,
-         "energy [GJ]",
-         {curve("kinetic_energy_j", "in map view", k_vermilion, 1e-9)},
-         true},
+        {"Kinetic energy", seconds, "energy [GJ]", {curve("kinetic_energy_j", "in map view", k_vermilion, 1e-9)}, true},
         {"Volume",
          seconds,
          "volume [1000 m\u00B3]",
@@ -267,8 +259,7 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
                                       {{"discharge_m3s", "Discharge", "discharge [m\u00B3/s]"},
                                        {"volume_m3", "Volume passed", "volume [m\u00B3]"}}));
     });
-    table(k_comparison_curve,
-          [&](const Columns& columns) { charts.push_back(scores_chart(columns, result, source)); });
+    table(k_comparison_curve, [&](const Columns& columns) { charts.push_back(scores_chart(columns, result, source)); });
     return charts;
 }
 
@@ -276,8 +267,7 @@ std::vector<std::string> chart_files(const ResultReader& result, const MapSource
     std::vector<std::string> files;
     Problems drawn_later;  // and told then
     for (const NamedChart& one : result_charts(result, source, drawn_later)) {
-        const auto more =
-            picture_files(source.style, (std::filesystem::path(folder) / one.name).string(), false);
+        const auto more = picture_files(source.style, (std::filesystem::path(folder) / one.name).string(), false);
         files.insert(files.end(), more.begin(), more.end());
     }
     return files;

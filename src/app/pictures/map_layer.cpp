@@ -83,7 +83,8 @@ MapLayer read_greatest_layer(const std::vector<std::string>& paths) {
         if (!more.grid.same_cells(layer.values.grid))
             throw Error(ErrorKind::input, Problem{"has other cells than " + paths.front(), paths[i], "", "", ""});
         for (std::size_t cell = 0; cell < more.values.size(); ++cell)
-            layer.values.values[cell] = std::fmax(layer.values.values[cell], more.values[cell]);  // a number before nodata
+            layer.values.values[cell] =
+                std::fmax(layer.values.values[cell], more.values[cell]);  // a number before nodata
     }
     set_known(layer.name.substr(0, layer.name.find_last_of('_')), layer);
     layer.time.reset();

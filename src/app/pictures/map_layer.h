@@ -20,11 +20,11 @@ struct MapLayer {
     std::vector<render::ClassLabel> categories;  ///< of a raster of classes
     Raster values;
     std::optional<render::Dots> dots;  ///< drawn instead of the values, which then only say where and how much
-    bool is_surface = false;         ///< thickness: a view shows the surface of what flowed
-    std::optional<double> time;      ///< of what it shows at one instant [s]
-    std::string source;              ///< "max_depth.tif, band 1"
-    std::vector<std::string> notes;  ///< beside the map, under the result's own
-    bool notes_alone = false;        ///< without the result's
+    bool is_surface = false;           ///< thickness: a view shows the surface of what flowed
+    std::optional<double> time;        ///< of what it shows at one instant [s]
+    std::string source;                ///< "max_depth.tif, band 1"
+    std::vector<std::string> notes;    ///< beside the map, under the result's own
+    bool notes_alone = false;          ///< without the result's
 };
 
 /// Reads the first band of a raster. What is known of frana's own files by their names, and what the file says

@@ -27,8 +27,7 @@ std::vector<render::Outline> outlines_of(const MapSource& source, bool classes) 
     std::vector<render::Outline> outlines = source.marks;
     if (!source.release.empty()) outlines.push_back({"Release", source.release, k_release_colour, 2.5, true});
     if (!source.scar.empty()) {
-        outlines.push_back(
-            {"Surveyed scar", source.scar, classes ? k_scar_on_classes : k_scar_colour, 3, false});
+        outlines.push_back({"Surveyed scar", source.scar, classes ? k_scar_on_classes : k_scar_colour, 3, false});
     }
     return outlines;
 }
@@ -74,8 +73,8 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
     spec.width = source.style.size.width;
     spec.height = source.style.size.height;
     if (!source.style.background.empty()) {
-        spec.background = [path = source.style.background, crs = layer.values.grid.crs_wkt](
-                              const Bounds& box, int width, int height) {
+        spec.background = [path = source.style.background, crs = layer.values.grid.crs_wkt](const Bounds& box,
+                                                                                            int width, int height) {
             return render::LayerImage{width, height, gis::warp_picture(path, crs, box, width, height)};
         };
     }
@@ -117,10 +116,9 @@ std::string page_attribution(const MapSource& source) {
 }
 
 std::string map_subtitle(const MapFacts& facts) {
-    const std::string model =
-        facts.model.empty()           ? "Model unknown"
-        : facts.model == "structured" ? "Structured model"
-                                      : "Voellmy-Bingham, scheme " + facts.scheme;
+    const std::string model = facts.model.empty()           ? "Model unknown"
+                              : facts.model == "structured" ? "Structured model"
+                                                            : "Voellmy-Bingham, scheme " + facts.scheme;
     return model + ", " + figure(facts.simulated_seconds, 3) + " s simulated";
 }
 
@@ -128,11 +126,11 @@ std::vector<std::string> map_notes(const MapFacts& facts) {
     std::vector<std::string> notes{"Volume " + grouped(facts.volume) + " m³"};
     if (const auto& figures = facts.figures) {
         const Runout& run_out = figures->run_out;
-        notes.insert(notes.end(), {"Covered " + grouped(figures->covered_area_m2) + " m²",
-                                   "(deeper than " + figure(figures->threshold, 3) + " m)",
-                                   "Run-out " + grouped(run_out.horizontal_m) + " m",
-                                   "Drop " + grouped(run_out.drop_m) + " m",
-                                   "Angle of reach " + figure(run_out.reach_angle_deg, 3) + "°"});
+        notes.insert(
+            notes.end(),
+            {"Covered " + grouped(figures->covered_area_m2) + " m²",
+             "(deeper than " + figure(figures->threshold, 3) + " m)", "Run-out " + grouped(run_out.horizontal_m) + " m",
+             "Drop " + grouped(run_out.drop_m) + " m", "Angle of reach " + figure(run_out.reach_angle_deg, 3) + "°"});
     }
     // A map that is not the whole story says so itself: it travels without its log.
     if (facts.last_speed > k_moving_speed) notes.emplace_back("Still moving at the end");
@@ -162,8 +160,7 @@ render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer) {
     spec.vertical_exaggeration = source.style.exaggeration;
     spec.camera = source.style.camera;
     spec.sky = source.style.sky;
-    std::erase_if(spec.outlines,
-                  [](const render::Outline& one) { return one.polygons.empty() && one.lines.empty(); });
+    std::erase_if(spec.outlines, [](const render::Outline& one) { return one.polygons.empty() && one.lines.empty(); });
     if (layer.is_surface) spec.thickness = spec.layer;
     return spec;
 }

@@ -21,9 +21,9 @@ struct MapFacts {
     std::string model;  ///< as material.model
     std::string scheme;
     double simulated_seconds = 0;
-    double volume = 0;        ///< released [m3]
-    double volume_left = 0;   ///< that left the computed ground [m3]
-    double last_speed = 0;    ///< greatest speed at the end [m/s]
+    double volume = 0;       ///< released [m3]
+    double volume_left = 0;  ///< that left the computed ground [m3]
+    double last_speed = 0;   ///< greatest speed at the end [m/s]
     std::optional<MainFigures> figures;
 };
 

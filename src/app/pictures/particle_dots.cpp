@@ -16,8 +16,7 @@ render::Dots read_particle_dots(const std::string& path) {
                     Problem{"the result has no particles at this instant", path, "", "",
                             "Run the scene with particles-gpkg among output.formats and output.frames = on"});
     }
-    const gis::ValuedPoints points =
-        gis::read_valued_points(path, {"speed_ms", "depth_m", "volume_m3"}, "particles");
+    const gis::ValuedPoints points = gis::read_valued_points(path, {"speed_ms", "depth_m", "volume_m3"}, "particles");
     const auto &speeds = points.columns[0], &depths = points.columns[1], &volumes = points.columns[2];
     render::Dots dots;
     double area = 0;

@@ -129,8 +129,8 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
     const Size size = source.style.size;
     const auto write = [&](const std::string& name, const render::Plate& plate) {
         const render::Image image = draw(plate, name, size);
-        for (const std::string& file : write_plain_picture(image, source.style, plate.title,
-                                                           (std::filesystem::path(folder) / name).string()))
+        for (const std::string& file :
+             write_plain_picture(image, source.style, plate.title, (std::filesystem::path(folder) / name).string()))
             files.push_back(file);
     };
 
@@ -152,7 +152,9 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
         const auto [density, gravity] = *weight;
         double greatest = maximum(start.values);
         for (const MapLayer& layer : depths.depths) greatest = std::max(greatest, maximum(layer.values));
-        Snapshots stresses{{}, "stresses", "normal stress on the bed",
+        Snapshots stresses{{},
+                           "stresses",
+                           "normal stress on the bed",
                            "hydrostatic: density " + figure(density) + " kg/m\u00B3 times gravity " + figure(gravity) +
                                " m/s\u00B2 times vertical depth"};
         for (const MapLayer& layer : depths.depths)

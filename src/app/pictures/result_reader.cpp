@@ -80,8 +80,8 @@ ResultReader::ResultReader(std::string directory) : directory_(std::move(directo
     if (under_way()) return;
     for (const ResultRaster& row : main_rasters())
         if (has(row.name + ".tif")) return;
-    throw Error(ErrorKind::input, Problem{"holds no result: not one of its rasters is there", "RESULT_DIR",
-                                          directory_, "a directory that `frana run` wrote",
+    throw Error(ErrorKind::input, Problem{"holds no result: not one of its rasters is there", "RESULT_DIR", directory_,
+                                          "a directory that `frana run` wrote",
                                           has("dtm.tif") ? "Its run has just begun; wait for the first frame" : ""});
 }
 
@@ -186,8 +186,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
     const std::string kind = name.substr(0, at);
     if (at != std::string::npos && (kind == "depth" || kind == "velocity" || kind == "particles")) {
         const auto time = number_from_text(name.substr(at + 1));
-        if (!time)
-            throw Error(ErrorKind::input, Problem{"names no time", "--map", name, kind + "@SECONDS", ""});
+        if (!time) throw Error(ErrorKind::input, Problem{"names no time", "--map", name, kind + "@SECONDS", ""});
         const std::vector<StoredFrame>& all = frames();
         const auto nearest = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
             return std::abs(a.time - *time) < std::abs(b.time - *time);
@@ -271,11 +270,9 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
     };
     areas("terrain.friction-zones", "Friction zones", k_zones, true);
     areas("terrain.obstacles", "Obstacles", k_obstacles, false);
-    if (const auto walls = scene_value("terrain.walls"))
-        attempt([&] { lines(*walls, "Walls", k_obstacles, false); });
+    if (const auto walls = scene_value("terrain.walls")) attempt([&] { lines(*walls, "Walls", k_obstacles, false); });
     areas("terrain.walls", "Walls", k_obstacles, false);  // whichever they are
-    if (written(k_profile_lines, "lines"))
-        lines(path(k_profile_lines) + "|layer=lines", "Profiles", k_lines, true);
+    if (written(k_profile_lines, "lines")) lines(path(k_profile_lines) + "|layer=lines", "Profiles", k_lines, true);
     if (written(k_gauge_places, "sections"))
         lines(path(k_gauge_places) + "|layer=sections", "Cross-sections", k_lines, false);
     if (written(k_gauge_places, "gauges")) {
@@ -294,8 +291,8 @@ MapSource ResultReader::map_source(const std::optional<MainFigures>& figures) co
         scene_value("output.title").value_or(fs::absolute(directory_).lexically_normal().filename().string());
     const GridSpec grid = this->grid();
     source.crs_label = gis::crs_name(grid.crs_wkt);
-    source.convergence_deg = gis::meridian_convergence_deg(
-        grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
+    source.convergence_deg =
+        gis::meridian_convergence_deg(grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
     if (has("dtm.tif")) source.terrain = raster_on(grid, "dtm");
     source.release = outline("release", grid.crs_wkt);
     source.scar = outline("scar", grid.crs_wkt);

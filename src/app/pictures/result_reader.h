@@ -45,9 +45,7 @@ class ResultReader {
     /// As listed when first asked for, at least one: of a run under way none that come later. Throws Error(input).
     [[nodiscard]] const std::vector<StoredFrame>& frames() const;
     /// Whether its run has not ended: it has frames, no maxima, and no summary, which comes last.
-    [[nodiscard]] bool under_way() const {
-        return !has(k_summary_file) && !has("max_depth.tif") && has(k_frame_list);
-    }
+    [[nodiscard]] bool under_way() const { return !has(k_summary_file) && !has("max_depth.tif") && has(k_frame_list); }
     /// Of "depth" or "velocity": the maximum over time, of a run that has not ended over its frames so far.
     /// Throws Error(input).
     [[nodiscard]] const MapLayer& greatest(const std::string& quantity) const;
@@ -70,8 +68,8 @@ class ResultReader {
     [[nodiscard]] std::string grid_raster() const;
 
     std::string directory_;
-    mutable std::optional<GridSpec> grid_;             ///< read once
-    mutable std::vector<StoredFrame> frames_;          ///< likewise
+    mutable std::optional<GridSpec> grid_;              ///< read once
+    mutable std::vector<StoredFrame> frames_;           ///< likewise
     mutable std::map<std::string, MapLayer> greatest_;  ///< likewise
 };
 

@@ -73,8 +73,7 @@ double group_room(const fs::path& root) {
         if (second == std::string::npos) continue;
         const std::string kinds = line.substr(first + 1, second - first - 1), path = line.substr(second + 1);
         if (kinds.empty())
-            room =
-                std::min(room, room_above(root / "sys/fs/cgroup", path, "memory.max", "memory.current", ""));
+            room = std::min(room, room_above(root / "sys/fs/cgroup", path, "memory.max", "memory.current", ""));
         else if (kinds.find("memory") != std::string::npos)
             room = std::min(room, room_above(root / "sys/fs/cgroup/memory", path, "memory.limit_in_bytes",
                                              "memory.usage_in_bytes", "total_"));
@@ -88,8 +87,8 @@ double shell_room(const fs::path& root, int resource, const std::string& mapped)
     rlimit shell{};
     if (::getrlimit(static_cast<__rlimit_resource>(resource), &shell) != 0 || shell.rlim_cur == RLIM_INFINITY)
         return k_none;
-    return std::max(0.0, static_cast<double>(shell.rlim_cur) -
-                             number_after(root / "proc/self/status", mapped).value_or(0));
+    return std::max(0.0,
+                    static_cast<double>(shell.rlim_cur) - number_after(root / "proc/self/status", mapped).value_or(0));
 }
 
 }  // namespace
@@ -104,12 +103,10 @@ void map_sparingly() {
 
 MemoryBound machine_memory(const std::string& root) {
     const fs::path system(root), info = system / "proc/meminfo";
-    const double all = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
-                       static_cast<double>(::sysconf(_SC_PAGESIZE)),
+    const double all = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE)),
                  held = static_cast<double>(resident_memory(root));
     const auto free = number_after(info, "MemAvailable:");
-    MemoryBound bound{free ? *free + number_after(info, "SwapFree:").value_or(0) + held : all,
-                      "the machine has free"};
+    MemoryBound bound{free ? *free + number_after(info, "SwapFree:").value_or(0) + held : all, "the machine has free"};
     const auto lower = [&](double room, const char* what) {
         if (room + held < bound.bytes) bound = {room + held, what};
     };

@@ -27,8 +27,8 @@ void require_same_scene(const Prepared& prepared, const std::string& directory) 
     if (then == here) return;
     const std::string remedy = "Choose another folder with --out, or add --overwrite";
     if (!then)
-        throw Error(ErrorKind::input, Problem{"holds a result already, of a frana that did not tell of what scene", directory,
-                                              "", "", remedy});
+        throw Error(ErrorKind::input, Problem{"holds a result already, of a frana that did not tell of what scene",
+                                              directory, "", "", remedy});
     throw Error(ErrorKind::input, Problem{"holds the finished result of another scene: " +
                                               joined(identity_differences(here, *then), "; "),
                                           directory, "", "", remedy});
@@ -68,8 +68,7 @@ bool is_changed(const std::string& path, const FileMark& listed) {
 }
 
 // The files that are there, but are not as the run wrote them; styles are the user's to change.
-std::vector<std::string> changed_files_of(const Manifest& manifest, const std::string& directory,
-                                          bool drawn) {
+std::vector<std::string> changed_files_of(const Manifest& manifest, const std::string& directory, bool drawn) {
     std::vector<std::string> changed;
     for (const auto& [name, mark] : manifest.files) {
         const ResultFile* const file = known_file(name);
@@ -83,8 +82,7 @@ std::vector<std::string> changed_files_of(const Manifest& manifest, const std::s
 std::string told(const std::vector<std::string>& names) {
     constexpr std::size_t k_told = 20;
     std::vector<std::string> some(names.begin(), names.begin() + std::min(k_told, names.size()));
-    if (names.size() > some.size())
-        some.push_back("and " + std::to_string(names.size() - some.size()) + " more");
+    if (names.size() > some.size()) some.push_back("and " + std::to_string(names.size() - some.size()) + " more");
     return joined(some, ", ");
 }
 
@@ -93,11 +91,11 @@ void require_all(const std::vector<std::string>& missing, const std::vector<std:
     const std::string remedy = "Bring them back, or compute the scene anew with --overwrite";
     Problems problems;
     if (!missing.empty())
-        problems.add({"files of the result are missing, which only a run can write: " + told(missing),
-                      directory, "", "", remedy});
-    if (!changed.empty())
-        problems.add({"files of the result are not as the run wrote them: " + told(changed), directory, "",
+        problems.add({"files of the result are missing, which only a run can write: " + told(missing), directory, "",
                       "", remedy});
+    if (!changed.empty())
+        problems.add(
+            {"files of the result are not as the run wrote them: " + told(changed), directory, "", "", remedy});
     problems.throw_if_any();
 }
 
@@ -106,12 +104,11 @@ Manifest require_list(const std::string& directory) {
     if (auto manifest = read_manifest(directory)) return std::move(*manifest);
     throw Error(
         ErrorKind::input,
-        Problem{
-            "the result's list of files is missing or cannot be read, so that nobody can tell whether it is "
-            "whole",
-            (fs::path(directory) / k_manifest_file).string(), "", "",
-            "Bring it back, or compute the scene anew with --overwrite, which keeps this result under "
-            "another name"});
+        Problem{"the result's list of files is missing or cannot be read, so that nobody can tell whether it is "
+                "whole",
+                (fs::path(directory) / k_manifest_file).string(), "", "",
+                "Bring it back, or compute the scene anew with --overwrite, which keeps this result under "
+                "another name"});
 }
 
 }  // namespace

@@ -27,8 +27,7 @@ using HighFigures = std::array<HighValues, k_high_figures.size()>;
 
 inline HighFigures high_figures(const RunResult& result, const Raster& trace) {
     HighFigures high;
-    for (std::size_t i = 0; i < high.size(); ++i)
-        high[i] = high_values(result.*k_high_figures[i].values, trace);
+    for (std::size_t i = 0; i < high.size(); ++i) high[i] = high_values(result.*k_high_figures[i].values, trace);
     return high;
 }
 

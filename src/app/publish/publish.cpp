@@ -32,7 +32,7 @@ namespace frana::app {
 namespace {
 
 constexpr double k_moving_volume = 0.01;  // that may move when the time is over, however thin, without a word
-constexpr double k_shown_share = 0.05;  // by which a raster's volume may miss the flow's without a word
+constexpr double k_shown_share = 0.05;    // by which a raster's volume may miss the flow's without a word
 
 ComparisonInput comparison_input(const Finished& run) {
     ComparisonInput input = surveyed(run.prepared);
@@ -110,14 +110,12 @@ void warn_of_thin_flow(const Finished& run, RunLog& log) {
 
 /// What outlines and run-out do not show though maps do.
 void warn_of_empty_trace(const Finished& run, RunLog& log) {
-    const double threshold = run.prepared.spec.output.trace_threshold,
-                 deepest = maximum(run.result.max_depth);
+    const double threshold = run.prepared.spec.output.trace_threshold, deepest = maximum(run.result.max_depth);
     if (!(deepest > 0) || deepest > threshold) return;
-    log.warn(
-        "the flow was nowhere deeper than output.trace-threshold = " + shortest_text(threshold) + " m, but " +
-        figure(deepest, 3) +
-        " m: trace, deposit and covered area are empty, run-out is 0 and a comparison finds nothing. Set "
-        "output.trace-threshold to about a tenth of the flow's usual depth");
+    log.warn("the flow was nowhere deeper than output.trace-threshold = " + shortest_text(threshold) + " m, but " +
+             figure(deepest, 3) +
+             " m: trace, deposit and covered area are empty, run-out is 0 and a comparison finds nothing. Set "
+             "output.trace-threshold to about a tenth of the flow's usual depth");
 }
 
 void warn_of_trouble(const Finished& run, RunLog& log) {
@@ -144,17 +142,15 @@ void warn_of_trouble(const Finished& run, RunLog& log) {
                  "smaller cells, or take deposit volumes from summary.json");
     }
     if (result.volume_left > 0) {
-        log.warn(
-            grouped(result.volume_left) + " m3 left the computed ground (" +
-            figure(100 * result.volume_left / result.volume_entered, 2) +
-            " % of all that came in): the map does not show how far it runs; take a larger DTM or terrain.bounds");
+        log.warn(grouped(result.volume_left) + " m3 left the computed ground (" +
+                 figure(100 * result.volume_left / result.volume_entered, 2) +
+                 " % of all that came in): the map does not show how far it runs; take a larger DTM or terrain.bounds");
     }
 }
 
 /// The comparison with what was surveyed, if anything was. A survey that cannot be compared does not cost the
 /// run: it is a warning.
-std::optional<Comparison> publish_comparison(const Finished& run, const ResultDirectory& directory,
-                                             RunLog& log) {
+std::optional<Comparison> publish_comparison(const Finished& run, const ResultDirectory& directory, RunLog& log) {
     const ComparisonInput input = comparison_input(run);
     if (input.survey.empty()) return std::nullopt;
     try {
@@ -200,7 +196,8 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     facts.wall.output = output_watch.seconds() + frames.seconds();
 
     const Stopwatch render_watch;
-    const PictureOutcome pictures = draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.figures}, log);
+    const PictureOutcome pictures =
+        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.figures}, log);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;
@@ -209,8 +206,7 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     facts.peak_memory_bytes = peak_memory_bytes();
     facts.warnings = log.warnings();
     facts.data_identity = data_identity(prepared);
-    if (prepared.spec.output.report)
-        write_report({prepared, result, facts, comparison, facts.hazard}, directory);
+    if (prepared.spec.output.report) write_report({prepared, result, facts, comparison, facts.hazard}, directory);
     write_text_file(directory.path(k_summary_file), summary_json(result, facts));
     log.note("wrote summary.json");
     write_text_file(directory.path(k_log_file), log.text());

@@ -47,10 +47,8 @@ Raster normal_thickness(const Raster& depth, const Raster& bed) {
         for (std::int64_t column = 0; column < grid.columns; ++column) {
             if (!depth.has_data(row, column)) continue;
             const double here = bed_at(row, column);
-            const double east =
-                gradient(bed_at(row, column - 1), here, bed_at(row, column + 1), grid.cell_size);
-            const double north =
-                gradient(bed_at(row + 1, column), here, bed_at(row - 1, column), grid.cell_size);
+            const double east = gradient(bed_at(row, column - 1), here, bed_at(row, column + 1), grid.cell_size);
+            const double north = gradient(bed_at(row + 1, column), here, bed_at(row - 1, column), grid.cell_size);
             normal.at(row, column) = depth.at(row, column) / std::sqrt(1 + east * east + north * north);
         }
     }
@@ -76,12 +74,10 @@ void publish_avaframe(const Prepared& prepared, const RunResult& result, const R
         if (has_format(prepared.spec, "ascii"))
             gis::write_ascii_grid(directory.path(name + "_" + kind + ".asc"), raster);
         else
-            gis::write_geotiff(directory.path(name + "_" + kind + ".tif"), raster,
-                               {kind, text, unit, origin});
+            gis::write_geotiff(directory.path(name + "_" + kind + ".tif"), raster, {kind, text, unit, origin});
     };
     write("ppr", result.max_pressure, "Peak pressure", "kPa");
-    write("pft", normal_thickness(result.max_depth, result.bed), "Peak flow thickness, normal to the slope",
-          "m");
+    write("pft", normal_thickness(result.max_depth, result.bed), "Peak flow thickness, normal to the slope", "m");
     write("pfv", result.max_velocity, "Peak flow velocity", "m/s");
 }
 

@@ -34,8 +34,8 @@ void write_raster(const Raster& classes, const HazardScheme& scheme, const std::
     gis::write_styles(path, stops, "", gis::StyleKind::exact);
 }
 
-std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& scheme,
-                                    const std::string& path, const std::string& crs_wkt) {
+std::vector<HazardArea> write_zones(const Raster& classes, const HazardScheme& scheme, const std::string& path,
+                                    const std::string& crs_wkt) {
     gis::OutlineLayer zones{"hazard_zones", {}};
     std::vector<gis::ColourStop> stops;
     std::vector<HazardArea> areas;
@@ -61,8 +61,8 @@ std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult
     const HazardSpec& spec = prepared.spec.hazard;
     if (!spec.scheme) return {};
     const std::map<std::string, std::string> origin = provenance(prepared);
-    const HazardScheme scheme = hazard_scheme(
-        *spec.scheme, {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
+    const HazardScheme scheme =
+        hazard_scheme(*spec.scheme, {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
     // A scheme that does not look at flux or head has none recorded; depth stands in, unread.
     const bool recorded = !result.max_flux.values.empty();
     const Raster classes = hazard_classes(

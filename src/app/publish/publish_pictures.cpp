@@ -140,8 +140,7 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
     const MapSource source = map_source(written, request);
     LayerDrawer drawer(source);
     const std::vector<std::string>& formats = drawer.style().formats;
-    if (output.report && !request.only_missing &&
-        std::find(formats.begin(), formats.end(), "png") == formats.end()) {
+    if (output.report && !request.only_missing && std::find(formats.begin(), formats.end(), "png") == formats.end()) {
         const std::string folder = written.path(k_page_folder);
         make_folder(folder);
         drawer.draw_for_page_too(folder);

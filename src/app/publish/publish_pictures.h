@@ -15,10 +15,10 @@ namespace frana::app {
 /// The pictures that a scene asks for: maps, comparison, charts, film. They are drawn from the files of a result.
 struct PictureRequest {
     const SceneSpec& spec;
-    std::string folder;                    ///< of the result
+    std::string folder;  ///< of the result
     const std::optional<Comparison>& comparison;
-    bool only_missing = false;             ///< what is there already stays as it is
-    std::optional<MainFigures> figures;    ///< of a run whose summary.json is not written yet
+    bool only_missing = false;           ///< what is there already stays as it is
+    std::optional<MainFigures> figures;  ///< of a run whose summary.json is not written yet
 };
 
 /// What came of them.

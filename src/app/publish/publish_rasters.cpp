@@ -35,8 +35,8 @@ PolygonFeature feature(MultiPolygon parts, double threshold) {
 }
 
 /// One layer with one feature, or an empty layer where there is no ground to outline.
-gis::OutlineLayer outline(const std::string& name, const Raster& depth, double threshold,
-                          const RunResult& result, const Runout& run_out) {
+gis::OutlineLayer outline(const std::string& name, const Raster& depth, double threshold, const RunResult& result,
+                          const Runout& run_out) {
     const Raster mask = trace_mask(depth, threshold);
     MultiPolygon parts = gis::polygonise(mask);
     if (parts.empty()) return {name, {}};

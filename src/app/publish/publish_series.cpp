@@ -26,11 +26,9 @@ std::vector<Column> columns_of(const RunResult& result) {
     return columns;
 }
 
-std::vector<gis::NamedLine> profile_lines(const Prepared& prepared, const RunResult& result,
-                                          const Runout& run_out) {
+std::vector<gis::NamedLine> profile_lines(const Prepared& prepared, const RunResult& result, const Runout& run_out) {
     std::vector<gis::NamedLine> lines;
-    if (run_out.horizontal_m > 0)
-        lines.push_back({k_flow_path, flow_path(result.max_depth, run_out.top, run_out.tip)});
+    if (run_out.horizontal_m > 0) lines.push_back({k_flow_path, flow_path(result.max_depth, run_out.top, run_out.tip)});
     lines.insert(lines.end(), prepared.extra.profiles.begin(), prepared.extra.profiles.end());
     return lines;
 }
@@ -72,10 +70,8 @@ void publish_series(const Prepared& prepared, const RunResult& result, const Res
     gis::PointLayer points{"gauges", {}};
     for (const CrossSection& section : recording.sections)
         lines.features.push_back({section.line, {}, {{"name", section.name}}});
-    for (const Gauge& gauge : recording.gauges)
-        points.features.push_back({gauge.place, {}, {{"name", gauge.name}}});
-    gis::write_lines_and_points(directory.path(k_gauge_places), prepared.scene.grid.crs_wkt, {lines},
-                                {points});
+    for (const Gauge& gauge : recording.gauges) points.features.push_back({gauge.place, {}, {{"name", gauge.name}}});
+    gis::write_lines_and_points(directory.path(k_gauge_places), prepared.scene.grid.crs_wkt, {lines}, {points});
 }
 
 void publish_profiles(const Prepared& prepared, const RunResult& result, const Runout& run_out,
@@ -102,8 +98,7 @@ void publish_profiles(const Prepared& prepared, const RunResult& result, const R
         }
     }
     write_text_file(directory.path(k_profile_table), text);
-    gis::write_lines_and_points(directory.path(k_profile_lines), prepared.scene.grid.crs_wkt, {lines},
-                                {points});
+    gis::write_lines_and_points(directory.path(k_profile_lines), prepared.scene.grid.crs_wkt, {lines}, {points});
 }
 
 }  // namespace frana::app

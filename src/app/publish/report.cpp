@@ -70,8 +70,8 @@ class Page {
         file_.close();
         if (!file_) {
             throw Error(ErrorKind::environment,
-                        Problem{std::string("cannot be written: ") + std::strerror(errno), aside_.path(), "",
-                                "", "Check the disk's space and the rights"});
+                        Problem{std::string("cannot be written: ") + std::strerror(errno), aside_.path(), "", "",
+                                "Check the disk's space and the rights"});
         }
         aside_.rename_into_place();
     }
@@ -84,13 +84,11 @@ class Page {
 void add_warnings(Page& page, const std::vector<std::string>& warnings) {
     page.add("<h2 id=\"warnings\">Warnings</h2>\n");
     if (warnings.empty()) page.add("<p class=\"good\">The run gave no warning.</p>\n");
-    for (const std::string& warning : warnings)
-        page.add("<p class=\"warning\">" + html_escaped(warning) + "</p>\n");
+    for (const std::string& warning : warnings) page.add("<p class=\"warning\">" + html_escaped(warning) + "</p>\n");
 }
 
 /// A picture in its place, or where it was drawn for the page alone.
-std::optional<std::string> drawn(const ResultDirectory& directory, const std::string& folder,
-                                 const std::string& name) {
+std::optional<std::string> drawn(const ResultDirectory& directory, const std::string& folder, const std::string& name) {
     for (const std::string& place : {folder, std::string(k_page_folder) + "/"})
         if (std::string file = directory.path(place + name + ".png"); fs::exists(file)) return file;
     return std::nullopt;
@@ -131,11 +129,10 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     const SceneSpec& spec = input.prepared.spec;
     const std::string title = spec.output.title.value_or(scene_name(spec));
     Page page(directory.path(k_report_file));
-    page.add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-             html_escaped(title) + "</title>\n<style>" + k_style + "</style>\n</head>\n<body>\n<h1>" +
-             html_escaped(title) + "</h1>\n<p class=\"small\">Computed with " + k_program + " " + k_version +
-             ", scene " + html_escaped(spec.file) + ", hash " + provenance(input.prepared).at("SCENE_HASH") +
-             "</p>\n");
+    page.add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + html_escaped(title) +
+             "</title>\n<style>" + k_style + "</style>\n</head>\n<body>\n<h1>" + html_escaped(title) +
+             "</h1>\n<p class=\"small\">Computed with " + k_program + " " + k_version + ", scene " +
+             html_escaped(spec.file) + ", hash " + provenance(input.prepared).at("SCENE_HASH") + "</p>\n");
     add_warnings(page, input.facts.warnings);
     page.add("<h2 id=\"results\">Results</h2>\n" + results_table(input));
     page.add("<h2 id=\"budget\">Mass budget</h2>\n" + budget_table(input.result));
@@ -145,8 +142,7 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     add_maps(page, spec, directory);
     page.add("<h2 id=\"series\">Course of the flow</h2>\n" + series_charts(input));
     if (input.comparison) {
-        page.add("<h2 id=\"comparison\">Comparison with the survey</h2>\n" +
-                 comparison_tables(*input.comparison));
+        page.add("<h2 id=\"comparison\">Comparison with the survey</h2>\n" + comparison_tables(*input.comparison));
         if (const auto file = drawn(directory, "", "comparison")) page.add_picture(*file, "comparison");
     }
     page.add("<h2 id=\"inputs\">Inputs</h2>\n" + inputs_table(input.prepared));

@@ -30,8 +30,8 @@ class Table {
         return *this;
     }
     Table& number(const std::string& name, const std::string& value, const std::string& unit) {
-        rows_ += "<tr><td>" + html_escaped(name) + "</td><td class=\"n\">" + html_escaped(value) +
-                 "</td><td>" + html_escaped(unit) + "</td></tr>\n";
+        rows_ += "<tr><td>" + html_escaped(name) + "</td><td class=\"n\">" + html_escaped(value) + "</td><td>" +
+                 html_escaped(unit) + "</td></tr>\n";
         return *this;
     }
     Table& raw(const std::string& html) {
@@ -73,8 +73,7 @@ void add_figures(Table& table, const ComparisonFigures& f) {
     table.number("Depth that counts as covered", figure(f.threshold_m), "m")
         .number("Observed area", grouped(f.observed_area_m2), "m²")
         .number("Simulated area", grouped(f.simulated_area_m2), "m²")
-        .number("Area difference |simulated − observed| / observed", figure(f.area_difference_percent, 3),
-                "%")
+        .number("Area difference |simulated − observed| / observed", figure(f.area_difference_percent, 3), "%")
         .number("Hit", grouped(f.hit_m2), "m²")
         .number("False alarm", grouped(f.false_alarm_m2), "m²")
         .number("Miss", grouped(f.miss_m2), "m²")
@@ -110,13 +109,13 @@ std::string results_table(const ReportInput& input) {
     const SummaryFacts& f = input.facts;
     Table table;
     add_high_figures(table, f.high);
-    table.number("Area deeper than " + figure(input.prepared.spec.output.trace_threshold) + " m at any time",
+    table
+        .number("Area deeper than " + figure(input.prepared.spec.output.trace_threshold) + " m at any time",
                 grouped(f.figures.covered_area_m2), "m²")
         .number("Run-out, straight in map view", grouped(f.figures.run_out.horizontal_m), "m")
         .number("Drop", grouped(f.figures.run_out.drop_m), "m")
         .number("Angle of reach", figure(f.figures.run_out.reach_angle_deg, 3), "°")
-        .number("Simulated time (" + std::string(describe(r.stop_reason)) + ")",
-                figure(r.simulated_seconds, 4), "s");
+        .number("Simulated time (" + std::string(describe(r.stop_reason)) + ")", figure(r.simulated_seconds, 4), "s");
     return table.html() +
            "<p class=\"small\">The greatest value is that of a single cell; those of 99.9 % and 99 % are over the area "
            "deeper than " +
@@ -132,10 +131,11 @@ std::string budget_table(const RunResult& r) {
         table.number("Eroded from the bed", grouped(r.volume_eroded), "m³")
             .number("Deposited on the bed", grouped(r.volume_deposited), "m³");
     if (r.phases)
-        table.number("Solids: came in, inside at the end, left",
-                     grouped(r.phases->entered.solids) + ", " + grouped(r.phases->inside.solids) + ", " +
-                         grouped(r.phases->left.solids),
-                     "m³")
+        table
+            .number("Solids: came in, inside at the end, left",
+                    grouped(r.phases->entered.solids) + ", " + grouped(r.phases->inside.solids) + ", " +
+                        grouped(r.phases->left.solids),
+                    "m³")
             .number("Confined water: came in, set free, inside at the end, left",
                     grouped(r.phases->entered.confined) + ", " + grouped(r.phases->released) + ", " +
                         grouped(r.phases->inside.confined) + ", " + grouped(r.phases->left.confined),
@@ -160,15 +160,14 @@ std::string numerics_table(const ReportInput& input) {
     return Table()
                .number("Cells", grouped(grid.columns) + " × " + grouped(grid.rows),
                        "of " + figure(grid.cell_size) + " m")
-               .number("Particles: start, end, peak",
-                       grouped(r.particles_initial) + ", " + grouped(r.particles_final) + ", " +
-                           grouped(r.particles_peak),
-                       "")
+               .number(
+                   "Particles: start, end, peak",
+                   grouped(r.particles_initial) + ", " + grouped(r.particles_final) + ", " + grouped(r.particles_peak),
+                   "")
                .number("Time steps", grouped(r.steps), "")
                .number("Non-finite particles", grouped(e.non_finite), "0 in a good run")
                .number("Depths clamped", grouped(e.depth_clamped), "0 in a good run")
-               .number("Particles over ground without elevation", grouped(e.entered_no_data),
-                       "0 in a good run")
+               .number("Particles over ground without elevation", grouped(e.entered_no_data), "0 in a good run")
                .number("Speeds above what the fall allows", grouped(e.impossible_speed), "0 in a good run")
                .number("Steps after which the volume was off", grouped(e.volume_drift), "0 in a good run")
                .html() +
@@ -179,9 +178,8 @@ std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& a
     Table table({"class", "", "area [m²]"});
     for (const HazardArea& area : areas) {
         table.raw("<tr><td>" + std::to_string(area.kind.value) +
-                  "</td><td><span class=\"swatch\" style=\"background:" + hex(area.kind.colour) +
-                  "\"></span> " + html_escaped(area.kind.label) + "</td><td class=\"n\">" +
-                  grouped(area.area_m2) + "</td></tr>\n");
+                  "</td><td><span class=\"swatch\" style=\"background:" + hex(area.kind.colour) + "\"></span> " +
+                  html_escaped(area.kind.label) + "</td><td class=\"n\">" + grouped(area.area_m2) + "</td></tr>\n");
     }
     return "<p>Scheme " + html_escaped(*spec.hazard.scheme) +
            ". This is the intensity of one scenario; a degree of danger also asks how often it "
@@ -200,8 +198,7 @@ std::string series_charts(const ReportInput& input) {
     std::string charts = svg_chart({"time [s]", "front from the release [m]", {front}, false}) +
                          svg_chart({"time [s]", "greatest speed [m/s]", {speed}, false}) +
                          svg_chart({"time [s]", "greatest depth [m]", {depth}, false});
-    static constexpr const char* k_colours[] = {"#0072b2", "#d55e00", "#009e73",
-                                                "#cc79a7", "#e69f00", "#56b4e9"};
+    static constexpr const char* k_colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
     const auto colour = [](std::size_t i) { return k_colours[i % std::size(k_colours)]; };
     const Recording& recording = input.prepared.scene.recording;
     std::vector<SvgSeries> gauges, sections;
@@ -231,16 +228,13 @@ std::string comparison_tables(const Comparison& c) {
             .number("Distance of the outlines, greatest (Hausdorff)", figure(c.outline->hausdorff_m, 3), "m");
     }
     if (c.runout_difference_m)
-        table.number("Run-out, simulated less observed, straight", signed_figure(*c.runout_difference_m),
-                     "m");
+        table.number("Run-out, simulated less observed, straight", signed_figure(*c.runout_difference_m), "m");
     if (c.path_runout) {
         table.number("Run-out along the flow path, simulated", grouped(c.path_runout->simulated_m), "m")
             .number("Run-out along the flow path, observed", grouped(c.path_runout->observed_m), "m");
     }
     for (const FrontComparison& front : c.fronts) {
-        table
-            .number("Front " + front.name + ": mean distance, + beyond, − short", signed_figure(front.mean_m),
-                    "m")
+        table.number("Front " + front.name + ": mean distance, + beyond, − short", signed_figure(front.mean_m), "m")
             .number("Front " + front.name + ": reached", figure(front.reached_percent, 3), "% of its length");
     }
     for (const TipComparison& tip : c.tips)
@@ -266,8 +260,8 @@ std::string comparison_tables(const Comparison& c) {
 std::string inputs_table(const Prepared& p) {
     Table table({"input", "file", "content", "CRS", "operation to the working CRS"});
     for (const UsedFile& file : p.files) {
-        table.row({file.role + (file.resampling.empty() ? "" : " (" + file.resampling + ")"), file.path,
-                   file.content, file.crs_label, file.crs_label.empty() ? "" : operation(file.transform)});
+        table.row({file.role + (file.resampling.empty() ? "" : " (" + file.resampling + ")"), file.path, file.content,
+                   file.crs_label, file.crs_label.empty() ? "" : operation(file.transform)});
     }
     return "<p>Working CRS: " + html_escaped(p.ground.crs_label) + "; extent " +
            html_escaped(extent_text(p.scene.grid.bounds())) + "; " + grouped(p.ground.nodata_cells) +

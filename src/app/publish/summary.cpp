@@ -27,19 +27,14 @@ void write_high_figures(JsonWriter& json, const HighFigures& high) {
 void write_grid_and_particles(JsonWriter& json, const RunResult& result) {
     const GridSpec& grid = result.max_depth.grid;
     json.begin_object("grid").integer("columns", grid.columns).integer("rows", grid.rows);
-    json.number("cell_size", grid.cell_size)
-        .number("west", grid.west)
-        .number("north", grid.north)
-        .end_object();
+    json.number("cell_size", grid.cell_size).number("west", grid.west).number("north", grid.north).end_object();
     json.begin_object("particles").integer("initial", result.particles_initial);
     json.integer("final", result.particles_final).integer("peak", result.particles_peak).end_object();
 }
 
 void write_cost(JsonWriter& json, const RunResult& result, const SummaryFacts& facts) {
     json.begin_object("wall_seconds").number("total", facts.wall.total).number("input", facts.wall.input);
-    json.number("engine", facts.wall.engine)
-        .number("output", facts.wall.output)
-        .number("render", facts.wall.render);
+    json.number("engine", facts.wall.engine).number("output", facts.wall.output).number("render", facts.wall.render);
     json.end_object();
     json.integer("particle_steps", result.particle_steps);
     json.number("particle_steps_per_second",
@@ -82,7 +77,10 @@ void write_figures(JsonWriter& json, const RunResult& result, const SummaryFacts
     if (result.jumps) {
         const RunResult::Jumps& jumps = *result.jumps;
         json.begin_object("jumps").number("volume_m3", jumps.volume).number("highest_m", jumps.highest);
-        json.number("mean_length_m", jumps.mean).number("longest_m", jumps.longest).number("longest_from_x", jumps.from.x).number("longest_from_y", jumps.from.y);
+        json.number("mean_length_m", jumps.mean)
+            .number("longest_m", jumps.longest)
+            .number("longest_from_x", jumps.from.x)
+            .number("longest_from_y", jumps.from.y);
         json.number("longest_to_x", jumps.to.x).number("longest_to_y", jumps.to.y).end_object();
     }
     json.begin_array("release_areas");

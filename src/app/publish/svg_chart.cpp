@@ -36,8 +36,7 @@ struct Axis {
     [[nodiscard]] std::vector<double> ticks() const {
         std::vector<double> list;
         if (log) {
-            for (double t = std::pow(10.0, std::ceil(std::log10(least) - 1e-9)); t <= most * (1 + 1e-9);
-                 t *= 10)
+            for (double t = std::pow(10.0, std::ceil(std::log10(least) - 1e-9)); t <= most * (1 + 1e-9); t *= 10)
                 list.push_back(t);
             return list;
         }
@@ -114,13 +113,12 @@ std::string svg_chart(const SvgChart& chart) {
     };
     std::string svg = "<svg viewBox=\"0 0 " + pixel(k_width) + " " + pixel(k_height) + "\" role=\"img\">\n";
     for (const double tick : x.ticks()) {
-        svg += "<path class=\"grid\" d=\"M" + pixel(px(tick)) + " " + pixel(k_top) + "V" +
-               pixel(k_height - k_bottom) + "\"/>\n" +
-               text(px(tick), k_height - k_bottom + 15, "middle", figure(tick, 4));
+        svg += "<path class=\"grid\" d=\"M" + pixel(px(tick)) + " " + pixel(k_top) + "V" + pixel(k_height - k_bottom) +
+               "\"/>\n" + text(px(tick), k_height - k_bottom + 15, "middle", figure(tick, 4));
     }
     for (const double tick : y.ticks()) {
-        svg += "<path class=\"grid\" d=\"M" + pixel(k_left) + " " + pixel(py(tick)) + "H" +
-               pixel(k_width - k_right) + "\"/>\n" + text(k_left - 6, py(tick) + 4, "end", figure(tick, 4));
+        svg += "<path class=\"grid\" d=\"M" + pixel(k_left) + " " + pixel(py(tick)) + "H" + pixel(k_width - k_right) +
+               "\"/>\n" + text(k_left - 6, py(tick) + 4, "end", figure(tick, 4));
     }
     svg += text(k_left + plot_width / 2, k_height - 8, "middle", chart.x_label);
     svg += "<text transform=\"translate(13 " + pixel(k_top + plot_height / 2) +
@@ -139,9 +137,8 @@ std::string svg_chart(const SvgChart& chart) {
         }
         svg += "<path class=\"line\" stroke=\"" + series.colour + "\" d=\"" + path + "\"/>\n";
         if (chart.series.size() < 2) continue;
-        svg += "<path class=\"line\" stroke=\"" + series.colour + "\" d=\"M" + pixel(k_width - k_right - 24) +
-               " " + pixel(legend_y - 4) + "h18\"/>\n" +
-               text(k_width - k_right - 30, legend_y, "end", series.label);
+        svg += "<path class=\"line\" stroke=\"" + series.colour + "\" d=\"M" + pixel(k_width - k_right - 24) + " " +
+               pixel(legend_y - 4) + "h18\"/>\n" + text(k_width - k_right - 30, legend_y, "end", series.label);
         legend_y += 15;
     }
     return svg + "</svg>\n";

@@ -14,10 +14,9 @@ std::string timeseries_csv(const std::vector<SeriesRow>& series) {
         text += shortest_text(row.time);
         text += ',';
         text += std::to_string(row.step);
-        for (const double value : {row.dt, row.volume, row.volume_left, row.max_depth, row.max_speed,
-                                   row.front_distance, row.kinetic_energy, row.covered_area,
-                                   row.volume_entered, row.volume_inflow, row.volume_eroded,
-                                   row.volume_deposited}) {
+        for (const double value :
+             {row.dt, row.volume, row.volume_left, row.max_depth, row.max_speed, row.front_distance, row.kinetic_energy,
+              row.covered_area, row.volume_entered, row.volume_inflow, row.volume_eroded, row.volume_deposited}) {
             text += ',';
             text += shortest_text(value);
         }

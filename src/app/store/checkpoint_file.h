@@ -20,15 +20,15 @@ inline constexpr std::uint32_t k_checkpoint_format = 8;
 
 /// What a checkpoint tells of the run that it belongs to.
 struct CheckpointHead {
-    std::string build;     ///< program, compiler and instructions: same ones, same bits
-    std::string scene;     ///< scene_identity of the run
+    std::string build;  ///< program, compiler and instructions: same ones, same bits
+    std::string scene;  ///< scene_identity of the run
     std::int64_t step = 0;
-    double time = 0, end = 0;         ///< simulated [s]
-    double wall_seconds = 0;          ///< of all sessions so far
-    std::vector<double> frame_times;  ///< of the frames that were on disk [s]
-    std::vector<Frame> waiting;       ///< frames after those, which the disk would not take; without their grid
-    std::vector<std::string> log;     ///< lines so far
-    std::optional<OriginCell> origin;  ///< that its places count from; none: where place_origin puts it
+    double time = 0, end = 0;                ///< simulated [s]
+    double wall_seconds = 0;                 ///< of all sessions so far
+    std::vector<double> frame_times;         ///< of the frames that were on disk [s]
+    std::vector<Frame> waiting;              ///< frames after those, which the disk would not take; without their grid
+    std::vector<std::string> log;            ///< lines so far
+    std::optional<OriginCell> origin;        ///< that its places count from; none: where place_origin puts it
     std::vector<FrameRecord> frame_records;  ///< of the files of frame_times
 };
 

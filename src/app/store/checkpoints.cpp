@@ -48,8 +48,8 @@ std::vector<std::string> checkpoints_in(const std::string& directory) {
     return files;
 }
 
-Checkpoints::Checkpoints(std::string directory, double interval, const Prepared& prepared,
-                         FrameWriter* frames, const Stopwatch& since_start, double earlier, RunLog& log)
+Checkpoints::Checkpoints(std::string directory, double interval, const Prepared& prepared, FrameWriter* frames,
+                         const Stopwatch& since_start, double earlier, RunLog& log)
     : directory_(std::move(directory)),
       folder_((fs::path(directory_) / k_checkpoint_folder).string()),
       interval_(interval),
@@ -71,8 +71,17 @@ void Checkpoints::after_step(const Progress& now, const SaveState& state) {
 CheckpointHead Checkpoints::head(const Progress& now) {
     if (identity_.empty()) identity_ = scene_identity(prepared_);
     const GridSpec& grid = prepared_.scene.grid;
-    return {checkpoint_build(), identity_, now.step, now.time, now.end, earlier_ + since_start_.seconds(), {}, {},
-            log_.lines(), OriginCell{grid.origin_column, grid.origin_row}, {}};
+    return {checkpoint_build(),
+            identity_,
+            now.step,
+            now.time,
+            now.end,
+            earlier_ + since_start_.seconds(),
+            {},
+            {},
+            log_.lines(),
+            OriginCell{grid.origin_column, grid.origin_row},
+            {}};
 }
 
 void Checkpoints::save(const Progress& now, const SaveState& state) {
@@ -109,8 +118,8 @@ void Checkpoints::set_space_aside(const Progress& now, const SaveState& state) {
     const double begun = session_.seconds();
     try {
         make_folder(folder_);
-        const std::uint64_t needed = checkpoint_bytes(head(now), state) +
-                                     (frames_ != nullptr ? frames_->most_bytes_waiting() : 0);
+        const std::uint64_t needed =
+            checkpoint_bytes(head(now), state) + (frames_ != nullptr ? frames_->most_bytes_waiting() : 0);
         const auto wanted = static_cast<std::uint64_t>(k_growth * static_cast<double>(needed)) + k_least;
         if (space_.bytes() < needed + needed / 4 && !space_.grow(wanted) && !space_.grow(needed))
             throw Error(ErrorKind::environment,

@@ -31,16 +31,15 @@ std::string fault_without_records(const std::string& folder, std::size_t count) 
     }
     for (std::size_t i = 0; i < count; ++i)
         for (const FrameFile& file : wanted)
-            if (!fs::exists(frame_path(folder, file, i))) return "is not there any more: " + frame_path(folder, file, i);
+            if (!fs::exists(frame_path(folder, file, i)))
+                return "is not there any more: " + frame_path(folder, file, i);
     return {};
 }
 
 }  // namespace
 
 ParticleFormats particle_formats(const std::vector<std::string>& formats) {
-    const auto has = [&](const char* word) {
-        return std::find(formats.begin(), formats.end(), word) != formats.end();
-    };
+    const auto has = [&](const char* word) { return std::find(formats.begin(), formats.end(), word) != formats.end(); };
     return {has("particles-gpkg"), has("particles-vtp")};
 }
 
@@ -105,8 +104,7 @@ std::string frame_fault(const std::string& folder, std::size_t count, const std:
         std::error_code failure;
         const std::uint64_t bytes = fs::file_size(path, failure);
         if (failure) return "is not there any more: " + path;
-        if (bytes != record.bytes || record_of(path).sum != record.sum)
-            return "is not as it was written: " + path;
+        if (bytes != record.bytes || record_of(path).sum != record.sum) return "is not as it was written: " + path;
     }
     return {};
 }

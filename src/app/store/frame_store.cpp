@@ -50,8 +50,8 @@ std::uint64_t bytes_of(const Frame& frame) {
 
 }  // namespace
 
-FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata,
-                         ParticleFormats particles, std::vector<double> times, std::vector<FrameRecord> records)
+FrameWriter::FrameWriter(std::string folder, std::map<std::string, std::string> metadata, ParticleFormats particles,
+                         std::vector<double> times, std::vector<FrameRecord> records)
     : folder_(std::move(folder)),
       metadata_(std::move(metadata)),
       particles_(particles),
@@ -112,20 +112,18 @@ void FrameWriter::write(const FrameFile& file, const Job& job) const {
 
 // ParaView's list of files and their times.
 void FrameWriter::list_particles(const std::vector<double>& times) const {
-    std::string text =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
     for (std::size_t i = 0; i < times.size(); ++i) {
         const fs::path file = frame_path(folder_, k_particle_cloud, i);
-        text += "    <DataSet timestep=\"" + shortest_text(times[i]) + "\" file=\"" +
-                file.filename().string() + "\"/>\n";
+        text +=
+            "    <DataSet timestep=\"" + shortest_text(times[i]) + "\" file=\"" + file.filename().string() + "\"/>\n";
     }
     write_text_file((fs::path(folder_) / "particles.pvd").string(), text + "  </Collection>\n</VTKFile>\n");
 }
 
 void FrameWriter::list(const std::vector<double>& times) const {
     std::string text = "index,time_s\n";
-    for (std::size_t i = 0; i < times.size(); ++i)
-        text += std::to_string(i) + "," + shortest_text(times[i]) + "\n";
+    for (std::size_t i = 0; i < times.size(); ++i) text += std::to_string(i) + "," + shortest_text(times[i]) + "\n";
     write_text_file(list_file(folder_), text);
     if (particles_.vtp) list_particles(times);
 }
@@ -213,10 +211,10 @@ std::vector<StoredFrame> stored_frames(const std::string& folder) {
         const auto time = words.size() == 2 ? number_from_text(words[1]) : std::nullopt;
         const bool next = time && integer_from_text(words[0]) == static_cast<std::int64_t>(frames.size());
         if (!next || file.eof() || (!frames.empty() && *time < frames.back().time)) {
-            throw Error(ErrorKind::input,
-                        Problem{"is no list of frames: a line is not the next index and a time not before the last",
-                                list_file(folder), elided(valid_utf8(line), k_shown), "index,time_s",
-                                "The file is damaged"});
+            throw Error(
+                ErrorKind::input,
+                Problem{"is no list of frames: a line is not the next index and a time not before the last",
+                        list_file(folder), elided(valid_utf8(line), k_shown), "index,time_s", "The file is damaged"});
         }
         const auto path = [&](const FrameFile& what) { return frame_path(folder, what, frames.size()); };
         frames.push_back({*time, path(k_depth_file), path(k_velocity_file), path(k_particle_table)});

@@ -50,9 +50,7 @@ class FrameWriter {
     void finish();
     /// Of all frames so far [s].
     [[nodiscard]] const std::vector<double>& times() const noexcept { return times_; }
-    [[nodiscard]] double seconds() const noexcept {
-        return seconds_;
-    }  ///< wall time that add() held the run back
+    [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< wall time that add() held the run back
     [[nodiscard]] int count() const noexcept { return static_cast<int>(times_.size()); }
 
   private:

@@ -34,9 +34,8 @@ std::string hindrance(const CheckpointFile& checkpoint, const std::string& ident
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::error_code& failure) {
-    throw Error(ErrorKind::environment,
-                Problem{"an interrupted run's files cannot be taken over: " + failure.message(),
-                        path.string(), "", "", "Check the disk's space and the rights"});
+    throw Error(ErrorKind::environment, Problem{"an interrupted run's files cannot be taken over: " + failure.message(),
+                                                path.string(), "", "", "Check the disk's space and the rights"});
 }
 
 // The same file under a second name, where the file system knows that; else a copy.
@@ -87,10 +86,9 @@ InterruptedRun::InterruptedRun(const std::string& directory) {
         }
     }
     // Of two at the same step the one in a folder of its own comes first: nothing need be linked.
-    std::stable_sort(checkpoints_.begin(), checkpoints_.end(),
-                     [](const std::string& a, const std::string& b) {
-                         return fs::path(a).filename() > fs::path(b).filename();
-                     });
+    std::stable_sort(checkpoints_.begin(), checkpoints_.end(), [](const std::string& a, const std::string& b) {
+        return fs::path(a).filename() > fs::path(b).filename();
+    });
 }
 
 std::unique_ptr<CheckpointFile> InterruptedRun::choose(const std::string& identity, RunLog& log) const {

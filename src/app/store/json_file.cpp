@@ -27,8 +27,8 @@ std::optional<JsonTree> read_json_file(const std::string& path) {
     const int reason = read_blocks(path, [&](std::string_view bytes) { text += bytes; });
     if (is_not_there(reason)) return std::nullopt;
     if (reason != 0)
-        throw Error(ErrorKind::environment, Problem{std::string("cannot be read: ") + std::strerror(reason), path, "", "",
-                                                    system_remedy(reason)});
+        throw Error(ErrorKind::environment, Problem{std::string("cannot be read: ") + std::strerror(reason), path, "",
+                                                    "", system_remedy(reason)});
     JsonTree tree;
     try {
         std::istringstream stream(text);

@@ -45,7 +45,7 @@ std::vector<std::string> spellings(const std::string& source) {
         if (!all[i].starts_with(archive)) continue;
         fs::path inner = all[i].substr(std::min(all[i].find('/', archive.size()), all[i].size()));
         for (; inner.has_relative_path(); inner = inner.parent_path()) {
-            all.push_back(inner.string());                           // "/vsizip//folder/file.zip/part"
+            all.push_back(inner.string());            // "/vsizip//folder/file.zip/part"
             all.push_back(inner.string().substr(1));  // "/vsizip/file.zip/part" from the current folder
         }
     }

@@ -40,8 +40,7 @@ std::vector<double> progressive_classes(double maximum) {
     std::vector<double> bounds{top};
     while (bounds.size() < k_classes) {
         const double last = bounds.back();
-        bounds.push_back(last > decade * (1 + 1e-9) ? round_below(last, {1, 2, 3, 5})
-                                                    : round_below(last, {1, 2, 5}));
+        bounds.push_back(last > decade * (1 + 1e-9) ? round_below(last, {1, 2, 3, 5}) : round_below(last, {1, 2, 5}));
     }
     bounds.push_back(0);
     return {bounds.rbegin(), bounds.rend()};
@@ -50,19 +49,18 @@ std::vector<double> progressive_classes(double maximum) {
 }  // namespace
 
 const Raster* find_raster(const RunResult& result, const ResultRaster& row) {
-    static const std::map<std::string, Raster RunResult::*> k_members{
-        {"max_depth", &RunResult::max_depth},
-        {"max_velocity", &RunResult::max_velocity},
-        {"final_depth", &RunResult::final_depth},
-        {"arrival_time", &RunResult::arrival_time},
-        {"max_pressure", &RunResult::max_pressure},
-        {"release", &RunResult::release},
-        {"bed", &RunResult::bed},
-        {"max_flux", &RunResult::max_flux},
-        {"max_head", &RunResult::max_head},
-        {"eroded_depth", &RunResult::eroded_depth},
-        {"deposited_depth", &RunResult::deposited_depth},
-        {"jump_height", &RunResult::jump_height}};
+    static const std::map<std::string, Raster RunResult::*> k_members{{"max_depth", &RunResult::max_depth},
+                                                                      {"max_velocity", &RunResult::max_velocity},
+                                                                      {"final_depth", &RunResult::final_depth},
+                                                                      {"arrival_time", &RunResult::arrival_time},
+                                                                      {"max_pressure", &RunResult::max_pressure},
+                                                                      {"release", &RunResult::release},
+                                                                      {"bed", &RunResult::bed},
+                                                                      {"max_flux", &RunResult::max_flux},
+                                                                      {"max_head", &RunResult::max_head},
+                                                                      {"eroded_depth", &RunResult::eroded_depth},
+                                                                      {"deposited_depth", &RunResult::deposited_depth},
+                                                                      {"jump_height", &RunResult::jump_height}};
     if (const auto member = k_members.find(row.name); member != k_members.end()) {
         const Raster& raster = result.*member->second;
         return raster.values.empty() ? nullptr : &raster;
@@ -74,9 +72,8 @@ const Raster* find_raster(const RunResult& result, const ResultRaster& row) {
 
 std::vector<ResultRaster> main_rasters() {
     std::vector<ResultRaster> rows = result_rasters();
-    std::erase_if(rows, [](const ResultRaster& row) {
-        return row.kind != ResultRaster::Kind::flow || !row.when.empty();
-    });
+    std::erase_if(rows,
+                  [](const ResultRaster& row) { return row.kind != ResultRaster::Kind::flow || !row.when.empty(); });
     return rows;
 }
 

@@ -14,7 +14,8 @@ std::optional<MainFigures> read_main_figures(const std::string& result_folder) {
     if (!std::filesystem::exists(path)) return std::nullopt;
     const std::optional<JsonTree> tree = read_json_file(path);
     if (!tree)
-        throw Error(ErrorKind::input, Problem{"is not whole", path, "", "", "Bring it back, or compute the scene anew"});
+        throw Error(ErrorKind::input,
+                    Problem{"is not whole", path, "", "", "Bring it back, or compute the scene anew"});
     MainFigures figures;
     const std::pair<const char*, double*> k_places[] = {{"trace_threshold_m", &figures.threshold},
                                                         {"covered_area_m2", &figures.covered_area_m2},

@@ -8,8 +8,8 @@
 
 namespace frana::app {
 
-/// Figures of the trace that summary.json, extent.gpkg, report.html and every map show. A run computes them once; all who
-/// come later read them from summary.json.
+/// Figures of the trace that summary.json, extent.gpkg, report.html and every map show. A run computes them once; all
+/// who come later read them from summary.json.
 struct MainFigures {
     double threshold = 0;        ///< output.trace-threshold: depth that counts as covered [m]
     double covered_area_m2 = 0;  ///< of the trace: greatest depth over the threshold

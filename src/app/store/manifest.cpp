@@ -120,8 +120,7 @@ std::string unescaped_name(const std::string& text) {
 }
 
 FileMark mark_of(const std::string& path) {
-    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(),
-                                                                                &XXH3_freeState);
+    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), &XXH3_freeState);
     XXH3_128bits_reset(state.get());
     FileMark mark;
     const int reason = read_blocks(path, [&](std::string_view bytes) {
@@ -155,8 +154,8 @@ std::optional<Manifest> read_manifest(const std::string& folder) {
     if (!files) return std::nullopt;
     try {
         for (const auto& [key, entry] : *files)
-            manifest.files[unescaped_name(entry.get<std::string>("name"))] = {
-                entry.get<std::uint64_t>("bytes"), entry.get<std::string>(k_checksum)};
+            manifest.files[unescaped_name(entry.get<std::string>("name"))] = {entry.get<std::uint64_t>("bytes"),
+                                                                              entry.get<std::string>(k_checksum)};
     } catch (const std::exception&) {
         return std::nullopt;
     }
@@ -171,15 +170,12 @@ void write_manifest(const std::string& folder, const Manifest& manifest) {
     if (manifest.finished) json.boolean("finished", *manifest.finished);
     json.begin_array("files");
     for (const auto& [name, mark] : manifest.files) {
-        json.begin_object()
-            .text("name", escaped_name(name))
-            .integer("bytes", static_cast<std::int64_t>(mark.bytes));
+        json.begin_object().text("name", escaped_name(name)).integer("bytes", static_cast<std::int64_t>(mark.bytes));
         json.text(k_checksum, mark.checksum).end_object();
     }
     json.end_array().end_object();
     write_file((fs::path(folder) / k_manifest_file).string(), json.str(), Sync::yes);
-    if (const int reason = sync_path(folder); reason != 0)
-        fail("cannot be brought to the disk", folder, reason);
+    if (const int reason = sync_path(folder); reason != 0) fail("cannot be brought to the disk", folder, reason);
 }
 
 bool is_listed_result(const std::string& folder) {

@@ -40,15 +40,14 @@ std::optional<fs::path> around(const std::string& path, const Kind& kind) {
     }
 }
 
-void check_another_result(const std::string& folder, const std::string& where,
-                          const std::vector<std::string>& reads, Problems& problems) {
+void check_another_result(const std::string& folder, const std::string& where, const std::vector<std::string>& reads,
+                          Problems& problems) {
     const auto result = around(folder, is_result);
     const auto is_it = [&](const std::string& read) { return around(read, is_result) == result; };
     if (!result || std::any_of(reads.begin(), reads.end(), is_it)) return;
     const std::string read = reads.empty() ? "" : "; what is read is " + joined(reads, ", ");
-    problems.add(
-        {"lies in another result, " + result->string() + ", whose files would no longer be its own" + read,
-         where, folder, "", "Choose a place outside of it"});
+    problems.add({"lies in another result, " + result->string() + ", whose files would no longer be its own" + read,
+                  where, folder, "", "Choose a place outside of it"});
 }
 
 }  // namespace
@@ -59,10 +58,9 @@ void check_own(const std::string& folder, const std::vector<std::string>& files,
     if (around(folder, lists_files)) return;  // what was changed since is kept when it is written anew
     std::error_code failure;
     const std::string list = (fs::path(folder) / k_manifest_file).string();
-    const std::string remedy =
-        "Choose another folder with " + where +
-        ", or move the file away; a study of an older frana, which kept no list of its "
-        "files, has to go as a whole";
+    const std::string remedy = "Choose another folder with " + where +
+                               ", or move the file away; a study of an older frana, which kept no list of its "
+                               "files, has to go as a whole";
     if (fs::exists(list, failure))
         problems.add({"is there already and is not frana's list of files", where, list, "", remedy});
     // Results of a frana that did not list files have only its names to go by.
@@ -71,8 +69,7 @@ void check_own(const std::string& folder, const std::vector<std::string>& files,
     for (const std::string& file : files) {
         const fs::path inside = real / fs::path(file).lexically_relative(folder.empty() ? "." : folder);
         const bool known =
-            unlisted &&
-            known_file(inside.lexically_normal().lexically_relative(*unlisted).generic_string()) != nullptr;
+            unlisted && known_file(inside.lexically_normal().lexically_relative(*unlisted).generic_string()) != nullptr;
         if (!known && fs::exists(fs::symlink_status(file, failure)))
             problems.add({"is there already, and frana did not write it", where, file, "", remedy});
     }
@@ -92,15 +89,12 @@ void clear_own(const std::string& folder, const std::vector<std::string>& files,
     std::vector<std::string> gone;
     for (const auto& [name, mark] : manifest->files) {
         const fs::path file = *home / name;
-        const auto is_it = [&](const std::string& one) {
-            return fs::path(one).filename() == file.filename();
-        };
+        const auto is_it = [&](const std::string& one) { return fs::path(one).filename() == file.filename(); };
         if (file.parent_path() != real || !belongs(file.filename().string()) ||
             std::any_of(files.begin(), files.end(), is_it))
             continue;
         std::error_code failure;
-        if (!fs::is_regular_file(fs::symlink_status(file, failure)) || mark_of(file.string()) != mark)
-            continue;
+        if (!fs::is_regular_file(fs::symlink_status(file, failure)) || mark_of(file.string()) != mark) continue;
         fs::remove(file, failure);
         if (failure)
             throw Error(ErrorKind::environment,

@@ -21,8 +21,9 @@ namespace frana::app {
 void check_own(const std::string& folder, const std::vector<std::string>& files, const std::string& where,
                const std::vector<std::string>& reads, Problems& problems);
 
-/// Before the first of the files is written: a folder that nothing lists gets a list, by which what is there after a kill is
-/// known again, and what was changed since is kept; record_files() lists them in the end. Throws Error(environment).
+/// Before the first of the files is written: a folder that nothing lists gets a list, by which what is there after a
+/// kill is known again, and what was changed since is kept; record_files() lists them in the end. Throws
+/// Error(environment).
 void begin_own(const std::string& folder, const std::vector<std::string>& files);
 
 /// Removes what frana wrote of a series into a folder (frames of a longer film) and does not write anew:

@@ -26,8 +26,7 @@ constexpr const char* k_kept = ".kept-";
 std::error_code move_to_free(const fs::path& from, const fs::path& to) {
     if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return {};
     std::error_code failure(errno, std::generic_category());
-    if (failure != std::errc::invalid_argument)
-        return failure;  // else a file system that does not know the way
+    if (failure != std::errc::invalid_argument) return failure;  // else a file system that does not know the way
     std::error_code ignored;
     if (fs::exists(fs::symlink_status(to, ignored))) return std::make_error_code(std::errc::file_exists);
     fs::rename(from, to, failure);
@@ -35,8 +34,7 @@ std::error_code move_to_free(const fs::path& from, const fs::path& to) {
 }
 
 /// To the first free name with a number.
-std::error_code move_to_kept(const fs::path& from, const fs::path& stem, const fs::path& extension,
-                             fs::path& to) {
+std::error_code move_to_kept(const fs::path& from, const fs::path& stem, const fs::path& extension, fs::path& to) {
     for (int number = 1;; ++number) {
         to = stem;
         to += k_kept + std::to_string(number);
@@ -140,15 +138,13 @@ class Replacement {
                 kept_.push_back(name + (is_changed ? ", which was changed since frana wrote it, " : " ") +
                                 "is kept as " + to.lexically_relative(result_).string());
         }
-        if (failure)
-            problem("a file of yours could not be moved into the new result: " + failure.message(), name);
+        if (failure) problem("a file of yours could not be moved into the new result: " + failure.message(), name);
     }
 
     void remove_listed() {
         // List and note go after all that they tell of: who comes after a kill or a fault can still end this.
         const std::vector<std::string> last{k_manifest_file, k_replaced_file};
-        std::erase_if(listed_,
-                      [&](const std::string& name) { return name == last.front() || name == last.back(); });
+        std::erase_if(listed_, [&](const std::string& name) { return name == last.front() || name == last.back(); });
         std::sort(folders_.rbegin(), folders_.rend());  // those inside come first
         std::error_code failure;
         for (const std::vector<std::string>& names : {listed_, folders_, last, {""}})
@@ -157,8 +153,8 @@ class Replacement {
                 fs::remove(older_ / name, failure);
             }
         if (!failure) return;
-        log_.warn("the older result could not be removed: " + failure.message() +
-                  "; what is left of it is in " + older_.string() + " until the next run");
+        log_.warn("the older result could not be removed: " + failure.message() + "; what is left of it is in " +
+                  older_.string() + " until the next run");
         try {
             if (fs::is_empty(older_)) note_replaced(older_.string(), older_.filename().string());
         } catch (const std::exception&) {  // then it stays as an empty folder
@@ -174,8 +170,7 @@ class Replacement {
 
     void tell() {
         constexpr std::size_t k_most = 20;
-        for (std::size_t i = 0; i < std::min(k_most, kept_.size()); ++i)
-            log_.tell("older result: " + kept_[i]);
+        for (std::size_t i = 0; i < std::min(k_most, kept_.size()); ++i) log_.tell("older result: " + kept_[i]);
         if (kept_.size() > k_most)
             log_.tell("older result: " + std::to_string(kept_.size() - k_most) +
                       " more files are kept under such names");
@@ -214,12 +209,11 @@ void keep_changed_files(const std::vector<std::string>& paths) {
         fs::path kept;
         if (const std::error_code failure =
                 move_to_kept(file, file.parent_path() / file.stem(), file.extension(), kept))
-            throw Error(ErrorKind::environment,
-                        Problem{"was changed since frana wrote it, and cannot be kept under another name: " +
-                                    failure.message(),
-                                path, "", "", "Choose another folder with --out"});
-        std::cerr << "frana: " << path << " is not as frana wrote it: kept as " << kept.filename().string()
-                  << '\n';
+            throw Error(
+                ErrorKind::environment,
+                Problem{"was changed since frana wrote it, and cannot be kept under another name: " + failure.message(),
+                        path, "", "", "Choose another folder with --out"});
+        std::cerr << "frana: " << path << " is not as frana wrote it: kept as " << kept.filename().string() << '\n';
     }
 }
 

@@ -78,8 +78,7 @@ void ResultDirectory::make_sibling() {
     fs::create_directories(fs::path(directory_).parent_path(), failure);
     if (failure) fail("cannot be made", fs::path(directory_).parent_path().string(), failure.message());
     std::string name = directory_ + k_building + "XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr)
-        fail("no folder can be made beside it", directory_, std::strerror(errno));
+    if (::mkdtemp(name.data()) == nullptr) fail("no folder can be made beside it", directory_, std::strerror(errno));
     aside_ = name;
     // mkdtemp keeps others out; a result is as readable as the one before it, or as any folder of the user's.
     const mode_t mask = ::umask(0);
@@ -195,8 +194,7 @@ void remove_leftovers(const fs::path& result, const fs::path& folder) {
         std::error_code ignored;
         const fs::file_status status = entry.symlink_status(ignored);
         if (fs::is_directory(status)) remove_leftovers(result, entry.path());
-        if (fs::is_regular_file(status) &&
-            is_leftover(entry.path().lexically_relative(result).generic_string()))
+        if (fs::is_regular_file(status) && is_leftover(entry.path().lexically_relative(result).generic_string()))
             fs::remove(entry.path(), ignored);
     }
 }
@@ -206,8 +204,7 @@ void remove_leftovers(const fs::path& result, const fs::path& folder) {
 std::vector<Problem> clear_place_of(const std::string& result, const std::string& replaced, RunLog& log) {
     std::vector<Problem> problems;
     std::vector<std::string> older = replaced_results(result);
-    if (!replaced.empty() && std::find(older.begin(), older.end(), replaced) == older.end())
-        older.push_back(replaced);
+    if (!replaced.empty() && std::find(older.begin(), older.end(), replaced) == older.end()) older.push_back(replaced);
     for (const std::string& folder : older) {
         const int mine = lock_folder(folder, false);
         if (mine < 0 && errno == EWOULDBLOCK) continue;  // another run is at it
@@ -217,8 +214,7 @@ std::vector<Problem> clear_place_of(const std::string& result, const std::string
     }
     for (const std::string& folder : left_results(result)) {
         if (!remove_unfinished(folder))
-            log.tell("a run that was killed has left " + folder +
-                     "; it holds more than frana wrote there, and stays");
+            log.tell("a run that was killed has left " + folder + "; it holds more than frana wrote there, and stays");
     }
     remove_empty_siblings(result);
     remove_note_of_building(result);
@@ -236,8 +232,8 @@ void forget_the_way(const std::string& result, bool frames, RunLog& log) {
             if (!name.starts_with(folder + "/")) continue;
             fs::remove(fs::path(result) / name, failure);
             if (failure) {
-                log.warn((fs::path(result) / name).string() + " is no longer needed and cannot be removed: " +
-                         failure.message() + "; --resume tries again");
+                log.warn((fs::path(result) / name).string() +
+                         " is no longer needed and cannot be removed: " + failure.message() + "; --resume tries again");
             } else {
                 gone.push_back(name);
             }

@@ -22,8 +22,7 @@ class Table {
         return *this;
     }
     Table& add_styles(const std::string& file) {
-        for (const char* ending : k_style_endings)
-            add(FileKind::style, {file.substr(0, file.rfind('.')) + ending});
+        for (const char* ending : k_style_endings) add(FileKind::style, {file.substr(0, file.rfind('.')) + ending});
         return *this;
     }
     /// Those that the command writes.
@@ -52,8 +51,8 @@ std::vector<ResultFile> make_table() {
     Table table;
     table.by("run");
     table.add(FileKind::text, {k_scene_file, k_summary_file, k_log_file, k_manifest_file});
-    table.add(FileKind::working, {k_building_file, k_replaced_file, "checkpoint/step_*.frana",
-                                  "checkpoint/reserve", std::string(k_page_folder) + "/*.png"});
+    table.add(FileKind::working, {k_building_file, k_replaced_file, "checkpoint/step_*.frana", "checkpoint/reserve",
+                                  std::string(k_page_folder) + "/*.png"});
     table.add_rasters();
     table.add(FileKind::vector, {k_outlines_file, k_profile_lines, k_gauge_places, k_hazard_zones_file});
     table.add_styles(k_hazard_zones_file);
@@ -77,8 +76,7 @@ std::vector<ResultFile> make_table() {
 }
 
 bool matches(const ResultFile& row, const std::string& path) {
-    if (!row.pattern.ends_with(k_all_below))
-        return ::fnmatch(row.pattern.c_str(), path.c_str(), FNM_PATHNAME) == 0;
+    if (!row.pattern.ends_with(k_all_below)) return ::fnmatch(row.pattern.c_str(), path.c_str(), FNM_PATHNAME) == 0;
     return path.starts_with(row.pattern.substr(0, row.pattern.size() - 2));
 }
 

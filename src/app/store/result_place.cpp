@@ -66,8 +66,7 @@ bool is_mount_point(const fs::path& path) {
 bool is_kept_by_its_owner(const fs::path& path) {
     struct stat own {
     }, above{};
-    if (::geteuid() == 0 || ::stat(path.c_str(), &own) != 0 ||
-        ::stat(path.parent_path().c_str(), &above) != 0)
+    if (::geteuid() == 0 || ::stat(path.c_str(), &own) != 0 || ::stat(path.parent_path().c_str(), &above) != 0)
         return false;
     return (above.st_mode & S_ISVTX) != 0 && own.st_uid != ::geteuid() && above.st_uid != ::geteuid();
 }
@@ -75,8 +74,7 @@ bool is_kept_by_its_owner(const fs::path& path) {
 /// Of a result, which is built beside its place under a longer name.
 long longest_name(const fs::path& path) {
     const long most = ::pathconf(existing_parent(path).c_str(), _PC_NAME_MAX);
-    return (most > 0 ? most : 255) -
-           static_cast<long>(std::string(k_building).size() + 6 + std::string(".old").size());
+    return (most > 0 ? most : 255) - static_cast<long>(std::string(k_building).size() + 6 + std::string(".old").size());
 }
 
 /// What the rights or the disk do not allow; none where the folder can be made, or replaced.
@@ -92,40 +90,36 @@ std::optional<std::string> refusal(const fs::path& path) {
 }
 
 /// What is wrong with a symbolic link; none where there is no link, or it can be followed.
-std::optional<Problem> broken_link(const std::string& directory, const fs::path& path,
-                                   const std::string& where) {
+std::optional<Problem> broken_link(const std::string& directory, const fs::path& path, const std::string& where) {
     std::error_code failure;
     if (fs::is_symlink(path, failure))
         return Problem{"is a symbolic link that leads back to itself", where, path.string(), "", k_choose};
     const fs::path named = clean(directory);
-    if (path == named || !fs::is_symlink(named, failure) || fs::exists(path.parent_path(), failure))
-        return {};
-    return Problem{
-        "is a symbolic link to a place that is not there", where, named.string() + " -> " + path.string(), "",
-        "Connect the disk or make the folder it points into, or choose another result directory with --out"};
+    if (path == named || !fs::is_symlink(named, failure) || fs::exists(path.parent_path(), failure)) return {};
+    return Problem{"is a symbolic link to a place that is not there", where, named.string() + " -> " + path.string(),
+                   "",
+                   "Connect the disk or make the folder it points into, or choose another result directory with --out"};
 }
 
 /// What of the older result goes, or moves, must not be read while it does.
-bool would_be_replaced(const fs::path& input, const fs::path& result,
-                       const std::optional<Manifest>& manifest) {
+bool would_be_replaced(const fs::path& input, const fs::path& result, const std::optional<Manifest>& manifest) {
     if (!is_inside(input, result)) return false;
     const std::string name = input.lexically_relative(result).generic_string();
     if (name == k_scene_file) return false;  // read before anything is written, and written again
     return !manifest || manifest->files.count(name) > 0 || known_file(name) != nullptr;
 }
 
-void check_older(const fs::path& path, bool overwrite, const std::vector<std::string>& inputs,
-                 const std::string& where, Problems& problems) {
+void check_older(const fs::path& path, bool overwrite, const std::vector<std::string>& inputs, const std::string& where,
+                 Problems& problems) {
     const std::optional<Manifest> manifest = read_manifest(path.string());
     if (!manifest && !is_unlisted_result(path.string())) {
-        problems.add({"is a folder with other files in it, not a result; it is never overwritten", where,
-                      path.string(), "", "Choose an empty or new folder with --out"});
+        problems.add({"is a folder with other files in it, not a result; it is never overwritten", where, path.string(),
+                      "", "Choose an empty or new folder with --out"});
     } else if (!overwrite) {
-        problems.add(
-            {"holds a result already", where, path.string(), "",
-             (manifest && manifest->finished.value_or(false)) || checkpoints_in(path.string()).empty()
-                 ? "Choose another folder with --out, or add --overwrite"
-                 : "It was stopped before its end: --resume goes on, --overwrite starts anew"});
+        problems.add({"holds a result already", where, path.string(), "",
+                      (manifest && manifest->finished.value_or(false)) || checkpoints_in(path.string()).empty()
+                          ? "Choose another folder with --out, or add --overwrite"
+                          : "It was stopped before its end: --resume goes on, --overwrite starts anew"});
     }
     for (const std::string& input : inputs) {
         const std::vector<std::string> places = spellings(input);
@@ -161,8 +155,8 @@ bool holds_files(const std::string& folder) {
 }
 
 std::optional<Problem> check_result_directory(const std::string& directory, bool overwrite,
-                                              const std::vector<std::string>& inputs,
-                                              const std::string& where, Problems& problems) {
+                                              const std::vector<std::string>& inputs, const std::string& where,
+                                              Problems& problems) {
     const fs::path path = result_path(directory);
     if (const auto problem = broken_link(directory, path, where)) {
         problems.add(*problem);
@@ -170,14 +164,12 @@ std::optional<Problem> check_result_directory(const std::string& directory, bool
     }
     std::error_code failure;
     if (fs::exists(path, failure) && !fs::is_directory(path, failure)) {
-        problems.add(
-            {"is a file, not a folder", where, path.string(), "", "Choose another result directory"});
+        problems.add({"is a file, not a folder", where, path.string(), "", "Choose another result directory"});
         return {};
     }
     if (fs::is_directory(path, failure) && is_mount_point(path)) {
-        problems.add(
-            {"is a mount point (a disk or a container's volume), which no result can take the place of",
-             where, path.string(), "", "Choose a folder in it: --out " + (path / "result").string()});
+        problems.add({"is a mount point (a disk or a container's volume), which no result can take the place of", where,
+                      path.string(), "", "Choose a folder in it: --out " + (path / "result").string()});
         return {};
     }
     if (const long most = longest_name(path); static_cast<long>(path.filename().string().size()) > most)
@@ -186,8 +178,8 @@ std::optional<Problem> check_result_directory(const std::string& directory, bool
     if (holds_files(path.string())) check_older(path, overwrite, inputs, where, problems);
     const fs::path parent = existing_parent(path);
     if (!fs::is_directory(parent, failure)) {
-        problems.add({"cannot be written: " + parent.string() + " is not a folder", where, path.string(), "",
-                      k_choose});
+        problems.add(
+            {"cannot be written: " + parent.string() + " is not a folder", where, path.string(), "", k_choose});
     } else if (const auto reason = refusal(path)) {
         return Problem{"cannot be written: " + *reason, where, path.string(), "", k_choose};
     }

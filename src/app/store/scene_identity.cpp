@@ -22,8 +22,7 @@ class Sum {
   public:
     Sum()
         : writer_([this](const void* data, std::size_t count) {
-              if (count > 0)
-                  sum_ = crc32_z(sum_, static_cast<const Bytef*>(data), count);  // null would begin it anew
+              if (count > 0) sum_ = crc32_z(sum_, static_cast<const Bytef*>(data), count);  // null would begin it anew
           }) {}
     void add(double value) { writer_(value); }
     void add(Point point) { writer_(point.x, point.y); }
@@ -31,9 +30,7 @@ class Sum {
         add(static_cast<double>(text.size()));
         writer_.bytes(text.data(), text.size());
     }
-    void add(const Raster& raster) {
-        writer_.bytes(raster.values.data(), raster.values.size() * sizeof(double));
-    }
+    void add(const Raster& raster) { writer_.bytes(raster.values.data(), raster.values.size() * sizeof(double)); }
     void add(const HydrographPoint& point) {
         for (double value : {point.time, point.discharge, point.speed}) add(value);
     }
@@ -178,8 +175,7 @@ std::vector<std::string> identity_differences(const std::string& here, const std
             words.push_back(name + " is " + value + " here and was not given");
         } else if (old->second != value) {
             const bool sum = name.rfind("checksum of ", 0) == 0;
-            words.push_back(sum ? name.substr(12) + " differ" +
-                                      (name.rfind("checksum of the", 0) == 0 ? "s" : "")
+            words.push_back(sum ? name.substr(12) + " differ" + (name.rfind("checksum of the", 0) == 0 ? "s" : "")
                                 : name + " is " + value + " here and was " + old->second);
         }
     }

@@ -17,7 +17,8 @@ std::string scene_identity(const Prepared& prepared);
 /// The key in summary.json of what data_identity tells.
 inline constexpr const char* k_data_key = "data_checksums";
 
-/// The part of it that the scene's keys do not tell: of the grid and of what was read from files. summary.json keeps it.
+/// The part of it that the scene's keys do not tell: of the grid and of what was read from files. summary.json keeps
+/// it.
 std::vector<std::string> data_identity(const Prepared& prepared);
 /// The whole, of a finished result: from its scene.ini and its summary.json; none where an older frana left them.
 std::optional<std::string> result_identity(const std::string& result_folder);

@@ -33,9 +33,9 @@ class Row {
     }
     [[nodiscard]] double value(const std::string& name) const {
         if (const auto number = find(name)) return *number;
-        throw Error(ErrorKind::input, Problem{"has no column " + name, path_,
-                                              elided(valid_utf8(joined(names_, ",")), k_shown), "",
-                                              "The file is not a run's, or damaged"});
+        throw Error(ErrorKind::input,
+                    Problem{"has no column " + name, path_, elided(valid_utf8(joined(names_, ",")), k_shown), "",
+                            "The file is not a run's, or damaged"});
     }
 
   private:
@@ -57,8 +57,8 @@ SeriesEnds read_series_ends(const std::string& path) {
         last = line;
     }
     if (!whole || first.empty())
-        throw Error(ErrorKind::input, Problem{whole ? "has no rows" : "is cut off in the middle of a row", path, "",
-                                              "", "The file is damaged"});
+        throw Error(ErrorKind::input, Problem{whole ? "has no rows" : "is cut off in the middle of a row", path, "", "",
+                                              "The file is damaged"});
     const std::vector<std::string> names = words_of(trimmed(header));
     const Row begin(names, first, path), end(names, last, path);
     SeriesEnds ends;

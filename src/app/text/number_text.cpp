@@ -31,9 +31,8 @@ std::string grouped(std::int64_t value) {
 
 std::string grouped(double value) {
     if (std::abs(value) < 10) return figure(value, 2);  // of a flume, not of a hillside
-    return std::isfinite(value) && std::abs(value) < 9e18
-               ? grouped(static_cast<std::int64_t>(std::llround(value)))
-               : figure(value);
+    return std::isfinite(value) && std::abs(value) < 9e18 ? grouped(static_cast<std::int64_t>(std::llround(value)))
+                                                          : figure(value);
 }
 
 std::string bytes_text(double bytes) {
@@ -49,8 +48,8 @@ std::string bytes_text(double bytes) {
 std::string extent_text(const Bounds& bounds, bool degrees) {
     char text[200];
     const int decimals = degrees ? 7 : 2;
-    std::snprintf(text, sizeof text, "west %.*f, south %.*f, east %.*f, north %.*f", decimals, bounds.west,
-                  decimals, bounds.south, decimals, bounds.east, decimals, bounds.north);
+    std::snprintf(text, sizeof text, "west %.*f, south %.*f, east %.*f, north %.*f", decimals, bounds.west, decimals,
+                  bounds.south, decimals, bounds.east, decimals, bounds.north);
     return text;
 }
 

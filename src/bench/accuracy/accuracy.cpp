@@ -65,13 +65,12 @@ std::vector<AccuracyRow> run_accuracy(const AccuracyOptions& options) {
             if (one.one_scheme && scheme != Scheme::standard) continue;
             for (std::size_t level = 0; level < levels; ++level) {
                 AccuracyRow row{one.name, scheme, one.run(one.cell_sizes[level], scheme), k_no_data};
-                if (level > 0 && !one.rounding)
-                    row.observed_order = order_between(rows.back().figures, row.figures);
+                if (level > 0 && !one.rounding) row.observed_order = order_between(rows.back().figures, row.figures);
                 if (options.report) {
                     char line[160];
-                    std::snprintf(line, sizeof line, "%-18s %-8s %6g m  l1_depth %.3g  %.2f s",
-                                  one.name.c_str(), name_of(scheme), row.figures.cell_size,
-                                  row.figures.l1_depth, row.figures.wall_seconds);
+                    std::snprintf(line, sizeof line, "%-18s %-8s %6g m  l1_depth %.3g  %.2f s", one.name.c_str(),
+                                  name_of(scheme), row.figures.cell_size, row.figures.l1_depth,
+                                  row.figures.wall_seconds);
                     options.report(line);
                 }
                 rows.push_back(std::move(row));

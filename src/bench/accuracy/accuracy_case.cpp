@@ -17,8 +17,8 @@ CaseFigures compare_fields(const Flow::NodalFields& fields, const std::function<
             if (inside && !inside(place)) continue;
             const ExactState state = exact(place);
             const double e = std::abs(fields.depth.at(row, column) - state.depth);
-            const double q = std::hypot(fields.momentum_x.at(row, column) - state.qx,
-                                        fields.momentum_y.at(row, column) - state.qy);
+            const double q =
+                std::hypot(fields.momentum_x.at(row, column) - state.qx, fields.momentum_y.at(row, column) - state.qy);
             const double q_exact = std::hypot(state.qx, state.qy);
             const double q_still = state.depth * std::sqrt(k_gravity * state.depth);
             depth += e;

@@ -27,12 +27,12 @@ struct CaseFigures {
     double cell_size = 0;        ///< [m]
     std::int64_t particles = 0;  ///< greatest number at any time
     std::int64_t steps = 0;
-    double wall_seconds = 0;  ///< of the engine, one thread
-    double l1_depth = 0;      ///< sum |h - h_exact| / sum h_exact over the grid
-    double l2_depth = 0;      ///< sqrt(sum (h - h_exact)^2 / sum h_exact^2)
-    double linf_depth = 0;    ///< max |h - h_exact| [m]
-    double l1_momentum = 0;   ///< sum |q - q_exact| / sum |q_exact|; over sum h sqrt(g h) where q_exact is 0
-    double l2_momentum = 0;   ///< the same with squares
+    double wall_seconds = 0;      ///< of the engine, one thread
+    double l1_depth = 0;          ///< sum |h - h_exact| / sum h_exact over the grid
+    double l2_depth = 0;          ///< sqrt(sum (h - h_exact)^2 / sum h_exact^2)
+    double linf_depth = 0;        ///< max |h - h_exact| [m]
+    double l1_momentum = 0;       ///< sum |q - q_exact| / sum |q_exact|; over sum h sqrt(g h) where q_exact is 0
+    double l2_momentum = 0;       ///< the same with squares
     double mean_depth_error = 0;  ///< mean |h - h_exact| over the cells compared [m]
     std::vector<OwnFigure> own;
     std::string failure;  ///< why the run did not reach its end; empty when it did

@@ -41,8 +41,7 @@ const OwnFigure* find_figure(const CaseFigures& figures, std::string_view name) 
 const AccuracyRow* row_beside(const PeerFigure& peer, const std::vector<AccuracyRow>& rows) {
     const AccuracyRow* best = nullptr;
     for (const AccuracyRow& row : rows) {
-        if (row.case_name != peer.case_name || row.scheme != Scheme::standard ||
-            row.figures.cell_size < peer.cell_size)
+        if (row.case_name != peer.case_name || row.scheme != Scheme::standard || row.figures.cell_size < peer.cell_size)
             continue;
         if (best == nullptr || row.figures.cell_size < best->figures.cell_size) best = &row;
     }
@@ -64,17 +63,16 @@ std::string peer_line(const PeerFigure& peer, const std::vector<AccuracyRow>& ro
 
 void add_case(const std::string& name, const std::vector<AccuracyRow>& rows, std::string& out) {
     out += name + "\n";
-    out += text("  %-8s %8s %9s %7s %9s %10s %10s %10s %10s %6s\n", "scheme", "cell m", "particles", "steps",
-                "wall s", "l1_depth", "l2_depth", "linf m", "l1_moment.", "order");
+    out += text("  %-8s %8s %9s %7s %9s %10s %10s %10s %10s %6s\n", "scheme", "cell m", "particles", "steps", "wall s",
+                "l1_depth", "l2_depth", "linf m", "l1_moment.", "order");
     const AccuracyRow *first = nullptr, *last = nullptr;
     std::string own;
     for (const AccuracyRow& row : rows) {
         if (row.case_name != name) continue;
         const CaseFigures& f = row.figures;
         out += text("  %-8s %8g %9lld %7lld %9.3g %10.3g %10.3g %10.3g %10.3g %6s%s\n", name_of(row.scheme),
-                    f.cell_size, static_cast<long long>(f.particles), static_cast<long long>(f.steps),
-                    f.wall_seconds, f.l1_depth, f.l2_depth, f.linf_depth, f.l1_momentum,
-                    order_text(row.observed_order).c_str(),
+                    f.cell_size, static_cast<long long>(f.particles), static_cast<long long>(f.steps), f.wall_seconds,
+                    f.l1_depth, f.l2_depth, f.linf_depth, f.l1_momentum, order_text(row.observed_order).c_str(),
                     f.failure.empty() ? "" : ("  FAILED: " + f.failure).c_str());
         for (const OwnFigure& figure : f.own) {
             own += text("    %-8s %8g m  %-42s %11.4g", name_of(row.scheme), f.cell_size, figure.name.c_str(),
@@ -94,9 +92,8 @@ void add_case(const std::string& name, const std::vector<AccuracyRow>& rows, std
             return fine > 0 ? order_text(std::log(coarse / fine) / std::log(a.cell_size / b.cell_size))
                             : std::string("-");
         };
-        out +=
-            text("  default, from %g to %g m: order of depth %s, of momentum %s\n", a.cell_size, b.cell_size,
-                 order(a.l1_depth, b.l1_depth).c_str(), order(a.l1_momentum, b.l1_momentum).c_str());
+        out += text("  default, from %g to %g m: order of depth %s, of momentum %s\n", a.cell_size, b.cell_size,
+                    order(a.l1_depth, b.l1_depth).c_str(), order(a.l1_momentum, b.l1_momentum).c_str());
     }
     out += own;
     for (const PeerFigure& peer : peer_figures())
@@ -113,9 +110,8 @@ std::string rotation_text(const std::vector<AccuracyRow>& rows) {
                 turned.scheme != aligned.scheme || turned.figures.cell_size != aligned.figures.cell_size)
                 continue;
             const double ratio = turned.figures.l1_depth / aligned.figures.l1_depth;
-            out += text("ritter-rotated over ritter, %s, %g m cells: %.3f, mark 1.2: %s\n",
-                        name_of(turned.scheme), turned.figures.cell_size, ratio,
-                        ratio <= 1.2 ? "met" : "MISSED");
+            out += text("ritter-rotated over ritter, %s, %g m cells: %.3f, mark 1.2: %s\n", name_of(turned.scheme),
+                        turned.figures.cell_size, ratio, ratio <= 1.2 ? "met" : "MISSED");
         }
     }
     return out.empty() ? out : out + "\n";
@@ -127,8 +123,7 @@ Curve curve_of(const std::vector<AccuracyRow>& rows, const std::string& name, Sc
     Curve curve;
     for (const AccuracyRow& row : rows)
         if (row.case_name == name && row.scheme == scheme && row.figures.failure.empty())
-            curve.emplace_back(row.figures.wall_seconds,
-                               std::max(row.figures.l1_depth, row.figures.l1_momentum));
+            curve.emplace_back(row.figures.wall_seconds, std::max(row.figures.l1_depth, row.figures.l1_momentum));
     std::sort(curve.begin(), curve.end());
     return curve;
 }
@@ -157,9 +152,8 @@ std::string peer_verdict(const std::vector<AccuracyRow>& rows) {
         for (const auto& [seconds, error] : peer) {
             const double ours = error_in_time(own, seconds);
             if (std::isnan(ours)) continue;
-            out += text(
-                "  %s in %.3g s: GeoClaw %.3g m (published, its own machine), frana's default %.3g m: %s\n",
-                name, seconds, error, ours, ours <= error ? "frana has less" : "GEOCLAW HAS LESS");
+            out += text("  %s in %.3g s: GeoClaw %.3g m (published, its own machine), frana's default %.3g m: %s\n",
+                        name, seconds, error, ours, ours <= error ? "frana has less" : "GEOCLAW HAS LESS");
         }
     }
     return out.empty() ? out : "Mean depth error beside GeoClaw's for the same time on one thread:\n" + out;
@@ -173,10 +167,9 @@ std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
         "observed_order\n";
     for (const AccuracyRow& row : rows) {
         const CaseFigures& f = row.figures;
-        out +=
-            text("%s,%s,%.9g,%lld,%lld,%.6g,%.9g,%.9g,%.9g,%.9g,", row.case_name.c_str(), name_of(row.scheme),
-                 f.cell_size, static_cast<long long>(f.particles), static_cast<long long>(f.steps),
-                 f.wall_seconds, f.l1_depth, f.l2_depth, f.linf_depth, f.l1_momentum);
+        out += text("%s,%s,%.9g,%lld,%lld,%.6g,%.9g,%.9g,%.9g,%.9g,", row.case_name.c_str(), name_of(row.scheme),
+                    f.cell_size, static_cast<long long>(f.particles), static_cast<long long>(f.steps), f.wall_seconds,
+                    f.l1_depth, f.l2_depth, f.linf_depth, f.l1_momentum);
         out += std::isnan(row.observed_order) ? "nan\n" : text("%.4f\n", row.observed_order);
     }
     return out;
@@ -214,8 +207,7 @@ std::string accuracy_verdict(const std::vector<AccuracyRow>& rows) {
             continue;
         }
         // The longest time that both have spent: neither is judged by what it was not given.
-        const double seconds =
-            std::max({std::min(a.back().first, b.back().first), a.front().first, b.front().first});
+        const double seconds = std::max({std::min(a.back().first, b.back().first), a.front().first, b.front().first});
         const double of_standard = best_within(a, seconds), of_paper = best_within(b, seconds);
         constexpr double k_rounding = 1e-12;
         if (of_standard < k_rounding && of_paper < k_rounding) {

@@ -38,8 +38,7 @@ struct Marks {
 
 CaseFigures run_channel(double cell_size, Scheme scheme, double right, double jitter, std::optional<Marks> marks) {
     Setup setup;
-    const GridSpec grid =
-        plain_grid(std::llround(k_length / cell_size), std::llround(k_width / cell_size), cell_size);
+    const GridSpec grid = plain_grid(std::llround(k_length / cell_size), std::llround(k_width / cell_size), cell_size);
     setup.bed = Raster(grid, 0.0);
     setup.seeds = fill_lattice(grid, 2, jitter, [&](Point p) { return Seed{p.x < k_dam ? k_left : right}; });
     setup.material = water();
@@ -57,11 +56,9 @@ CaseFigures run_channel(double cell_size, Scheme scheme, double right, double ji
     figures.own.push_back(mean);
     if (right == 0) {
         const Raster depth = run.flow().nodal_fields().depth;
+        figures.own.push_back({"front at 0.01 m, error [cells]", (reach(depth) - exact_reach()) / cell_size, 2.0});
         figures.own.push_back(
-            {"front at 0.01 m, error [cells]", (reach(depth) - exact_reach()) / cell_size, 2.0});
-        figures.own.push_back({"foremost particle beyond 2 sqrt(g h) t [m]",
-                               foremost(run.flow().particles()) - exact.front(k_time),
-                               {}});
+            {"foremost particle beyond 2 sqrt(g h) t [m]", foremost(run.flow().particles()) - exact.front(k_time), {}});
     }
     return figures;
 }

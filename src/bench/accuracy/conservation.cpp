@@ -15,8 +15,7 @@ struct Budget {
 Budget of_particles(const ParticleSet& particles) {
     Budget b;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double volume = particles[Field::volume][p], u = particles[Field::u][p],
-                     v = particles[Field::v][p];
+        const double volume = particles[Field::volume][p], u = particles[Field::u][p], v = particles[Field::v][p];
         b.volume += volume;
         b.px += volume * u;
         b.size += volume * std::hypot(u, v);
@@ -37,8 +36,7 @@ Budget of_nodes(const NodeGrid& nodes) {
 }
 
 CaseFigures run_conservation(double cell_size, Scheme scheme) {
-    const GridSpec grid =
-        plain_grid(std::llround(k_length / cell_size), std::llround(k_width / cell_size), cell_size);
+    const GridSpec grid = plain_grid(std::llround(k_length / cell_size), std::llround(k_width / cell_size), cell_size);
     Setup setup;
     setup.bed = sample_raster(grid, [](Point p) {
         return 60 - p.x / 3 + 15 * std::exp(-((p.x - 50) * (p.x - 50) + (p.y - 10) * (p.y - 10)) / 7);
@@ -56,8 +54,8 @@ CaseFigures run_conservation(double cell_size, Scheme scheme) {
         const Budget particles = of_particles(run.flow().particles());
         run.flow().nodal_fields();  // gathers on the nodes
         const Budget nodes = of_nodes(run.flow().nodes());
-        worst_volume = std::max(
-            {worst_volume, std::abs(nodes.volume / volume - 1), std::abs(particles.volume / volume - 1)});
+        worst_volume =
+            std::max({worst_volume, std::abs(nodes.volume / volume - 1), std::abs(particles.volume / volume - 1)});
         if (run.flow().time() < k_wall_time && particles.size > 0) {
             worst_momentum = std::max(worst_momentum, std::abs(nodes.px - particles.px) / particles.size);
         }
@@ -93,11 +91,8 @@ CaseFigures run_conservation(double cell_size, Scheme scheme) {
 }  // namespace
 
 AccuracyCase conservation() {
-    return {"conservation",
-            "mudflow round an obstacle: budgets and symmetry",
-            {2, 1, 0.5, 0.25},
-            true,
-            run_conservation};
+    return {
+        "conservation", "mudflow round an obstacle: budgets and symmetry", {2, 1, 0.5, 0.25}, true, run_conservation};
 }
 
 }  // namespace frana::bench

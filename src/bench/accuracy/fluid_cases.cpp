@@ -25,8 +25,7 @@ CaseFigures run_channel(double cell_size, double right) {
         return ExactState{state.depth, state.depth * state.velocity, 0};
     });
     // The mark: 2 % at 400 cells; the case's 2.5 m.
-    figures.own = {
-        {"relative depth error", figures.l1_depth, cell_size <= 2.5 ? std::optional(0.02) : std::nullopt}};
+    figures.own = {{"relative depth error", figures.l1_depth, cell_size <= 2.5 ? std::optional(0.02) : std::nullopt}};
     return figures;
 }
 
@@ -108,14 +107,12 @@ CaseFigures run_thacker(double cell_size) {
     FluidRun run(bed, 1e-4, exact);
     run.advance(3 * 2 * k_pi / w);
     CaseFigures figures = run.compare(exact);
-    const CaseFigures core =
-        run.compare(exact, [&](Point p) { return radius2(p, 0.5 * k_side + k_swing) < 0.5; });
+    const CaseFigures core = run.compare(exact, [&](Point p) { return radius2(p, 0.5 * k_side + k_swing) < 0.5; });
     figures.own = {{"relative depth error away from the shore", core.l1_depth, {}}};
     return figures;
 }
 
-AccuracyCase fluid_case(const char* name, const char* what, std::vector<double> cells,
-                        CaseFigures (*run)(double)) {
+AccuracyCase fluid_case(const char* name, const char* what, std::vector<double> cells, CaseFigures (*run)(double)) {
     return {name, what, std::move(cells), false, [run](double dx, Scheme) { return run(dx); }, true};
 }
 
@@ -126,12 +123,11 @@ std::vector<AccuracyCase> fluid_cases() {
         fluid_case("fluid-lake", "free fluid: lake round an island, 10 s", {0.5, 0.4, 0.25, 0.2}, run_lake),
         fluid_case("fluid-stoker", "free fluid: dam break, 10 m over 2 m, 20 s", {10, 5, 2.5, 1.25, 0.625},
                    [](double dx) { return run_channel(dx, 2); }),
-        fluid_case("fluid-ritter", "free fluid: dam break, 10 m over dry ground, 20 s",
-                   {10, 5, 2.5, 1.25, 0.625}, [](double dx) { return run_channel(dx, 0); }),
-        fluid_case("fluid-wave", "free fluid: simple wave before it breaks, 10 s", {4, 2, 1, 0.5, 0.25},
-                   run_wave),
-        fluid_case("fluid-thacker", "free fluid: planar swing in a paraboloid, three periods",
-                   {20, 10, 5, 2.5}, run_thacker)};
+        fluid_case("fluid-ritter", "free fluid: dam break, 10 m over dry ground, 20 s", {10, 5, 2.5, 1.25, 0.625},
+                   [](double dx) { return run_channel(dx, 0); }),
+        fluid_case("fluid-wave", "free fluid: simple wave before it breaks, 10 s", {4, 2, 1, 0.5, 0.25}, run_wave),
+        fluid_case("fluid-thacker", "free fluid: planar swing in a paraboloid, three periods", {20, 10, 5, 2.5},
+                   run_thacker)};
     cases.front().rounding = true;
     return cases;
 }

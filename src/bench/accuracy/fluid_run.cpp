@@ -22,8 +22,8 @@ FluidRun::FluidRun(const Raster& bed, double dry_depth, const std::function<Exac
     std::vector<structured::FluidSource> sources;
     for (std::int64_t j = 0; j < nodes_.rows(); ++j) {
         for (std::int64_t i = 0; i < nodes_.columns(); ++i) {
-            const ExactState s = at({(static_cast<double>(i) + 0.5) * grid_.cell_size,
-                                     (static_cast<double>(j) + 0.5) * grid_.cell_size});
+            const ExactState s = at(
+                {(static_cast<double>(i) + 0.5) * grid_.cell_size, (static_cast<double>(j) + 0.5) * grid_.cell_size});
             if (s.depth > 0) sources.push_back({nodes_.index(i, j), s.depth, s.qx, s.qy});
         }
     }

@@ -46,8 +46,8 @@ Outcome run_once(double cell_size, Scheme scheme, bool map, double jitter) {
     const std::int64_t columns = std::llround((k_lower_end - k_upper_end) * scale / cell_size);
     const GridSpec grid = plain_grid(columns, std::llround(k_width / cell_size), cell_size);
     Setup setup;
-    setup.bed = sample_raster(
-        grid, [&](Point p) { return map ? (grid.east() - p.x) * incline.sine / incline.cosine : 0; });
+    setup.bed =
+        sample_raster(grid, [&](Point p) { return map ? (grid.east() - p.x) * incline.sine / incline.cosine : 0; });
     setup.seeds = fill_lattice(grid, 2, jitter, [&](Point p) {
         return Seed{p.x / scale + k_upper_end < 0 ? 1 / scale : 0};  // vertical depth in map view
     });
@@ -94,8 +94,8 @@ CaseFigures run_granular(double cell_size, Scheme scheme, bool map) {
 
 std::vector<AccuracyCase> granular_slopes() {
     const std::vector<double> cells{10, 5, 2.5, 1.25};
-    return {{"granular-slope", "granular dam break, 22 deg slope, 21 deg friction, tilted gravity", cells,
-             false, [](double dx, Scheme scheme) { return run_granular(dx, scheme, false); }},
+    return {{"granular-slope", "granular dam break, 22 deg slope, 21 deg friction, tilted gravity", cells, false,
+             [](double dx, Scheme scheme) { return run_granular(dx, scheme, false); }},
             {"granular-slope-map", "the same in map view", cells, false,
              [](double dx, Scheme scheme) { return run_granular(dx, scheme, true); }}};
 }

@@ -101,14 +101,11 @@ CaseFigures run_lake(const Raster& bed, double level, const Material& material, 
 
 std::vector<AccuracyCase> lakes() {
     const std::vector<double> cells{0.5, 0.4, 0.25, 0.2};
-    return {
-        {"lake-z1", "lake at rest over a smooth hill, 1 s", cells, true,
-         [](double dx, Scheme scheme) {
-             return run_table_1(dx, scheme, [](Point p) { return hill(p, 5); });
-         }},
-        {"lake-z2", "lake at rest over a 4 m step, 1 s", cells, true,
-         [](double dx, Scheme scheme) { return run_table_1(dx, scheme, block); }},
-        {"lake-island", "lake at rest round an island, 10 s", {0.5, 0.4, 0.25, 0.2, 0.1}, true, run_island}};
+    return {{"lake-z1", "lake at rest over a smooth hill, 1 s", cells, true,
+             [](double dx, Scheme scheme) { return run_table_1(dx, scheme, [](Point p) { return hill(p, 5); }); }},
+            {"lake-z2", "lake at rest over a 4 m step, 1 s", cells, true,
+             [](double dx, Scheme scheme) { return run_table_1(dx, scheme, block); }},
+            {"lake-island", "lake at rest round an island, 10 s", {0.5, 0.4, 0.25, 0.2, 0.1}, true, run_island}};
 }
 
 }  // namespace frana::bench

@@ -11,8 +11,7 @@ namespace {
 // Every `skip`-th elevation, no mean.
 Raster thinned(const Raster& dtm, std::int64_t skip) {
     const GridSpec& fine = dtm.grid;
-    Raster coarse(
-        plain_grid(fine.columns / skip, fine.rows / skip, fine.cell_size * static_cast<double>(skip)));
+    Raster coarse(plain_grid(fine.columns / skip, fine.rows / skip, fine.cell_size * static_cast<double>(skip)));
     for (std::int64_t row = 0; row < coarse.grid.rows; ++row)
         for (std::int64_t column = 0; column < coarse.grid.columns; ++column)
             coarse.at(row, column) = dtm.at(row * skip + skip / 2, column * skip + skip / 2);

@@ -31,12 +31,8 @@ double reach(const Raster& field, double cosine, double sine, double depth) {
         const double y = (k_middle.y + r * sine) / grid.cell_size - 0.5;
         const auto i = static_cast<std::int64_t>(x), j = static_cast<std::int64_t>(y);
         const double a = x - static_cast<double>(i), b = y - static_cast<double>(j);
-        const auto h = [&](std::int64_t column, std::int64_t row) {
-            return field.at(grid.rows - 1 - row, column);
-        };
-        if ((1 - b) * ((1 - a) * h(i, j) + a * h(i + 1, j)) +
-                b * ((1 - a) * h(i, j + 1) + a * h(i + 1, j + 1)) >
-            depth)
+        const auto h = [&](std::int64_t column, std::int64_t row) { return field.at(grid.rows - 1 - row, column); };
+        if ((1 - b) * ((1 - a) * h(i, j) + a * h(i + 1, j)) + b * ((1 - a) * h(i, j + 1) + a * h(i + 1, j + 1)) > depth)
             return r;
     }
     return 0;
@@ -58,8 +54,7 @@ CaseFigures run_radial(double cell_size, Scheme scheme, double outside, double f
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
     TimedFlow run(setup);
     run.advance_to(k_time);
-    const RadialReference reference(k_radius, k_depth, outside, k_reference_extent, k_time,
-                                    k_reference_cells);
+    const RadialReference reference(k_radius, k_depth, outside, k_reference_extent, k_time, k_reference_cells);
     CaseFigures figures = compare_with_exact(run, [&](Point p) {
         const double x = p.x - k_middle.x, y = p.y - k_middle.y, r = std::hypot(x, y);
         const WaterState state = reference.at(r);
@@ -71,9 +66,8 @@ CaseFigures run_radial(double cell_size, Scheme scheme, double outside, double f
     const double axes = 0.25 * (reach(depth, 1, 0, front_depth) + reach(depth, -1, 0, front_depth) +
                                 reach(depth, 0, 1, front_depth) + reach(depth, 0, -1, front_depth));
     const double diagonals =
-        0.25 *
-        (reach(depth, diagonal, diagonal, front_depth) + reach(depth, -diagonal, diagonal, front_depth) +
-         reach(depth, diagonal, -diagonal, front_depth) + reach(depth, -diagonal, -diagonal, front_depth));
+        0.25 * (reach(depth, diagonal, diagonal, front_depth) + reach(depth, -diagonal, diagonal, front_depth) +
+                reach(depth, diagonal, -diagonal, front_depth) + reach(depth, -diagonal, -diagonal, front_depth));
     const double exact = reference.reach(front_depth);
     OwnFigure l1{"l1_depth", figures.l1_depth, {}};
     if (cell_size == 2) l1.mark = mark;
@@ -83,8 +77,7 @@ CaseFigures run_radial(double cell_size, Scheme scheme, double outside, double f
     return figures;
 }
 
-AccuracyCase radial_case(const char* name, const char* what, double outside, double front_depth,
-                         double mark) {
+AccuracyCase radial_case(const char* name, const char* what, double outside, double front_depth, double mark) {
     return {name, what, {8, 4, 2, 1}, false, [=](double cell_size, Scheme scheme) {
                 return run_radial(cell_size, scheme, outside, front_depth, mark);
             }};

@@ -7,8 +7,7 @@
 namespace frana::bench {
 namespace {
 
-constexpr double k_depth = 10, k_time = 20, k_behind = 720, k_half_width = 245, k_half_strip = 25,
-                 k_stretch = 500;
+constexpr double k_depth = 10, k_time = 20, k_behind = 720, k_half_width = 245, k_half_strip = 25, k_stretch = 500;
 constexpr double k_side = 1360;          // of the square grid [m]
 constexpr Point k_dam_middle{780, 660};  // the water and its sideways spread stay inside
 const double k_cosine = std::cos(30 * k_degree), k_sine = std::sin(30 * k_degree);
@@ -20,18 +19,16 @@ Point along_flow(Point p) {
 }
 
 Point from_flow(double front, double side) {
-    return {k_dam_middle.x + k_cosine * front - k_sine * side,
-            k_dam_middle.y + k_sine * front + k_cosine * side};
+    return {k_dam_middle.x + k_cosine * front - k_sine * side, k_dam_middle.y + k_sine * front + k_cosine * side};
 }
 
 CaseFigures run_rotated(double cell_size, Scheme scheme) {
     Setup setup;
-    const GridSpec grid =
-        plain_grid(std::llround(k_side / cell_size), std::llround(k_side / cell_size), cell_size);
+    const GridSpec grid = plain_grid(std::llround(k_side / cell_size), std::llround(k_side / cell_size), cell_size);
     setup.bed = Raster(grid, 0.0);
     Polygon water_body;
-    water_body.outer = {from_flow(-k_behind, -k_half_width), from_flow(0, -k_half_width),
-                        from_flow(0, k_half_width), from_flow(-k_behind, k_half_width)};
+    water_body.outer = {from_flow(-k_behind, -k_half_width), from_flow(0, -k_half_width), from_flow(0, k_half_width),
+                        from_flow(-k_behind, k_half_width)};
     fill_outline(
         {water_body}, 0.5 * cell_size, [](Point) { return k_depth; }, setup.seeds);
     setup.material = water();

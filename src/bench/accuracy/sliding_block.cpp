@@ -29,8 +29,7 @@ double acceleration(double slope_deg, double friction_deg) {
 SlabOutcome slide(double cell_size, Scheme scheme, double slope_deg) {
     constexpr double k_friction_deg = 20, k_time = 4;
     const double a = acceleration(slope_deg, k_friction_deg);
-    const Slab slab{slope_deg, dry_friction(k_friction_deg), 0,
-                    k_time,    0.5 * a * k_time * k_time,    a * k_time};
+    const Slab slab{slope_deg, dry_friction(k_friction_deg), 0, k_time, 0.5 * a * k_time * k_time, a * k_time};
     return run_slab(cell_size, scheme, slab, [a](double t) { return 0.5 * a * t * t; });
 }
 
@@ -64,8 +63,7 @@ CaseFigures run_sliding(double cell_size, Scheme scheme) {
 
 }  // namespace
 
-SlabOutcome run_slab(double cell_size, Scheme scheme, const Slab& slab,
-                     const std::function<double(double)>& travel) {
+SlabOutcome run_slab(double cell_size, Scheme scheme, const Slab& slab, const std::function<double(double)>& travel) {
     const double gradient = std::tan(slab.slope_deg * k_degree);
     const GridSpec grid =
         plain_grid(static_cast<std::int64_t>(std::ceil((300 + slab.travel) / cell_size)), k_rows, cell_size);
@@ -94,11 +92,7 @@ SlabOutcome run_slab(double cell_size, Scheme scheme, const Slab& slab,
 }
 
 AccuracyCase sliding_block() {
-    return {"sliding-block",
-            "slab on planes of 25 to 45 degrees; stopping on 10",
-            {4, 2, 1, 0.5},
-            true,
-            run_sliding};
+    return {"sliding-block", "slab on planes of 25 to 45 degrees; stopping on 10", {4, 2, 1, 0.5}, true, run_sliding};
 }
 
 }  // namespace frana::bench

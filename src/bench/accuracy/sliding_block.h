@@ -31,7 +31,6 @@ struct SlabOutcome {
     double distance = 0;    ///< their mean speed summed over time [m]
 };
 
-SlabOutcome run_slab(double cell_size, Scheme scheme, const Slab& slab,
-                     const std::function<double(double)>& travel);
+SlabOutcome run_slab(double cell_size, Scheme scheme, const Slab& slab, const std::function<double(double)>& travel);
 
 }  // namespace frana::bench

@@ -106,11 +106,10 @@ CaseFigures run_incline(double cell) {
     const auto slide = [&](double slope_deg) {
         SolidBlock block(cell);
         const double spacing = block.laws.solid.spacing;
-        block.fill(30, 30, std::llround(18 / spacing), std::llround(12 / spacing),
-                   [](Point) { return Seed{4}; });
-        State state = block.start(incline(slope_deg, static_cast<std::int64_t>(120 / cell),
-                                          static_cast<std::int64_t>(72 / cell), cell),
-                                  pool);
+        block.fill(30, 30, std::llround(18 / spacing), std::llround(12 / spacing), [](Point) { return Seed{4}; });
+        State state = block.start(
+            incline(slope_deg, static_cast<std::int64_t>(120 / cell), static_cast<std::int64_t>(72 / cell), cell),
+            pool);
         watch.particle_steps += advance_to(state, block.laws, k_time, pool);
         return state;
     };
@@ -161,9 +160,7 @@ CaseFigures run_drag(double dt) {
 }  // namespace
 
 std::vector<AccuracyCase> solid_cases() {
-    const auto of = [](CaseFigures (*run)(double)) {
-        return [run](double size, Scheme) { return run(size); };
-    };
+    const auto of = [](CaseFigures (*run)(double)) { return [run](double size, Scheme) { return run(size); }; };
     std::vector<AccuracyCase> cases{
         {"p-wave", "pressure wave in structured solids", {12, 6, 3, 1.5}, false, of(run_wave)},
         {"rigid-rotation", "structured solids that turn as a whole", {12, 6, 3, 1.5}, true, of(run_rotation)},

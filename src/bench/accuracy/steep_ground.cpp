@@ -30,8 +30,8 @@ class FilmRun {
     FilmRun(double length, double width, double cell_size, Scheme scheme, Surface ground,
             const std::function<Seed(Point)>& film, double thickness = k_film)
         : ground_(std::move(ground)) {
-        setup_.bed = sample_raster(plain_grid(std::llround(length / cell_size), std::llround(width / cell_size), cell_size),
-                                   ground_);
+        setup_.bed = sample_raster(
+            plain_grid(std::llround(length / cell_size), std::llround(width / cell_size), cell_size), ground_);
         setup_.seeds = fill_lattice(setup_.bed.grid, 2, 0, [&](Point p) {
             const Seed seed = film(p);
             return Seed{seed.depth > 0 ? thickness : 0, seed.u, seed.v};
@@ -165,9 +165,13 @@ constexpr double k_margin = 80, k_radius = 12;
 FilmRun along(const Profile& profile, double length, double start, double height, double angle_deg, double cell_size,
               Scheme scheme, double thickness = k_film) {
     const Turned frame({k_margin, k_margin}, angle_deg);
-    return FilmRun(2 * k_margin + length * frame.cosine, 2 * k_margin + length * frame.sine, cell_size, scheme,
-                   [=](Point p) { return profile(frame.in(p).x); },
-                   [&](Point p) { return flowing(frame, p, {start, 0}, k_radius, height, profile); }, thickness);
+    return FilmRun(
+        2 * k_margin + length * frame.cosine, 2 * k_margin + length * frame.sine, cell_size, scheme,
+        [=](Point p) { return profile(frame.in(p).x); },
+        [&](Point p) {
+            return flowing(frame, p, {start, 0}, k_radius, height, profile);
+        },
+        thickness);
 }
 
 constexpr double k_angles[] = {0.0, 30.0};
@@ -179,8 +183,8 @@ double climb(double cell_size, Scheme scheme, double down_deg, double up_deg, do
     const double ahead = k_start / down, beyond = k_fall / up;
     const auto profile = [=](double s) { return s < ahead ? (ahead - s) * down : (s - ahead) * up; };
     FilmRun run = along(profile, ahead + 3.5 * beyond, 0, k_fall, angle_deg, cell_size, scheme);
-    const double time = std::sqrt(2 * k_fall / k_gravity) *
-                        (0.5 / std::sin(down_deg * k_degree) + 1 / std::sin(up_deg * k_degree));
+    const double time =
+        std::sqrt(2 * k_fall / k_gravity) * (0.5 / std::sin(down_deg * k_degree) + 1 / std::sin(up_deg * k_degree));
     // Where the foremost turn they meet those behind: what is left is looked at before.
     Film climbing;
     double lowest = k_fall;
@@ -246,13 +250,14 @@ CaseFigures run_slope_step(double cell_size, Scheme scheme) {
 CaseFigures run_bowl(double cell_size, Scheme scheme) {
     constexpr double k_side = 600, k_curve = 200, k_away = 180;  // Z = r^2 / (2 k_curve): 42 degrees at the start
     const Point middle{k_side / 2, k_side / 2};
-    FilmRun run(k_side, k_side, cell_size, scheme,
-                [=](Point p) { return (square(p.x - middle.x) + square(p.y - middle.y)) / (2 * k_curve); },
-                [=](Point p) {
-                    Seed seed = disc(p, {middle.x + k_away, middle.y}, k_radius);
-                    seed.v = 20;
-                    return seed;
-                });
+    FilmRun run(
+        k_side, k_side, cell_size, scheme,
+        [=](Point p) { return (square(p.x - middle.x) + square(p.y - middle.y)) / (2 * k_curve); },
+        [=](Point p) {
+            Seed seed = disc(p, {middle.x + k_away, middle.y}, k_radius);
+            seed.v = 20;
+            return seed;
+        });
     run.turns_about(middle);
     const Film start = run.film();
     double energy = 0, spin = 0;
@@ -262,9 +267,9 @@ CaseFigures run_bowl(double cell_size, Scheme scheme) {
     });
     CaseFigures cost;
     run.add_cost_to(cost);
-    return figures_of(cell_size,
-                      {{"energy gained", energy / start.energy(), 0.02}, {"angular momentum gained", spin / start.spin, 0.02}},
-                      cost);
+    return figures_of(
+        cell_size,
+        {{"energy gained", energy / start.energy(), 0.02}, {"angular momentum gained", spin / start.spin, 0.02}}, cost);
 }
 
 // A half-pipe of parabolic section whose axis falls by 35 degrees along a quarter circle between two straights.
@@ -298,10 +303,12 @@ CaseFigures run_gully_bend(double cell_size, Scheme scheme) {
     const Film end = run.film();
     CaseFigures cost;
     run.add_cost_to(cost);
-    return figures_of(cell_size, {{"energy gained over fall", (end.energy() - height) / (height - end.height), 0.02}}, cost);
+    return figures_of(cell_size, {{"energy gained over fall", (end.energy() - height) / (height - end.height), 0.02}},
+                      cost);
 }
 
-// Down 35 degrees and up a ridge of 45 degrees, rounded over 40 m: the height of rest from which a half of the film passes.
+// Down 35 degrees and up a ridge of 45 degrees, rounded over 40 m: the height of rest from which a half of the film
+// passes.
 double passing_height(double crest, double cell_size, Scheme scheme, double angle, CaseFigures& cost) {
     constexpr double k_round = 20;
     const double down = std::tan(35 * k_degree), start = 0.6 * crest, ahead = start / down;
@@ -358,14 +365,15 @@ CaseFigures run_cliff_jump(double cell_size, Scheme scheme) {
 
 std::vector<AccuracyCase> steep_ground() {
     const std::vector<double> cells{10, 5, 2.5, 1.25};
-    return {{"valley", "film without friction down one side of a V and up the other", cells, false, run_valley},
-            {"profile", "film without friction down a smooth, wavy profile", cells, false, run_profile},
-            {"bowl", "film without friction round a paraboloid", cells, false, run_bowl},
-            {"slope-step", "film without friction from 40 to 10 degrees", cells, false, run_slope_step},
-            {"gully-bend", "film without friction down a half-pipe round a bend", cells, false, run_gully_bend},
-            {"ridge", "film without friction against a ridge that a part overtops", cells, false, run_ridge},
-            {"cliff-jump", "film of 30 cm without friction over an edge of 50 m", cells, false, run_cliff_jump<30>},
-            {"thin-cliff-jump", "film of 10 cm without friction over an edge of 50 m", cells, false, run_cliff_jump<10>}};
+    return {
+        {"valley", "film without friction down one side of a V and up the other", cells, false, run_valley},
+        {"profile", "film without friction down a smooth, wavy profile", cells, false, run_profile},
+        {"bowl", "film without friction round a paraboloid", cells, false, run_bowl},
+        {"slope-step", "film without friction from 40 to 10 degrees", cells, false, run_slope_step},
+        {"gully-bend", "film without friction down a half-pipe round a bend", cells, false, run_gully_bend},
+        {"ridge", "film without friction against a ridge that a part overtops", cells, false, run_ridge},
+        {"cliff-jump", "film of 30 cm without friction over an edge of 50 m", cells, false, run_cliff_jump<30>},
+        {"thin-cliff-jump", "film of 10 cm without friction over an edge of 50 m", cells, false, run_cliff_jump<10>}};
 }
 
 }  // namespace frana::bench

@@ -8,9 +8,9 @@
 namespace frana::bench {
 
 /// A film without friction, too thin for its own pressure to matter, moves over steep ground as a point mass on the
-/// surface does: |speed along the bed|^2 / 2 + g Z stays what it was (a constraint that does no work; Goldstein, Classical
-/// Mechanics). All of a film has the same energy, so that nothing in it overtakes. Each case along the grid and at 30
-/// degrees to it, where it has a direction.
+/// surface does: |speed along the bed|^2 / 2 + g Z stays what it was (a constraint that does no work; Goldstein,
+/// Classical Mechanics). All of a film has the same energy, so that nothing in it overtakes. Each case along the grid
+/// and at 30 degrees to it, where it has a direction.
 ///
 ///   valley      down one side of a V and up the other; own figures: height that it climbs over height fallen (200 m),
 ///               less 1, for five pairs of slopes; told half-way up, before the foremost turn and meet those behind

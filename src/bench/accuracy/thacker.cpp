@@ -40,8 +40,7 @@ Disc radial() {
 double energy(const ParticleSet& particles, const SchemeBed& bed) {
     double sum = 0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double volume = particles[Field::volume][p], u = particles[Field::u][p],
-                     v = particles[Field::v][p];
+        const double volume = particles[Field::volume][p], u = particles[Field::u][p], v = particles[Field::v][p];
         const double z = bed({particles[Field::x][p], particles[Field::y][p]});
         sum += volume * (0.5 * (u * u + v * v) + k_gravity * (z + 0.5 * volume / particles[Field::area][p]));
     }

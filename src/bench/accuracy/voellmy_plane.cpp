@@ -30,8 +30,7 @@ CaseFigures run_voellmy(double cell_size, Scheme scheme) {
 }  // namespace
 
 AccuracyCase voellmy_plane() {
-    return {
-        "voellmy-plane", "terminal speed on 30 degrees, Voellmy friction", {4, 2, 1, 0.5}, true, run_voellmy};
+    return {"voellmy-plane", "terminal speed on 30 degrees, Voellmy friction", {4, 2, 1, 0.5}, true, run_voellmy};
 }
 
 }  // namespace frana::bench

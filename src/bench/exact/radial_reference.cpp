@@ -40,8 +40,7 @@ double velocity(double h, double q) {
 
 }  // namespace
 
-RadialReference::RadialReference(double radius, double inside, double outside, double extent, double time,
-                                 int cells)
+RadialReference::RadialReference(double radius, double inside, double outside, double extent, double time, int cells)
     : dr_(extent / cells), cells_(static_cast<std::size_t>(cells)) {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         const double r0 = dr_ * static_cast<double>(i), r1 = r0 + dr_, cut = std::clamp(radius, r0, r1);
@@ -83,20 +82,18 @@ void RadialReference::rate(const std::vector<Cell>& state, std::vector<Cell>& ch
         const Cell& cell = state[k < n ? k : 2 * n - 1 - k];
         return (i < 0 || k >= n ? -1 : 1) * velocity(cell.h, cell.q);
     };
-    const auto slope = [](const auto& f, std::ptrdiff_t i) {
-        return 0.5 * van_leer(f(i) - f(i - 1), f(i + 1) - f(i));
-    };
+    const auto slope = [](const auto& f, std::ptrdiff_t i) { return 0.5 * van_leer(f(i) - f(i - 1), f(i + 1) - f(i)); };
     std::vector<Flux> faces(n + 1);
     for (std::ptrdiff_t f = 0; f <= static_cast<std::ptrdiff_t>(n); ++f) {
-        faces[static_cast<std::size_t>(f)] = hll(h(f - 1) + slope(h, f - 1), u(f - 1) + slope(u, f - 1),
-                                                 h(f) - slope(h, f), u(f) - slope(u, f));
+        faces[static_cast<std::size_t>(f)] =
+            hll(h(f - 1) + slope(h, f - 1), u(f - 1) + slope(u, f - 1), h(f) - slope(h, f), u(f) - slope(u, f));
     }
     for (std::size_t i = 0; i < n; ++i) {
         const double r0 = dr_ * static_cast<double>(i), r1 = r0 + dr_, ring = 0.5 * (r1 * r1 - r0 * r0);
         change[i].h = (r0 * faces[i].mass - r1 * faces[i + 1].mass) / ring;
-        change[i].q = (r0 * faces[i].momentum - r1 * faces[i + 1].momentum +
-                       0.5 * k_gravity * state[i].h * state[i].h * dr_) /
-                      ring;
+        change[i].q =
+            (r0 * faces[i].momentum - r1 * faces[i + 1].momentum + 0.5 * k_gravity * state[i].h * state[i].h * dr_) /
+            ring;
     }
 }
 
@@ -117,8 +114,7 @@ double RadialReference::reach(double depth) const {
 
 double RadialReference::volume() const {
     double sum = 0;
-    for (std::size_t i = 0; i < cells_.size(); ++i)
-        sum += cells_[i].h * dr_ * dr_ * (static_cast<double>(i) + 0.5);
+    for (std::size_t i = 0; i < cells_.size(); ++i) sum += cells_[i].h * dr_ * dr_ * (static_cast<double>(i) + 0.5);
     return sum;
 }
 

@@ -16,8 +16,8 @@ Variables plus(const Variables& a, double dt, const Variables& b) {
 
 }  // namespace
 
-SimilaritySolution::SimilaritySolution(double slope_deg, double friction_deg, double height, double radius,
-                                       double time, double earth_pressure)
+SimilaritySolution::SimilaritySolution(double slope_deg, double friction_deg, double height, double radius, double time,
+                                       double earth_pressure)
     : height_(height), radius_(radius) {
     const double normal = k_gravity * std::cos(slope_deg * k_degree);
     const double friction = normal * std::tan(friction_deg * k_degree);
@@ -29,8 +29,7 @@ SimilaritySolution::SimilaritySolution(double slope_deg, double friction_deg, do
     };
     // At the start g' = r t with r = spread - friction r / drive, since u = drive t.
     const double start = 1e-6 * time, sideways = spread * drive / (drive + friction);
-    Variables y{1 + 0.5 * spread * start * start, spread * start, 1 + 0.5 * sideways * start * start,
-                sideways * start};
+    Variables y{1 + 0.5 * spread * start * start, spread * start, 1 + 0.5 * sideways * start * start, sideways * start};
     // Steps that grow with time: the sideways friction's rate is friction / (drive t).
     for (double t = start; t < time;) {
         const double dt = std::min({0.01 * t, 1e-3 * time, time - t});
@@ -50,8 +49,7 @@ SimilaritySolution::SimilaritySolution(double slope_deg, double friction_deg, do
 
 ExactState SimilaritySolution::at(Point place) const {
     const double x = place.x - middle_, y = place.y;
-    const double a = x / (radius_ * f_), b = y / (radius_ * g_),
-                 depth = height_ / (f_ * g_) * (1 - a * a - b * b);
+    const double a = x / (radius_ * f_), b = y / (radius_ * g_), depth = height_ / (f_ * g_) * (1 - a * a - b * b);
     if (!(depth > 0)) return {};
     return {depth, depth * (speed_ + x * f_rate_ / f_), depth * y * g_rate_ / g_};
 }

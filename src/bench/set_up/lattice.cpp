@@ -35,8 +35,7 @@ Raster sample_raster(const GridSpec& grid, const std::function<double(Point)>& z
     return raster;
 }
 
-ParticleSet fill_lattice(const GridSpec& grid, int per_side, double jitter,
-                         const std::function<Seed(Point)>& state) {
+ParticleSet fill_lattice(const GridSpec& grid, int per_side, double jitter, const std::function<Seed(Point)>& state) {
     const double spacing = grid.cell_size / per_side;
     ParticleSet particles;
     std::uint64_t random = 2024;

@@ -25,7 +25,6 @@ struct Seed {
 /// @param jitter 0: a lattice; otherwise each particle is displaced by up to jitter / 2 of the lattice
 /// spacing in both
 ///               directions, from a fixed generator (SplitMix64), the same on every machine
-ParticleSet fill_lattice(const GridSpec& grid, int per_side, double jitter,
-                         const std::function<Seed(Point)>& state);
+ParticleSet fill_lattice(const GridSpec& grid, int per_side, double jitter, const std::function<Seed(Point)>& state);
 
 }  // namespace frana::bench

@@ -61,8 +61,7 @@ TimedFlow::TimedFlow(const Setup& setup, int threads) {
     peak_ = static_cast<std::int64_t>(flow_->particles().size());
 }
 
-void TimedFlow::advance_to(double end,
-                           const std::function<void(const voellmy_bingham::StepReport&)>& after_step) {
+void TimedFlow::advance_to(double end, const std::function<void(const voellmy_bingham::StepReport&)>& after_step) {
     // A last step shorter than this would only be rounding.
     while (flow_->time() < end * (1 - 1e-12) && non_finite_ == 0 && !flow_->empty()) {
         const double before = flow_->time();

@@ -49,8 +49,7 @@ class TimedFlow {
     explicit TimedFlow(const Setup& setup, int threads = 1);
 
     /// Steps to `end`, or until a value is not finite; `after_step` is not timed.
-    void advance_to(double end,
-                    const std::function<void(const voellmy_bingham::StepReport&)>& after_step = {});
+    void advance_to(double end, const std::function<void(const voellmy_bingham::StepReport&)>& after_step = {});
 
     [[nodiscard]] Flow& flow() noexcept { return *flow_; }
     [[nodiscard]] double seconds() const noexcept { return seconds_; }

@@ -48,8 +48,7 @@ struct Tile {
             nodes->allocate_levels();
             particles_to_nodes<Shape, true, true>(run, particles, *nodes);
             const auto for_all = [&](const auto& visit) {
-                for (std::int64_t t = 0; t < tiles.tiles_x() * tiles.tiles_y(); ++t)
-                    visit(NodeRange(t, tiles, *nodes));
+                for (std::int64_t t = 0; t < tiles.tiles_x() * tiles.tiles_y(); ++t) visit(NodeRange(t, tiles, *nodes));
             };
             for_all([&](const NodeRange& range) { mean_levels(range, *nodes); });
             for_all([&](const NodeRange& range) { node_references(range, *nodes); });
@@ -72,12 +71,10 @@ std::vector<KernelCase> kernel_cases() {
     std::vector<KernelCase> cases;
     cases.push_back({"particles to nodes, plain",
                      [t] { particles_to_nodes<Shape, true, true>(t->run, t->particles, t->gathered); }});
-    cases.push_back({"pressure, plain", [t] {
-                         pressure_to_nodes<Shape, true, false>(t->run, t->particles, k_fall, t->gathered);
-                     }});
-    cases.push_back({"pressure and stress, plain", [t] {
-                         pressure_to_nodes<Shape, true, true>(t->run, t->particles, k_fall, t->gathered);
-                     }});
+    cases.push_back(
+        {"pressure, plain", [t] { pressure_to_nodes<Shape, true, false>(t->run, t->particles, k_fall, t->gathered); }});
+    cases.push_back({"pressure and stress, plain",
+                     [t] { pressure_to_nodes<Shape, true, true>(t->run, t->particles, k_fall, t->gathered); }});
     cases.push_back({"nodes to particles, plain", [t] {
                          nodes_to_particles<Shape, ApicTransfer, NoStress, true>(t->run, t->update, {}, t->moved,
                                                                                  t->particles);
@@ -92,16 +89,13 @@ std::vector<KernelCase> kernel_cases() {
                      }});
     const VectorKernels* fast = vector_kernels();
     if (!fast) return cases;
-    cases.push_back({"particles to nodes, fast",
-                     [=] { fast->particles_and_levels_to_nodes(t->run, t->particles, t->gathered); }});
     cases.push_back(
-        {"pressure, fast", [=] { fast->pressure_to_nodes(t->run, t->particles, k_fall, t->gathered); }});
-    cases.push_back({"pressure and stress, fast", [=] {
-                         fast->pressure_and_stress_to_nodes(t->run, t->particles, k_fall, t->gathered);
-                     }});
-    cases.push_back({"nodes to particles, fast", [=] {
-                         fast->nodes_to_particles(t->run, t->update, t->stress, t->moved, t->particles);
-                     }});
+        {"particles to nodes, fast", [=] { fast->particles_and_levels_to_nodes(t->run, t->particles, t->gathered); }});
+    cases.push_back({"pressure, fast", [=] { fast->pressure_to_nodes(t->run, t->particles, k_fall, t->gathered); }});
+    cases.push_back({"pressure and stress, fast",
+                     [=] { fast->pressure_and_stress_to_nodes(t->run, t->particles, k_fall, t->gathered); }});
+    cases.push_back({"nodes to particles, fast",
+                     [=] { fast->nodes_to_particles(t->run, t->update, t->stress, t->moved, t->particles); }});
     cases.push_back({"nodes to particles along the bed, fast",
                      [=] { fast->along_bed(t->run, t->update, t->stress, t->moved, t->particles); }});
     cases.push_back({"nodes to particles along the bed, shifting, fast", [=] {

@@ -45,9 +45,7 @@ std::vector<Variant> variants(const GridSpec& grid) {
                  s.material.pore_dissipation_time = 100;
              }},
             {"friction by zones",
-             [grid](Scenery& s) {
-                 s.zones.friction_coefficient = Raster(grid, s.material.friction_coefficient);
-             }},
+             [grid](Scenery& s) { s.zones.friction_coefficient = Raster(grid, s.material.friction_coefficient); }},
             {"without curvature", [](Scenery& s) { s.numerics.curvature = false; }},
             {"in-plane Bingham", [](Scenery& s) { s.material.plane_stress = PlaneStressLaw::bingham; }},
             {"earth pressure", [](Scenery& s) { s.material.plane_stress = PlaneStressLaw::earth_pressure; }},
@@ -100,8 +98,8 @@ std::string law_costs_csv(const std::vector<LawCost>& costs) {
     std::string out = "law,nanoseconds_per_particle_step,relative_to_plain,bytes_per_particle\n";
     for (const LawCost& cost : costs) {
         char line[160];
-        std::snprintf(line, sizeof line, "%s,%.4g,%.4g,%g\n", cost.law.c_str(), cost.nanoseconds,
-                      cost.relative, cost.bytes_per_particle);
+        std::snprintf(line, sizeof line, "%s,%.4g,%.4g,%g\n", cost.law.c_str(), cost.nanoseconds, cost.relative,
+                      cost.bytes_per_particle);
         out += line;
     }
     return out;

@@ -27,9 +27,8 @@ SolidBlock wet_block(double particles) {
 Raster uneven_slope(double particles) {
     const auto side = static_cast<std::int64_t>(std::sqrt(particles) / 3);
     const GridSpec grid = plain_grid(side + 80, side + 40, 3);
-    return sample_raster(grid, [&](Point p) {
-        return 0.4 * (grid.east() - p.x) + 2 * std::sin(0.02 * p.x) * std::sin(0.03 * p.y);
-    });
+    return sample_raster(
+        grid, [&](Point p) { return 0.4 * (grid.east() - p.x) + 2 * std::sin(0.02 * p.x) * std::sin(0.03 * p.y); });
 }
 
 }  // namespace
@@ -53,8 +52,8 @@ std::vector<SpeedRow> measure_solids(double particles, int threads, int steps) {
         row.bytes_per_particle = static_cast<double>(state.solid->particles.bytes_per_particle() +
                                                      structured::PairWork::count * sizeof(double));
         const ZeroArray<double>& depth = state.solid->nodes.depth;
-        row.same_bits = !first || std::memcmp(first->solid->nodes.depth.data(), depth.data(),
-                                              depth.size() * sizeof(double)) == 0;
+        row.same_bits =
+            !first || std::memcmp(first->solid->nodes.depth.data(), depth.data(), depth.size() * sizeof(double)) == 0;
         if (!first) first = std::move(state);
         rows.push_back(row);
     }

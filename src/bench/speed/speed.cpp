@@ -95,8 +95,7 @@ std::vector<TermRow> measure_terms(double particles, std::int64_t steps) {
     setup.material.yield_stress = 500;
     add("in-plane yield stress");
     setup.material.friction_coefficient = std::tan(40 * k_degree);
-    for (const Field field : {Field::u, Field::v})
-        std::fill_n(setup.seeds[field], setup.seeds.size(), 0.0);
+    for (const Field field : {Field::u, Field::v}) std::fill_n(setup.seeds[field], setup.seeds.size(), 0.0);
     add("all of it, at rest");
     return rows;
 }

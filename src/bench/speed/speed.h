@@ -35,7 +35,7 @@ struct SpeedRow {
 /// What a term of the model costs: the slide with it and everything above it in the list.
 struct TermRow {
     std::string term;
-    double nanoseconds = 0;      ///< a particle-step, one thread
+    double nanoseconds = 0;  ///< a particle-step, one thread
     double bytes_per_particle = 0;
 };
 

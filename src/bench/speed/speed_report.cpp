@@ -63,9 +63,8 @@ std::string speed_line(const SpeedRow& row) {
                   "%-6s %9lld particles %3d threads  %8.3g M particle-steps/s  %4.0f bytes  "
                   "%s %% of memory bandwidth  %lld steps in %.2f s%s",
                   row.case_name.c_str(), static_cast<long long>(row.particles), row.threads,
-                  row.particle_steps_per_second / 1e6, row.bytes_per_particle,
-                  share, static_cast<long long>(row.steps), row.seconds,
-                  row.same_bits ? "" : "  NOT THE SAME BITS AS ONE THREAD");
+                  row.particle_steps_per_second / 1e6, row.bytes_per_particle, share, static_cast<long long>(row.steps),
+                  row.seconds, row.same_bits ? "" : "  NOT THE SAME BITS AS ONE THREAD");
     return line;
 }
 
@@ -89,9 +88,8 @@ std::string speed_stages_csv(const SpeedResult& result) {
         for (std::size_t s = 0; s < k_stages && row.bytes_moved > 0; ++s) {
             char line[160];
             std::snprintf(line, sizeof line, "%s,%lld,%d,%s,%.4g,%.4f,%g\n", row.case_name.c_str(),
-                          static_cast<long long>(row.particles), row.threads, k_stage_names[s],
-                          nanoseconds_of(row, s), share_of(row, s),
-                          bytes_moved(static_cast<Stage>(s), row.case_name == "mud"));
+                          static_cast<long long>(row.particles), row.threads, k_stage_names[s], nanoseconds_of(row, s),
+                          share_of(row, s), bytes_moved(static_cast<Stage>(s), row.case_name == "mud"));
             out += line;
         }
     }
@@ -102,8 +100,7 @@ std::string speed_terms_csv(const SpeedResult& result) {
     std::string out = "term,nanoseconds_per_particle_step,bytes_per_particle\n";
     for (const TermRow& row : result.terms) {
         char line[160];
-        std::snprintf(line, sizeof line, "\"%s\",%.4g,%g\n", row.term.c_str(), row.nanoseconds,
-                      row.bytes_per_particle);
+        std::snprintf(line, sizeof line, "\"%s\",%.4g,%g\n", row.term.c_str(), row.nanoseconds, row.bytes_per_particle);
         out += line;
     }
     return out;
@@ -116,8 +113,8 @@ std::string speed_table(const SpeedResult& result) {
                   result.difference_from_plain < k_same_answer ? "" : "  NOT THE SAME ANSWER");
     std::string out = line;
     for (const auto& [threads, bandwidth] : result.bandwidth) {
-        std::snprintf(line, sizeof line, "memory bandwidth, %d thread%s: %.1f GB/s\n", threads,
-                      threads == 1 ? "" : "s", bandwidth / 1e9);
+        std::snprintf(line, sizeof line, "memory bandwidth, %d thread%s: %.1f GB/s\n", threads, threads == 1 ? "" : "s",
+                      bandwidth / 1e9);
         out += line;
     }
     for (const SpeedRow& row : result.rows) out += speed_line(row) + "\n";

@@ -39,8 +39,8 @@ HardFigure displacement(const Setup& setup, Flow& flow) {
     const ParticleSet &now = flow.particles(), &start = fresh.flow().particles();
     double farthest = now.size() == start.size() ? 0 : std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < std::min(now.size(), start.size()); ++p)
-        farthest = std::max(farthest, std::hypot(now[Field::x][p] - start[Field::x][p],
-                                                 now[Field::y][p] - start[Field::y][p]));
+        farthest = std::max(farthest,
+                            std::hypot(now[Field::x][p] - start[Field::x][p], now[Field::y][p] - start[Field::y][p]));
     return {"displacement after 600 s [m]", farthest, 0};
 }
 
@@ -50,8 +50,7 @@ constexpr double k_slab_slope = 25, k_slab_friction = 24.9, k_slab_time = 5;
 Setup slab() {
     Setup setup = on_plane(k_slab_friction);
     setup.numerics.boundary = Boundary::wall;
-    setup.seeds =
-        fill_lattice(setup.bed.grid, 2, 0, [](Point p) { return Seed{p.x > 10 && p.x < 110 ? 1.0 : 0}; });
+    setup.seeds = fill_lattice(setup.bed.grid, 2, 0, [](Point p) { return Seed{p.x > 10 && p.x < 110 ? 1.0 : 0}; });
     return setup;
 }
 
@@ -72,8 +71,7 @@ HardFigure slab_speed(const Setup&, Flow& flow) {
 // Coulomb friction alone does not know the density: ten of them must flow alike, bit for bit.
 HardFigure ten_densities(int threads, Soundness& sound) {
     DepthAgreement agreement;
-    for (const double density :
-         {1.0, 100.0, 500.0, 1000.0, 1200.0, 1500.0, 2000.0, 2700.0, 5000.0, 20000.0}) {
+    for (const double density : {1.0, 100.0, 500.0, 1000.0, 1200.0, 1500.0, 2000.0, 2700.0, 5000.0, 20000.0}) {
         Setup setup = usual_slide();
         setup.material.density = density;
         TimedFlow run(setup, threads);
@@ -107,8 +105,7 @@ std::vector<HardCase> hard_material_cases() {
          [] { return with([](Material& m) { m.surface_pressure = 101325; }); }},
         {"steep-friction", "friction angle of 85 degrees", 15,
          [] { return with([](Material& m) { m.friction_coefficient = std::tan(85 * k_degree); }); }},
-        {"rest-600s", "friction above the slope: nothing may move", 600, [] { return on_plane(40); },
-         displacement},
+        {"rest-600s", "friction above the slope: nothing may move", 600, [] { return on_plane(40); }, displacement},
         {"just-below", "friction a tenth of a degree below the slope", k_slab_time, slab, slab_speed},
         {"ten-densities", "ten densities from 1 to 20 000 kg/m3", 8, {}, {}, ten_densities},
     };

@@ -13,8 +13,8 @@ HardCase particles_per_cell(const char* name, const char* what, int per_side, do
     return {name, what, 15, [=] {
                 Setup setup = usual_slide();
                 setup.numerics.particles_per_cell = per_side * per_side;
-                setup.seeds = fill_lattice(setup.bed.grid, per_side, jitter,
-                                           [](Point p) { return Seed{usual_cap(p)}; });
+                setup.seeds =
+                    fill_lattice(setup.bed.grid, per_side, jitter, [](Point p) { return Seed{usual_cap(p)}; });
                 return setup;
             }};
 }
@@ -42,8 +42,7 @@ HardCase scaled(const char* name, const char* what, double scale) {
                 const auto inner = [=](Point p) { return Point{p.x / scale, p.y / scale}; };
                 const GridSpec grid = plain_grid(80, 40, 2 * scale);
                 setup.bed = sample_raster(grid, [&](Point p) { return scale * usual_slope(inner(p)); });
-                setup.seeds =
-                    fill_lattice(grid, 2, 0, [&](Point p) { return Seed{scale * usual_cap(inner(p))}; });
+                setup.seeds = fill_lattice(grid, 2, 0, [&](Point p) { return Seed{scale * usual_cap(inner(p))}; });
                 setup.numerics.minimum_depth *= scale;
                 return setup;
             }};
@@ -58,8 +57,7 @@ Scene scene_at(double west, double north) {
             scene.terrain.at(row, column) = usual_slope({2 * static_cast<double>(column) + 1, 0});
     ReleaseArea area;
     area.outline = {
-        {{{west + 20, north - 50}, {west + 40, north - 50}, {west + 40, north - 30}, {west + 20, north - 30}},
-         {}}};
+        {{{west + 20, north - 50}, {west + 40, north - 50}, {west + 40, north - 30}, {west + 20, north - 30}}, {}}};
     area.thickness = 3;
     scene.release = {area};
     scene.material = dry_friction(15);
@@ -80,8 +78,7 @@ HardFigure far_coordinates(int threads, Soundness& sound) {
         if (!std::isnan(a)) greatest = std::max(greatest, std::abs(a - b));
     }
     sound.non_finite = far.hard_events.non_finite;
-    sound.volume_error =
-        std::abs(far.volume_final + far.volume_left - far.volume_initial) / far.volume_initial;
+    sound.volume_error = std::abs(far.volume_final + far.volume_left - far.volume_initial) / far.volume_initial;
     for (const double speed : far.max_velocity.values) {
         const double limit = std::sqrt(2 * k_gravity * 43) + 2 * std::sqrt(k_gravity * 3);
         if (!std::isnan(speed)) sound.speed_ratio = std::max(sound.speed_ratio, speed / limit);
@@ -119,12 +116,7 @@ std::vector<HardCase> hard_numerics_cases() {
         with_transfer("flip", "FLIP transfer", Transfer::flip),
         scaled("centimetres", "all lengths a hundredth: cells of 2 cm", 0.01),
         scaled("hundred-metres", "all lengths times 50: cells of 100 m", 50),
-        {"far-coordinates",
-         "a scene at 600 000, 5 000 000 m against one at the origin",
-         8,
-         {},
-         {},
-         far_coordinates},
+        {"far-coordinates", "a scene at 600 000, 5 000 000 m against one at the origin", 8, {}, {}, far_coordinates},
         {"threads", "1, 2, 5 and all threads", 8, {}, {}, threads_alike},
     };
 }

@@ -10,8 +10,8 @@ namespace {
 
 // A fixed number in [0, 1) for a cell; the same on every machine.
 double noise(Point p, double cell) {
-    auto h = static_cast<std::uint64_t>(p.x / cell) * 73856093ULL ^
-             static_cast<std::uint64_t>(p.y / cell) * 19349663ULL;
+    auto h =
+        static_cast<std::uint64_t>(p.x / cell) * 73856093ULL ^ static_cast<std::uint64_t>(p.y / cell) * 19349663ULL;
     h = (h ^ (h >> 15)) * 0x9e3779b97f4a7c15ULL;
     return static_cast<double>(h >> 40) * 0x1p-24;
 }
@@ -45,8 +45,7 @@ HardFigure into_gaps(const Setup& setup, Flow& flow) {
         const auto i = static_cast<std::int64_t>(x), j = static_cast<std::int64_t>(y);
         double nearest = 3;
         for (std::int64_t n = std::max<std::int64_t>(0, j - 3); n <= std::min(grid.rows - 1, j + 3); ++n) {
-            for (std::int64_t m = std::max<std::int64_t>(0, i - 3); m <= std::min(grid.columns - 1, i + 3);
-                 ++m) {
+            for (std::int64_t m = std::max<std::int64_t>(0, i - 3); m <= std::min(grid.columns - 1, i + 3); ++m) {
                 if (std::isnan(setup.bed.at(grid.rows - 1 - n, m))) continue;
                 const auto west = static_cast<double>(m), south = static_cast<double>(n);
                 nearest = std::min(nearest, std::hypot(std::max({0.0, west - x, x - west - 1}),
@@ -77,25 +76,18 @@ std::vector<HardCase> hard_terrain_cases() {
         {"cliff-50", "a vertical cliff of 50 m", 15,
          [] { return on([](Point p) { return usual_slope(p) + (p.x < 70 ? 50 : 0); }); }},
         {"canyon-walls", "a slot 6 m wide between walls of 30 m", 15,
-         [] {
-             return on(
-                 [](Point p) { return usual_slope(p) + (p.x > 60 && std::abs(p.y - 40) > 3 ? 30 : 0); });
-         }},
+         [] { return on([](Point p) { return usual_slope(p) + (p.x > 60 && std::abs(p.y - 40) > 3 ? 30 : 0); }); }},
         {"gully-45", "a V-shaped gully with sides of 45 degrees and bends", 15,
-         [] {
-             return on([](Point p) { return usual_slope(p) + std::abs(p.y - 40 - 8 * std::sin(0.1 * p.x)); });
-         }},
+         [] { return on([](Point p) { return usual_slope(p) + std::abs(p.y - 40 - 8 * std::sin(0.1 * p.x)); }); }},
         {"needle", "a needle of 30 m in the path, one cell wide", 15,
          [] {
-             return on([](Point p) {
-                 return usual_slope(p) + (std::abs(p.x - 61) < 1 && std::abs(p.y - 41) < 1 ? 30 : 0);
-             });
+             return on(
+                 [](Point p) { return usual_slope(p) + (std::abs(p.x - 61) < 1 && std::abs(p.y - 41) < 1 ? 30 : 0); });
          }},
         {"pit", "a hole of 30 m in the path, one cell wide", 15,
          [] {
-             return on([](Point p) {
-                 return usual_slope(p) - (std::abs(p.x - 61) < 1 && std::abs(p.y - 41) < 1 ? 30 : 0);
-             });
+             return on(
+                 [](Point p) { return usual_slope(p) - (std::abs(p.x - 61) < 1 && std::abs(p.y - 41) < 1 ? 30 : 0); });
          }},
         {"rough-cells", "every cell up to 3 m higher or lower than its neighbour", 15,
          [] { return on([](Point p) { return usual_slope(p) + 3 * noise(p, 2); }); }},
@@ -103,8 +95,7 @@ std::vector<HardCase> hard_terrain_cases() {
          [] {
              Setup setup = usual_slide();
              const GridSpec grid = plain_grid(60, 40, 12.5);
-             setup.bed =
-                 sample_raster(grid, [](Point p) { return std::round(std::max(0.0, 0.21 * (500 - p.x))); });
+             setup.bed = sample_raster(grid, [](Point p) { return std::round(std::max(0.0, 0.21 * (500 - p.x))); });
              setup.seeds = fill_lattice(grid, 2, 0, [](Point p) {
                  return Seed{12 * (1 - (std::pow(p.x - 150, 2) + std::pow(p.y - 250, 2)) / (80 * 80))};
              });
@@ -122,17 +113,16 @@ std::vector<HardCase> hard_terrain_cases() {
         {"ragged-edges", "ground with a ragged outline inside the grid, taken as walls", 20,
          [] {
              return with_gaps([](Point p) {
-                 return std::abs(p.y - 40) > 28 + 8 * std::sin(0.7 * p.x) ||
-                        p.x > 130 + 6 * std::sin(1.3 * p.y) || p.x < 8 + 4 * std::sin(0.9 * p.y);
+                 return std::abs(p.y - 40) > 28 + 8 * std::sin(0.7 * p.x) || p.x > 130 + 6 * std::sin(1.3 * p.y) ||
+                        p.x < 8 + 4 * std::sin(0.9 * p.y);
              });
          },
          into_gaps},
         {"leaves-all-sides", "a smooth cone: everything leaves through every side", 60,
          [] {
              Setup setup = on([](Point p) { return 60 - 0.6 * std::hypot(p.x - 80, p.y - 40); });
-             setup.seeds = fill_lattice(setup.bed.grid, 2, 0, [](Point p) {
-                 return Seed{4 - 0.4 * std::hypot(p.x - 80, p.y - 40)};
-             });
+             setup.seeds = fill_lattice(setup.bed.grid, 2, 0,
+                                        [](Point p) { return Seed{4 - 0.4 * std::hypot(p.x - 80, p.y - 40)}; });
              setup.material = water();
              return setup;
          },

@@ -65,8 +65,7 @@ std::vector<Planned> plan(const RobustnessOptions& options, const Scene& scene) 
 }
 
 // Whether it was run to its end.
-bool run_row(const RobustnessOptions& options, const Scene& scene, const Numerics& numerics,
-             RobustnessRow& row) {
+bool run_row(const RobustnessOptions& options, const Scene& scene, const Numerics& numerics, RobustnessRow& row) {
     const PlacedScene placed = disturbed(scene, row.disturbance, numerics, options.seed);
     const RunResult result = options.run(placed.scene);
     if (result.stop_reason == StopReason::requested) return false;

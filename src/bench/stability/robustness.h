@@ -41,9 +41,9 @@ struct RobustnessOptions {
     /// The scene with these keys set. Throws Error(input) where the keys are refused.
     std::function<Scene(const std::vector<std::string>& overrides)> scene;
     std::function<RunResult(const Scene&)> run;
-    double threshold = 0;           ///< depth from which a cell belongs to the covered area [m]
-    std::uint64_t seed = 1;         ///< of the noise
-    std::vector<std::string> only;  ///< names of disturbances, besides the scene as it is; empty: all
+    double threshold = 0;                            ///< depth from which a cell belongs to the covered area [m]
+    std::uint64_t seed = 1;                          ///< of the noise
+    std::vector<std::string> only;                   ///< names of disturbances, besides the scene as it is; empty: all
     std::function<void(const std::string&)> report;  ///< called with one line for each finished run
 };
 
@@ -54,8 +54,7 @@ std::vector<RobustnessRow> run_robustness(const RobustnessOptions& options);
 
 /// Change of a figure against the scene as it is, relative to that (the first row); none where one of them
 /// has none.
-std::optional<double> relative_change(const std::vector<RobustnessRow>& rows, std::size_t row,
-                                      const RunFigure& figure);
+std::optional<double> relative_change(const std::vector<RobustnessRow>& rows, std::size_t row, const RunFigure& figure);
 /// Changes beyond this are marked.
 inline constexpr double k_robust_change = 0.05;
 

@@ -27,8 +27,7 @@ std::string cell(const std::vector<RobustnessRow>& rows, std::size_t row, const 
     } else if (rows[row].disturbance.only_rounding && std::abs(*change) < 5e-4) {
         std::snprintf(text, sizeof text, "%9.4g %+8.0e  ", value, *change);
     } else {
-        std::snprintf(text, sizeof text, "%9.4g %+6.1f %%%s ", value, 100 * *change,
-                      marked(change) ? "*" : " ");
+        std::snprintf(text, sizeof text, "%9.4g %+6.1f %%%s ", value, 100 * *change, marked(change) ? "*" : " ");
     }
     return text;
 }
@@ -95,8 +94,7 @@ std::string robustness_table(const std::vector<RobustnessRow>& rows) {
 
 std::string robustness_csv(const std::vector<RobustnessRow>& rows) {
     std::string text = "disturbance";
-    for (const RunFigure& figure : k_run_figures)
-        text += std::string(",") + figure.key + "," + figure.key + "_change";
+    for (const RunFigure& figure : k_run_figures) text += std::string(",") + figure.key + "," + figure.key + "_change";
     text += ",simulated_seconds,steps,particles,wall_seconds,state\n";
     for (std::size_t row = 0; row < rows.size(); ++row) {
         const RobustnessRow& one = rows[row];

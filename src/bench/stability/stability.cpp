@@ -22,8 +22,8 @@ StabilityRow run_case(const HardCase& one, int threads) {
         row.figure = one.figure ? one.figure(setup, run.flow())
                                 : HardFigure{"speed over the greatest possible", row.sound.speed_ratio, 1};
     }
-    row.passed = row.sound.non_finite == 0 && row.sound.volume_error <= k_volume_limit &&
-                 row.sound.speed_ratio <= 1 && row.figure.value <= row.figure.limit;
+    row.passed = row.sound.non_finite == 0 && row.sound.volume_error <= k_volume_limit && row.sound.speed_ratio <= 1 &&
+                 row.figure.value <= row.figure.limit;
     return row;
 }
 
@@ -32,8 +32,8 @@ std::string line_of(const StabilityRow& row) {
     std::snprintf(line, sizeof line,
                   "%-18s %-6s %-48s %10.3g of %-6g  speed %.3f, volume %.1e, non-finite %lld, clamped %lld, "
                   "%lld particles, %lld steps, %.2f s",
-                  row.case_name.c_str(), row.passed ? "passed" : "FAILED", row.figure.name.c_str(),
-                  row.figure.value, row.figure.limit, row.sound.speed_ratio, row.sound.volume_error,
+                  row.case_name.c_str(), row.passed ? "passed" : "FAILED", row.figure.name.c_str(), row.figure.value,
+                  row.figure.limit, row.sound.speed_ratio, row.sound.volume_error,
                   static_cast<long long>(row.sound.non_finite), static_cast<long long>(row.sound.clamped),
                   static_cast<long long>(row.sound.particles), static_cast<long long>(row.sound.steps),
                   row.sound.wall_seconds);
@@ -62,8 +62,8 @@ std::string stability_csv(const std::vector<StabilityRow>& rows) {
     std::string out = "case,passed,figure,limit\n";
     for (const StabilityRow& row : rows) {
         char line[160];
-        std::snprintf(line, sizeof line, "%s,%s,%.6g,%g\n", row.case_name.c_str(),
-                      row.passed ? "true" : "false", row.figure.value, row.figure.limit);
+        std::snprintf(line, sizeof line, "%s,%s,%.6g,%g\n", row.case_name.c_str(), row.passed ? "true" : "false",
+                      row.figure.value, row.figure.limit);
         out += line;
     }
     return out;

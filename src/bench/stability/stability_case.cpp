@@ -51,10 +51,9 @@ Soundness watch(TimedFlow& run, const Setup& setup, double end) {
         fastest = std::max(fastest, std::hypot(setup.seeds[Field::u][p], setup.seeds[Field::v][p]));
     const double limit = speed_limit(setup, fastest);
     run.advance_to(end, [&](const voellmy_bingham::StepReport& report) {
-        s.speed_ratio =
-            std::max({s.speed_ratio, report.particles.speed / limit, report.nodes.max_speed / limit});
-        s.volume_error = std::max(s.volume_error,
-                                  std::abs(run.flow().volume() + run.flow().volume_left() - volume) / volume);
+        s.speed_ratio = std::max({s.speed_ratio, report.particles.speed / limit, report.nodes.max_speed / limit});
+        s.volume_error =
+            std::max(s.volume_error, std::abs(run.flow().volume() + run.flow().volume_left() - volume) / volume);
         s.clamped += report.particles.clamped;
     });
     s.non_finite = run.non_finite() + count_non_finite(run.flow().particles());
@@ -92,8 +91,7 @@ double usual_cap(Point place) {
 
 Setup usual_slide_on(double cell_size, const std::function<double(Point)>& bed) {
     Setup setup;
-    setup.bed = sample_raster(
-        plain_grid(std::llround(160 / cell_size), std::llround(80 / cell_size), cell_size), bed);
+    setup.bed = sample_raster(plain_grid(std::llround(160 / cell_size), std::llround(80 / cell_size), cell_size), bed);
     setup.seeds = fill_lattice(setup.bed.grid, 2, 0, [](Point p) { return Seed{usual_cap(p)}; });
     setup.material = dry_friction(15);
     setup.material.density = 2000;

@@ -48,8 +48,7 @@ void look_at_particles(const State& state, const Laws& laws, StepReport& report,
             const double u = solid.particles[Field::u][p], v = solid.particles[Field::v][p];
             rows[r].kinetic += 0.5 * mass * (u * u + v * v);
             rows[r].deepest = std::max(rows[r].deepest, (solids + confined) / solid.particles[Field::area][p]);
-            if (cohesion != nullptr)
-                rows[r].elastic |= cohesion[p] * solid.particles[Field::cohesion_ratio][p] > 0;
+            if (cohesion != nullptr) rows[r].elastic |= cohesion[p] * solid.particles[Field::cohesion_ratio][p] > 0;
             const double x = solid.particles[Field::x][p], y = solid.particles[Field::y][p];
             if (!state.grid.bounds().holds(x, y)) {
                 ++rows[r].outside;

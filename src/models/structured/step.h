@@ -45,14 +45,14 @@ void serialise(Archive& archive, State& state) {
 
 struct StepReport {
     double dt = 0;
-    int substeps = 0;      ///< of the solids
-    SolidReport solids;    ///< over all substeps
+    int substeps = 0;    ///< of the solids
+    SolidReport solids;  ///< over all substeps
     FluidReport fluid;
     std::int64_t outside = 0;  ///< particles that left through open edges
     std::int64_t no_data = 0;  ///< particles over cells without terrain
-    double deepest = 0;    ///< column of any particle [m]
-    bool elastic = false;  ///< whether any particle carries more than its earth pressure
-    double kinetic = 0;    ///< of the solids with their confined fluid [J]
+    double deepest = 0;        ///< column of any particle [m]
+    bool elastic = false;      ///< whether any particle carries more than its earth pressure
+    double kinetic = 0;        ///< of the solids with their confined fluid [J]
 };
 
 /// Adds solids with the fields of the state's stages, between two steps; then call prepare.

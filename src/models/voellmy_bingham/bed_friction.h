@@ -26,8 +26,7 @@ struct BedFriction {
     std::tuple<NoExcess, HerschelBulkleyExcess, BinghamQuadraticExcess, PouliquenForterreExcess> excess;
     bool yields = false;  ///< whether any law of the sum holds material at rest
     PorePressure pore_pressure;
-    std::vector<std::vector<double>>
-        node_values;  ///< what the laws' NodeValue point to, padded like the nodes
+    std::vector<std::vector<double>> node_values;  ///< what the laws' NodeValue point to, padded like the nodes
 
     [[nodiscard]] bool holds() const noexcept { return summed ? yields : voellmy.friction_coefficient > 0; }
 };

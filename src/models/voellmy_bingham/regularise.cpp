@@ -37,8 +37,8 @@ std::vector<std::uint8_t> resting(const State& state) {
     return rests;
 }
 
-// Sorts by tile, dropping what has left (if any may have) and where `keep` is 0 (if it is not empty), and forgets the nodes
-// that no particle can touch any more: their old sums must not be read as a neighbour's.
+// Sorts by tile, dropping what has left (if any may have) and where `keep` is 0 (if it is not empty), and forgets the
+// nodes that no particle can touch any more: their old sums must not be read as a neighbour's.
 void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, ThreadPool& pool) {
     if (drop) {
         const double *x = state.particles[Field::x], *y = state.particles[Field::y];

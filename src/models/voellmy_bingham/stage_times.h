@@ -19,9 +19,13 @@ enum class Stage : unsigned char {
     count
 };
 inline constexpr std::size_t k_stages = static_cast<std::size_t>(Stage::count);
-inline constexpr std::array<const char*, k_stages> k_stage_names{
-    "particles to nodes", "levels", "pressure and stress", "nodes and maxima",
-    "nodes to particles", "sort",   "resample"};
+inline constexpr std::array<const char*, k_stages> k_stage_names{"particles to nodes",
+                                                                 "levels",
+                                                                 "pressure and stress",
+                                                                 "nodes and maxima",
+                                                                 "nodes to particles",
+                                                                 "sort",
+                                                                 "resample"};
 
 /// Wall time of a step's stages [s].
 using StageSeconds = std::array<double, k_stages>;

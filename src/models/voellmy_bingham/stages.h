@@ -14,23 +14,22 @@ struct Stages {
     void (*particles_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&) = nullptr;
     void (*pressure_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&) = nullptr;
     void (*fill_bed_states)(const NodeRange&, const NodeUpdate&, const NodeGrid&, BedState*) = nullptr;
-    void (*hold_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*,
-                       NodeGrid&) = nullptr;
-    NodeReport (*update_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*,
-                               double time, NodeGrid&, Maxima&) = nullptr;
+    void (*hold_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, NodeGrid&) = nullptr;
+    NodeReport (*update_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, double time,
+                               NodeGrid&, Maxima&) = nullptr;
     void (*exchange_at_nodes)(const NodeRange&, const BedExchange&, double dt, double film, const BedState*,
                               const NodeGrid&, BedLayer*) = nullptr;
-    void (*exchange_with_particles)(std::size_t begin, std::size_t end, const NodeGrid&, const BedLayer*,
-                                    ParticleSet&, double* kept, double* lost, ExchangeReport&) = nullptr;
-    ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const StressLaws&,
-                                         const NodeGrid&, ParticleSet&) = nullptr;
-    bool references = false;  ///< pressure is measured against a still level or mean depth per node
-    bool leapfrog = false;    ///< velocities live half a step before positions; otherwise at the same time
-    bool resamples = false;   ///< particles split and merge
+    void (*exchange_with_particles)(std::size_t begin, std::size_t end, const NodeGrid&, const BedLayer*, ParticleSet&,
+                                    double* kept, double* lost, ExchangeReport&) = nullptr;
+    ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const StressLaws&, const NodeGrid&,
+                                         ParticleSet&) = nullptr;
+    bool references = false;   ///< pressure is measured against a still level or mean depth per node
+    bool leapfrog = false;     ///< velocities live half a step before positions; otherwise at the same time
+    bool resamples = false;    ///< particles split and merge
     bool flies = false;        ///< particles leave a bed that falls away faster than they would (Flights)
     bool follows_bed = false;  ///< particles carry the velocity along the bed (Curved), otherwise in map view
     bool change_only = false;  ///< nodes give the change of the velocity back, otherwise the velocity
-    FieldMask fields;         ///< what the particles carry for all of this
+    FieldMask fields;          ///< what the particles carry for all of this
 };
 
 }  // namespace frana::voellmy_bingham

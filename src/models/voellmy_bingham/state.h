@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "models/voellmy_bingham/bed_friction.h"
+#include "models/voellmy_bingham/stage_times.h"
 #include "mpm/active_tiles.h"
 #include "mpm/bed_exchange.h"
 #include "mpm/flight.h"
-#include "models/voellmy_bingham/stage_times.h"
 #include "mpm/node_grid.h"
 #include "mpm/nodes_to_particles.h"
 #include "mpm/update_nodes.h"
@@ -39,28 +39,29 @@ struct State {
     ActiveTiles active;
     ZeroArray<NodeReport> nodes_seen;          ///< by tile: of the last step that updated its nodes
     ZeroArray<ParticleReport> particles_seen;  ///< by tile: of the last step that moved its particles
-    double time = 0;         ///< of positions [s]
-    double velocity_lag = 0;    ///< how far the velocities are behind the positions [s]
-    double drift = 0;        ///< how far particles may have moved since the last sort [cells]
-    int since_sort = 0;         ///< [steps]
-    double wave_speed = 0;   ///< greatest |v| + sqrt(g h) [m/s]
-    double diffusivity = 0;  ///< greatest of the in-plane stress [m2/s]
-    double volume_left = 0;  ///< through open boundaries [m3]
-    Flights flights;         ///< particles in the air; none where Stages::flies is off
-    ZeroArray<BedState> bed_states;  ///< padded; empty where friction is uniform Voellmy
-    ZeroArray<BedLayer> bed_layers;  ///< padded; empty where the bed stays as it is
-    ExchangeReport exchanged;        ///< with the bed, so far
-    std::vector<double> kept, lost;  ///< by each particle, within a step
-    ZeroArray<Point> brought;        ///< padded; velocity in map view that the particles brought; empty: not kept
+    double time = 0;                           ///< of positions [s]
+    double velocity_lag = 0;                   ///< how far the velocities are behind the positions [s]
+    double drift = 0;                          ///< how far particles may have moved since the last sort [cells]
+    int since_sort = 0;                        ///< [steps]
+    double wave_speed = 0;                     ///< greatest |v| + sqrt(g h) [m/s]
+    double diffusivity = 0;                    ///< greatest of the in-plane stress [m2/s]
+    double volume_left = 0;                    ///< through open boundaries [m3]
+    Flights flights;                           ///< particles in the air; none where Stages::flies is off
+    ZeroArray<BedState> bed_states;            ///< padded; empty where friction is uniform Voellmy
+    ZeroArray<BedLayer> bed_layers;            ///< padded; empty where the bed stays as it is
+    ExchangeReport exchanged;                  ///< with the bed, so far
+    std::vector<double> kept, lost;            ///< by each particle, within a step
+    ZeroArray<Point> brought;  ///< padded; velocity in map view that the particles brought; empty: not kept
 };
 
 template <class Archive>
 void serialise(Archive& archive, State& state) {
     [[maybe_unused]] auto& [particles, nodes, order, active, nodes_seen, particles_seen, time, velocity_lag, drift,
-                            since_sort, wave_speed, diffusivity, volume_left, flights, bed_states, bed_layers, exchanged, kept,
-                            lost, brought] = state;
+                            since_sort, wave_speed, diffusivity, volume_left, flights, bed_states, bed_layers,
+                            exchanged, kept, lost, brought] = state;
     archive(particles, nodes, order, active, nodes_seen, particles_seen, time, velocity_lag, drift, since_sort,
-            wave_speed, diffusivity, volume_left, flights, bed_states, bed_layers, exchanged);  // the rest is within a step
+            wave_speed, diffusivity, volume_left, flights, bed_states, bed_layers,
+            exchanged);  // the rest is within a step
     if constexpr (Archive::k_reads) archive.require(order.restore(particles));
 }
 
@@ -88,8 +89,8 @@ struct Laws {
     double minimum_depth = 0.01;  ///< [m]
     bool wall = false;
     double flight_slope = 0;  ///< JumpRules::edge
-    bool skips_rest = true;  ///< what is at rest is not computed while nothing near it moves
-    Point origin;  ///< release centroid, local metres
+    bool skips_rest = true;   ///< what is at rest is not computed while nothing near it moves
+    Point origin;             ///< release centroid, local metres
     double moving_speed = 0;  ///< speed from which volume counts as moving [m/s]
     BedFriction friction;
     StressLaws stress;
@@ -105,8 +106,8 @@ struct StepReport {
     ResampleCounts resampled;
     double aloft = 0;          ///< volume in the air [m3]
     double aloft_kinetic = 0;  ///< its kinetic energy over density [m5/s2]
-    std::size_t moved = 0;   ///< particles that were computed; the others rest
-    StageSeconds seconds{};  ///< what each stage took
+    std::size_t moved = 0;     ///< particles that were computed; the others rest
+    StageSeconds seconds{};    ///< what each stage took
 };
 
 }  // namespace frana::voellmy_bingham

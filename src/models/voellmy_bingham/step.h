@@ -8,9 +8,9 @@
 
 namespace frana::voellmy_bingham {
 
-/// Forces change the velocities over Step::kick, the new velocities move the particles over Step::drift. V volume, A area,
-/// v and C velocity and its gradient of a particle, w its weight at a node, Z the bed; what a stage reads and writes is said
-/// at its declaration.
+/// Forces change the velocities over Step::kick, the new velocities move the particles over Step::drift. V volume, A
+/// area, v and C velocity and its gradient of a particle, w its weight at a node, Z the bed; what a stage reads and
+/// writes is said at its declaration.
 inline void kick_and_drift(Step& now) {
     choose_active_tiles(now);  // where anything moves or may begin to
     particles_to_nodes(now);   // m = sum w V, p = sum w V (v + C (x_i - x_p)), area claimed = sum w A
@@ -22,17 +22,18 @@ inline void kick_and_drift(Step& now) {
     nodes_to_particles(now);   // v, C, x += dt v, A *= det(I + dt grad v), relaxed and shifted; stress
 }
 
-/// One time step of at most `dt_limit`, folding what the nodes saw into `maxima`. With Stages::leapfrog forces at time t
-/// carry the velocities from the middle of the step before to the middle of this one, and those carry the positions from t
-/// to t + dt, so that both are of second order (Verlet 1967); otherwise velocities go to t + dt first, as in the paper.
+/// One time step of at most `dt_limit`, folding what the nodes saw into `maxima`. With Stages::leapfrog forces at time
+/// t carry the velocities from the middle of the step before to the middle of this one, and those carry the positions
+/// from t to t + dt, so that both are of second order (Verlet 1967); otherwise velocities go to t + dt first, as in the
+/// paper.
 inline StepReport step(State& state, const Laws& laws, const Stages& stages, double dt_limit, Maxima& maxima,
                        ThreadPool& pool) {
     Step now(state, laws, stages, maxima, pool);
     choose_length(now, dt_limit);  // dt = min(stable_step, limit): (w + g dt) dt <= cfl dx
     kick_and_drift(now);
-    advance_time(now);     // t += dt; bounds of the next step
-    regularise(now);       // sort by tile, split, merge, when it is time
-    leave_and_land(now);   // what an edge throws off flies: z = z0 + w t - g t^2/2
+    advance_time(now);    // t += dt; bounds of the next step
+    regularise(now);      // sort by tile, split, merge, when it is time
+    leave_and_land(now);  // what an edge throws off flies: z = z0 + w t - g t^2/2
     return now.report;
 }
 

@@ -35,8 +35,7 @@ void slow_down(State& state, ThreadPool& pool) {
     const auto& tiles = state.order.tiles();
     std::vector<ExchangeReport> reports(tiles.size());
     pool.for_each(tiles.size(), [&](std::size_t t) {
-        slow_particles(tiles[t].begin, tiles[t].end, state.kept.data(), state.lost.data(), state.particles,
-                       reports[t]);
+        slow_particles(tiles[t].begin, tiles[t].end, state.kept.data(), state.lost.data(), state.particles, reports[t]);
     });
     for (const ExchangeReport& r : reports) state.exchanged.merge(r);
 }
@@ -45,8 +44,8 @@ void slow_down(State& state, ThreadPool& pool) {
 
 void choose_length(Step& now, double dt_limit) {
     const State& state = now.state;
-    const double stable = stable_step(state.nodes.cell_size(), now.laws.cfl, state.wave_speed, now.laws.gravity,
-                                      state.diffusivity);
+    const double stable =
+        stable_step(state.nodes.cell_size(), now.laws.cfl, state.wave_speed, now.laws.gravity, state.diffusivity);
     now.drift = std::min(stable, dt_limit);
     now.kick = state.velocity_lag + now.drift - (now.stages.leapfrog ? 0.5 * now.drift : 0);
 }
@@ -87,7 +86,8 @@ void forces_to_nodes(Step& now) {
     State& state = now.state;
     if (now.stages.follows_bed) {  // momenta in map view; levels tell what ponds
         for (const auto* tiles : {&state.active.updated(), &state.active.gathered()})
-            for_node_tiles(state, *tiles, now.pool, [&](const NodeRange& range) { momenta_to_map(range, state.nodes); });
+            for_node_tiles(state, *tiles, now.pool,
+                           [&](const NodeRange& range) { momenta_to_map(range, state.nodes); });
     }
     for_tiles_by_colour(state, now.pool, [&](const ParticleTile& tile) {
         now.stages.pressure_to_nodes(tile, state.particles, now.laws.gravity, state.nodes);
@@ -144,9 +144,8 @@ void exchange_with_bed(Step& now) {
         now.stages.exchange_at_nodes(range, now.laws.exchange, now.drift, now.laws.resample.minimum_depth,
                                      state.bed_states.data(), state.nodes, state.bed_layers.data());
     });
-    for_node_tiles(state, state.order.node_tiles(), now.pool, [&](const NodeRange& range) {
-        move_bed(range, state.bed_layers.data(), state.nodes);
-    });
+    for_node_tiles(state, state.order.node_tiles(), now.pool,
+                   [&](const NodeRange& range) { move_bed(range, state.bed_layers.data(), state.nodes); });
     if (now.laws.wall) {
         mirror_exchange(state.nodes, state.bed_layers.data());
         mirror_bed(state.nodes);
@@ -166,8 +165,12 @@ void exchange_with_bed(Step& now) {
 void nodes_to_particles(Step& now) {
     State& state = now.state;
     const Laws& laws = now.laws;
-    ParticleUpdate update{now.drift, laws.gravity * laws.stress.wave_factor, laws.resample.minimum_depth,
-                          laws.wall, laws.origin, laws.gravity * now.kick};
+    ParticleUpdate update{now.drift,
+                          laws.gravity * laws.stress.wave_factor,
+                          laws.resample.minimum_depth,
+                          laws.wall,
+                          laws.origin,
+                          laws.gravity * now.kick};
     if (shifts_now(state, now.stages)) update.shift = k_shift;
     const auto& tiles = state.order.tiles();
     for (const ParticleTile& tile : tiles) state.particles_seen[static_cast<std::size_t>(tile.tile)].longest = 0;

@@ -22,8 +22,8 @@ struct Step {
     const Stages& stages;
     Maxima& maxima;
     ThreadPool& pool;
-    double kick = 0;   ///< time over which forces change the velocities [s]
-    double drift = 0;  ///< time over which velocities move the particles [s]
+    double kick = 0;     ///< time over which forces change the velocities [s]
+    double drift = 0;    ///< time over which velocities move the particles [s]
     NodeUpdate nodes{};  ///< from bed_resistance on
     StepReport report;
     StageWatch watch{report.seconds};

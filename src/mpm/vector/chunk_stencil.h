@@ -9,8 +9,8 @@ namespace {
 
 /// Position on the quadratic splines of four particles in one direction (QuadraticSplineShape).
 struct ChunkAxis {
-    Quad base;      ///< the middle node of three, counted from the origin's
-    Quad offset;    ///< of the particle from it, in node spacings, -1/2 to 1/2
+    Quad base;    ///< the middle node of three, counted from the origin's
+    Quad offset;  ///< of the particle from it, in node spacings, -1/2 to 1/2
 
     FRANA_INLINE ChunkAxis(Quad position, const NodeScale& grid) {
         const Quad s = position * grid.inverse_dx - 0.5;

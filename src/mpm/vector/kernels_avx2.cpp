@@ -32,8 +32,10 @@ ParticleReport vector_nodes_to_particles_stage(const ParticleTile& tile, const P
     }
 }
 
-constexpr VectorKernels k_kernels{vector_particles_to_nodes<false>,      vector_particles_to_nodes<true>,
-                                  vector_pressure_to_nodes<false>,       vector_pressure_to_nodes<true>,
+constexpr VectorKernels k_kernels{vector_particles_to_nodes<false>,
+                                  vector_particles_to_nodes<true>,
+                                  vector_pressure_to_nodes<false>,
+                                  vector_pressure_to_nodes<true>,
                                   vector_nodes_to_particles_stage<false, false>,
                                   vector_nodes_to_particles_stage<false, true>,
                                   vector_nodes_to_particles_stage<true, false>,

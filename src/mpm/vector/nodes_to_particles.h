@@ -13,15 +13,15 @@ template <bool FollowsBed, bool Shifts>
 struct ChunkGather {
     Quad cell_depth, share, climb, support;
     Quad depth_x, depth_y, share_x, share_y, least;  // if Shifts: gradients of the first two; least share of any node
-    Quad u, v, back_u, back_v;    // nodal velocity in map view; what the particles take back
-    Quad u_x, u_y, v_x, v_y;      // gradient of the former
-    Quad m_xx, m_xy, m_yx, m_yy;  // first moments of the latter
-    Quad bend, change;            // of the nodal velocity along the axes, see shock_compression
-    Quad bed_x, bed_y;            // if FollowsBed: gradient of the bed, through the splines
+    Quad u, v, back_u, back_v;                       // nodal velocity in map view; what the particles take back
+    Quad u_x, u_y, v_x, v_y;                         // gradient of the former
+    Quad m_xx, m_xy, m_yx, m_yy;                     // first moments of the latter
+    Quad bend, change;                               // of the nodal velocity along the axes, see shock_compression
+    Quad bed_x, bed_y;                               // if FollowsBed: gradient of the bed, through the splines
 
     /// Each node is two quads, {u, v, back_u, back_v} and {mass, share, climb, support}. Particle by particle only the
-    /// sums of the first along rows and along columns are made, with the splines' weights, and the mean of the second; all
-    /// else follows from those seven, four particles at once.
+    /// sums of the first along rows and along columns are made, with the splines' weights, and the mean of the second;
+    /// all else follows from those seven, four particles at once.
     FRANA_INLINE ChunkGather(Quad px, Quad py, const NodeScale& grid, const NodeSums* sums, const double* bed) {
         const ChunkAxis ax(px, grid), ay(py, grid);
         std::size_t first[4];
@@ -41,14 +41,15 @@ struct ChunkGather {
             Quad column0 = 0.0, column1 = 0.0, column2 = 0.0;
             Quad mean = 0.0;
             for (int b = 0; b < 3; ++b, row += grid.stride) {
-                const Quad west = Quad::load(&row[0].px), middle = Quad::load(&row[1].px), east = Quad::load(&row[2].px);
+                const Quad west = Quad::load(&row[0].px), middle = Quad::load(&row[1].px),
+                           east = Quad::load(&row[2].px);
                 const Quad weight(weight_y[b][k]);
                 rows[b][k] = w0 * west + w1 * middle + w2 * east;
                 column0 += weight * west;
                 column1 += weight * middle;
                 column2 += weight * east;
-                mean += weight * (w0 * Quad::load(&row[0].mass) + w1 * Quad::load(&row[1].mass) +
-                                  w2 * Quad::load(&row[2].mass));
+                mean += weight *
+                        (w0 * Quad::load(&row[0].mass) + w1 * Quad::load(&row[1].mass) + w2 * Quad::load(&row[2].mass));
             }
             columns[0][k] = column0;
             columns[1][k] = column1;
@@ -112,8 +113,8 @@ struct ChunkGather {
         bed_x = slope[0] * across[0] + slope[1] * across[1] + slope[2] * across[2];
         bed_y = wx[0] * along[0] + wx[1] * along[1] + wx[2] * along[2];
     }
-    /// Gradients of depth and share, and the least share of any node: a sweep of its own over the second quads, since few
-    /// steps shift.
+    /// Gradients of depth and share, and the least share of any node: a sweep of its own over the second quads, since
+    /// few steps shift.
     FRANA_INLINE void gather_slopes(const ChunkAxis& ax, const ChunkAxis& ay, const double (&weight_x)[3][4],
                                     const double (&weight_y)[3][4], const NodeScale& grid, const NodeSums* sums,
                                     const std::size_t (&first)[4]) {
@@ -263,8 +264,8 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         }
         Quad px = old_x + k.dt * g.u, py = old_y + k.dt * g.v;
         if constexpr (Shifts) {
-            const Shift<Quad> shift = shift_of(k.shift, speed * courant, g.support, g.least, g.share, g.share_x, g.share_y,
-                                               g.cell_depth, g.depth_x, g.depth_y, grid.dx);
+            const Shift<Quad> shift = shift_of(k.shift, speed * courant, g.support, g.least, g.share, g.share_x,
+                                               g.share_y, g.cell_depth, g.depth_x, g.depth_y, grid.dx);
             px += shift.x;
             py += shift.y;
             new_area = new_area * shift.growth;

@@ -12,15 +12,15 @@ namespace {
 /// are worked out side by side; then each particle adds two quads to each of its nine nodes,
 ///     {px, py, fx, fy}  and  {mass, area, area_bed, support}, of which fx, fy, area_bed only if Levels.
 template <bool Levels>
-void vector_particles_to_nodes(const ParticleTile& tile, const ParticleSet& particles, NodeGrid& nodes) {
+void vector_particles_to_nodes(const ParticleTile &tile, const ParticleSet &particles, NodeGrid &nodes) {
     const double *const x = particles[Field::x], *const y = particles[Field::y];
     const double *const u = particles[Field::u], *const v = particles[Field::v];
     const double *const volume = particles[Field::volume], *const area = particles[Field::area];
     const double *const c_xx = particles[Field::c_xx], *const c_xy = particles[Field::c_xy];
     const double *const c_yx = particles[Field::c_yx], *const c_yy = particles[Field::c_yy];
     const NodeScale grid = nodes.scale();
-    NodeSums* const sums = nodes.sums.data();
-    const double* const bed = nodes.bed.data();
+    NodeSums *const sums = nodes.sums.data();
+    const double *const bed = nodes.bed.data();
 
     for_chunks(tile.begin, tile.end, [&](std::size_t p, auto n) FRANA_INLINE_LAMBDA {
         const Quad px = load_some(x + p, n), py = load_some(y + p, n);
@@ -52,13 +52,13 @@ void vector_particles_to_nodes(const ParticleTile& tile, const ParticleSet& part
         if constexpr (Levels) (mass / claim).store(depth);
 
         for (std::size_t k = 0; k < n; ++k) {
-            double* const node = &sums[first[k]].px;
-            const double* const ground = bed + first[k];
+            double *const node = &sums[first[k]].px;
+            const double *const ground = bed + first[k];
             const std::int64_t stride = grid.stride;
             double z = 0;
             if constexpr (Levels) {
                 for (int b = 0; b < 3; ++b) {
-                    const double* r = ground + b * stride;
+                    const double *r = ground + b * stride;
                     z += (weight[3 * b][k] * r[0] + weight[3 * b + 1][k] * r[1]) + weight[3 * b + 2][k] * r[2];
                 }
             }
@@ -68,7 +68,7 @@ void vector_particles_to_nodes(const ParticleTile& tile, const ParticleSet& part
             const Quad holds{volume[p + k], a_k, 0, 0}, level{0, 0, a_k, 0};
             Quad row_brings = at_first[k];
             for (int b = 0; b < 3; ++b) {
-                double* const row = node + 8 * b * stride;
+                double *const row = node + 8 * b * stride;
                 Quad brings = row_brings;
                 for (int a = 0; a < 3; ++a) {
                     const Quad w(weight[3 * b + a][k]);

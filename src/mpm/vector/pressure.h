@@ -69,8 +69,7 @@ struct LevelBox {
 /// pressure_to_nodes<QuadraticSplineShape, true, Stress>, a row of three nodes at a time (the fourth lane weighs
 /// nothing), on a copy of the nodes in which each row lies together.
 template <bool Stress>
-void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity,
-                              NodeGrid& nodes) {
+void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity, NodeGrid& nodes) {
     if (tile.begin == tile.end) return;
     const double *const x = particles[Field::x], *const y = particles[Field::y];
     const double *const volume = particles[Field::volume], *const area = particles[Field::area];

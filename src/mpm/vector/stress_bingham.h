@@ -15,8 +15,8 @@ struct QuadStress {
 FRANA_INLINE Quad exact_yield_ratio(Quad a) {
     const Quad p = 3 + a;
     const Quad inverse = 1 / p;
-    Quad zeta = select(a < 1, 1 - sqrt(a * (1.0 / 3)) + a * (1.0 / 9),
-                       2 * inverse * (1 + 4 * inverse * inverse * inverse));
+    Quad zeta =
+        select(a < 1, 1 - sqrt(a * (1.0 / 3)) + a * (1.0 / 9), 2 * inverse * (1 + 4 * inverse * inverse * inverse));
     for (int i = 0; i < 3; ++i) {
         const Quad slope = 3 * zeta * zeta - p;
         zeta = select(slope > -1e-12, zeta, zeta - (zeta * zeta * zeta - p * zeta + 2) / slope);
@@ -40,8 +40,8 @@ FRANA_INLINE QuadStress bingham_stress(const BinghamStress& law, Quad xx, Quad x
         const Quad zeta = law.exact_ratio ? exact_yield_ratio(a) : quadratic_yield_ratio(a);
         const Quad k = select(depth > 0, 3 / ((2 + zeta) * depth), 0.0);
         const Quad shear_x = k * u, shear_y = k * v, zz = -(xx + yy);
-        const Quad invariant = 0.5 * (xx * xx + yy * yy + zz * zz) + xy * xy +
-                               0.25 * (shear_x * shear_x + shear_y * shear_y);
+        const Quad invariant =
+            0.5 * (xx * xx + yy * yy + zz * zz) + xy * xy + 0.25 * (shear_x * shear_x + shear_y * shear_y);
         factor += law.yield_over_density / sqrt(invariant + law.regularisation * law.regularisation);
     }
     return {factor * xx, factor * xy, factor * yy, factor};

@@ -35,8 +35,8 @@ void check_keys(const SceneSpec& scene, const std::set<std::string>& given, cons
     for (const LawKey& key : law_keys()) {
         bool is_given = given.count(key.name) > 0;
         if (key.name == "material.turbulence" && !scene.material.turbulence) is_given = false;  // "off"
-        const bool read = std::any_of(key.laws.begin(), key.laws.end(),
-                                      [&](const std::string& law) { return holds(laws, law); });
+        const bool read =
+            std::any_of(key.laws.begin(), key.laws.end(), [&](const std::string& law) { return holds(laws, law); });
         if (is_given && !read) {
             std::vector<std::string> askers;
             for (const std::string& law : key.laws) askers.push_back(asked_by(law));
@@ -54,10 +54,9 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
                     Problems& problems) {
     const std::vector<std::string> laws = laws_of(scene);
     const MaterialSpec& m = scene.material;
-    const bool has_friction =
-        given.count("material.friction-angle") + given.count("material.friction-coefficient") > 0;
-    if (!has_friction && (holds(laws, "coulomb") || holds(laws, "ramms-yield") ||
-                          holds(laws, "pouliquen-forterre") || holds(laws, "earth-pressure"))) {
+    const bool has_friction = given.count("material.friction-angle") + given.count("material.friction-coefficient") > 0;
+    if (!has_friction && (holds(laws, "coulomb") || holds(laws, "ramms-yield") || holds(laws, "pouliquen-forterre") ||
+                          holds(laws, "earth-pressure"))) {
         problems.add({"no bed friction is given", file + ": material.friction-angle", "", "",
                       "Set material.preset (see `frana materials`), material.friction-angle or "
                       "material.friction-coefficient; 0 is allowed, but must be said"});
@@ -68,8 +67,7 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
     const bool pouliquen = holds(terms, "pouliquen-forterre");
     if (bed_bingham + bed_hb + bed_obj + pouliquen > 1) {
         problems.add({"names two laws for one thing", file + ": material.bed-friction", joined(terms, ", "),
-                      "one of bingham, herschel-bulkley, obrien-julien and pouliquen-forterre",
-                      "Keep one of them"});
+                      "one of bingham, herschel-bulkley, obrien-julien and pouliquen-forterre", "Keep one of them"});
     }
     if (pouliquen && holds(terms, "coulomb")) {
         problems.add({"names two laws for one thing", file + ": material.bed-friction", joined(terms, ", "),
@@ -80,8 +78,7 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
                       "material.bed-friction = bingham needs it"});
     }
     if (bed_bingham && m.yield_ratio == "quadratic" && !(m.yield_stress > 0)) {
-        problems.add({"must be greater than 0", file + ": material.yield-stress",
-                      shortest_text(m.yield_stress), "",
+        problems.add({"must be greater than 0", file + ": material.yield-stress", shortest_text(m.yield_stress), "",
                       "yield-ratio = quadratic needs it; exact does without"});
     }
     const bool reads_yield = bed_bingham || bed_hb || bed_obj || in_plane_stress(m) == "bingham";
@@ -91,8 +88,8 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
                       "Remove it, or choose another in-plane-stress or bed-friction"});
     }
     if (m.surface_pressure > 0 && !holds(terms, "coulomb")) {
-        problems.add({"is given, but no law of the scene reads it", file + ": material.surface-pressure", "",
-                      "", "Remove it, or set material.bed-friction = coulomb"});
+        problems.add({"is given, but no law of the scene reads it", file + ": material.surface-pressure", "", "",
+                      "Remove it, or set material.bed-friction = coulomb"});
     }
 }
 
@@ -101,20 +98,18 @@ void check_angles(const SceneSpec& scene, const std::string& file, Problems& pro
     if (!m.friction_angle && !m.friction_coefficient) return;
     const double bed_deg = std::atan(friction_coefficient(m)) * 180 / std::numbers::pi;
     const std::vector<std::string> laws = laws_of(scene);
-    const auto check = [&](const std::string& law, const std::string& key,
-                           const std::optional<double>& angle_deg) {
+    const auto check = [&](const std::string& law, const std::string& key, const std::optional<double>& angle_deg) {
         // A grain of tolerance, so that an angle equals the arctangent of its tangent.
         if (!angle_deg || !holds(laws, law) || *angle_deg >= bed_deg - 1e-9) return;
         problems.add({"is less than the friction angle of the bed", file + ": material." + key,
-                      shortest_text(*angle_deg) + " degrees",
-                      "at least " + shortest_text(bed_deg) + " degrees", law + " is not defined below it"});
+                      shortest_text(*angle_deg) + " degrees", "at least " + shortest_text(bed_deg) + " degrees",
+                      law + " is not defined below it"});
     };
     check("earth-pressure", "internal-friction-angle", m.internal_friction_angle);
     check("pouliquen-forterre", "fast-friction-angle", m.fast_friction_angle);
     if (holds(laws, "ramms-yield") && friction_coefficient(m) > 1) {
         problems.add({"is too large for the law ramms-yield", file + ": material.friction-coefficient",
-                      shortest_text(friction_coefficient(m)), "0 to 1",
-                      "Its term (1 - mu) N_0 would be negative"});
+                      shortest_text(friction_coefficient(m)), "0 to 1", "Its term (1 - mu) N_0 would be negative"});
     }
 }
 
@@ -144,8 +139,8 @@ void check_rest(const SceneSpec& scene, const std::set<std::string>& given, cons
                       "Set numerics.slope-correction = normal or surface, or remove the key"});
     }
     if (flight(scene.numerics) && !can_fly(scene.numerics)) {
-        problems.add({"needs numerics.curvature = on, scheme = default and transfer = apic", file + ": numerics.flight", "on",
-                      "off", "Set those, or remove the key"});
+        problems.add({"needs numerics.curvature = on, scheme = default and transfer = apic", file + ": numerics.flight",
+                      "on", "off", "Set those, or remove the key"});
     }
 }
 

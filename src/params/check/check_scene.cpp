@@ -16,8 +16,7 @@ void check_required(const SceneSpec& scene, const std::set<std::string>& given, 
                     Problems& problems) {
     const auto missing = [&](const std::string& name) { return given.count(name) == 0; };
     if (missing("terrain.dtm"))
-        problems.add(
-            {"is missing", file + ": terrain.dtm", "", "", "Name the digital terrain model, a raster file"});
+        problems.add({"is missing", file + ": terrain.dtm", "", "", "Name the digital terrain model, a raster file"});
     const bool flows_in = !missing("inflow.line");
     const bool releases = !missing("release.thickness") || !missing("release.perimeter");
     if (missing("release.thickness") && (releases || !flows_in)) {
@@ -26,8 +25,7 @@ void check_required(const SceneSpec& scene, const std::set<std::string>& given, 
     }
     const auto& thickness = scene.release.thickness;
     if (missing("release.perimeter") && !(thickness && thickness->by_raster()) && (releases || !flows_in))
-        problems.add(
-            {"is missing", file + ": release.perimeter", "", "", "Name the polygon layer of what fails"});
+        problems.add({"is missing", file + ": release.perimeter", "", "", "Name the polygon layer of what fails"});
 }
 
 /// A key that says nothing without another one.
@@ -71,12 +69,10 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
          zone_remedy},
         {"zones.turbulence", by_attribute(zones.turbulence), "terrain.friction-zones", zoned, zone_remedy},
         {"zones.cohesion", by_attribute(zones.cohesion), "terrain.friction-zones", zoned, zone_remedy},
-        {"zones.erodible-depth", by_attribute(zones.erodible_depth), "terrain.friction-zones", zoned,
-         zone_remedy},
+        {"zones.erodible-depth", by_attribute(zones.erodible_depth), "terrain.friction-zones", zoned, zone_remedy},
     };
     for (const Pair& pair : pairs)
-        if (pair.given && !pair.has)
-            problems.add({"needs " + pair.needs, file + ": " + pair.key, "", "", pair.remedy});
+        if (pair.given && !pair.has) problems.add({"needs " + pair.needs, file + ": " + pair.key, "", "", pair.remedy});
     if (zones.friction_angle && zones.friction_coefficient) {
         problems.add({"contradicts zones.friction-coefficient: both say how rough the bed is",
                       file + ": zones.friction-angle", "", "", "Keep one of the two"});
@@ -98,9 +94,8 @@ void check_thickness(const ReleaseSpec& release, const std::string& file, Proble
                       file + ": release.thickness-direction", "normal", "vertical", "Remove the key"});
     }
     if (thickness.fitted() && !release.slip_depth && !release.volume) {
-        problems.add({"a slip surface fitted to the perimeter needs its depth",
-                      file + ": release.thickness", "slip-surface", "",
-                      "Give release.volume or release.slip-depth"});
+        problems.add({"a slip surface fitted to the perimeter needs its depth", file + ": release.thickness",
+                      "slip-surface", "", "Give release.volume or release.slip-depth"});
     }
     if (thickness.fitted() && release.slip_depth && release.volume) {
         problems.add({"contradicts release.volume: each of them says how deep the slip surface lies",
@@ -120,9 +115,8 @@ void check_numerics(const NumericsSpec& numerics, const std::string& file, Probl
                       file + ": numerics.shape", numerics.shape, "auto, " + own_shape, "Remove the key"});
     }
     if (paper && numerics.well_balanced.value_or(false)) {
-        problems.add({"still levels belong to scheme default, not to paper",
-                      file + ": numerics.well-balanced", "on", "off with scheme paper",
-                      "Remove the key or choose numerics.scheme = default"});
+        problems.add({"still levels belong to scheme default, not to paper", file + ": numerics.well-balanced", "on",
+                      "off with scheme paper", "Remove the key or choose numerics.scheme = default"});
     }
 }
 
@@ -147,9 +141,8 @@ void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& p
                       "Set hazard.depth-limits, velocity-limits, flux-limits or pressure-limits"});
     }
     if (!custom && limits) {
-        problems.add({"limits belong to scheme custom", file + ": hazard.scheme",
-                      hazard.scheme.value_or("not given"), "custom",
-                      "Set hazard.scheme = custom or remove them"});
+        problems.add({"limits belong to scheme custom", file + ": hazard.scheme", hazard.scheme.value_or("not given"),
+                      "custom", "Set hazard.scheme = custom or remove them"});
     }
 }
 
@@ -179,7 +172,8 @@ void check_output(const SceneSpec& scene, const std::string& file, Problems& pro
         const ResultRaster* const row = find_result_raster(raster_of_map(map));
         if (row != nullptr && row->can_come != nullptr && !row->can_come(scene))
             problems.add({"names a raster that this scene does not make", file + ": output.maps", map,
-                          row->name + " comes " + row->when, "Remove it, or set output.maps = on for all that there is"});
+                          row->name + " comes " + row->when,
+                          "Remove it, or set output.maps = on for all that there is"});
     }
     if (scene.output.sample_interval && !scene.output.gauges && !scene.output.sections) {
         problems.add({"has nothing to sample", file + ": output.sample-interval",

@@ -58,8 +58,7 @@ std::string absolute_path(const std::string& path, const std::string& directory)
     if (driver) {
         const auto [begin, end] = named_file(path, colon);
         if (end <= begin) return path;
-        return path.substr(0, begin) + counted_from(path.substr(begin, end - begin), directory) +
-               path.substr(end);
+        return path.substr(0, begin) + counted_from(path.substr(begin, end - begin), directory) + path.substr(end);
     }
     const std::size_t bar = path.find('|');
     const std::string suffix = bar == std::string::npos ? "" : path.substr(bar);

@@ -22,8 +22,7 @@ std::vector<IniEntry> read_ini(const std::string& path) {
     namespace options = boost::program_options;
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
-        throw Error(ErrorKind::input,
-                    Problem{"is a folder, not a file", path, "", "", "Name the .ini file in it"});
+        throw Error(ErrorKind::input, Problem{"is a folder, not a file", path, "", "", "Name the .ini file in it"});
     if (std::filesystem::is_other(path, ignored))
         throw Error(ErrorKind::input, Problem{"is no regular file", path, "", "",
                                               "Copy what the FIFO, device or socket holds into a file"});
@@ -49,8 +48,8 @@ std::vector<IniEntry> read_ini(const std::string& path) {
         for (const auto& option : parsed.options)
             entries.push_back({option.string_key, option.value.empty() ? "" : trimmed(option.value.front())});
     } catch (const options::error& error) {
-        throw Error(ErrorKind::input, Problem{error.what(), path, "", "[section], key = value or # comment",
-                                              "Correct the line"});
+        throw Error(ErrorKind::input,
+                    Problem{error.what(), path, "", "[section], key = value or # comment", "Correct the line"});
     }
     return entries;
 }

@@ -29,8 +29,7 @@ std::optional<Size> size_from_text(const std::string& text) {
     if (text.starts_with("A")) return page_from_text(text);
     const auto cross = text.find('x');
     if (cross == std::string::npos) return std::nullopt;
-    const auto width = integer_from_text(text.substr(0, cross)),
-               height = integer_from_text(text.substr(cross + 1));
+    const auto width = integer_from_text(text.substr(0, cross)), height = integer_from_text(text.substr(cross + 1));
     const auto fits = [](std::optional<std::int64_t> side, std::int64_t least) {
         return side && *side >= least && *side <= 8000;
     };

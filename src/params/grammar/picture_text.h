@@ -12,8 +12,9 @@ struct Size {
     double dots_per_inch = 150;  ///< where the picture is printed
 };
 /// The sizes that size_from_text knows, for messages.
-inline constexpr const char* k_sizes = "WIDTHxHEIGHT, 640x480 to 8000x8000, or A4, A3, A4-portrait, A3-portrait, with "
-                                       "@DPI (150 to 300; 150 where absent)";
+inline constexpr const char* k_sizes =
+    "WIDTHxHEIGHT, 640x480 to 8000x8000, or A4, A3, A4-portrait, A3-portrait, with "
+    "@DPI (150 to 300; 150 where absent)";
 /// A picture's size in pixels: "1600x1200", or a page of ISO 216 with its resolution: "A4", "A3-portrait@300".
 std::optional<Size> size_from_text(const std::string& text);
 

@@ -14,9 +14,8 @@ struct ThicknessSpec {
     Kind kind = Kind::number;
     double metres = 0;      ///< number
     std::string attribute;  ///< attribute: the column's name
-    std::string
-        raster;  ///< raster, slip surface: the file; difference: the DTM before the failure; phases: solids
-    std::string post;  ///< difference: the DTM after the failure; phases: fluid
+    std::string raster;     ///< raster, slip surface: the file; difference: the DTM before the failure; phases: solids
+    std::string post;       ///< difference: the DTM after the failure; phases: fluid
 
     /// Thickness by place, from rasters alone: a perimeter is not needed.
     [[nodiscard]] bool by_raster() const noexcept { return !raster.empty(); }

@@ -46,8 +46,7 @@ auto given(const Value& value) {
 
 /// The frame every kind shares; `from_text` gives Refusal or stores, `to_text` formats the plain value.
 template <class Member, class Read, class Write>
-Parameter parameter(const std::string& name, const std::string& type, Member member, Read from_text,
-                    Write to_text) {
+Parameter parameter(const std::string& name, const std::string& type, Member member, Read from_text, Write to_text) {
     Parameter result;
     const auto dot = name.find('.');
     result.section = name.substr(0, dot);
@@ -77,8 +76,7 @@ Parameter number(const std::string& name, Member member, const std::string& unit
             const auto value = number_from_text(text);
             if (!value) {
                 const bool comma = text.find(',') != std::string::npos;
-                return Refusal{"is not a number",
-                               comma ? "Write the decimals after a point, not a comma" : ""};
+                return Refusal{"is not a number", comma ? "Write the decimals after a point, not a comma" : ""};
             }
             if (!range.has(*value)) return Refusal{"is out of range", ""};
             target = *value;
@@ -94,8 +92,7 @@ Parameter number(const std::string& name, Member member, const std::string& unit
 }
 
 template <class Member>
-Parameter on_off(const std::string& name, Member member, const std::string& meaning,
-                 const std::string& absent = {}) {
+Parameter on_off(const std::string& name, Member member, const std::string& meaning, const std::string& absent = {}) {
     Parameter result = parameter(
         name, "on | off", member,
         [](auto& target, const std::string& text) -> std::optional<Refusal> {
@@ -155,12 +152,9 @@ Parameter text(const std::string& name, Member member, const std::string& type, 
 /// A number, attribute:NAME or raster:FILE, as far as `kinds` allows them.
 template <class Member>
 Parameter source(const std::string& name, Member member, const std::string& unit, Range range,
-                 const std::vector<SourceSpec::Kind>& kinds, const std::string& meaning,
-                 const std::string& absent) {
+                 const std::vector<SourceSpec::Kind>& kinds, const std::string& meaning, const std::string& absent) {
     using Kind = SourceSpec::Kind;
-    const auto allowed = [kinds](Kind kind) {
-        return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
-    };
+    const auto allowed = [kinds](Kind kind) { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); };
     std::vector<std::string> forms;
     if (allowed(Kind::number)) forms.push_back("a number");
     if (allowed(Kind::attribute)) forms.push_back("attribute:NAME");
@@ -170,8 +164,7 @@ Parameter source(const std::string& name, Member member, const std::string& unit
         [range, allowed](auto& target, const std::string& text) -> std::optional<Refusal> {
             const auto value = source_from_text(text);
             if (!value || !allowed(value->kind)) return Refusal{"is not understood", ""};
-            if (value->kind == Kind::number && !range.has(value->number))
-                return Refusal{"is out of range", ""};
+            if (value->kind == Kind::number && !range.has(value->number)) return Refusal{"is out of range", ""};
             target = *value;
             return std::nullopt;
         },
@@ -202,12 +195,9 @@ Parameter word_list(const std::string& name, Member member, const std::vector<st
             const std::vector<std::string> given = words_of(value);
             if (given.empty()) return Refusal{"names nothing", ""};
             for (const std::string& word : given) {
-                if (is_in(not_yet, word))
-                    return Refusal{"'" + word + "' is not available in this version", ""};
-                if (is_in(alone, word) && given.size() > 1)
-                    return Refusal{"'" + word + "' must stand alone", ""};
-                if (!is_in(alone, word) && !is_in(words, word))
-                    return Refusal{"'" + word + "' is not known", ""};
+                if (is_in(not_yet, word)) return Refusal{"'" + word + "' is not available in this version", ""};
+                if (is_in(alone, word) && given.size() > 1) return Refusal{"'" + word + "' must stand alone", ""};
+                if (!is_in(alone, word) && !is_in(words, word)) return Refusal{"'" + word + "' is not known", ""};
             }
             target = given;
             return std::nullopt;
@@ -224,7 +214,4 @@ Parameter word_list(const std::string& name, Member member, const std::vector<st
 }  // namespace frana::declare
 
 // The member a parameter stands for, of a scene that may or may not be const.
-#define FRANA_MEMBER(path)      \
-    ([](auto& scene) -> auto& { \
-        return scene.path;      \
-    })
+#define FRANA_MEMBER(path) ([](auto& scene) -> auto& { return scene.path; })

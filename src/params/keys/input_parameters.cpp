@@ -13,8 +13,8 @@ using declare::Range;
 using declare::text;
 
 void insert(std::vector<Parameter>& list, const Parameter& parameter) {
-    const auto last = std::find_if(list.rbegin(), list.rend(),
-                                   [&](const Parameter& p) { return p.section == parameter.section; });
+    const auto last =
+        std::find_if(list.rbegin(), list.rend(), [&](const Parameter& p) { return p.section == parameter.section; });
     list.insert(last.base(), parameter);
 }
 
@@ -24,10 +24,9 @@ void add_layer_choice(std::vector<Parameter>& list, const std::string& key, Laye
     insert(list, text(
                      key + "-layer", [=](auto& scene) -> auto& { return layer(scene).name; }, "text",
                      "Layer to read where the file holds several.", "the only one with areas"));
-    insert(list,
-           text(
-               key + "-filter", [=](auto& scene) -> auto& { return layer(scene).filter; }, "text",
-               "Condition on the attributes, as in SQL: kind = 'scar' AND year > 2000.", "all features"));
+    insert(list, text(
+                     key + "-filter", [=](auto& scene) -> auto& { return layer(scene).filter; }, "text",
+                     "Condition on the attributes, as in SQL: kind = 'scar' AND year > 2000.", "all features"));
     insert(list, text(
                      key + "-crs", [=](auto& scene) -> auto& { return layer(scene).crs; }, "text",
                      "CRS where the file names none or a wrong one.", "the file's own"));
@@ -37,15 +36,13 @@ void add_layer_choice(std::vector<Parameter>& list, const std::string& key, Laye
 
 void add_input_parameters(std::vector<Parameter>& list) {
     insert(list, number(
-                     "terrain.nodata-value", [](auto& scene) -> auto& { return scene.terrain.nodata_value; },
-                     "", Range{-1e300, 1e300},
-                     "One more stored value that means no elevation, such as 0 around the edge.",
+                     "terrain.nodata-value", [](auto& scene) -> auto& { return scene.terrain.nodata_value; }, "",
+                     Range{-1e300, 1e300}, "One more stored value that means no elevation, such as 0 around the edge.",
                      "only what the file declares"));
     add_layer_choice(
         list, "release.perimeter", [](auto& scene) -> auto& { return scene.release.perimeter_layer; });
     insert(list, text(
-                     "release.thickness-crs",
-                     [](auto& scene) -> auto& { return scene.release.thickness_crs; }, "text",
+                     "release.thickness-crs", [](auto& scene) -> auto& { return scene.release.thickness_crs; }, "text",
                      "CRS of the thickness rasters where they name none or a wrong one.", "the files' own"));
     add_layer_choice(
         list, "scar.perimeter", [](auto& scene) -> auto& { return scene.scar.perimeter_layer; });

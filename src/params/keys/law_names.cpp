@@ -73,9 +73,7 @@ std::string in_plane_stress(const MaterialSpec& material) {
 const std::vector<LawKey>& law_keys() {
     static const std::vector<LawKey> keys{
         {"material.friction-angle", {"coulomb", "ramms-yield", "pouliquen-forterre", "earth-pressure"}, {}},
-        {"material.friction-coefficient",
-         {"coulomb", "ramms-yield", "pouliquen-forterre", "earth-pressure"},
-         {}},
+        {"material.friction-coefficient", {"coulomb", "ramms-yield", "pouliquen-forterre", "earth-pressure"}, {}},
         {"material.turbulence", {"turbulence"}, {}},
         {"material.pore-pressure-ratio", {"coulomb", "pouliquen-forterre"}, {}},
         {"material.pore-dissipation-time", {"coulomb", "pouliquen-forterre"}, {}},

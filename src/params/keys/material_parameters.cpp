@@ -15,9 +15,8 @@ using declare::text;
 using declare::word_list;
 
 Parameter turbulence_parameter() {
-    Parameter result =
-        number("material.turbulence", FRANA_MEMBER(material.turbulence), "m/s2", Range{0, 1e9, true},
-               "Voellmy turbulence coefficient xi; off: friction alone.", "off");
+    Parameter result = number("material.turbulence", FRANA_MEMBER(material.turbulence), "m/s2", Range{0, 1e9, true},
+                              "Voellmy turbulence coefficient xi; off: friction alone.", "off");
     result.limits += ", or off";
     const auto read_number = result.read;
     result.read = [read_number](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
@@ -32,23 +31,20 @@ Parameter turbulence_parameter() {
 }
 
 void add_friction(std::vector<Parameter>& list) {
-    list.push_back(word_list("material.bed-friction", FRANA_MEMBER(material.bed_friction), {},
-                             bed_friction_names(),
+    list.push_back(word_list("material.bed-friction", FRANA_MEMBER(material.bed_friction), {}, bed_friction_names(),
                              "Laws whose sum resists at the bed; voellmy is coulomb and turbulence."));
-    list.push_back(number("material.friction-angle", FRANA_MEMBER(material.friction_angle), "degrees",
-                          Range{0, 60}, "Bed friction angle phi; this or friction-coefficient.",
+    list.push_back(number("material.friction-angle", FRANA_MEMBER(material.friction_angle), "degrees", Range{0, 60},
+                          "Bed friction angle phi; this or friction-coefficient.",
                           "required, or friction-coefficient"));
-    list.push_back(number("material.friction-coefficient", FRANA_MEMBER(material.friction_coefficient), "",
-                          Range{0, 2},
+    list.push_back(number("material.friction-coefficient", FRANA_MEMBER(material.friction_coefficient), "", Range{0, 2},
                           "Bed friction coefficient mu = tan(phi); typical values are 0.05 to 0.7.",
                           "required, or friction-angle"));
     list.push_back(turbulence_parameter());
-    list.push_back(number("material.surface-pressure", FRANA_MEMBER(material.surface_pressure), "Pa",
-                          Range{0, 1e6},
+    list.push_back(number("material.surface-pressure", FRANA_MEMBER(material.surface_pressure), "Pa", Range{0, 1e6},
                           "Gauge pressure on the free surface that adds to bed friction; 0 in open air."));
-    list.push_back(number(
-        "material.pore-pressure-ratio", FRANA_MEMBER(material.pore_pressure_ratio), "", Range{0, 1},
-        "Pore pressure over total normal stress at the start, r_u: takes its share off the friction.", "0"));
+    list.push_back(number("material.pore-pressure-ratio", FRANA_MEMBER(material.pore_pressure_ratio), "", Range{0, 1},
+                          "Pore pressure over total normal stress at the start, r_u: takes its share off the friction.",
+                          "0"));
     list.push_back(number("material.pore-dissipation-time", FRANA_MEMBER(material.pore_dissipation_time), "s",
                           Range{0, 1e9, true}, "Time in which the pore pressure falls to 1/e.", "it stays"));
     list.push_back(number("material.cohesion", FRANA_MEMBER(material.cohesion), "Pa", Range{0, 1e6},
@@ -61,30 +57,24 @@ void add_friction(std::vector<Parameter>& list) {
     list.push_back(number("material.chezy", FRANA_MEMBER(material.chezy), "m^(1/2)/s", Range{0.1, 1000},
                           "Chezy's C (law chezy).", "required with the law"));
     list.push_back(number("material.laminar-resistance", FRANA_MEMBER(material.laminar_resistance), "",
-                          Range{24, 50000}, "K of the viscous part (law obrien-julien).",
-                          "24, a smooth wide bed"));
-    list.push_back(number("material.consistency", FRANA_MEMBER(material.consistency), "Pa s^m",
-                          Range{0, 1e8, true}, "Herschel-Bulkley K (law herschel-bulkley).",
-                          "required with the law"));
+                          Range{24, 50000}, "K of the viscous part (law obrien-julien).", "24, a smooth wide bed"));
+    list.push_back(number("material.consistency", FRANA_MEMBER(material.consistency), "Pa s^m", Range{0, 1e8, true},
+                          "Herschel-Bulkley K (law herschel-bulkley).", "required with the law"));
     list.push_back(number("material.flow-index", FRANA_MEMBER(material.flow_index), "", Range{0.1, 2},
                           "Herschel-Bulkley m (law herschel-bulkley).", "required with the law"));
-    list.push_back(number("material.fast-friction-angle", FRANA_MEMBER(material.fast_friction_angle),
-                          "degrees", Range{0, 80}, "Angle of fast, thin flow (law pouliquen-forterre).",
-                          "required with the law"));
-    list.push_back(number("material.friction-length", FRANA_MEMBER(material.friction_length), "m",
-                          Range{0, 100, true}, "L of the deposit's thickness (law pouliquen-forterre).",
-                          "required with the law"));
-    list.push_back(number("material.friction-beta", FRANA_MEMBER(material.friction_beta), "",
-                          Range{0, 10, true}, "beta of the flow rule (law pouliquen-forterre).",
-                          "0.136, glass beads"));
+    list.push_back(number("material.fast-friction-angle", FRANA_MEMBER(material.fast_friction_angle), "degrees",
+                          Range{0, 80}, "Angle of fast, thin flow (law pouliquen-forterre).", "required with the law"));
+    list.push_back(number("material.friction-length", FRANA_MEMBER(material.friction_length), "m", Range{0, 100, true},
+                          "L of the deposit's thickness (law pouliquen-forterre).", "required with the law"));
+    list.push_back(number("material.friction-beta", FRANA_MEMBER(material.friction_beta), "", Range{0, 10, true},
+                          "beta of the flow rule (law pouliquen-forterre).", "0.136, glass beads"));
 }
 
 }  // namespace
 
 void add_material(std::vector<Parameter>& list) {
     list.push_back(text("material.preset", FRANA_MEMBER(material.preset), "text",
-                        "A material of `frana materials` to start from; keys given in the scene override it.",
-                        "none"));
+                        "A material of `frana materials` to start from; keys given in the scene override it.", "none"));
     list.push_back(choice("material.model", FRANA_MEMBER(material.model), {"voellmy-bingham", "structured"},
                           "Model: one phase with laws of friction, or fluid and structured solids ([structured])."));
     list.push_back(number("material.density", FRANA_MEMBER(material.density), "kg/m3", Range{10, 10000},
@@ -92,61 +82,51 @@ void add_material(std::vector<Parameter>& list) {
     add_friction(list);
     list.push_back(number("material.viscosity", FRANA_MEMBER(material.viscosity), "Pa s", Range{0, 1e8},
                           "Bingham viscosity, in the plane and of the laws bingham and obrien-julien."));
-    list.push_back(
-        number("material.yield-stress", FRANA_MEMBER(material.yield_stress), "Pa", Range{0, 1e7},
-               "Yield stress, in the plane and of the laws bingham, herschel-bulkley and obrien-julien."));
+    list.push_back(number("material.yield-stress", FRANA_MEMBER(material.yield_stress), "Pa", Range{0, 1e7},
+                          "Yield stress, in the plane and of the laws bingham, herschel-bulkley and obrien-julien."));
     list.push_back(
         choice("material.in-plane-stress", FRANA_MEMBER(material.in_plane_stress),
                {"auto", "bingham", "earth-pressure", "none"},
                "Stress in the plane of the flow; auto: bingham where viscosity or yield stress are given and "
                "no law of bed-friction takes them, otherwise none."));
-    list.push_back(number("material.internal-friction-angle", FRANA_MEMBER(material.internal_friction_angle),
-                          "degrees", Range{0, 60, true},
-                          "Internal friction angle of earth pressure, at least that of the bed.",
+    list.push_back(number("material.internal-friction-angle", FRANA_MEMBER(material.internal_friction_angle), "degrees",
+                          Range{0, 60, true}, "Internal friction angle of earth pressure, at least that of the bed.",
                           "required with earth-pressure"));
     list.push_back(number("material.yield-regularisation", FRANA_MEMBER(material.yield_regularisation), "1/s",
-                          Range{1e-6, 10},
-                          "Shear rate under which the yield stress in the plane is softened."));
-    list.push_back(
-        choice("material.yield-ratio", FRANA_MEMBER(material.yield_ratio), {"exact", "quadratic"},
-               "Ratio of yield stress to bed stress: root of the cubic, or the paper's quadratic."));
+                          Range{1e-6, 10}, "Shear rate under which the yield stress in the plane is softened."));
+    list.push_back(choice("material.yield-ratio", FRANA_MEMBER(material.yield_ratio), {"exact", "quadratic"},
+                          "Ratio of yield stress to bed stress: root of the cubic, or the paper's quadratic."));
 }
 
 void add_entrainment(std::vector<Parameter>& list) {
-    list.push_back(
-        choice("entrainment.erosion", FRANA_MEMBER(entrainment.erosion), erosion_names(),
-               "Law by which the flow takes up its bed: excess of shear stress (RAMMS), growth with the way "
-               "(McDougall and Hungr), or mechanical (jump of stress over momentum)."));
-    list.push_back(number("entrainment.erodible-depth", FRANA_MEMBER(entrainment.erodible_depth), "m",
-                          Range{0, 1000}, "Depth that can be eroded, vertical.", "required with erosion"));
-    list.push_back(number("entrainment.erosion-rate", FRANA_MEMBER(entrainment.erosion_rate), "m/s",
-                          Range{0, 10, true}, "Erosion rate (shear-stress).", "0.025"));
-    list.push_back(number("entrainment.critical-shear", FRANA_MEMBER(entrainment.critical_shear), "Pa",
-                          Range{0, 1e6}, "Shear stress from which the bed erodes (shear-stress).", "1000"));
+    list.push_back(choice("entrainment.erosion", FRANA_MEMBER(entrainment.erosion), erosion_names(),
+                          "Law by which the flow takes up its bed: excess of shear stress (RAMMS), growth with the way "
+                          "(McDougall and Hungr), or mechanical (jump of stress over momentum)."));
+    list.push_back(number("entrainment.erodible-depth", FRANA_MEMBER(entrainment.erodible_depth), "m", Range{0, 1000},
+                          "Depth that can be eroded, vertical.", "required with erosion"));
+    list.push_back(number("entrainment.erosion-rate", FRANA_MEMBER(entrainment.erosion_rate), "m/s", Range{0, 10, true},
+                          "Erosion rate (shear-stress).", "0.025"));
+    list.push_back(number("entrainment.critical-shear", FRANA_MEMBER(entrainment.critical_shear), "Pa", Range{0, 1e6},
+                          "Shear stress from which the bed erodes (shear-stress).", "1000"));
     list.push_back(number("entrainment.potential-depth", FRANA_MEMBER(entrainment.potential_depth), "m/kPa",
-                          Range{0, 100, true}, "Depth eroded at most for each kPa above that (shear-stress).",
-                          "0.1"));
-    list.push_back(number("entrainment.growth-rate", FRANA_MEMBER(entrainment.growth_rate), "1/m",
-                          Range{0, 1, true}, "Growth of volume with the way (growth).",
-                          "required with growth"));
-    list.push_back(number("entrainment.bed-friction-angle", FRANA_MEMBER(entrainment.bed_friction_angle),
-                          "degrees", Range{0, 60}, "Friction angle of the bed's material (mechanical).",
+                          Range{0, 100, true}, "Depth eroded at most for each kPa above that (shear-stress).", "0.1"));
+    list.push_back(number("entrainment.growth-rate", FRANA_MEMBER(entrainment.growth_rate), "1/m", Range{0, 1, true},
+                          "Growth of volume with the way (growth).", "required with growth"));
+    list.push_back(number("entrainment.bed-friction-angle", FRANA_MEMBER(entrainment.bed_friction_angle), "degrees",
+                          Range{0, 60}, "Friction angle of the bed's material (mechanical).",
                           "required with mechanical"));
-    list.push_back(number("entrainment.bed-cohesion", FRANA_MEMBER(entrainment.bed_cohesion), "Pa",
-                          Range{0, 1e6}, "Cohesion of the bed's material (mechanical).", "0"));
-    list.push_back(number("entrainment.bed-pore-pressure-ratio",
-                          FRANA_MEMBER(entrainment.bed_pore_pressure_ratio), "", Range{0, 1},
-                          "Pore pressure over total normal stress in the bed (mechanical).", "0"));
+    list.push_back(number("entrainment.bed-cohesion", FRANA_MEMBER(entrainment.bed_cohesion), "Pa", Range{0, 1e6},
+                          "Cohesion of the bed's material (mechanical).", "0"));
+    list.push_back(number("entrainment.bed-pore-pressure-ratio", FRANA_MEMBER(entrainment.bed_pore_pressure_ratio), "",
+                          Range{0, 1}, "Pore pressure over total normal stress in the bed (mechanical).", "0"));
     list.push_back(number("entrainment.velocity-ratio", FRANA_MEMBER(entrainment.velocity_ratio), "",
                           Range{0, 1.5, true}, "Velocity at the base over mean velocity (mechanical).", "1"));
     list.push_back(on_off("entrainment.deposition", FRANA_MEMBER(entrainment.deposition),
                           "Lay material down where the shear stress at the bed is below deposition-shear."));
     list.push_back(number("entrainment.deposition-rate", FRANA_MEMBER(entrainment.deposition_rate), "m/s",
-                          Range{0, 10, true}, "Rate at which still material settles.",
-                          "required with deposition"));
+                          Range{0, 10, true}, "Rate at which still material settles.", "required with deposition"));
     list.push_back(number("entrainment.deposition-shear", FRANA_MEMBER(entrainment.deposition_shear), "Pa",
-                          Range{0, 1e6, true}, "Shear stress from which nothing settles.",
-                          "required with deposition"));
+                          Range{0, 1e6, true}, "Shear stress from which nothing settles.", "required with deposition"));
 }
 
 }  // namespace frana

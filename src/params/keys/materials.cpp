@@ -33,9 +33,8 @@ std::vector<MaterialPreset> material_presets(const std::string& directory) {
                            read_ini(entry.path().string())});
     }
     if (failure)
-        throw Error(ErrorKind::environment,
-                    Problem{"the folder of material presets cannot be read", directory, "", "",
-                            "Set FRANA_SHARE to frana's share folder"});
+        throw Error(ErrorKind::environment, Problem{"the folder of material presets cannot be read", directory, "", "",
+                                                    "Set FRANA_SHARE to frana's share folder"});
     std::sort(presets.begin(), presets.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
     return presets;
 }

@@ -12,15 +12,13 @@ bool in_section(const std::string& name, const std::string& section) {
 
 // Keys outside [material], [zones] and [entrainment] that belong to the particles of the first model.
 const std::set<std::string> k_voellmy_bingham_only{
-    "material.preset",   "terrain.friction-zones", "numerics.scheme",   "numerics.shape",
-    "numerics.transfer", "numerics.well-balanced", "numerics.curvature",
-    "numerics.flight",   "numerics.flight-slope"};
+    "material.preset",        "terrain.friction-zones", "numerics.scheme", "numerics.shape",       "numerics.transfer",
+    "numerics.well-balanced", "numerics.curvature",     "numerics.flight", "numerics.flight-slope"};
 
 // Keys of [structured] that fluid alone reads too.
-const std::set<std::string> k_fluid_keys{"structured.phases",          "structured.fluid-density",
-                                         "structured.fluid-viscosity", "structured.velocity-shape",
-                                         "structured.manning",         "structured.dry-depth",
-                                         "structured.zones",           "structured.initial-fluid-depth"};
+const std::set<std::string> k_fluid_keys{
+    "structured.phases",  "structured.fluid-density", "structured.fluid-viscosity", "structured.velocity-shape",
+    "structured.manning", "structured.dry-depth",     "structured.zones",           "structured.initial-fluid-depth"};
 
 bool has_solids(const SceneSpec& scene) {
     return scene.structured.phases == "solids-and-fluid";
@@ -31,19 +29,16 @@ void check_solids(const SceneSpec& scene, const std::set<std::string>& given, co
     const StructuredSpec& s = scene.structured;
     for (const char* key : {"structured.cohesion", "structured.internal-friction-angle"}) {
         if (given.count(key) == 0)
-            problems.add(
-                {"is missing", file + ": " + key, "", "", "structured.phases = solids-and-fluid needs it"});
+            problems.add({"is missing", file + ": " + key, "", "", "structured.phases = solids-and-fluid needs it"});
     }
     if (!(s.young_modulus < 9 * s.bulk_modulus)) {
-        problems.add(
-            {"makes the material unstable", file + ": structured.young-modulus",
-             shortest_text(s.young_modulus) + " Pa",
-             "less than 9 times structured.bulk-modulus, " + shortest_text(9 * s.bulk_modulus) + " Pa",
-             "Lower it or raise the bulk modulus"});
+        problems.add({"makes the material unstable", file + ": structured.young-modulus",
+                      shortest_text(s.young_modulus) + " Pa",
+                      "less than 9 times structured.bulk-modulus, " + shortest_text(9 * s.bulk_modulus) + " Pa",
+                      "Lower it or raise the bulk modulus"});
     }
     const auto& thickness = scene.release.thickness;
-    if (thickness && thickness->kind == ThicknessSpec::Kind::phases &&
-        given.count("structured.solid-fraction") > 0) {
+    if (thickness && thickness->kind == ThicknessSpec::Kind::phases && given.count("structured.solid-fraction") > 0) {
         problems.add({"is given twice", file + ": structured.solid-fraction", "", "",
                       "Remove it: release.thickness = " + text_of(*thickness) + " tells it"});
     }
@@ -56,17 +51,16 @@ void check_solids(const SceneSpec& scene, const std::set<std::string>& given, co
 void check_structured(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                       Problems& problems) {
     if (!scene.structured.phases) {
-        problems.add({"is missing", file + ": structured.phases", "", "fluid, solids-and-fluid",
-                      "Say what the release is"});
+        problems.add(
+            {"is missing", file + ": structured.phases", "", "fluid, solids-and-fluid", "Say what the release is"});
     }
     if (scene.numerics.cfl > 0.5) {
         problems.add({"is too long a step for material.model = structured", file + ": numerics.cfl",
-                      shortest_text(scene.numerics.cfl), "greater than 0, at most 0.5",
-                      "Choose at most 0.5"});
+                      shortest_text(scene.numerics.cfl), "greater than 0, at most 0.5", "Choose at most 0.5"});
     }
     if (scene.numerics.slope_correction == "surface") {
-        problems.add({"is not a form of material.model = structured", file + ": numerics.slope-correction",
-                      "surface", "auto, none, normal", "Choose normal or none"});
+        problems.add({"is not a form of material.model = structured", file + ": numerics.slope-correction", "surface",
+                      "auto, none, normal", "Choose normal or none"});
     }
     if (has_solids(scene)) check_solids(scene, given, file, problems);
 }
@@ -88,9 +82,8 @@ void check_model(const SceneSpec& scene, const std::set<std::string>& given, con
         // What a preset brought is not the scene's word: the preset itself is refused.
         if (model_reads(scene, name) || scene.origin_of(name) == Origin::preset) continue;
         const bool solids_key = structured && in_section(name, "structured");
-        const std::string reader =
-            solids_key ? "structured.phases = " + scene.structured.phases.value_or("(missing)")
-                       : "material.model = " + scene.material.model;
+        const std::string reader = solids_key ? "structured.phases = " + scene.structured.phases.value_or("(missing)")
+                                              : "material.model = " + scene.material.model;
         problems.add({"is given, but " + reader + " does not read it", file + ": " + name, "", "",
                       solids_key ? "Remove it, or set structured.phases = solids-and-fluid"
                                  : "Remove it, or choose the other model"});
@@ -98,8 +91,8 @@ void check_model(const SceneSpec& scene, const std::set<std::string>& given, con
     if (structured) check_structured(scene, given, file, problems);
     const auto& thickness = scene.release.thickness;
     if (thickness && thickness->kind == ThicknessSpec::Kind::phases && !(structured && has_solids(scene))) {
-        problems.add({"tells solids from fluid, but the scene's material does not",
-                      file + ": release.thickness", text_of(*thickness), "",
+        problems.add({"tells solids from fluid, but the scene's material does not", file + ": release.thickness",
+                      text_of(*thickness), "",
                       "Set structured.phases = solids-and-fluid, or give the sum as raster:FILE"});
     }
 }

@@ -14,8 +14,7 @@ using declare::text;
 
 /// Numbers greater than 0, each greater than the one before; none by default.
 template <class Member>
-Parameter rising_numbers(const std::string& name, Member member, const std::string& unit,
-                         const std::string& meaning) {
+Parameter rising_numbers(const std::string& name, Member member, const std::string& unit, const std::string& meaning) {
     Parameter result = declare::parameter(
         name, "list", member,
         [](std::vector<double>& target, const std::string& value) -> std::optional<Refusal> {
@@ -62,48 +61,40 @@ Parameter scheme_parameter() {
 }  // namespace
 
 void add_extra_output(std::vector<Parameter>& list) {
-    list.push_back(
-        choice("output.names", FRANA_MEMBER(output.names), {"frana", "avaframe"},
-               "avaframe: also peakFiles/ with pressure, thickness normal to the slope and speed under "
-               "AvaFrame's names."));
+    list.push_back(choice("output.names", FRANA_MEMBER(output.names), {"frana", "avaframe"},
+                          "avaframe: also peakFiles/ with pressure, thickness normal to the slope and speed under "
+                          "AvaFrame's names."));
     list.push_back(on_off("output.report", FRANA_MEMBER(output.report),
                           "Write report.html: maps, parameters, inputs, results and warnings in one file."));
     list.push_back(text("output.gauges", FRANA_MEMBER(output.gauges), "file",
                         "Points where depth and speed are recorded over time, in their own CRS.", "none"));
     list.push_back(text("output.cross-sections", FRANA_MEMBER(output.sections), "file",
-                        "Lines through which the discharge is recorded over time, in their own CRS.",
+                        "Lines through which the discharge is recorded over time, in their own CRS.", "none"));
+    list.push_back(number("output.sample-interval", FRANA_MEMBER(output.sample_interval), "s", Range{0, 1e6, true},
+                          "Simulated time between rows of gauges and cross-sections.", "every step"));
+    list.push_back(text("output.profiles", FRANA_MEMBER(output.profiles), "file",
+                        "Lines along which profiles of the results are written, in their own CRS; the flow path's "
+                        "is always written.",
                         "none"));
-    list.push_back(number("output.sample-interval", FRANA_MEMBER(output.sample_interval), "s",
-                          Range{0, 1e6, true}, "Simulated time between rows of gauges and cross-sections.",
-                          "every step"));
-    list.push_back(
-        text("output.profiles", FRANA_MEMBER(output.profiles), "file",
-             "Lines along which profiles of the results are written, in their own CRS; the flow path's "
-             "is always written.",
-             "none"));
 }
 
 void add_hazard(std::vector<Parameter>& list) {
     list.push_back(scheme_parameter());
-    list.push_back(
-        rising_numbers("hazard.depth-limits", FRANA_MEMBER(hazard.depth_limits), "m",
-                       "Scheme custom: greatest depths beyond which the class rises by one each."));
+    list.push_back(rising_numbers("hazard.depth-limits", FRANA_MEMBER(hazard.depth_limits), "m",
+                                  "Scheme custom: greatest depths beyond which the class rises by one each."));
     list.push_back(rising_numbers("hazard.velocity-limits", FRANA_MEMBER(hazard.velocity_limits), "m/s",
                                   "Scheme custom: the same for the greatest speed."));
-    list.push_back(
-        rising_numbers("hazard.flux-limits", FRANA_MEMBER(hazard.flux_limits), "m2/s",
-                       "Scheme custom: the same for the greatest depth times speed at one moment."));
+    list.push_back(rising_numbers("hazard.flux-limits", FRANA_MEMBER(hazard.flux_limits), "m2/s",
+                                  "Scheme custom: the same for the greatest depth times speed at one moment."));
     list.push_back(rising_numbers("hazard.pressure-limits", FRANA_MEMBER(hazard.pressure_limits), "kPa",
                                   "Scheme custom: the same for the greatest dynamic pressure."));
 }
 
 void add_survey(std::vector<Parameter>& list) {
     list.push_back(text("scar.front", FRANA_MEMBER(scar.front), "file",
-                        "Surveyed lines of a front, or points of a deposit's tip, in their own CRS.",
-                        "no comparison"));
+                        "Surveyed lines of a front, or points of a deposit's tip, in their own CRS.", "no comparison"));
     list.push_back(text("scar.deposit", FRANA_MEMBER(scar.deposit), "file",
-                        "Surveyed deposit: polygons, or a raster of elevation after less before.",
-                        "no comparison"));
+                        "Surveyed deposit: polygons, or a raster of elevation after less before.", "no comparison"));
 }
 
 }  // namespace frana

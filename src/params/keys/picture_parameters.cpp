@@ -16,9 +16,8 @@ using declare::word_list;
 
 /// A text that some function must understand.
 template <class Member, class Understood>
-Parameter understood_text(const std::string& name, Member member, const std::string& limits,
-                          const std::string& remedy, const std::string& meaning, Understood understood,
-                          const std::string& absent = {}) {
+Parameter understood_text(const std::string& name, Member member, const std::string& limits, const std::string& remedy,
+                          const std::string& meaning, Understood understood, const std::string& absent = {}) {
     Parameter result = text(name, member, "text", meaning, absent);
     result.limits = limits;
     result.read = [member, remedy, understood](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
@@ -32,11 +31,10 @@ Parameter understood_text(const std::string& name, Member member, const std::str
 }  // namespace
 
 void add_pictures(std::vector<Parameter>& list) {
-    list.push_back(understood_text(
-        "output.map-size", FRANA_MEMBER(output.map_size), k_sizes, "Write for example 1600x1200 or A4@300",
-        "Size of maps, views and charts, in pixels or as a page.", [](const std::string& value) {
-            return size_from_text(value).has_value();
-        }));
+    list.push_back(understood_text("output.map-size", FRANA_MEMBER(output.map_size), k_sizes,
+                                   "Write for example 1600x1200 or A4@300",
+                                   "Size of maps, views and charts, in pixels or as a page.",
+                                   [](const std::string& value) { return size_from_text(value).has_value(); }));
     list.push_back(word_list("output.map-formats", FRANA_MEMBER(output.map_formats), {}, {"png", "pdf", "tif"},
                              "Files of each map: picture, geospatial PDF page, GeoTIFF of what is inside the frame."));
     list.push_back(choice("output.map-legend", FRANA_MEMBER(output.map_legend), {"classed", "continuous"},
@@ -46,8 +44,7 @@ void add_pictures(std::vector<Parameter>& list) {
                         "shaded relief"));
     list.push_back(text("output.map-attribution", FRANA_MEMBER(output.map_attribution), "text",
                         "Sources of the data and author, at the foot of every picture.", "the program alone"));
-    list.push_back(
-        text("output.title", FRANA_MEMBER(output.title), "text", "Title of the maps.", "the scene's name"));
+    list.push_back(text("output.title", FRANA_MEMBER(output.title), "text", "Title of the maps.", "the scene's name"));
     list.push_back(number("output.view-exaggeration", FRANA_MEMBER(output.view_exaggeration), "", Range{0.1, 20},
                           "Factor of heights in 3-D views."));
     list.push_back(choice("output.view-background", FRANA_MEMBER(output.view_background), {"sky", "plain"},
@@ -55,8 +52,7 @@ void add_pictures(std::vector<Parameter>& list) {
     list.push_back(understood_text(
         "output.view-camera", FRANA_MEMBER(output.view_camera), k_cameras, "Write for example 210, 30, 1.5",
         "Camera of 3-D views: direction of looking [degrees from grid north], angle downwards [degrees], zoom.",
-        [](const std::string& value) { return camera_from_text(value).has_value(); },
-        "found from the flow's path"));
+        [](const std::string& value) { return camera_from_text(value).has_value(); }, "found from the flow's path"));
     list.push_back(on_off("output.charts", FRANA_MEMBER(output.charts),
                           "Draw charts, unless maps are off: profiles, series over time, scores over the threshold."));
 }

@@ -23,10 +23,10 @@ class Table {
         command_ = command;
         when(sentence, nullptr);
     }
-    ResultRaster& add(const char* name, Kind kind, const char* title, const char* description,
-                      const char* unit, const char* palette, bool progressive) {
-        return rows.emplace_back(ResultRaster{name, kind, title, description, unit, palette, progressive,
-                                              command_, when_, can_come_});
+    ResultRaster& add(const char* name, Kind kind, const char* title, const char* description, const char* unit,
+                      const char* palette, bool progressive) {
+        return rows.emplace_back(
+            ResultRaster{name, kind, title, description, unit, palette, progressive, command_, when_, can_come_});
     }
     ResultRaster& flow(const char* name, const char* title, const char* description, const char* unit,
                        const char* palette, bool progressive) {
@@ -42,54 +42,48 @@ class Table {
 
 std::vector<ResultRaster> make_table() {
     Table table;
-    ResultRaster& depth = table.flow("max_depth", "Maximum depth", "Maximum flow depth over time, vertical",
-                                     "m", "depth", k_progressive);
+    ResultRaster& depth =
+        table.flow("max_depth", "Maximum depth", "Maximum flow depth over time, vertical", "m", "depth", k_progressive);
     depth.is_surface = depth.has_view = true;
     table
-        .flow("max_velocity", "Maximum velocity", "Maximum flow speed over time, along the bed", "m/s",
-              "velocity", k_even)
+        .flow("max_velocity", "Maximum velocity", "Maximum flow speed over time, along the bed", "m/s", "velocity",
+              k_even)
         .has_view = true;
     table.flow("final_depth", "Final depth", "Flow depth at the end, vertical", "m", "depth", k_progressive)
         .is_surface = true;
     table.flow("arrival_time", "Arrival time", "Time at which the flow first arrived", "s", "time", k_even);
-    table.flow("max_pressure", "Maximum dynamic pressure", "Maximum over time of density times speed squared",
-               "kPa", "velocity", k_progressive);
-    table
-        .add("release", Kind::given, "Thickness released", "Thickness released, vertical", "m", "depth",
-             k_progressive)
+    table.flow("max_pressure", "Maximum dynamic pressure", "Maximum over time of density times speed squared", "kPa",
+               "velocity", k_progressive);
+    table.add("release", Kind::given, "Thickness released", "Thickness released, vertical", "m", "depth", k_progressive)
         .is_surface = true;
     table.add("dtm", Kind::given, "Terrain", "Terrain on the working grid", "m", "", k_even);
     table.add("bed", Kind::given, "Bed", "Bed that was slid over", "m", "", k_even);
 
-    table.when("with `[hazard] scheme`",
-               [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
+    table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table.add("hazard", Kind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
     table.when("with a hazard scheme that looks at it",
                [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table
-        .flow("max_flux", "Maximum flux", "Maximum over time of depth times speed at one moment", "m2/s",
-              "velocity", k_progressive)
+        .flow("max_flux", "Maximum flux", "Maximum over time of depth times speed at one moment", "m2/s", "velocity",
+              k_progressive)
         .if_it_happens = true;
     table
-        .flow("max_head", "Maximum energy head", "Maximum over time of depth plus v2/2g at one moment", "m",
-              "velocity", k_progressive)
+        .flow("max_head", "Maximum energy head", "Maximum over time of depth plus v2/2g at one moment", "m", "velocity",
+              k_progressive)
         .if_it_happens = true;
 
     table.when("with `[entrainment]`", [](const SceneSpec& scene) {
         return scene.entrainment.erosion != "off" || scene.entrainment.deposition;
     });
-    table.flow("eroded_depth", "Eroded depth", "Depth eroded from the bed, vertical", "m", "depth",
-               k_progressive);
+    table.flow("eroded_depth", "Eroded depth", "Depth eroded from the bed, vertical", "m", "depth", k_progressive);
     table.flow("deposited_depth", "Deposited depth", "Depth deposited on the bed, vertical", "m", "depth",
                k_progressive);
 
-    table.when("where material flew over an edge", [](const SceneSpec& scene) {
-        return scene.material.model != "structured" && flight(scene.numerics);
-    });
+    table.when("where material flew over an edge",
+               [](const SceneSpec& scene) { return scene.material.model != "structured" && flight(scene.numerics); });
     table
-        .flow("jump_height", "Height of jumps",
-              "Greatest height above the ground at which material flew over the cell", "m", "depth",
-              k_progressive)
+        .flow("jump_height", "Height of jumps", "Greatest height above the ground at which material flew over the cell",
+              "m", "depth", k_progressive)
         .if_it_happens = true;
 
     const char* const structured = "with the structured model";
@@ -98,36 +92,32 @@ std::vector<ResultRaster> make_table() {
                            const char* palette, bool progressive) {
         table.flow(name, title, description, unit, palette, progressive).in_frames = true;
     };
-    phase("fluid_velocity", "Velocity of the fluid", "Speed of the free fluid, along the bed", "m/s",
-          "velocity", k_even);
-    table.when(structured,
-               [](const SceneSpec& scene) { return scene.structured.phases == "solids-and-fluid"; });
-    phase("fluid_depth", "Depth of free fluid", "Depth of the free fluid, vertical", "m", "depth",
-          k_progressive);
+    phase("fluid_velocity", "Velocity of the fluid", "Speed of the free fluid, along the bed", "m/s", "velocity",
+          k_even);
+    table.when(structured, [](const SceneSpec& scene) { return scene.structured.phases == "solids-and-fluid"; });
+    phase("fluid_depth", "Depth of free fluid", "Depth of the free fluid, vertical", "m", "depth", k_progressive);
     phase("solid_depth", "Depth of solids", "Depth of solids without their fluid, vertical", "m", "depth",
           k_progressive);
-    phase("solid_fraction", "Solid fraction", "Share of solids in everything that lies in the cell", "-",
-          "depth", k_even);
-    phase("cohesion_ratio", "Cohesion left", "Cohesion over initial cohesion, mean of the solids", "-",
-          "depth", k_even);
-    phase("strain", "Strain", "Greatest strain in the plane since the start, mean of the solids", "-",
-          "depth", k_progressive);
-    phase("solid_velocity", "Velocity of the solids", "Speed of solids and confined fluid, along the bed",
-          "m/s", "velocity", k_even);
-    phase("released_water", "Released fluid", "Confined fluid that the structure has set free here", "m",
-          "depth", k_progressive);
+    phase("solid_fraction", "Solid fraction", "Share of solids in everything that lies in the cell", "-", "depth",
+          k_even);
+    phase("cohesion_ratio", "Cohesion left", "Cohesion over initial cohesion, mean of the solids", "-", "depth",
+          k_even);
+    phase("strain", "Strain", "Greatest strain in the plane since the start, mean of the solids", "-", "depth",
+          k_progressive);
+    phase("solid_velocity", "Velocity of the solids", "Speed of solids and confined fluid, along the bed", "m/s",
+          "velocity", k_even);
+    phase("released_water", "Released fluid", "Confined fluid that the structure has set free here", "m", "depth",
+          k_progressive);
 
     table.by("compare", "with a surveyed outline");
     table.add("comparison", Kind::classes, "Comparison with the survey",
               "Simulated trace against the surveyed scar: 1 hit, 2 false alarm, 3 miss", "", "depth", k_even);
 
     table.by("run", "with `output.frames = on`");
-    table
-        .add("depth", Kind::frame, "Flow depth", "Flow depth at one instant, vertical", "m", "depth",
-             k_progressive)
+    table.add("depth", Kind::frame, "Flow depth", "Flow depth at one instant, vertical", "m", "depth", k_progressive)
         .is_surface = true;
-    table.add("velocity", Kind::frame, "Flow velocity", "Flow speed at one instant, along the bed", "m/s",
-              "velocity", k_even);
+    table.add("velocity", Kind::frame, "Flow velocity", "Flow speed at one instant, along the bed", "m/s", "velocity",
+              k_even);
     table.by("converge", "after `frana converge`");
     table.add("uncertainty", Kind::flow, "Estimated error of the maximum depth",
               "Estimated discretisation error of the maximum depth", "m", "velocity", k_progressive);
@@ -143,8 +133,7 @@ const std::vector<ResultRaster>& result_rasters() {
 
 const ResultRaster* find_result_raster(const std::string& name) {
     const std::vector<ResultRaster>& all = result_rasters();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const ResultRaster& one) { return one.name == name; });
+    const auto found = std::find_if(all.begin(), all.end(), [&](const ResultRaster& one) { return one.name == name; });
     return found == all.end() ? nullptr : &*found;
 }
 

@@ -27,8 +27,7 @@ Parameter particles_per_cell_parameter() {
             const auto count = integer_from_text(value);
             if (!count) return Refusal{"is not a whole number", ""};
             if (*count != 1 && *count != 4 && *count != 9 && *count != 16)
-                return Refusal{"is not a square number from 1 to 16",
-                               "4 is a good choice, 9 where fronts matter"};
+                return Refusal{"is not a square number from 1 to 16", "4 is a good choice, 9 where fronts matter"};
             target = *count;
             return std::nullopt;
         },
@@ -43,65 +42,62 @@ void add_numerics(std::vector<Parameter>& list) {
                           "Set of numerical parts: frana's own, or the method as published."));
     list.push_back(choice("numerics.shape", FRANA_MEMBER(numerics.shape), {"auto", "bilinear", "quadratic"},
                           "Shape functions; auto: the scheme's (default: quadratic, paper: bilinear)."));
-    list.push_back(
-        choice("numerics.transfer", FRANA_MEMBER(numerics.transfer), {"auto", "pic", "flip", "apic"},
-               "How velocities return to the particles; auto: the scheme's (default: apic, paper: pic)."));
+    list.push_back(choice("numerics.transfer", FRANA_MEMBER(numerics.transfer), {"auto", "pic", "flip", "apic"},
+                          "How velocities return to the particles; auto: the scheme's (default: apic, paper: pic)."));
     list.push_back(particles_per_cell_parameter());
     list.push_back(number("numerics.cfl", FRANA_MEMBER(numerics.cfl), "", Range{0, 1, true},
                           "Share of the largest stable time step."));
     list.push_back(on_off("numerics.well-balanced", FRANA_MEMBER(numerics.well_balanced),
                           "Keep still water still by a still level per node (default scheme).",
                           "on for scheme default, off for paper"));
-    list.push_back(
-        choice("numerics.slope-correction", FRANA_MEMBER(numerics.slope_correction),
-               {"auto", "none", "normal", "surface"},
-               "Form of the equations on steep ground; auto: normal for scheme default, none for paper."));
+    list.push_back(choice("numerics.slope-correction", FRANA_MEMBER(numerics.slope_correction),
+                          {"auto", "none", "normal", "surface"},
+                          "Form of the equations on steep ground; auto: normal for scheme default, none for paper."));
     list.push_back(
         on_off("numerics.curvature", FRANA_MEMBER(numerics.curvature),
                "Motion along a curved bed: speed along the bed kept where its slope changes, more friction in hollows, "
                "less over edges; off: speed in map view kept. Needs a slope correction.",
                "on where there is a slope correction"));
+    list.push_back(on_off(
+        "numerics.flight", FRANA_MEMBER(numerics.flight),
+        "Where the bed falls away faster than a free fall, material flies, without friction or pressure, and loses "
+        "on landing the velocity normal to the bed; off: it keeps to its bed. Needs curvature, scheme default and "
+        "transfer apic.",
+        "on where there is curvature, with scheme default and transfer apic"));
     list.push_back(
-        on_off("numerics.flight", FRANA_MEMBER(numerics.flight),
-               "Where the bed falls away faster than a free fall, material flies, without friction or pressure, and loses "
-               "on landing the velocity normal to the bed; off: it keeps to its bed. Needs curvature, scheme default and "
-               "transfer apic.",
-               "on where there is curvature, with scheme default and transfer apic"));
-    list.push_back(number("numerics.flight-slope", FRANA_MEMBER(numerics.flight_slope), "degrees", Range{0, 89},
-                          "Least fall of an edge that throws material off, in the direction of motion; 0: any bump does."));
+        number("numerics.flight-slope", FRANA_MEMBER(numerics.flight_slope), "degrees", Range{0, 89},
+               "Least fall of an edge that throws material off, in the direction of motion; 0: any bump does."));
     list.push_back(choice("numerics.boundary", FRANA_MEMBER(numerics.boundary), {"open", "wall"},
                           "Edge of the working grid: material leaves and is counted, or is held."));
     list.push_back(number("numerics.gravity", FRANA_MEMBER(numerics.gravity), "m/s2", Range{0.1, 100},
                           "Acceleration of gravity."));
-    list.push_back(number("numerics.minimum-depth", FRANA_MEMBER(numerics.minimum_depth), "m",
-                          Range{1e-6, 10},
+    list.push_back(number("numerics.minimum-depth", FRANA_MEMBER(numerics.minimum_depth), "m", Range{1e-6, 10},
                           "Depth from which a cell counts as reached in maxima and arrival time."));
     list.push_back(choice("numerics.precision", FRANA_MEMBER(numerics.precision), {"double"},
                           "Arithmetic of the engine.", {"single"}));
 }
 
 void add_rest(std::vector<Parameter>& list) {
+    list.push_back(number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Simulated time at most."));
     list.push_back(
-        number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Simulated time at most."));
-    list.push_back(on_off("time.stop-when-still", FRANA_MEMBER(time.stop_when_still),
-                          "End as soon as nothing moves any more."));
-    list.push_back(
-        number("time.stop-energy-share", FRANA_MEMBER(time.stop_energy_share), "", Range{0, 0.5},
-               "End once kinetic energy is under this share of its peak; 0: never for this reason."));
-    list.push_back(
-        number("time.stop-moving-share", FRANA_MEMBER(time.stop_moving_share), "", Range{0, 0.5},
-               "End once the moving volume is under this share of its peak; 0: never for this reason."));
+        on_off("time.stop-when-still", FRANA_MEMBER(time.stop_when_still), "End as soon as nothing moves any more."));
+    list.push_back(number("time.stop-energy-share", FRANA_MEMBER(time.stop_energy_share), "", Range{0, 0.5},
+                          "End once kinetic energy is under this share of its peak; 0: never for this reason."));
+    list.push_back(number("time.stop-moving-share", FRANA_MEMBER(time.stop_moving_share), "", Range{0, 0.5},
+                          "End once the moving volume is under this share of its peak; 0: never for this reason."));
     list.push_back(number("time.moving-speed", FRANA_MEMBER(time.moving_speed), "m/s", Range{0, 10, true},
                           "Speed from which volume counts as moving."));
-    list.push_back(number("time.stop-change", FRANA_MEMBER(time.stop_change), "", Range{0, 0.5},
-                          "End once run-out (or by a cell) and area over output.trace-threshold have changed by no more "
-                          "than this share over time.stop-window, and no more than four times this share of the volume "
-                          "lies in other cells; 0: never for this reason."));
+    list.push_back(
+        number("time.stop-change", FRANA_MEMBER(time.stop_change), "", Range{0, 0.5},
+               "End once run-out (or by a cell) and area over output.trace-threshold have changed by no more "
+               "than this share over time.stop-window, and no more than four times this share of the volume "
+               "lies in other cells; 0: never for this reason."));
     list.push_back(number("time.stop-window", FRANA_MEMBER(time.stop_window), "", Range{0.05, 1},
                           "Window of time.stop-change: share of the time since the last release or inflow, at least "
                           "10 s."));
     list.push_back(number("time.frame-interval", FRANA_MEMBER(time.frame_interval), "s", Range{0, 1e6, true},
-                          "Simulated time between frames; each is the first state at or after its time.", "a round number, at most sixty-one frames"));
+                          "Simulated time between frames; each is the first state at or after its time.",
+                          "a round number, at most sixty-one frames"));
 
     list.push_back(text("output.directory", FRANA_MEMBER(output.directory), "file",
                         "Result directory; --out overrides it.",
@@ -119,16 +115,14 @@ void add_rest(std::vector<Parameter>& list) {
     list.push_back(number("output.checkpoint-interval", FRANA_MEMBER(output.checkpoint_interval), "s", Range{0, 1e6},
                           "Wall time between checkpoints, from which --resume goes on; 0: only at the run's last "
                           "step."));
-    list.push_back(number("output.trace-threshold", FRANA_MEMBER(output.trace_threshold), "m",
-                          Range{1e-6, 100},
+    list.push_back(number("output.trace-threshold", FRANA_MEMBER(output.trace_threshold), "m", Range{1e-6, 100},
                           "Depth that counts as touched in the outlines, the covered area and the run-out."));
     add_pictures(list);
     add_extra_output(list);
     add_hazard(list);
 
     list.push_back(text("scar.perimeter", FRANA_MEMBER(scar.perimeter), "file",
-                        "Surveyed outline to compare with: any polygon layer, in its own CRS.",
-                        "no comparison"));
+                        "Surveyed outline to compare with: any polygon layer, in its own CRS.", "no comparison"));
     add_survey(list);
     list.push_back(number("scar.threshold", FRANA_MEMBER(scar.threshold), "m", Range{1e-6, 100},
                           "Depth that counts as touched in the comparison.", "output.trace-threshold"));

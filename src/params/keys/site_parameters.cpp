@@ -37,8 +37,8 @@ Parameter bounds_parameter() {
     result.write = [](const SceneSpec& scene) -> std::optional<std::string> {
         if (!scene.terrain.bounds) return std::nullopt;
         const Bounds& box = *scene.terrain.bounds;
-        return shortest_text(box.west) + " " + shortest_text(box.south) + " " + shortest_text(box.east) +
-               " " + shortest_text(box.north);
+        return shortest_text(box.west) + " " + shortest_text(box.south) + " " + shortest_text(box.east) + " " +
+               shortest_text(box.north);
     };
     result.reset = [](SceneSpec& scene) { scene.terrain.bounds.reset(); };
     return result;
@@ -86,38 +86,33 @@ Parameter zone(const std::string& key, Member member, const std::string& unit, R
 
 void add_terrain(std::vector<Parameter>& list) {
     list.push_back(text("terrain.dtm", FRANA_MEMBER(terrain.dtm), "file",
-                        "Digital terrain model: any raster GDAL reads, elevations in its first band.",
-                        "required"));
-    list.push_back(
-        text("terrain.crs", FRANA_MEMBER(terrain.crs), "text",
-             "Working CRS, projected, in metres (EPSG:32632, WKT, PROJ); auto: the DTM's own if it is one, "
-             "else the UTM zone it lies in; local: plain metres without a CRS."));
+                        "Digital terrain model: any raster GDAL reads, elevations in its first band.", "required"));
+    list.push_back(text("terrain.crs", FRANA_MEMBER(terrain.crs), "text",
+                        "Working CRS, projected, in metres (EPSG:32632, WKT, PROJ); auto: the DTM's own if it is one, "
+                        "else the UTM zone it lies in; local: plain metres without a CRS."));
     list.push_back(text("terrain.dtm-crs", FRANA_MEMBER(terrain.dtm_crs), "text",
                         "CRS of the DTM where its file names none or a wrong one.", "the file's own"));
     list.push_back(number("terrain.cell-size", FRANA_MEMBER(terrain.cell_size), "m", Range{0.01, 1000},
                           "Side of the working grid's cells.", "the DTM's own"));
     list.push_back(bounds_parameter());
-    list.push_back(
-        choice("terrain.nodata-policy", FRANA_MEMBER(terrain.nodata_policy), {"stop", "wall", "fill"},
-               "Flow that reaches ground without elevation: end the run, meet a wall, or cross a bed "
-               "interpolated there beforehand."));
-    list.push_back(
-        choice("terrain.vertical-unit", FRANA_MEMBER(terrain.vertical_unit),
-               {"auto", "metre", "foot", "us-survey-foot"},
-               "Unit of the DTM's elevations; auto: as the file says, metres where it says nothing."));
-    list.push_back(
-        choice("terrain.resampling", FRANA_MEMBER(terrain.resampling),
-               {"automatic", "nearest", "bilinear", "cubic", "average"},
-               "How the DTM comes onto the working grid; automatic: copied where the cells coincide, "
-               "averaged to coarser cells, bilinear to finer ones."));
+    list.push_back(choice("terrain.nodata-policy", FRANA_MEMBER(terrain.nodata_policy), {"stop", "wall", "fill"},
+                          "Flow that reaches ground without elevation: end the run, meet a wall, or cross a bed "
+                          "interpolated there beforehand."));
+    list.push_back(choice("terrain.vertical-unit", FRANA_MEMBER(terrain.vertical_unit),
+                          {"auto", "metre", "foot", "us-survey-foot"},
+                          "Unit of the DTM's elevations; auto: as the file says, metres where it says nothing."));
+    list.push_back(choice("terrain.resampling", FRANA_MEMBER(terrain.resampling),
+                          {"automatic", "nearest", "bilinear", "cubic", "average"},
+                          "How the DTM comes onto the working grid; automatic: copied where the cells coincide, "
+                          "averaged to coarser cells, bilinear to finer ones."));
     list.push_back(text("terrain.friction-zones", FRANA_MEMBER(terrain.friction_zones), "file",
                         "Polygons with material values of their own, in their own CRS; [zones] names the columns.",
                         "none"));
     list.push_back(text("terrain.obstacles", FRANA_MEMBER(terrain.obstacles), "file",
                         "Polygons of dams, fills and embankments that raise the bed, in their own CRS.", "none"));
-    list.push_back(source("terrain.obstacle-height", FRANA_MEMBER(terrain.obstacle_height), "m",
-                          Range{0, 1000, true}, {Kind::number, Kind::attribute},
-                          "Height of the obstacles above the DTM.", "required with terrain.obstacles"));
+    list.push_back(source("terrain.obstacle-height", FRANA_MEMBER(terrain.obstacle_height), "m", Range{0, 1000, true},
+                          {Kind::number, Kind::attribute}, "Height of the obstacles above the DTM.",
+                          "required with terrain.obstacles"));
     list.push_back(text("terrain.walls", FRANA_MEMBER(terrain.walls), "file",
                         "Polygons of buildings and walls that no flow overtops, in their own CRS.", "none"));
 }
@@ -132,10 +127,9 @@ void add_release(std::vector<Parameter>& list) {
                           {"vertical", "normal"},
                           "Direction in which the thickness was measured: plumb, or normal to "
                           "the slope."));
-    list.push_back(
-        on_off("release.dtm-contains-release", FRANA_MEMBER(release.dtm_contains_release),
-               "on: the DTM is the ground before the failure and the bed lies under the release; off: the "
-               "release lies on top of the DTM."));
+    list.push_back(on_off("release.dtm-contains-release", FRANA_MEMBER(release.dtm_contains_release),
+                          "on: the DTM is the ground before the failure and the bed lies under the release; off: the "
+                          "release lies on top of the DTM."));
     list.push_back(source("release.volume", FRANA_MEMBER(release.volume), "m3", Range{0, 1e12, true},
                           {Kind::number, Kind::attribute},
                           "Volume to match: thicknesses are scaled until the whole release, or each polygon of its "
@@ -146,16 +140,14 @@ void add_release(std::vector<Parameter>& list) {
     list.push_back(source("release.velocity", FRANA_MEMBER(release.velocity), "m/s", Range{0, 200},
                           {Kind::number, Kind::attribute}, "Speed along the bed at the start.", "0"));
     list.push_back(source("release.direction", FRANA_MEMBER(release.direction), "degrees", Range{0, 360},
-                          {Kind::number, Kind::attribute},
-                          "Azimuth of that velocity, clockwise from grid north.",
+                          {Kind::number, Kind::attribute}, "Azimuth of that velocity, clockwise from grid north.",
                           "down the mean slope of each polygon"));
     list.push_back(source("release.slip-depth", FRANA_MEMBER(release.slip_depth), "m", Range{0, 1000, true},
                           {Kind::number, Kind::attribute},
                           "Greatest depth of a fitted slip surface under the surface that spans the perimeter; this "
                           "or release.volume.",
                           "from release.volume"));
-    list.push_back(choice("release.slip-shape", FRANA_MEMBER(release.slip_shape),
-                          {"auto", "ellipsoid", "base-level"},
+    list.push_back(choice("release.slip-shape", FRANA_MEMBER(release.slip_shape), {"auto", "ellipsoid", "base-level"},
                           "Form of a fitted slip surface; auto: ellipsoid, where a polygon cannot be seen whole from "
                           "its centroid the sloping local base level."));
 }

@@ -21,21 +21,19 @@ Parameter by_place(const std::string& name, Member member, const std::string& un
 }
 
 void add_fluid(std::vector<Parameter>& list) {
-    list.push_back(number("structured.fluid-density", FRANA_MEMBER(structured.fluid_density), "kg/m3",
-                          Range{500, 2500}, "Density of the fluid."));
-    list.push_back(number("structured.fluid-viscosity", FRANA_MEMBER(structured.fluid_viscosity), "Pa s",
-                          Range{0, 1e4},
+    list.push_back(number("structured.fluid-density", FRANA_MEMBER(structured.fluid_density), "kg/m3", Range{500, 2500},
+                          "Density of the fluid."));
+    list.push_back(number("structured.fluid-viscosity", FRANA_MEMBER(structured.fluid_viscosity), "Pa s", Range{0, 1e4},
                           "Dynamic viscosity of the fluid: shear in the plane and at the bed; 0: none."));
-    list.push_back(number("structured.velocity-shape", FRANA_MEMBER(structured.velocity_shape), "",
-                          Range{0, 10},
+    list.push_back(number("structured.velocity-shape", FRANA_MEMBER(structured.velocity_shape), "", Range{0, 10},
                           "Shape of the velocity over depth, chi, in the viscous shear at the bed."));
     list.push_back(number("structured.manning", FRANA_MEMBER(structured.manning), "s/m^(1/3)", Range{0, 1},
                           "Manning's n of the ground under free fluid; 0: smooth."));
     list.push_back(choice("structured.manning-depth", FRANA_MEMBER(structured.manning_depth), {"free", "total"},
                           "The depth that Manning's law reads where there are solids: the free fluid's, or "
                           "that of everything."));
-    list.push_back(by_place("structured.initial-fluid-depth", FRANA_MEMBER(structured.initial_fluid_depth),
-                            "m", Range{0, 1000},
+    list.push_back(by_place("structured.initial-fluid-depth", FRANA_MEMBER(structured.initial_fluid_depth), "m",
+                            Range{0, 1000},
                             "Depth of free fluid that lies on the ground or on the solids at the start, "
                             "besides what is released.",
                             "none"));
@@ -44,47 +42,40 @@ void add_fluid(std::vector<Parameter>& list) {
 }
 
 void add_solids(std::vector<Parameter>& list) {
-    list.push_back(by_place("structured.solid-fraction", FRANA_MEMBER(structured.solid_fraction), "",
-                            Range{0, 1, true}, "Share of solids in the volume released; the rest is fluid."));
-    list.push_back(
-        by_place("structured.confined-share", FRANA_MEMBER(structured.confined_share), "", Range{0, 1},
-                 "Share of that fluid which the structure confines; the rest is free from the start."));
+    list.push_back(by_place("structured.solid-fraction", FRANA_MEMBER(structured.solid_fraction), "", Range{0, 1, true},
+                            "Share of solids in the volume released; the rest is fluid."));
+    list.push_back(by_place("structured.confined-share", FRANA_MEMBER(structured.confined_share), "", Range{0, 1},
+                            "Share of that fluid which the structure confines; the rest is free from the start."));
     list.push_back(by_place("structured.grain-density", FRANA_MEMBER(structured.grain_density), "kg/m3",
                             Range{1000, 5000}, "Density of the solids' grains."));
-    list.push_back(by_place("structured.grain-diameter", FRANA_MEMBER(structured.grain_diameter), "m",
-                            Range{1e-6, 1}, "Diameter of the grains, for the drag."));
+    list.push_back(by_place("structured.grain-diameter", FRANA_MEMBER(structured.grain_diameter), "m", Range{1e-6, 1},
+                            "Diameter of the grains, for the drag."));
     list.push_back(by_place("structured.cohesion", FRANA_MEMBER(structured.cohesion), "Pa", Range{0, 1e12},
-                            "Cohesion of the whole material; 0: loose from the start.",
-                            "required with solids"));
-    list.push_back(by_place("structured.internal-friction-angle",
-                            FRANA_MEMBER(structured.internal_friction_angle), "degrees", Range{0, 60, true},
-                            "Internal friction angle.", "required with solids"));
-    list.push_back(by_place("structured.bed-friction-angle", FRANA_MEMBER(structured.bed_friction_angle),
-                            "degrees", Range{0, 60}, "Friction angle at the bed.",
-                            "the internal friction angle"));
+                            "Cohesion of the whole material; 0: loose from the start.", "required with solids"));
+    list.push_back(by_place("structured.internal-friction-angle", FRANA_MEMBER(structured.internal_friction_angle),
+                            "degrees", Range{0, 60, true}, "Internal friction angle.", "required with solids"));
+    list.push_back(by_place("structured.bed-friction-angle", FRANA_MEMBER(structured.bed_friction_angle), "degrees",
+                            Range{0, 60}, "Friction angle at the bed.", "the internal friction angle"));
     list.push_back(text("structured.zones", FRANA_MEMBER(structured.zones), "file",
                         "Polygons, in their own CRS, whose columns attribute:NAME of this section takes.",
                         "the release's perimeter"));
-    list.push_back(
-        choice("structured.placement", FRANA_MEMBER(structured.placement), {"lattice", "r2"},
-               "Where particles stand at the start: on a square lattice, or in each cell as many as its "
-               "depth calls for along the R2 sequence."));
+    list.push_back(choice("structured.placement", FRANA_MEMBER(structured.placement), {"lattice", "r2"},
+                          "Where particles stand at the start: on a square lattice, or in each cell as many as its "
+                          "depth calls for along the R2 sequence."));
     list.push_back(number("structured.dilatancy-angle", FRANA_MEMBER(structured.dilatancy_angle), "degrees",
-                          Range{0, 5}, "Dilatancy angle of plastic flow; with more, a column pressed from its sides would "
+                          Range{0, 5},
+                          "Dilatancy angle of plastic flow; with more, a column pressed from its sides would "
                           "widen without end."));
-    list.push_back(number("structured.young-modulus", FRANA_MEMBER(structured.young_modulus), "Pa",
-                          Range{1e3, 1e13}, "Young's modulus E; under 9 times the bulk modulus."));
-    list.push_back(number("structured.bulk-modulus", FRANA_MEMBER(structured.bulk_modulus), "Pa",
-                          Range{1e3, 1e13}, "Bulk modulus K. Stiffer material takes more substeps."));
-    list.push_back(number("structured.critical-strain", FRANA_MEMBER(structured.critical_strain), "",
-                          Range{1e-6, 10},
+    list.push_back(number("structured.young-modulus", FRANA_MEMBER(structured.young_modulus), "Pa", Range{1e3, 1e13},
+                          "Young's modulus E; under 9 times the bulk modulus."));
+    list.push_back(number("structured.bulk-modulus", FRANA_MEMBER(structured.bulk_modulus), "Pa", Range{1e3, 1e13},
+                          "Bulk modulus K. Stiffer material takes more substeps."));
+    list.push_back(number("structured.critical-strain", FRANA_MEMBER(structured.critical_strain), "", Range{1e-6, 10},
                           "Strain of yielding material at which half of the cohesion is lost."));
-    list.push_back(choice("structured.damage", FRANA_MEMBER(structured.damage),
-                          {"equivalent-plastic", "volumetric"},
+    list.push_back(choice("structured.damage", FRANA_MEMBER(structured.damage), {"equivalent-plastic", "volumetric"},
                           "What counts as that strain: distortion, or opening alone."));
-    list.push_back(number("structured.initial-structured-share",
-                          FRANA_MEMBER(structured.initial_structured_share), "", Range{0, 1},
-                          "Share of the solids that is structured in whole material."));
+    list.push_back(number("structured.initial-structured-share", FRANA_MEMBER(structured.initial_structured_share), "",
+                          Range{0, 1}, "Share of the solids that is structured in whole material."));
     list.push_back(choice("structured.yield-check", FRANA_MEMBER(structured.yield_check), {"total", "particle"},
                           "The stress that the strength is compared with: with the overburden, whose vertical "
                           "part stays as the weight gives it, or the strained material's own alone."));
@@ -92,18 +83,16 @@ void add_solids(std::vector<Parameter>& list) {
                           {"earth-pressure", "elastic"},
                           "Stress of material without cohesion: its earth pressure, or elastic and frictional "
                           "as while it is whole."));
-    list.push_back(
-        choice("structured.earth-pressure", FRANA_MEMBER(structured.earth_pressure),
-               {"hydrostatic", "active", "active-passive"},
-               "Lateral thrust of broken material: as a fluid's, Rankine's active one, or passive where it "
-               "is pushed together. Whole material has Bell's active one."));
+    list.push_back(choice("structured.earth-pressure", FRANA_MEMBER(structured.earth_pressure),
+                          {"hydrostatic", "active", "active-passive"},
+                          "Lateral thrust of broken material: as a fluid's, Rankine's active one, or passive where it "
+                          "is pushed together. Whole material has Bell's active one."));
     list.push_back(number("structured.pore-pressure-share", FRANA_MEMBER(structured.pore_pressure_share), "",
                           Range{0, 1}, "Share of the confined fluid's pressure that reaches the bed, B."));
-    list.push_back(number("structured.artificial-viscosity-linear", FRANA_MEMBER(structured.linear_viscosity),
-                          "", Range{0, 10}, "Linear artificial viscosity between particles."));
-    list.push_back(number("structured.artificial-viscosity-quadratic",
-                          FRANA_MEMBER(structured.quadratic_viscosity), "", Range{0, 10},
-                          "Quadratic artificial viscosity between particles."));
+    list.push_back(number("structured.artificial-viscosity-linear", FRANA_MEMBER(structured.linear_viscosity), "",
+                          Range{0, 10}, "Linear artificial viscosity between particles."));
+    list.push_back(number("structured.artificial-viscosity-quadratic", FRANA_MEMBER(structured.quadratic_viscosity), "",
+                          Range{0, 10}, "Quadratic artificial viscosity between particles."));
     list.push_back(number("structured.artificial-sound-speed", FRANA_MEMBER(structured.sound_speed), "m/s",
                           Range{0, 1e5, true}, "Speed of sound in the artificial viscosity.",
                           "that of the elastic waves"));
@@ -112,13 +101,13 @@ void add_solids(std::vector<Parameter>& list) {
                           "much longer."));
     list.push_back(number("structured.pic-share", FRANA_MEMBER(structured.pic_share), "", Range{0, 1},
                           "Share of the cells' velocity that solids take over in a step."));
-    list.push_back(number("structured.artificial-stress", FRANA_MEMBER(structured.artificial_stress), "",
-                          Range{0, 1}, "Strength of the stress against clumping in tension."));
+    list.push_back(number("structured.artificial-stress", FRANA_MEMBER(structured.artificial_stress), "", Range{0, 1},
+                          "Strength of the stress against clumping in tension."));
 }
 
 void add_coupling(std::vector<Parameter>& list) {
-    Parameter exponent = number("structured.drag-exponent", FRANA_MEMBER(structured.drag_exponent), "",
-                                Range{1, 2}, "Drag linear (1) or quadratic (2) in the relative velocity.");
+    Parameter exponent = number("structured.drag-exponent", FRANA_MEMBER(structured.drag_exponent), "", Range{1, 2},
+                                "Drag linear (1) or quadratic (2) in the relative velocity.");
     exponent.limits = "1, 2";
     exponent.read = [](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
         if (value != "1" && value != "2") return Refusal{"is neither 1 nor 2", ""};
@@ -126,11 +115,10 @@ void add_coupling(std::vector<Parameter>& list) {
         return std::nullopt;
     };
     list.push_back(exponent);
-    list.push_back(number("structured.richardson-zaki", FRANA_MEMBER(structured.richardson_zaki), "",
-                          Range{1, 5}, "Richardson and Zaki's exponent M of hindered settling."));
+    list.push_back(number("structured.richardson-zaki", FRANA_MEMBER(structured.richardson_zaki), "", Range{1, 5},
+                          "Richardson and Zaki's exponent M of hindered settling."));
     list.push_back(choice("structured.richardson-zaki-law", FRANA_MEMBER(structured.richardson_zaki_law),
-                          {"constant", "by-grains"},
-                          "That exponent as given, or from the grains' Reynolds number."));
+                          {"constant", "by-grains"}, "That exponent as given, or from the grains' Reynolds number."));
     list.push_back(number("structured.smoothing-velocity", FRANA_MEMBER(structured.smoothing_velocity), "m/s",
                           Range{0, 1000}, "K of the drag's smoothing term; 0: the mixture's flux."));
     list.push_back(choice("structured.drag-mixing", FRANA_MEMBER(structured.drag_mixing),
@@ -139,14 +127,12 @@ void add_coupling(std::vector<Parameter>& list) {
                           "solids' fraction."));
     list.push_back(number("structured.drag-mixing-exponent", FRANA_MEMBER(structured.drag_mixing_exponent), "",
                           Range{0, 10}, "Exponent of that share."));
-    list.push_back(number("structured.block-size", FRANA_MEMBER(structured.block_size), "m",
-                          Range{0, 1000, true}, "Size of structured blocks, for the drag.",
-                          "the local depth"));
+    list.push_back(number("structured.block-size", FRANA_MEMBER(structured.block_size), "m", Range{0, 1000, true},
+                          "Size of structured blocks, for the drag.", "the local depth"));
     list.push_back(choice("structured.virtual-mass", FRANA_MEMBER(structured.virtual_mass),
                           {"pudasaini-2012", "pudasaini-2019", "none"},
                           "Law of the fluid that must speed up with the solids."));
-    list.push_back(number("structured.viscosity-growth", FRANA_MEMBER(structured.viscosity_growth), "",
-                          Range{0, 50},
+    list.push_back(number("structured.viscosity-growth", FRANA_MEMBER(structured.viscosity_growth), "", Range{0, 50},
                           "Growth of the viscosity with the solids' fraction, b in a exp(b alpha)."));
     list.push_back(number("structured.mobility", FRANA_MEMBER(structured.mobility), "", Range{0, 100},
                           "Mobility of the interface in the enhanced stress; 0: no such stress."));
@@ -157,9 +143,8 @@ void add_coupling(std::vector<Parameter>& list) {
 }  // namespace
 
 void add_structured(std::vector<Parameter>& list) {
-    Parameter phases =
-        choice("structured.phases", FRANA_MEMBER(structured.phases), {"fluid", "solids-and-fluid"},
-               "What the release is: fluid alone, or blocks of solids with the fluid they confine.");
+    Parameter phases = choice("structured.phases", FRANA_MEMBER(structured.phases), {"fluid", "solids-and-fluid"},
+                              "What the release is: fluid alone, or blocks of solids with the fluid they confine.");
     phases.absent = "required with material.model = structured";
     list.push_back(phases);
     add_fluid(list);

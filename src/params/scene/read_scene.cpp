@@ -55,8 +55,7 @@ class Reader {
 };
 
 void Reader::apply(const Layer& layer) {
-    static const std::string k_angle = "material.friction-angle",
-                             k_coefficient = "material.friction-coefficient";
+    static const std::string k_angle = "material.friction-angle", k_coefficient = "material.friction-coefficient";
     if (layer.has(k_angle) && layer.has(k_coefficient)) {
         reading_.problems.add({"contradicts material.friction-coefficient: both say how rough the bed is",
                                layer.where(k_angle), "", "", "Keep one of the two"});
@@ -69,8 +68,8 @@ void Reader::apply(const Layer& layer) {
     std::set<std::string> seen;
     for (const IniEntry& entry : layer.entries) {
         if (!seen.insert(entry.name).second) {
-            reading_.problems.add({"is given more than once", layer.where(entry.name), entry.value, "",
-                                   "Keep one of the lines"});
+            reading_.problems.add(
+                {"is given more than once", layer.where(entry.name), entry.value, "", "Keep one of the lines"});
             continue;
         }
         apply(layer, entry);
@@ -83,15 +82,13 @@ void Reader::apply(const Layer& layer, const IniEntry& entry) {
                                         [&](const Parameter& p) { return p.name() == entry.name; });
     if (parameter == parameters_.end()) {
         const std::string nearest = nearest_name(entry.name, names_of(parameters_));
-        reading_.problems.add(
-            {"unknown key", where, "", "",
-             nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?"});
+        reading_.problems.add({"unknown key", where, "", "",
+                               nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?"});
         return;
     }
     given_.insert(entry.name);
     if (layer.origin == Origin::preset && parameter->section != "material") {
-        reading_.problems.add(
-            {"a material preset may set only [material]", where, entry.value, "", "Remove the key"});
+        reading_.problems.add({"a material preset may set only [material]", where, entry.value, "", "Remove the key"});
         return;
     }
     if (entry.value.empty()) {
@@ -112,9 +109,8 @@ void Reader::drop_unread_of_preset() {
     const std::vector<std::string> laws = laws_of(reading_.scene);
     for (const LawKey& key : law_keys()) {
         if (reading_.scene.origin_of(key.name) != Origin::preset) continue;
-        if (std::any_of(key.laws.begin(), key.laws.end(), [&](const std::string& law) {
-                return std::find(laws.begin(), laws.end(), law) != laws.end();
-            }))
+        if (std::any_of(key.laws.begin(), key.laws.end(),
+                        [&](const std::string& law) { return std::find(laws.begin(), laws.end(), law) != laws.end(); }))
             continue;
         for (const Parameter& parameter : parameters_) {
             if (parameter.name() == key.name) parameter.reset(reading_.scene);
@@ -138,17 +134,17 @@ std::string shown(std::string text) {
 
 void Reader::make_paths_absolute(const Parameter& parameter, const std::string& where) {
     if (parameter.map_files) {
-        parameter.map_files(reading_.scene,
-                            [&](const std::string& path) { return absolute_path(path, directory_); });
+        parameter.map_files(reading_.scene, [&](const std::string& path) { return absolute_path(path, directory_); });
     }
     const std::string value = parameter.write(reading_.scene).value_or("");
     if (value.find('#') != std::string::npos) {
-        reading_.problems.add({"contains '#', which starts a comment in scene files", where, value, "",
-                               "Rename the file or folder"});
+        reading_.problems.add(
+            {"contains '#', which starts a comment in scene files", where, value, "", "Rename the file or folder"});
     }
     if (has_control_characters(value)) {
-        reading_.problems.add({"contains a line break or another control character, which no line of a scene file can hold",
-                               where, shown(value), "", "Rename the file or folder, or correct the text"});
+        reading_.problems.add(
+            {"contains a line break or another control character, which no line of a scene file can hold", where,
+             shown(value), "", "Rename the file or folder, or correct the text"});
     }
 }
 
@@ -161,15 +157,14 @@ std::optional<std::pair<std::string, std::string>> preset_of(const Layer& file, 
     return std::nullopt;
 }
 
-std::optional<Layer> preset_layer(const std::string& name, const std::string& where,
-                                  const std::string& directory, Problems& problems) {
+std::optional<Layer> preset_layer(const std::string& name, const std::string& where, const std::string& directory,
+                                  Problems& problems) {
     std::vector<std::string> names;
     for (const MaterialPreset& preset : material_presets(directory)) {
         if (preset.name == name) return Layer{Origin::preset, preset.file, preset.entries};
         names.push_back(preset.name);
     }
-    problems.add(
-        {"is not a material preset", where, name, joined(names, ", "), "`frana materials` prints them"});
+    problems.add({"is not a material preset", where, name, joined(names, ", "), "`frana materials` prints them"});
     return std::nullopt;
 }
 
@@ -178,8 +173,7 @@ Layer command_line_layer(const std::vector<std::string>& overrides, Problems& pr
     for (const std::string& text : overrides) {
         const auto equals = text.find('=');
         if (equals == std::string::npos) {
-            problems.add(
-                {"is not section.key=value", "--set " + text, "", "", "Write for example --set time.end=60"});
+            problems.add({"is not section.key=value", "--set " + text, "", "", "Write for example --set time.end=60"});
             continue;
         }
         layer.entries.push_back({trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))});

@@ -70,8 +70,8 @@ std::string reference_markdown() {
                 "\n\n| key | type | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
         for (const Parameter& parameter : scene_parameters()) {
             if (parameter.section != section.name) continue;
-            text += "| `" + parameter.key + "` | " + cell(parameter.type) + " | " + cell(parameter.unit) +
-                    " | " + cell(default_or_absent(parameter)) + " | " + cell(parameter.limits) + " | " +
+            text += "| `" + parameter.key + "` | " + cell(parameter.type) + " | " + cell(parameter.unit) + " | " +
+                    cell(default_or_absent(parameter)) + " | " + cell(parameter.limits) + " | " +
                     cell(parameter.meaning) + " |\n";
         }
     }

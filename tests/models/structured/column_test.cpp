@@ -34,12 +34,14 @@ TEST(Fragmentation, ReleasesInProportion) {
         const double before = p[Field::cohesion_ratio][0];
         state.stages.update_material({0, 1}, dt, c.laws.solid, p, w);
         opened = p[Field::damage][0];
-        // The integral of tr e = 0.2 per second, from the first step on: 8 m of overburden have it at its yield surface.
+        // The integral of tr e = 0.2 per second, from the first step on: 8 m of overburden have it at its yield
+        // surface.
         EXPECT_NEAR(opened, std::min((i + 1) * dt * 0.2, 2 * eps), 1e-12);
         EXPECT_LE(p[Field::cohesion_ratio][0], before);
         EXPECT_NEAR(p[Field::cohesion_ratio][0], std::max(0.0, 1 - opened / (2 * eps)), 1e-14);
         EXPECT_NEAR(confined - p[Field::released][0], confined * p[Field::cohesion_ratio][0], 1e-13 * confined);
-        EXPECT_EQ(w[PairWork::mass][0], 1700 * solids + 1000 * confined);  // it goes with the particle till the step's end
+        EXPECT_EQ(w[PairWork::mass][0],
+                  1700 * solids + 1000 * confined);  // it goes with the particle till the step's end
     }
     EXPECT_EQ(p[Field::cohesion_ratio][0], 0);
     EXPECT_GE(opened, 2 * eps);
@@ -62,8 +64,8 @@ TEST(Fragmentation, ReleasesInProportion) {
     EXPECT_EQ(again.solid->particles[Field::cohesion_ratio][0], 1);
 }
 
-// A column's thrust as the solver computes it: Rankine's active K_a N h / 2 without cohesion, none with much; where broken
-// material is pushed together, passive (Pitman & Le 2005).
+// A column's thrust as the solver computes it: Rankine's active K_a N h / 2 without cohesion, none with much; where
+// broken material is pushed together, passive (Pitman & Le 2005).
 TEST(Thrust, OfColumns) {
     ThreadPool pool(1);
     const double k_a = (1 - std::sin(28 * k_degree)) / (1 + std::sin(28 * k_degree));
@@ -86,8 +88,8 @@ TEST(Thrust, OfColumns) {
     EXPECT_NEAR(thrust(0, EarthPressure::passive, -0.1), savage_hutter / k_a, 1e-9 * load);
 }
 
-// Two halves of loose material that run into each other: passive thrust is K_p / K_a times the active one from the first
-// step on, and stops them the sooner.
+// Two halves of loose material that run into each other: passive thrust is K_p / K_a times the active one from the
+// first step on, and stops them the sooner.
 TEST(Thrust, PassiveActsOnMotion) {
     ThreadPool pool(1);
     const auto run = [&](EarthPressure law, double time, double& force) {

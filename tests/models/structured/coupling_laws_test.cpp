@@ -15,13 +15,13 @@ TEST(BasalPressure, Limits) {
     BasalPressure law{9.81, 1000, 0};
     const double h_s = 5, h_fc = 5;
     const double weight = 9.81 * (2400 * h_s + 1000 * h_fc);
-    EXPECT_DOUBLE_EQ(law({h_s, h_fc, 1, 0}, 2400), weight);             // whole, B = 0: all of it
-    EXPECT_DOUBLE_EQ(law({h_s, 0, 0, 1}, 2400), 9.81 * 1400 * h_s);     // loose, submerged: buoyant weight
-    EXPECT_DOUBLE_EQ(law({h_s, 0, 0, 0}, 2400), 9.81 * 2400 * h_s);     // loose, dry: no buoyancy
+    EXPECT_DOUBLE_EQ(law({h_s, h_fc, 1, 0}, 2400), weight);          // whole, B = 0: all of it
+    EXPECT_DOUBLE_EQ(law({h_s, 0, 0, 1}, 2400), 9.81 * 1400 * h_s);  // loose, submerged: buoyant weight
+    EXPECT_DOUBLE_EQ(law({h_s, 0, 0, 0}, 2400), 9.81 * 2400 * h_s);  // loose, dry: no buoyancy
     law.propagation = 1;
-    for (const double structured : {0.0, 0.4, 1.0})                     // B = 1: buoyant weight, whatever the structure
+    for (const double structured : {0.0, 0.4, 1.0})  // B = 1: buoyant weight, whatever the structure
         EXPECT_NEAR(law({h_s, h_fc, structured, 1}, 2400), 9.81 * 1400 * h_s, 1e-9);
-    EXPECT_EQ(law({h_s, 0, 1, 1}, 800), 0);                             // what floats presses on nothing
+    EXPECT_EQ(law({h_s, 0, 1, 1}, 800), 0);  // what floats presses on nothing
     EXPECT_EQ(law({}, 2400), 0);
 }
 
@@ -56,8 +56,8 @@ TEST(Drag, CoefficientsOfTheStillCell) {
 }
 
 TEST(Drag, DecaysExactly) {
-    // lambda = h C (1 / m_c + 1 / m_u) of the still cell, h = 1 m: from the worked coefficients, and from the law as the
-    // exchange of a cell uses it.
+    // lambda = h C (1 / m_c + 1 / m_u) of the still cell, h = 1 m: from the worked coefficients, and from the law as
+    // the exchange of a cell uses it.
     Drag worked;
     for (const auto& [exponent, lambda] : {std::pair{1, 1 / 2.059}, {2, 0.024247}}) {
         worked.exponent = exponent;
@@ -118,9 +118,9 @@ TEST(VirtualMass, SharesAcceleration) {
     EXPECT_NEAR(a_u0 - f / m_u, (f_u * (m_c + m_v) + f_c * m_v) / determinant, 1e-12);
 
     VirtualMass law;
-    EXPECT_DOUBLE_EQ(law(0.5, 0.5, 1e9, 500, 0.4), 1000.0);       // m_u a_c / a_u C = 500 * 2, at the cap of 2 m_u
+    EXPECT_DOUBLE_EQ(law(0.5, 0.5, 1e9, 500, 0.4), 1000.0);  // m_u a_c / a_u C = 500 * 2, at the cap of 2 m_u
     EXPECT_DOUBLE_EQ(law(0.2, 0.8, 1e9, 800, 0.4), 800 * 0.25 * 0.5 * 1.4 / 0.8);
-    EXPECT_LE(law(0.999, 0.001, 1700, 1, 0.4), 2);                 // capped where free fluid runs out
+    EXPECT_LE(law(0.999, 0.001, 1700, 1, 0.4), 2);  // capped where free fluid runs out
     law.law = VirtualMassLaw::none;
     EXPECT_EQ(law(0.2, 0.8, 1e9, 800, 0.4), 0);
 }

@@ -142,15 +142,17 @@ TEST(StressUpdate, EndsOnTheYieldSurfaceUnderTheGivenLoad) {
             const auto [s, flowed] = update(l, dt, {20e3 * any(random), 20e3 * any(random), 0, 10e3 * any(random)});
             yielded += flowed;
             EXPECT_EQ(s.zz, 0);
-            if (flowed) EXPECT_NEAR(update.yield(s), 0, 1e-9 * update.strength().strength);
-            else EXPECT_LE(update.yield(s), 1e-9 * update.strength().strength);
+            if (flowed)
+                EXPECT_NEAR(update.yield(s), 0, 1e-9 * update.strength().strength);
+            else
+                EXPECT_LE(update.yield(s), 1e-9 * update.strength().strength);
         }
     }
     EXPECT_GT(yielded, 500);
 }
 
-// The rate of a stress that flows on the surface is the one that consistency asks for (df/dt = 0 with the plastic strain
-// along the potential's gradient), at the given vertical stress: the update's limit for short steps.
+// The rate of a stress that flows on the surface is the one that consistency asks for (df/dt = 0 with the plastic
+// strain along the potential's gradient), at the given vertical stress: the update's limit for short steps.
 TEST(StressUpdate, FlowsAsConsistencyAsks) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> any(-1, 1);
@@ -179,14 +181,16 @@ TEST(StressUpdate, FlowsAsConsistencyAsks) {
             };
             const double fx = slope(law.slope, 0), fy = slope(law.slope, 1), fs = slope(law.slope, 2);
             const double of_g = 3 * update.laws.sin_dilatancy;
-            const Stress trial = stiff(l.xx, l.yy, 2 * l.xy), back = stiff(slope(of_g, 0), slope(of_g, 1), slope(of_g, 2));
-            const double multiplier = (fx * trial.xx + fy * trial.yy + fs * trial.xy) /
-                                      (fx * back.xx + fy * back.yy + fs * back.xy);
+            const Stress trial = stiff(l.xx, l.yy, 2 * l.xy),
+                         back = stiff(slope(of_g, 0), slope(of_g, 1), slope(of_g, 2));
+            const double multiplier =
+                (fx * trial.xx + fy * trial.yy + fs * trial.xy) / (fx * back.xx + fy * back.yy + fs * back.xy);
             if (!(multiplier > 0)) continue;
             ++flowing;
             constexpr double dt = 1e-7;
             const Stress next = update(l, dt, s).stress;
-            const double size = k_flume.bulk * 1e-3;  // of the rates, some 1e7 Pa/s; the step's own error is its thousandth
+            const double size =
+                k_flume.bulk * 1e-3;  // of the rates, some 1e7 Pa/s; the step's own error is its thousandth
             EXPECT_NEAR((next.xx - s.xx) / dt, trial.xx - multiplier * back.xx, size);
             EXPECT_NEAR((next.yy - s.yy) / dt, trial.yy - multiplier * back.yy, size);
             EXPECT_NEAR((next.xy - s.xy) / dt, trial.xy - multiplier * back.xy, size);
@@ -195,8 +199,8 @@ TEST(StressUpdate, FlowsAsConsistencyAsks) {
     EXPECT_GT(flowing, 50);
 }
 
-// A strain path that yields, in ever shorter steps: first order, with dilatancy and without, and a change by dilatancy that
-// does not depend on the step.
+// A strain path that yields, in ever shorter steps: first order, with dilatancy and without, and a change by dilatancy
+// that does not depend on the step.
 TEST(StressUpdate, ConvergesWithFirstOrder) {
     const auto path = [](double dilatancy, int steps) {
         const Update update(dilatancy);
@@ -291,7 +295,7 @@ TEST(Bell, ThrustWithATensionCrack) {
     const double friction = std::tan(28 * k_degree), k = active_coefficient(friction);
     EXPECT_NEAR(k, (1 - std::sin(28 * k_degree)) / (1 + std::sin(28 * k_degree)), 1e-15);
     EXPECT_DOUBLE_EQ(active_thrust(k, 100e3, 8, 0), 0.5 * k * 100e3 * 8);  // Savage and Hutter
-    EXPECT_EQ(active_thrust(k, 100e3, 8, 1e6), 0);                          // stands by itself
+    EXPECT_EQ(active_thrust(k, 100e3, 8, 1e6), 0);                         // stands by itself
     // Textbook integral of K_a w z - 2 c sqrt(K_a) below the crack.
     const double c = 10e3, w = 100e3 / 8, crack = 2 * c / (w * std::sqrt(k));
     EXPECT_NEAR(active_thrust(k, 100e3, 8, c), 0.5 * k * w * (8 - crack) * (8 - crack), 1e-9 * 100e3);

@@ -51,8 +51,9 @@ TEST(PressureWave, ProfileConvergesWithSecondOrder) {
             return std::abs(s) < 0.5 ? k_speed * std::pow(std::cos(M_PI * s), 2) : 0;
         };
         const double spacing = c.laws.solid.spacing;
-        c.fill(10, 10, std::llround(80 / spacing), std::llround(60 / spacing),
-               [&](Point p) { return bench::Seed{2, pulse(p.x - k_middle), 0}; });
+        c.fill(10, 10, std::llround(80 / spacing), std::llround(60 / spacing), [&](Point p) {
+            return bench::Seed{2, pulse(p.x - k_middle), 0};
+        });
         State state = c.start(flat(std::llround(102 / cell), std::llround(84 / cell), cell), pool);
         advance_to(state, c.laws, k_time, pool);
         const ParticleSet& p = state.solid->particles;

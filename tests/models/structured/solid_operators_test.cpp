@@ -43,8 +43,7 @@ TEST(CellOrder, FindsEveryNeighbour) {
             for (std::size_t i = own.begin; i < own.end; ++i) {
                 for (const ParticleRun& run : runs) {
                     for (std::size_t k = run.begin; k < run.end; ++k) {
-                        const double d =
-                            std::hypot(p[Field::x][k] - p[Field::x][i], p[Field::y][k] - p[Field::y][i]);
+                        const double d = std::hypot(p[Field::x][k] - p[Field::x][i], p[Field::y][k] - p[Field::y][i]);
                         seen[i] += d < c.laws.solid.kernel.reach();
                     }
                 }
@@ -109,8 +108,7 @@ TEST(Accelerations, KeepMomentum) {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> any(-1, 1);
     for (std::size_t p = 0; p < solid.particles.size(); ++p) {
-        for (const Field f : {Field::t_xx, Field::t_yy, Field::t_xy})
-            solid.particles[f][p] = 1e6 * any(random);
+        for (const Field f : {Field::t_xx, Field::t_yy, Field::t_xy}) solid.particles[f][p] = 1e6 * any(random);
     }
     for (const PairKernels* kernels : {&plain_pair_kernels(), &pair_kernels()}) {
         over_rows(solid.order, [&](std::int64_t row) {
@@ -149,9 +147,8 @@ TEST(PairKernels, FastAndPlainAgree) {
             state.stages.update_material(solid.order.whole_rows(row, row), 0, c.laws.solid, solid.particles,
                                          solid.work);
         });
-        over_rows(solid.order, [&](std::int64_t row) {
-            kernels.accelerations(solid.order, row, c.laws.solid, solid.work);
-        });
+        over_rows(solid.order,
+                  [&](std::int64_t row) { kernels.accelerations(solid.order, row, c.laws.solid, solid.work); });
         return solid.work;
     };
     const PairWork plain = evaluate(plain_pair_kernels()), fast = evaluate(pair_kernels());
@@ -176,9 +173,7 @@ Pair pair_of(double approach_speed, double stress, double artificial, double spa
     Case c(2);
     c.laws.solid.artificial_stress = artificial;
     c.laws.solid.gravity = 0;
-    c.fill(40, 40, 2, 1, [&](Point p) {
-        return bench::Seed{1, p.x < 40.5 ? approach_speed : -approach_speed, 0};
-    });
+    c.fill(40, 40, 2, 1, [&](Point p) { return bench::Seed{1, p.x < 40.5 ? approach_speed : -approach_speed, 0}; });
     State state = c.start(flat(50, 50, 2), pool);
     SolidState& solid = *state.solid;
     for (std::size_t p = 0; p < 2; ++p) solid.particles[Field::t_xx][p] = stress;
@@ -186,12 +181,10 @@ Pair pair_of(double approach_speed, double stress, double artificial, double spa
     over_rows(solid.order, [&](std::int64_t row) {
         for (const auto l : {PairWork::l_xx, PairWork::l_xy, PairWork::l_yx, PairWork::l_yy})
             for (std::size_t p = 0; p < 2; ++p) solid.work[l][p] = 0;
-        state.stages.update_material(solid.order.whole_rows(row, row), 0, c.laws.solid, solid.particles,
-                                     solid.work);
+        state.stages.update_material(solid.order.whole_rows(row, row), 0, c.laws.solid, solid.particles, solid.work);
     });
-    over_rows(solid.order, [&](std::int64_t row) {
-        state.stages.pairs->accelerations(solid.order, row, c.laws.solid, solid.work);
-    });
+    over_rows(solid.order,
+              [&](std::int64_t row) { state.stages.pairs->accelerations(solid.order, row, c.laws.solid, solid.work); });
     return {solid.work[PairWork::a_x][0], solid.work[PairWork::a_x][1]};
 }
 
@@ -261,9 +254,8 @@ double growth_in_tension(double artificial) {
             state.stages.pairs->velocity_gradients(solid.order, row, c.laws.solid.kernel, w);
             state.stages.update_material(solid.order.whole_rows(row, row), dt, c.laws.solid, solid.particles, w);
         });
-        over_rows(solid.order, [&](std::int64_t row) {
-            state.stages.pairs->accelerations(solid.order, row, c.laws.solid, w);
-        });
+        over_rows(solid.order,
+                  [&](std::int64_t row) { state.stages.pairs->accelerations(solid.order, row, c.laws.solid, w); });
         double wave = 0, count = 0;
         for (std::size_t p = 0; p < sign.size(); ++p) {
             if (sign[p] == 0) continue;

@@ -113,8 +113,8 @@ TEST(StructuredStep, SameBitsForAnyNumberOfThreads) {
     }
 }
 
-// What rests is not computed anew, and that takes not a bit off anything: a block that slides towards two at rest, one of
-// which it hits, with water on part of them.
+// What rests is not computed anew, and that takes not a bit off anything: a block that slides towards two at rest, one
+// of which it hits, with water on part of them.
 TEST(StructuredStep, WhatRestsSleepsToTheSameBits) {
     ThreadPool pool(1);
     std::int64_t slept = 0;
@@ -206,8 +206,8 @@ TEST(Coupling, ExchangesMomentumUnderGravity) {
         c.laws.coupling.drags = exchanges;
         if (!exchanges) c.laws.coupling.virtual_mass.law = VirtualMassLaw::none;
         c.fill(4, 4, 30, 30, [](Point p) { return bench::Seed{3 + 0.1 * p.x, std::sin(p.x), std::cos(p.y)}; });
-        const Raster bed = bench::sample_raster(bench::plain_grid(20, 20, 2),
-                                                [](Point p) { return 0.4 * p.x + std::sin(0.3 * p.y); });
+        const Raster bed =
+            bench::sample_raster(bench::plain_grid(20, 20, 2), [](Point p) { return 0.4 * p.x + std::sin(0.3 * p.y); });
         State state = c.start(bed, pool, true);
         for (std::int64_t j = 0; j < 20; ++j) {
             for (std::int64_t i = 0; i < 20; ++i) {
@@ -275,8 +275,8 @@ TEST(Coupling, LakeAtRestOverSolids) {
     }
 }
 
-// A steady stream over solids that the bed holds, without drag: the virtual mass, whose solids and fluid both keep their
-// speed, does nothing, and the stream has Manning's.
+// A steady stream over solids that the bed holds, without drag: the virtual mass, whose solids and fluid both keep
+// their speed, does nothing, and the stream has Manning's.
 TEST(Coupling, SteadyStreamOverRestingSolids) {
     ThreadPool pool(1);
     constexpr double manning = 0.4, slope = 0.1, depth = 1;
@@ -370,8 +370,7 @@ TEST(Coupling, DragRelaxes) {
         for (int i = 0; i < 5; ++i) {
             constexpr double dt = 0.4;
             for (std::int64_t j = 0; j < state.grid.padded_rows(); ++j)
-                push_solids(j, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes,
-                            state.fluid.get());
+                push_solids(j, dt, state.grid, c.laws.solid, c.laws.coupling, state.solid->nodes, state.fluid.get());
             SolidSums& sums = state.solid->nodes.sums[middle];
             sums.px += dt * sums.mass * state.solid->nodes.push[middle].ax;
             w *= exponent == 1 ? std::exp(-lambda * dt) : 1 / (1 + lambda * w * dt);

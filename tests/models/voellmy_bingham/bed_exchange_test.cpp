@@ -70,8 +70,7 @@ TEST(Growth, EndsWithTheErodibleLayer) {
     Flow flow = drifting_sheet(e);
     flow.advance_to(4);
     double deepest = 0;
-    for (const double depth : flow.eroded_depth().values)
-        deepest = std::max(deepest, std::isnan(depth) ? 0 : depth);
+    for (const double depth : flow.eroded_depth().values) deepest = std::max(deepest, std::isnan(depth) ? 0 : depth);
     EXPECT_NEAR(deepest, 0.03, 1e-15);
     EXPECT_NEAR(flow.volume(), 400 + flow.exchanged().eroded, 1e-12 * 400);
 }
@@ -90,8 +89,7 @@ SteadySlab steady_slab(const Entrainment& entrainment, double along, double spee
     Material material = water();
     material.density = k_density;
     material.friction_coefficient = along / 9;
-    Flow flow(Raster(grid), seeds, material,
-              numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
+    Flow flow(Raster(grid), seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
               TiltedGravity{along, 0, 9}, zones, entrainment);
     flow.advance_to(time);
     const Raster eroded = flow.eroded_depth(), deposited = flow.deposited_depth();
@@ -199,15 +197,15 @@ TEST(BedExchange, SameBitsForAnyNumberOfThreads) {
     e.erodible_depth = 1;
     e.deposition = true;
     const GridSpec grid = bench::plain_grid(100, 60, 2);
-    const Raster bed = bench::sample_raster(
-        grid, [](Point p) { return std::max(0.0, 0.5 * (120 - p.x)) + std::sin(0.2 * p.y); });
+    const Raster bed =
+        bench::sample_raster(grid, [](Point p) { return std::max(0.0, 0.5 * (120 - p.x)) + std::sin(0.2 * p.y); });
     const ParticleSet seeds = bench::fill_lattice(
         grid, 2, 0.5, [](Point p) { return bench::Seed{5 - 0.2 * std::hypot(p.x - 40, p.y - 60)}; });
     Material material = dry_friction(15);
     material.turbulence = 300;
     const auto end_state = [&](int threads) {
-        Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall),
-                  threads, std::nullopt, {}, e);
+        Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), threads,
+                  std::nullopt, {}, e);
         flow.advance_to(12);
         EXPECT_GT(flow.exchanged().eroded, 10);
         EXPECT_GT(flow.exchanged().deposited, 10);

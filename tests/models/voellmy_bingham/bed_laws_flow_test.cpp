@@ -25,10 +25,9 @@ Material material_of(std::vector<BedTerm> terms) {
 double slab_speed(const Material& material, double time, double travelled, const MaterialZones& zones = {},
                   double side = 0, std::int64_t rows = 4, double step = 0.005) {
     const GridSpec grid = bench::plain_grid(120 + static_cast<std::int64_t>(travelled), rows, 1);
-    const ParticleSet seeds = bench::fill_lattice(
-        grid, 2, 0, [](Point p) { return bench::Seed{p.x > 10 && p.x < 70 ? 1.0 : 0.0}; });
-    Flow flow(Raster(grid), seeds, material,
-              numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
+    const ParticleSet seeds =
+        bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{p.x > 10 && p.x < 70 ? 1.0 : 0.0}; });
+    Flow flow(Raster(grid), seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1,
               TiltedGravity{k_along, 0, k_normal}, zones);
     while (flow.time() < time) flow.advance(std::min(step, time - flow.time()));
     flow.synchronise();
@@ -65,8 +64,7 @@ BlockMotion block(const std::function<double(double, double)>& resistance, doubl
 }
 
 // A thousand steps of first order: an error of the order of 1e-3.
-void expect_block(const Material& material, const std::function<double(double, double)>& resistance,
-                  double time = 5) {
+void expect_block(const Material& material, const std::function<double(double, double)>& resistance, double time = 5) {
     const BlockMotion exact = block(resistance, time);
     ASSERT_GT(exact.speed, 0.1);
     EXPECT_NEAR(slab_speed(material, time, exact.way), exact.speed, 1e-3 * exact.speed);
@@ -92,9 +90,8 @@ TEST(BedLaws, RammsYield) {
     m.friction_coefficient = 0.1;
     m.ramms_yield_stress = 1500;
     const double normal = k_density * k_normal;
-    expect_block(m, [=](double, double) {
-        return 0.1 * k_normal + 0.9 * 1500 * (1 - std::exp(-normal / 1500)) / k_density;
-    });
+    expect_block(
+        m, [=](double, double) { return 0.1 * k_normal + 0.9 * 1500 * (1 - std::exp(-normal / 1500)) / k_density; });
 }
 
 TEST(BedLaws, Manning) {
@@ -172,8 +169,7 @@ TEST(BedLaws, SumOfThree) {
     m.yield_stress = 500;
     m.viscosity = 100;
     expect_block(m, [](double s, double) {
-        return 0.05 * k_normal + k_normal * s * s / 300 +
-               500 / (k_density * ExactYieldRatio{}(6 * 100 * s / 500));
+        return 0.05 * k_normal + k_normal * s * s / 300 + 500 / (k_density * ExactYieldRatio{}(6 * 100 * s / 500));
     });
 }
 
@@ -219,8 +215,7 @@ TEST_P(HoldsAtRest, NotOneBitMoves) {
     const ParticleSet seeds = bench::fill_lattice(
         grid, 2, 0, [](Point p) { return bench::Seed{1.5 - 0.1 * std::hypot(p.x - 20, p.y - 20)}; });
     Flow flow(bed, seeds, m, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
-    const std::vector<double> x(flow.particles()[Field::x],
-                                flow.particles()[Field::x] + flow.particles().size());
+    const std::vector<double> x(flow.particles()[Field::x], flow.particles()[Field::x] + flow.particles().size());
     flow.advance_to(10);
     ASSERT_EQ(flow.particles().size(), x.size());
     EXPECT_EQ(greatest_speed(flow), 0);

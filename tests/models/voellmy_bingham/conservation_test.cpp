@@ -61,8 +61,7 @@ TEST_P(Conservation, StaysSymmetric) {
     double greatest = 0;
     for (std::int64_t row = 0; row < 10; ++row) {
         for (std::int64_t column = 0; column < 150; ++column) {
-            greatest = std::max(greatest,
-                                std::abs(fields.depth.at(row, column) - fields.depth.at(19 - row, column)));
+            greatest = std::max(greatest, std::abs(fields.depth.at(row, column) - fields.depth.at(19 - row, column)));
         }
     }
     // Rounding only, grown by the flow's own instability round the obstacle for 3 s.

@@ -46,16 +46,16 @@ TEST(DamBreak, RitterConverges) {
     EXPECT_LT(fine, 0.62 * coarse);
 }
 
-// Particles displaced by up to 0.4 of their spacing, as a flow leaves them: without shifting their errors are 1.9 and 2.2
-// times the lattice's here, with it 1.36 and 1.29; a tenth to spare.
+// Particles displaced by up to 0.4 of their spacing, as a flow leaves them: without shifting their errors are 1.9
+// and 2.2 times the lattice's here, with it 1.36 and 1.29; a tenth to spare.
 TEST(DamBreak, IrregularParticlesCostLittle) {
     constexpr double k_jitter = 0.8;
     EXPECT_LT(depth_error(200, 2, Scheme::standard, k_jitter), 1.5 * depth_error(200, 2, Scheme::standard));
     EXPECT_LT(depth_error(200, 0, Scheme::standard, k_jitter), 1.45 * depth_error(200, 0, Scheme::standard));
 }
 
-// The published scheme is kept as published: it does not converge (share/doc/numerics.md, "What is known about the error"), and that is
-// known.
+// The published scheme is kept as published: it does not converge (share/doc/numerics.md, "What is known about the
+// error"), and that is known.
 TEST(DamBreak, PaperSchemeDoesNotConverge) {
     EXPECT_GT(depth_error(400, 0, Scheme::paper), depth_error(200, 0, Scheme::paper));
 }
@@ -65,8 +65,8 @@ TEST(DamBreakExact, StokerMiddleStateSatisfiesBothRelations) {
     const bench::WaterState middle = exact.at(0.5 * exact.front(1), 1);
     const double g = 9.81;
     EXPECT_NEAR(middle.velocity, 2 * (std::sqrt(g * 10) - std::sqrt(g * middle.depth)), 1e-12);
-    EXPECT_NEAR(middle.velocity,
-                (middle.depth - 2) * std::sqrt(0.5 * g * (middle.depth + 2) / (middle.depth * 2)), 1e-9);
+    EXPECT_NEAR(middle.velocity, (middle.depth - 2) * std::sqrt(0.5 * g * (middle.depth + 2) / (middle.depth * 2)),
+                1e-9);
 }
 
 }  // namespace

@@ -17,8 +17,7 @@ struct EndState {
 // A flow that spreads, splits, merges, meets a slope and leaves through an edge; with stress in the plane or without.
 EndState end_state(int threads, bool mud) {
     const GridSpec grid = bench::plain_grid(120, 90, 2);
-    const Raster bed =
-        bench::sample_raster(grid, [](Point p) { return 0.3 * (240 - p.x) + 2 * std::sin(0.1 * p.y); });
+    const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.3 * (240 - p.x) + 2 * std::sin(0.1 * p.y); });
     const ParticleSet seeds = bench::fill_lattice(
         grid, 2, 0.5, [](Point p) { return bench::Seed{8 - 0.2 * std::hypot(p.x - 60, p.y - 80)}; });
     Material material = dry_friction(10);
@@ -27,8 +26,7 @@ EndState end_state(int threads, bool mud) {
         material.viscosity = 500;
         material.yield_stress = 50;
     }
-    Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open),
-              threads);
+    Flow flow(bed, seeds, material, numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), threads);
     flow.advance_to(12);
     return {flow.nodal_fields(), flow.particles()};
 }

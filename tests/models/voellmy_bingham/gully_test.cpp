@@ -13,9 +13,8 @@ constexpr double k_degree = M_PI / 180;
 /// Walls of `wall_deg` that meet along y = 51.85 m, on no row of nodes; falls eastwards by `fall_deg`.
 Raster gully(double dx, double wall_deg, double fall_deg) {
     const double length = 200, wall = std::tan(wall_deg * k_degree), fall = std::tan(fall_deg * k_degree);
-    return bench::sample_raster(
-        bench::plain_grid(std::llround(length / dx), std::llround(100 / dx), dx),
-        [=](Point p) { return std::abs(p.y - 51.85) * wall + (length - p.x) * fall; });
+    return bench::sample_raster(bench::plain_grid(std::llround(length / dx), std::llround(100 / dx), dx),
+                                [=](Point p) { return std::abs(p.y - 51.85) * wall + (length - p.x) * fall; });
 }
 
 class LevelPool : public testing::TestWithParam<std::tuple<double, double>> {};

@@ -56,28 +56,29 @@ TEST_P(LakeAtRestOver, StaysStill) {
     double depth = 0, momentum = 0;
     for (std::size_t i = 0; i < after.depth.values.size(); ++i) {
         depth = std::max(depth, std::abs(after.depth.values[i] - before.depth.values[i]));
-        momentum =
-            std::max({momentum, std::abs(after.momentum_x.values[i]), std::abs(after.momentum_y.values[i])});
+        momentum = std::max({momentum, std::abs(after.momentum_x.values[i]), std::abs(after.momentum_y.values[i])});
     }
     EXPECT_LT(depth, 1e-12) << lake.name;
     EXPECT_LT(momentum, 1e-12) << lake.name;
     EXPECT_GT(flow.steps(), 20);
 }
 
-// Hills and valleys that bend within a few cells: a node knows a shore from a free front by how much of its cells' ground lies
-// under water, which the plane through its neighbours tells to some percent of a cell. Not all lakes stay still: where the
-// ground is rougher than that, some shores are taken for fronts.
+// Hills and valleys that bend within a few cells: a node knows a shore from a free front by how much of its cells'
+// ground lies under water, which the plane through its neighbours tells to some percent of a cell. Not all lakes stay
+// still: where the ground is rougher than that, some shores are taken for fronts.
 TEST(LakeAtRest, StaysStillRoundMostRaggedShorelines) {
     int still = 0;
     for (int k = 0; k < 40; ++k) {
         const GridSpec grid = bench::plain_grid(24, 24, 20);
         const Raster bed = bench::sample_raster(grid, [&](Point p) {
             const double turn = 0.7 * k;
-            const double x = std::cos(turn) * p.x - std::sin(turn) * p.y, y = std::sin(turn) * p.x + std::cos(turn) * p.y;
+            const double x = std::cos(turn) * p.x - std::sin(turn) * p.y,
+                         y = std::sin(turn) * p.x + std::cos(turn) * p.y;
             return 30 * std::sin(x / 70 + k) + 30 * std::sin(y / 50 + 2 * k);
         });
         const auto elevation = spline_bed(bed, Boundary::wall);
-        const ParticleSet seeds = bench::fill_lattice(grid, 2, 0, [&](Point p) { return bench::Seed{5 - elevation(p)}; });
+        const ParticleSet seeds =
+            bench::fill_lattice(grid, 2, 0, [&](Point p) { return bench::Seed{5 - elevation(p)}; });
         Flow flow(bed, seeds, water(), numerics(Scheme::standard, SlopeCorrection::normal, Boundary::wall), 1);
         flow.advance_to(1);
         still += greatest_speed(flow) < 1e-11;  // 60 m of water, some ten steps
@@ -90,8 +91,7 @@ TEST(LakeAtRest, MovesWithoutTheReferenceLevel) {
     const GridSpec grid = bench::plain_grid(50, 50, 0.2);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return bump(p.x, p.y); });
     const auto elevation = spline_bed(bed, Boundary::wall);
-    const ParticleSet seeds =
-        bench::fill_lattice(grid, 2, 0, [&](Point p) { return bench::Seed{10 - elevation(p)}; });
+    const ParticleSet seeds = bench::fill_lattice(grid, 2, 0, [&](Point p) { return bench::Seed{10 - elevation(p)}; });
     Numerics n = numerics(Scheme::standard, SlopeCorrection::none, Boundary::wall);
     n.well_balanced = false;
     Flow flow(bed, seeds, water(), n, 1);

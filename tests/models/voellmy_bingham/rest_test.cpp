@@ -34,12 +34,10 @@ INSTANTIATE_TEST_SUITE_P(All, RestingPile,
 TEST(MovingPile, SlidesAboveTheFrictionAngleAndStopsOnTheFlat) {
     const GridSpec grid = bench::plain_grid(160, 60, 1);
     const double gradient = std::tan(30 * M_PI / 180);
-    const Raster bed =
-        bench::sample_raster(grid, [&](Point p) { return p.x < 60 ? (60 - p.x) * gradient : 0; });
-    const ParticleSet seeds = bench::fill_lattice(
-        grid, 2, 0, [](Point p) { return bench::Seed{2 - 0.2 * std::hypot(p.x - 25, p.y - 30)}; });
-    Flow flow(bed, seeds, dry_friction(20),
-              numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
+    const Raster bed = bench::sample_raster(grid, [&](Point p) { return p.x < 60 ? (60 - p.x) * gradient : 0; });
+    const ParticleSet seeds =
+        bench::fill_lattice(grid, 2, 0, [](Point p) { return bench::Seed{2 - 0.2 * std::hypot(p.x - 25, p.y - 30)}; });
+    Flow flow(bed, seeds, dry_friction(20), numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
     const double start = flow.centroid().x;
     flow.advance_to(60);
     EXPECT_EQ(greatest_speed(flow), 0) << "friction must stop the mass, not leave it creeping";

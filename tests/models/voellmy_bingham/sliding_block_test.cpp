@@ -13,15 +13,15 @@ constexpr double k_gravity = 9.81;
 
 // Mean speed (map view) of particles in the middle of a slab 200 m long that started at rest at 20 m < x <
 // 220 m.
-double slab_speed(double slope_deg, const Material& material, SlopeCorrection slope, double jitter,
-                  double time, double travelled) {
+double slab_speed(double slope_deg, const Material& material, SlopeCorrection slope, double jitter, double time,
+                  double travelled) {
     const double gradient = std::tan(slope_deg * M_PI / 180);
     const std::int64_t columns = 300 + static_cast<std::int64_t>(travelled);
     const GridSpec grid = bench::plain_grid(columns, 12, 1);
     const Raster bed =
         bench::sample_raster(grid, [&](Point p) { return (static_cast<double>(columns) - p.x) * gradient; });
-    const ParticleSet seeds = bench::fill_lattice(
-        grid, 2, jitter, [](Point p) { return bench::Seed{p.x > 20 && p.x < 220 ? 1.0 : 0.0}; });
+    const ParticleSet seeds =
+        bench::fill_lattice(grid, 2, jitter, [](Point p) { return bench::Seed{p.x > 20 && p.x < 220 ? 1.0 : 0.0}; });
     Flow flow(bed, seeds, material, numerics(Scheme::standard, slope, Boundary::wall), 2);
     flow.advance_to(time);
     double sum = 0;
@@ -65,8 +65,7 @@ TEST(VoellmyPlane, ReachesTheTerminalSpeed) {
     Material material = dry_friction(15);
     material.turbulence = turbulence;
     const double thickness = 1 * std::cos(theta);
-    const double along =
-        std::sqrt(turbulence * thickness * (std::sin(theta) - std::cos(theta) * std::tan(phi)));
+    const double along = std::sqrt(turbulence * thickness * (std::sin(theta) - std::cos(theta) * std::tan(phi)));
     const double map_speed = along * std::cos(theta);
     // Approach: dv/dt = a (1 - v^2 / v_t^2), so v = v_t tanh(a t / v_t); after 20 s 1 - tanh < 1e-5.
     const double a = k_gravity * (std::sin(theta) - std::cos(theta) * std::tan(phi));

@@ -12,8 +12,8 @@ struct CouplingLaws {
     bool drags = true;
     Drag drag;
     VirtualMass virtual_mass;
-    double block_size = 0;   ///< d_sc of the structured part [m]; 0: the local depth
-    double dry = 1e-4;       ///< depth of free fluid from which there is any [m]
+    double block_size = 0;  ///< d_sc of the structured part [m]; 0: the local depth
+    double dry = 1e-4;      ///< depth of free fluid from which there is any [m]
 };
 
 }  // namespace frana::structured

@@ -42,8 +42,8 @@ struct Mixture {
 /// opposite on the free fluid [N/m3]. Zero where either is under a thousandth of the column.
 struct Drag {
     SettlingFluid fluid;
-    int exponent = 2;               ///< j: 1 linear, 2 quadratic
-    double richardson_zaki = 2.4;   ///< M
+    int exponent = 2;              ///< j: 1 linear, 2 quadratic
+    double richardson_zaki = 2.4;  ///< M
     RichardsonZaki exponent_of = RichardsonZaki::constant;
     DragMixing mixing = DragMixing::quotient;
     double mixing_exponent = 1;     ///< m of P

@@ -16,15 +16,16 @@ struct CellPhases {
     double grain_diameter = 1e-3;               ///< d [m]
     double friction = 0;                        ///< greatest shear stress of the bed on the solids [Pa]
     Point coupled_velocity, free_velocity;      ///< u_c before the step, u_u after the fluid's own [m/s]
-    Point push;       ///< acceleration of the solids by everything else than friction and fluid drag [m/s2]
-    Point free_push;  ///< acceleration of the fluid by all that acts on it but drag: pressure, stress, resistance [m/s2]
+    Point push;  ///< acceleration of the solids by everything else than friction and fluid drag [m/s2]
+    Point
+        free_push;  ///< acceleration of the fluid by all that acts on it but drag: pressure, stress, resistance [m/s2]
 };
 
 /// Impulse per unit area that the solids gain and the fluid loses over dt by virtual mass and drag [kg/(m s)].
 ///
 /// The virtual mass acts between the accelerations that both would have, the bed's friction on the solids and its
-/// resistance to the fluid included, so that it does nothing where neither speeds up: solids that the bed holds do not stir
-/// a fluid at rest, and a steady stream over them stays as it is. The drag is then solved exactly for the relative
+/// resistance to the fluid included, so that it does nothing where neither speeds up: solids that the bed holds do not
+/// stir a fluid at rest, and a steady stream over them stays as it is. The drag is then solved exactly for the relative
 /// velocity w, with the reduced mass m_r = m_c m_u / (m_c + m_u) + m_v:  lambda = h C / m_r  (drag_decay).
 inline Point exchange(const CouplingLaws& laws, const CellPhases& cell, double dt) noexcept {
     const double fluid_density = laws.drag.fluid.density;
@@ -42,10 +43,8 @@ inline Point exchange(const CouplingLaws& laws, const CellPhases& cell, double d
     const double m_v = laws.virtual_mass(alpha_c, alpha_u, m_c, m_u, fluid_density / grain_density);
     Point impulse;
     if (m_v > 0) {
-        impulse.x = dt * virtual_mass_force(m_v, m_c, m_u,
-                                            cell.free_push.x - (next.x - cell.coupled_velocity.x) / dt);
-        impulse.y = dt * virtual_mass_force(m_v, m_c, m_u,
-                                            cell.free_push.y - (next.y - cell.coupled_velocity.y) / dt);
+        impulse.x = dt * virtual_mass_force(m_v, m_c, m_u, cell.free_push.x - (next.x - cell.coupled_velocity.x) / dt);
+        impulse.y = dt * virtual_mass_force(m_v, m_c, m_u, cell.free_push.y - (next.y - cell.coupled_velocity.y) / dt);
     }
     if (!laws.drags) return impulse;
     const Point u_c{next.x + impulse.x / m_c, next.y + impulse.y / m_c};

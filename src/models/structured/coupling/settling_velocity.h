@@ -8,7 +8,7 @@ namespace frana::structured {
 /// Clear water, in which grains are taken to settle (not in the mixture).
 struct SettlingFluid {
     double gravity = 9.81;
-    double density = 1000;             ///< [kg/m3]
+    double density = 1000;              ///< [kg/m3]
     double kinematic_viscosity = 1e-6;  ///< [m2/s]
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 // A tile's window on the padded arrays, and which way a sweep goes through it.
 struct Window {
-    std::int64_t i0, j0;      // padded, of the tile's first cell
+    std::int64_t i0, j0;         // padded, of the tile's first cell
     std::int64_t columns, rows;  // of the padded arrays
     bool along_x;
 

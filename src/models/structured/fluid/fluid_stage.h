@@ -7,9 +7,9 @@ namespace frana::structured {
 
 /// What one tile did in a stage.
 struct TileReport {
-    double lowest = 0;           ///< depth that came out [m]; negative: the step was too long
-    double left = 0;             ///< discharge through open edges [m3/s]
-    double into_gaps = 0;        ///< of which into cells without terrain [m3/s]
+    double lowest = 0;     ///< depth that came out [m]; negative: the step was too long
+    double left = 0;       ///< discharge through open edges [m3/s]
+    double into_gaps = 0;  ///< of which into cells without terrain [m3/s]
     std::int64_t non_finite = 0;
     std::int64_t wet_cells = 0;
 };

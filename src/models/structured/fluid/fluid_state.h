@@ -33,29 +33,30 @@ struct SolidLayer {
 
 /// Fluid that comes into a cell between two steps, with its momentum: release of confined fluid, inflow.
 struct FluidSource {
-    std::size_t cell = 0;     ///< NodeGrid::index
-    double depth = 0;         ///< [m], not negative
-    double qx = 0, qy = 0;    ///< unit discharge that comes with it [m2/s]
+    std::size_t cell = 0;   ///< NodeGrid::index
+    double depth = 0;       ///< [m], not negative
+    double qx = 0, qy = 0;  ///< unit discharge that comes with it [m2/s]
 };
 
 /// Parameters of the free fluid; const while it runs.
 struct FluidLaws {
-    double gravity = 9.81;        ///< [m/s2]
-    double cfl = 0.5;             ///< at most 0.5: positive depth needs no more
-    double dry = 1e-4;            ///< depth under which fluid does not move [m]
-    bool second_order = true;     ///< false: cell values and one Euler stage
-    bool steep = true;            ///< gravity over 1 + |grad b|^2, resistance along the bed
-    bool wall = false;            ///< the edge of the grid; false: open
-    bool gaps_are_open = true;    ///< flow may enter cells without terrain (and is counted); false: walls
-    double manning = 0;           ///< n [s/m^(1/3)]
-    bool manning_on_total = false;  ///< R_n by the depth of solids and fluid together (paper, equation 46), not the fluid's
+    double gravity = 9.81;      ///< [m/s2]
+    double cfl = 0.5;           ///< at most 0.5: positive depth needs no more
+    double dry = 1e-4;          ///< depth under which fluid does not move [m]
+    bool second_order = true;   ///< false: cell values and one Euler stage
+    bool steep = true;          ///< gravity over 1 + |grad b|^2, resistance along the bed
+    bool wall = false;          ///< the edge of the grid; false: open
+    bool gaps_are_open = true;  ///< flow may enter cells without terrain (and is counted); false: walls
+    double manning = 0;         ///< n [s/m^(1/3)]
+    bool manning_on_total =
+        false;  ///< R_n by the depth of solids and fluid together (paper, equation 46), not the fluid's
     std::vector<double> manning_by_cell;  ///< padded; empty: manning everywhere
-    double density = 1000;        ///< rho_u [kg/m3]
-    double viscosity = 0;         ///< a_eta: eta = a_eta exp(b_eta alpha_s) [Pa s]; 0: no viscous term
-    double viscosity_growth = 10; ///< b_eta [-]
-    double velocity_shape = 3;    ///< chi: bed shear by viscosity, chi nu u / h^2 [-]
-    double mobility = 1;          ///< A of the enhanced non-Newtonian stress [-]; 0: off
-    double solids_shape = 2;      ///< zeta: damping by the vertical profile of solids [-]
+    double density = 1000;                ///< rho_u [kg/m3]
+    double viscosity = 0;                 ///< a_eta: eta = a_eta exp(b_eta alpha_s) [Pa s]; 0: no viscous term
+    double viscosity_growth = 10;         ///< b_eta [-]
+    double velocity_shape = 3;            ///< chi: bed shear by viscosity, chi nu u / h^2 [-]
+    double mobility = 1;                  ///< A of the enhanced non-Newtonian stress [-]; 0: off
+    double solids_shape = 2;              ///< zeta: damping by the vertical profile of solids [-]
 };
 
 /// Everything of the fluid that changes while it runs.
@@ -74,7 +75,7 @@ struct FluidState {
     ZeroArray<double> held_x, held_y;
 
     // Kept by fluid_step.cpp.
-    std::vector<std::int64_t> touched;  ///< tiles that were ever in `tiles`; ascending
+    std::vector<std::int64_t> touched;    ///< tiles that were ever in `tiles`; ascending
     FluidFields stage, next;              ///< buffers; as `now` outside `tiles`
     ZeroArray<std::uint8_t> wet;          ///< by tile: holds fluid deeper than the dry depth
     std::vector<std::uint8_t> cell_kind;  ///< padded; CellKind
@@ -110,11 +111,11 @@ enum CellKind : std::uint8_t { k_fluid_cell = 0, k_wall_cell = 1, k_open_cell = 
 
 /// What an advance did.
 struct FluidReport {
-    int steps = 0;                  ///< Heun steps it took
-    int retries = 0;                ///< of which taken anew at half length, because a depth would have been negative
-    std::int64_t non_finite = 0;    ///< cells
-    std::int64_t wet_cells = 0;     ///< deeper than the dry depth, at the end
-    std::int64_t updated_cells = 0; ///< cells times steps: what the work follows
+    int steps = 0;                   ///< Heun steps it took
+    int retries = 0;                 ///< of which taken anew at half length, because a depth would have been negative
+    std::int64_t non_finite = 0;     ///< cells
+    std::int64_t wet_cells = 0;      ///< deeper than the dry depth, at the end
+    std::int64_t updated_cells = 0;  ///< cells times steps: what the work follows
 };
 
 }  // namespace frana::structured

@@ -15,8 +15,7 @@ namespace {
 
 template <class Task>
 void for_tiles(const FluidState& state, const NodeGrid& nodes, ThreadPool& pool, const Task& task) {
-    pool.for_each(state.tiles.size(),
-                  [&](std::size_t t) { task(t, NodeRange(state.tiles[t], state.grid, nodes)); });
+    pool.for_each(state.tiles.size(), [&](std::size_t t) { task(t, NodeRange(state.tiles[t], state.grid, nodes)); });
 }
 
 void copy_tile(const NodeRange& range, const NodeGrid& nodes, const FluidFields& from, FluidFields& to) {
@@ -236,8 +235,8 @@ double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLa
     return dt;
 }
 
-FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid,
-                    double dt, ThreadPool& pool) {
+FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid, double dt,
+                    ThreadPool& pool) {
     constexpr double k_least_share = 1e-6;  // of a step in a stable one: what is faster will not come to an end
     constexpr int k_most_retries = 40;      // of one step, each at half the length
     FluidReport report;

@@ -26,8 +26,8 @@ double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLa
 /// stable_step is taken in several steps. The same bits for any number of threads.
 ///
 /// One page: fluid_step.cpp.
-FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid,
-                    double dt, ThreadPool& pool);
+FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid, double dt,
+                    ThreadPool& pool);
 
 /// Fluid inside [m3], summed tile by tile over what was ever wet.
 double fluid_volume(const FluidState& state, const NodeGrid& nodes, ThreadPool& pool);

@@ -121,8 +121,8 @@ inline void close_faces(const SweepCells& cells, int c, double gravity, FaceValu
 /// Hydrostatic reconstruction at the step of the bed (Audusse et al. 2004) and the HLL flux with the exact speeds of a
 /// front on a dry bed (Toro 2001, section 10.5); what moves across goes with the mass. Nothing passes between two
 /// cells under the dry depth.
-inline void face_fluxes(const SweepCells& cells, int c, const FaceValues& left, const FaceValues& right,
-                        double gravity, double dry, FaceFluxes& flux) {
+inline void face_fluxes(const SweepCells& cells, int c, const FaceValues& left, const FaceValues& right, double gravity,
+                        double dry, FaceFluxes& flux) {
     const double half_g = 0.5 * gravity;
     // Where a surface ends exactly at a step of the bed, rounding must not decide whether the face is dry.
     const double grain = 1e-6 * dry;

@@ -16,13 +16,11 @@ struct SolidKind {
 };
 
 inline constexpr FieldMask k_solid_fields =
-    k_basic_fields |
-    FieldMask{Field::t_xx, Field::t_yy,     Field::t_zz,         Field::t_xy,          Field::e_xx,
-              Field::e_yy, Field::e_xy,     Field::friction,     Field::bed_friction,  Field::grain_density,
-              Field::push_x, Field::push_y, Field::flatness};
+    k_basic_fields | FieldMask{Field::t_xx,   Field::t_yy,   Field::t_zz,     Field::t_xy,         Field::e_xx,
+                               Field::e_yy,   Field::e_xy,   Field::friction, Field::bed_friction, Field::grain_density,
+                               Field::push_x, Field::push_y, Field::flatness};
 inline constexpr FieldMask k_cohesion_fields{Field::cohesion, Field::cohesion_ratio, Field::damage};
-inline constexpr FieldMask k_wet_fields{Field::confined, Field::pores, Field::submergence,
-                                        Field::grain_diameter};
+inline constexpr FieldMask k_wet_fields{Field::confined, Field::pores, Field::submergence, Field::grain_diameter};
 inline constexpr FieldMask k_release_fields{Field::confined_start, Field::released};
 
 /// Besides, where thrust depends on whether material is pushed together.
@@ -39,16 +37,16 @@ inline constexpr FieldMask solid_fields(bool cohesive, bool wet) {
 
 /// A particle's column: mass, depth, load on the bed, thrust on its neighbours.
 struct ColumnState {
-    double mass = 0;       ///< [kg]
-    double depth = 0;      ///< [m]
-    double cohesion = 0;   ///< present [Pa]
-    double structured = 0; ///< f_sc
-    double load = 0;       ///< N [Pa]
-    double thrust = 0;     ///< P_lat [N/m]
+    double mass = 0;        ///< [kg]
+    double depth = 0;       ///< [m]
+    double cohesion = 0;    ///< present [Pa]
+    double structured = 0;  ///< f_sc
+    double load = 0;        ///< N [Pa]
+    double thrust = 0;      ///< P_lat [N/m]
 };
 
-/// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density and, for passive thrust,
-/// divergence of particle p.
+/// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density and, for passive
+/// thrust, divergence of particle p.
 template <class Kind>
 ColumnState column_state(const SolidLaws& laws, const ParticleSet& particles, std::size_t p) noexcept {
     constexpr double k_broken_from = 0.05;  // cohesion ratio

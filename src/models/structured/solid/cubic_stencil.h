@@ -31,7 +31,7 @@ struct CubicSpline {
 /// gradients [1/m].
 struct CubicStencil {
     std::size_t first = 0;
-    bool any = true;  ///< false: no node near; all weights are zero
+    bool any = true;                          ///< false: no node near; all weights are zero
     double weight[4][4], gx[4][4], gy[4][4];  ///< rows, then columns
 
     CubicStencil(double x, double y, const NodeGrid& grid, const SolidNodes& nodes) noexcept {

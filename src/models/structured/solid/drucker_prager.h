@@ -21,12 +21,10 @@ struct DruckerPrager {
         const double root = 1 / std::sqrt(9 + 12 * friction * friction);
         return {friction * root, 3 * cohesion * root};
     }
-    [[nodiscard]] double yield(const Stress& s) const noexcept {
-        return std::sqrt(s.j2()) + slope * s.i1() - strength;
-    }
+    [[nodiscard]] double yield(const Stress& s) const noexcept { return std::sqrt(s.j2()) + slope * s.i1() - strength; }
     /// Least pressure that a column under a vertical pressure must have from every side not to yield [Pa]; 0 up to the
-    /// uniaxial strength k / (1 / sqrt(3) - a). In plane strain, where the law is matched, the least is Rankine's active
-    /// pressure; where both sides give way, as here, the law asks for more.
+    /// uniaxial strength k / (1 / sqrt(3) - a). In plane strain, where the law is matched, the least is Rankine's
+    /// active pressure; where both sides give way, as here, the law asks for more.
     [[nodiscard]] double active_pressure(double vertical) const noexcept {
         constexpr double k_root = 0.57735026918962576;  // 1 / sqrt(3)
         return std::max(0.0, ((k_root - slope) * vertical - strength) / (k_root + 2 * slope));
@@ -40,9 +38,9 @@ struct Returned {
 
 /// Brings a stress back to the yield surface at its vertical component, which the weight gives (plane-stress plasticity
 /// with a normal stress that is not zero; Simo and Hughes, Computational Inelasticity, 3.4): what gives way is the
-/// column's vertical strain. Backward Euler for the potential g = sqrt(J2) + 3 I1 sin(psi) (paper, equation 17 corrected)
-/// with the stiffness in the plane that the elastic trial had. With X the mean in the plane less the vertical stress, R
-/// the radius of its Mohr circle and T = k - 3 a szz the strength where all three are equal,
+/// column's vertical strain. Backward Euler for the potential g = sqrt(J2) + 3 I1 sin(psi) (paper, equation 17
+/// corrected) with the stiffness in the plane that the elastic trial had. With X the mean in the plane less the
+/// vertical stress, R the radius of its Mohr circle and T = k - 3 a szz the strength where all three are equal,
 ///     f = sqrt(R^2 + X^2 / 3) + 2 a X - T,   R = r R',   X = [r X' - 18 m s T (1 - r)] / [r + m (1 - 36 a s) (1 - r)]
 /// m = (K + G / 3) / (3 G), s = sin(psi), ' the trial, r = 1 / (1 + G lambda / sqrt(J2)): one equation f(r) = 0 on
 /// (0, 1), whose left end is inside the surface for psi < 5.5 degrees; beyond it a column pressed from the sides would
@@ -55,9 +53,7 @@ inline Returned return_under_load(const DruckerPrager& law, const Elasticity& el
     const double radius = std::sqrt(half * half + trial.xy * trial.xy);
     const double bears = law.strength - 3 * law.slope * trial.zz, offset = mean - trial.zz;
     if (!(bears > 0)) return {{trial.zz, trial.zz, trial.zz, 0}, offset != 0 || radius > 0};
-    const auto beyond = [&](double x, double r) {
-        return std::sqrt(r * r + x * x / 3) + 2 * law.slope * x - bears;
-    };
+    const auto beyond = [&](double x, double r) { return std::sqrt(r * r + x * x / 3) + 2 * law.slope * x - bears; };
     const double outside = beyond(offset, radius);
     if (!(outside > k_rounding * bears)) return {trial, false};
 
@@ -82,7 +78,8 @@ inline Returned return_under_load(const DruckerPrager& law, const Elasticity& el
 
 /// The same where the vertical stress is the material's own and no load is known: in three dimensions it is closed,
 ///     lambda = f' / (G + 27 a K sin(psi)),   I1 = I1' - 27 K sin(psi) lambda,   s = s' (1 - G lambda / sqrt(J2'))
-/// and what would pass the apex ends there. For psi = 0 it is the paper's Appendix B (after Bui et al. 2008, corrected).
+/// and what would pass the apex ends there. For psi = 0 it is the paper's Appendix B (after Bui et al. 2008,
+/// corrected).
 inline Returned return_by_itself(const DruckerPrager& law, const Elasticity& elastic, double sin_dilatancy,
                                  const Stress& s) noexcept {
     constexpr double k_rounding = 1e-12;

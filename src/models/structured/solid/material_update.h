@@ -10,8 +10,8 @@ namespace frana::structured {
 
 /// Stress after dt of the velocity gradient l: turned with the material, elastic trial, return to the yield surface of
 /// what the particle carries together with the geostatic stress, -diag(p, p, N / 2). That vertical stress stays as the
-/// weight gives it, so the particle's own is zero. p is the column's thrust over its depth or, where that is less than the
-/// strength asks for with both sides giving way, the strength's active pressure: the state at rest never yields.
+/// weight gives it, so the particle's own is zero. p is the column's thrust over its depth or, where that is less than
+/// the strength asks for with both sides giving way, the strength's active pressure: the state at rest never yields.
 inline Returned next_stress(const SolidLaws& laws, const ColumnState& column, double friction,
                             const VelocityGradient& l, double dt, Stress stress) noexcept {
     const auto strength = DruckerPrager::of(friction, column.cohesion);
@@ -26,7 +26,8 @@ inline Returned next_stress(const SolidLaws& laws, const ColumnState& column, do
 }
 
 /// Stress, strain, damage and release of confined fluid over dt, and what the next sums over neighbours need. Reads the
-/// velocity gradients in `w`; writes t_*, e_*, damage, cohesion_ratio, released; mass, density, t, r and resistance in `w`.
+/// velocity gradients in `w`; writes t_*, e_*, damage, cohesion_ratio, released; mass, density, t, r and resistance in
+/// `w`.
 template <class Kind>
 void update_material(ParticleRun run, double dt, const SolidLaws& laws, ParticleSet& particles, PairWork& w) {
     for (std::size_t p = run.begin; p < run.end; ++p) {

@@ -31,8 +31,8 @@ struct Obstacles {
 /// that takes it there and keeps its place in that direction; walls are smooth.
 ///
 /// Reads a_*, resistance, l_* of `w`, push_*; writes x, y, u, v, area there and in the particles.
-/// @param widest that a column may become [m2]: the sums of its neighbours' velocity gradients weigh it with its area, so
-/// that one without bound would run away where few are near
+/// @param widest that a column may become [m2]: the sums of its neighbours' velocity gradients weigh it with its area,
+/// so that one without bound would run away where few are near
 /// @param mean a velocity near most particles', against which nearness is lost [m/s]
 inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& obstacles, double widest, Point mean,
                                   ParticleSet& particles, PairWork& w) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "models/structured/solid/solid_laws.h"
 #include "models/structured/solid/pair_work.h"
+#include "models/structured/solid/solid_laws.h"
 #include "particles/cell_order.h"
 
 namespace frana::structured {

@@ -31,19 +31,16 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
             Quad l_xx(0.0), l_xy(0.0), l_yx(0.0), l_yy(0.0), b_xx(0.0), b_xy(0.0), b_yy(0.0);
             for (const ParticleRun& run : runs) {
                 for (std::size_t k = run.begin; k < run.end; k += 4) {
-                    const Quad dx = x - Quad::load(w[PairWork::x] + k),
-                               dy = y - Quad::load(w[PairWork::y] + k);
+                    const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
                     const Quad distance2 = dx * dx + dy * dy;
                     if (!any(distance2 < reach2)) continue;  // a third of the quads of a neighbourhood
                     const Quad q = sqrt(distance2) * inverse;
                     const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
-                    const Quad slope =
-                        (3.0 * inner * inner - 0.75 * outer * outer) / max(q, k_least_distance);
+                    const Quad slope = (3.0 * inner * inner - 0.75 * outer * outer) / max(q, k_least_distance);
                     const auto real = first_lanes(run.end - k < 4 ? run.end - k : 4);
                     const Quad weight = select(real, slope * Quad::load(w[PairWork::area] + k), 0.0);
                     const Quad gx = weight * dx, gy = weight * dy;
-                    const Quad du = Quad::load(w[PairWork::u] + k) - u,
-                               dv = Quad::load(w[PairWork::v] + k) - v;
+                    const Quad du = Quad::load(w[PairWork::u] + k) - u, dv = Quad::load(w[PairWork::v] + k) - v;
                     l_xx += du * gx;
                     l_xy += du * gy;
                     l_yx += dv * gx;
@@ -99,8 +96,7 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
             Quad a_x(0.0), a_y(0.0);
             for (const ParticleRun& run : runs) {
                 for (std::size_t k = run.begin; k < run.end; k += 4) {
-                    const Quad dx = x - Quad::load(w[PairWork::x] + k),
-                               dy = y - Quad::load(w[PairWork::y] + k);
+                    const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
                     const Quad distance2 = dx * dx + dy * dy;
                     if (!any(distance2 < reach2)) continue;  // a third of the quads of a neighbourhood
                     const Quad q = sqrt(distance2) * inverse;
@@ -110,12 +106,10 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
                     const Quad softened = distance2 + softening, distance = max(q, k_least_distance);
                     // One division for all: 1 / (r^2 + ..), 1 / (Sigma_i + Sigma_j) and 1 / q.
                     const Quad share = 1.0 / (softened * sum_density * distance);
-                    const Quad approach = min(
-                        (u - Quad::load(w[PairWork::u] + k)) * dx + (v - Quad::load(w[PairWork::v] + k)) * dy,
-                        0.0);
+                    const Quad approach =
+                        min((u - Quad::load(w[PairWork::u] + k)) * dx + (v - Quad::load(w[PairWork::v] + k)) * dy, 0.0);
                     const Quad phi = smoothing * approach * (share * sum_density * distance);
-                    const Quad sounds =
-                        linear * (sound + Quad::load(w[PairWork::sound] + k));  // twice the mean
+                    const Quad sounds = linear * (sound + Quad::load(w[PairWork::sound] + k));  // twice the mean
                     const Quad pi = (quadratic * phi - sounds) * phi * (2.0 * share * softened * distance);
                     const Quad slope = (3.0 * inner2 - 0.75 * outer2) * (share * softened * sum_density);
                     const auto real = first_lanes(run.end - k < 4 ? run.end - k : 4);

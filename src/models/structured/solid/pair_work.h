@@ -12,14 +12,27 @@ namespace frana::structured {
 /// beyond the last particle: four are read at a time.
 struct PairWork {
     enum Array {
-        x, y, u, v, area,        // read by velocity_gradients
-        l_xx, l_xy, l_yx, l_yy,  // written by it
-        mass, density,           // of the particle [kg] and of its column [kg/m2]
-        t_xx, t_yy, t_xy,        // depth-integrated stress over density squared [m5/(kg s2)]
-        r_xx, r_yy, r_xy,        // artificial stress, the same units
-        sound,                   // of the artificial viscosity [m/s]
-        a_x, a_y,                // written by accelerations
-        resistance,              // of the bed, as a deceleration [m/s2]
+        x,
+        y,
+        u,
+        v,
+        area,  // read by velocity_gradients
+        l_xx,
+        l_xy,
+        l_yx,
+        l_yy,  // written by it
+        mass,
+        density,  // of the particle [kg] and of its column [kg/m2]
+        t_xx,
+        t_yy,
+        t_xy,  // depth-integrated stress over density squared [m5/(kg s2)]
+        r_xx,
+        r_yy,
+        r_xy,   // artificial stress, the same units
+        sound,  // of the artificial viscosity [m/s]
+        a_x,
+        a_y,         // written by accelerations
+        resistance,  // of the bed, as a deceleration [m/s2]
         count
     };
     static constexpr std::size_t k_padding = 3;
@@ -34,7 +47,8 @@ struct PairWork {
     const double* operator[](Array a) const noexcept { return arrays[a].data(); }
 
     std::array<std::vector<double>, count> arrays;
-    /// By cell of the order, row by row: nothing there changes in this substep (rest.h); empty: everywhere something may.
+    /// By cell of the order, row by row: nothing there changes in this substep (rest.h); empty: everywhere something
+    /// may.
     std::vector<std::uint8_t> asleep;
 };
 

@@ -17,9 +17,9 @@ namespace frana::structured {
 ///
 ///     C sleeps in k + 1  if  Z_k and Z_k-1 hold in it and four cells around, which is twice what its particles see
 ///
-/// Then velocity gradients are zero in it and as far as it sees, in k and k + 1: areas, damage and, the return to the yield
-/// surface being idempotent, stresses stay as k left them, and so do the accelerations that they give. What the grid
-/// gives (push, submergence) changes from step to step alone: every step begins awake.
+/// Then velocity gradients are zero in it and as far as it sees, in k and k + 1: areas, damage and, the return to the
+/// yield surface being idempotent, stresses stay as k left them, and so do the accelerations that they give. What the
+/// grid gives (push, submergence) changes from step to step alone: every step begins awake.
 class Rest {
   public:
     /// Before the first substep of a step, and whenever particles were sorted.

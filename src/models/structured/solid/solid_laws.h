@@ -30,7 +30,7 @@ struct SolidLaws {
     double gravity = 9.81;
     bool steep = true;  ///< gravity and friction over 1 + |grad b|^2
     Elasticity elastic;
-    double sin_dilatancy = 0;           ///< sin(psi)
+    double sin_dilatancy = 0;                  ///< sin(psi)
     bool strength_of_particle_stress = false;  ///< yield is checked without the geostatic stress
     BrokenMaterial broken = BrokenMaterial::earth_pressure;
     EarthPressure earth_pressure = EarthPressure::hydrostatic;
@@ -41,12 +41,12 @@ struct SolidLaws {
 
     CubicKernel kernel;
     double wave_speed = 0;  ///< of pressure waves in the lightest material [m/s]
-    double spacing = 1;  ///< of particles at the start, dp
+    double spacing = 1;     ///< of particles at the start, dp
     ArtificialViscosity viscosity;
     double artificial_stress = 0.5;
     double elastic_cfl = 0.25;  ///< share of the smoothing length that elastic waves cross in a substep
-    bool sleeps = true;  ///< what rests is not computed anew; false, for tests: it is, to the same bits
-    double pic_share = 0;  ///< of the grid's velocity that particles take over in a step
+    bool sleeps = true;         ///< what rests is not computed anew; false, for tests: it is, to the same bits
+    double pic_share = 0;       ///< of the grid's velocity that particles take over in a step
 };
 
 }  // namespace frana::structured

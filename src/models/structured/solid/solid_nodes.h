@@ -64,8 +64,8 @@ class SolidNodes {
     /// What steps change; walls stand where they stood.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [sum, coupled, pushes, h, nu, nv, solids, whole_share, where, inside,
-                                all_inside] = *this;
+        [[maybe_unused]] auto& [sum, coupled, pushes, h, nu, nv, solids, whole_share, where, inside, all_inside] =
+            *this;
         archive(sum, coupled, pushes, h, nu, nv, solids, whole_share, where);
     }
 

@@ -24,8 +24,7 @@ SolidStages stages_of() {
 template <class Task>
 SolidReport over_rows(const CellOrder& order, ThreadPool& pool, const Task& task) {
     std::vector<SolidReport> reports(static_cast<std::size_t>(order.rows()));
-    pool.for_each(reports.size(),
-                  [&](std::size_t row) { reports[row] = task(static_cast<std::int64_t>(row)); });
+    pool.for_each(reports.size(), [&](std::size_t row) { reports[row] = task(static_cast<std::int64_t>(row)); });
     SolidReport all;
     for (const SolidReport& report : reports) all.merge(report);
     return all;
@@ -41,8 +40,7 @@ void load_work(SolidState& state, ThreadPool& pool) {
                                                             {Field::v, PairWork::v},
                                                             {Field::area, PairWork::area}};
         for (const auto& [field, array] : copied)
-            std::copy(state.particles[field] + begin, state.particles[field] + end,
-                      state.work[array] + begin);
+            std::copy(state.particles[field] + begin, state.particles[field] + end, state.work[array] + begin);
     });
 }
 
@@ -63,9 +61,8 @@ bool fits(const SolidState& state) {
 }
 
 SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast) {
-    SolidStages stages =
-        cohesive ? (wet ? stages_of<SolidKind<true, true>>() : stages_of<SolidKind<true, false>>())
-                 : (wet ? stages_of<SolidKind<false, true>>() : stages_of<SolidKind<false, false>>());
+    SolidStages stages = cohesive ? (wet ? stages_of<SolidKind<true, true>>() : stages_of<SolidKind<true, false>>())
+                                  : (wet ? stages_of<SolidKind<false, true>>() : stages_of<SolidKind<false, false>>());
     stages.fields = solid_fields(cohesive, wet);
     stages.pairs = fast ? &pair_kernels() : &plain_pair_kernels();
     stages.releases = cohesive && wet;
@@ -78,8 +75,7 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
     double px = 0, py = 0, mass = 0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double x = particles[Field::x][p], y = particles[Field::y][p];
-        const double u = particles[Field::u][p], v = particles[Field::v][p],
-                     solids = particles[Field::volume][p];
+        const double u = particles[Field::u][p], v = particles[Field::v][p], solids = particles[Field::volume][p];
         const double confined = particles[Field::confined] ? particles[Field::confined][p] : 0;
         const double m = particles[Field::grain_density][p] * solids + laws.basal.fluid_density * confined;
         if (grid.bounds().holds(x, y)) {
@@ -106,13 +102,12 @@ double stable_substep(const SolidState& state, const SolidLaws& laws) {
     constexpr double k_viscous = 0.4, k_force = 0.25;
     const double length = laws.kernel.length();
     const double sound = state.elastic ? laws.viscosity.sound : state.sound;
-    const double elastic = state.elastic ? laws.elastic_cfl * length / laws.wave_speed
-                                         : std::numeric_limits<double>::infinity();
+    const double elastic =
+        state.elastic ? laws.elastic_cfl * length / laws.wave_speed : std::numeric_limits<double>::infinity();
     const double viscous =
         k_viscous * length /
         (sound + 0.6 * (laws.viscosity.linear * sound + laws.viscosity.quadratic * state.last.approach));
-    const double force =
-        k_force * std::sqrt(length / std::max(std::sqrt(state.last.acceleration2), laws.gravity));
+    const double force = k_force * std::sqrt(length / std::max(std::sqrt(state.last.acceleration2), laws.gravity));
     return std::min({elastic, viscous, force});
 }
 
@@ -142,16 +137,14 @@ int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& 
         }
         // Equal substeps for what is left, so that no sliver remains.
         const double part = left / std::ceil(left / stable * (1 - 1e-12));
-        if (state.drift + part * std::sqrt(state.last.apart2) > 0.5 * state.order.slack())
-        {
+        if (state.drift + part * std::sqrt(state.last.apart2) > 0.5 * state.order.slack()) {
             sort_solids(state, laws, grid, pool);
             rest.begin(state.order, state.work);
         }
         over_rows(state.order, pool, [&](std::int64_t row) {
             stages.pairs->velocity_gradients(state.order, row, laws.kernel, state.work);
-            over_awake(row, [&](ParticleRun run) {
-                stages.update_material(run, part, laws, state.particles, state.work);
-            });
+            over_awake(row,
+                       [&](ParticleRun run) { stages.update_material(run, part, laws, state.particles, state.work); });
             return SolidReport{};
         });
         const SolidReport pairs = over_rows(state.order, pool, [&](std::int64_t row) {
@@ -165,9 +158,12 @@ int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& 
                 const std::size_t cell = rest.index(row, column);
                 const ParticleRun run = state.order.cell(row, column);
                 if (run.begin < run.end && !Rest::asleep(state.work, cell))
-                    rest.see(cell, move_particles(run, part, obstacles, widest, state.mean, state.particles, state.work));
-                else if (run.begin == run.end) rest.see(cell, {});
-                else report.slept += static_cast<std::int64_t>(run.end - run.begin);
+                    rest.see(cell,
+                             move_particles(run, part, obstacles, widest, state.mean, state.particles, state.work));
+                else if (run.begin == run.end)
+                    rest.see(cell, {});
+                else
+                    report.slept += static_cast<std::int64_t>(run.end - run.begin);
                 report.merge(rest.seen(cell));
             }
             return report;
@@ -203,8 +199,7 @@ void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws
     nodes.clear(nodes.box, grid.stride(), pool);
     // Strips of rows, every second at a time: what lies between is wider than the nodes that two strips could
     // share.
-    const auto strip =
-        static_cast<std::int64_t>(std::ceil((4 * dx + state.order.slack()) / state.order.side()));
+    const auto strip = static_cast<std::int64_t>(std::ceil((4 * dx + state.order.slack()) / state.order.side()));
     const std::int64_t strips = (state.order.rows() + strip - 1) / strip;
     for (std::int64_t parity = 0; parity < 2; ++parity) {
         pool.for_each(static_cast<std::size_t>((strips - parity + 1) / 2), [&](std::size_t k) {

@@ -25,10 +25,10 @@ struct SolidState {
     CellOrder order;
     PairWork work;  ///< in the particles' order; x, y, u, v, area are always theirs
     SolidNodes nodes;
-    Point mean;         ///< velocity against which `drift` is measured [m/s]
+    Point mean;                                              ///< velocity against which `drift` is measured [m/s]
     double drift = std::numeric_limits<double>::infinity();  ///< of any particle against the others since the sort [m]
-    double moved = 0;   ///< of any particle since the sort [m]
-    SolidReport last;   ///< of the last substep
+    double moved = 0;                                        ///< of any particle since the sort [m]
+    SolidReport last;                                        ///< of the last substep
     bool elastic = true;  ///< whether any particle carries more than its earth pressure; as of the last step's end
     double sound = 0;     ///< of shallow water as deep as the deepest column, sqrt(g h) [m/s]; likewise
     LeftDomain left;
@@ -55,8 +55,7 @@ struct SolidStages {
     FieldMask fields;
     const PairKernels* pairs = nullptr;
     void (*update_material)(ParticleRun, double dt, const SolidLaws&, ParticleSet&, PairWork&) = nullptr;
-    void (*solids_to_nodes)(ParticleRun, const SolidLaws&, const ParticleSet&, const NodeGrid&,
-                            SolidNodes&) = nullptr;
+    void (*solids_to_nodes)(ParticleRun, const SolidLaws&, const ParticleSet&, const NodeGrid&, SolidNodes&) = nullptr;
     void (*nodes_to_solids)(ParticleRun, const SolidLaws&, double dt, const NodeGrid&, const SolidNodes&,
                             ParticleSet&) = nullptr;
     bool releases = false;  ///< confined fluid can become free
@@ -66,8 +65,7 @@ struct SolidStages {
 SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast = true);
 
 /// Sorts the particles, dropping those beyond the edges, and sets `mean`.
-void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
-                 ThreadPool& pool);
+void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid, ThreadPool& pool);
 
 /// Longest substep of the solids alone (share/doc/structured.md, "Time step") [s]: waves, viscosity, acceleration.
 ///     dt <= 0.25 l / c,   0.4 l / (s + 0.6 (a s + b |phi|)),   0.25 sqrt(l / |a|)

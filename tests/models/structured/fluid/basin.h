@@ -52,9 +52,7 @@ struct Basin {
                             (static_cast<double>(j) + 0.5) * nodes.cell_size()},
                       nodes.index(i, j));
     }
-    [[nodiscard]] double depth(std::int64_t i, std::int64_t j) const {
-        return state.now.depth[nodes.index(i, j)];
-    }
+    [[nodiscard]] double depth(std::int64_t i, std::int64_t j) const { return state.now.depth[nodes.index(i, j)]; }
     [[nodiscard]] double u(std::int64_t i, std::int64_t j) const {
         const std::size_t cell = nodes.index(i, j);
         return fluid_velocity(state.now.depth[cell], state.now.qx[cell], laws.dry);

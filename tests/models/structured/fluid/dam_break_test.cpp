@@ -12,8 +12,7 @@ using bench::DamBreak;
 using bench::plain_grid;
 
 // A channel three cells wide, `half` metres long on either side of the dam, at `time` after the break.
-Basin channel(double half, std::int64_t cells, double left, double right, double time, double dry,
-              bool turned) {
+Basin channel(double half, std::int64_t cells, double left, double right, double time, double dry, bool turned) {
     const double dx = 2 * half / static_cast<double>(cells);
     FluidLaws laws = still_laws();
     laws.dry = dry;

@@ -37,8 +37,7 @@ TEST(FluidResistance, SteepUniformFlowHasManningsVelocityAlongTheBed) {
     const double angle = 30 * M_PI / 180;
     Basin basin = plane(std::tan(angle), 0.5, laws);
     basin.advance(40);
-    const double exact =
-        std::pow(0.5 * std::cos(angle), 2.0 / 3) * std::sqrt(std::sin(angle)) / 0.05 * std::cos(angle);
+    const double exact = std::pow(0.5 * std::cos(angle), 2.0 / 3) * std::sqrt(std::sin(angle)) / 0.05 * std::cos(angle);
     EXPECT_NEAR(basin.u(150, 1), exact, 1e-3 * exact);
 }
 
@@ -117,7 +116,10 @@ TEST(FluidResistance, StressKeepsMomentum) {
 // What the fluid sees of solids, for tests: the same value of each kind wherever no function is given.
 struct Solids {
     Solids(Basin& basin, double velocity, double fraction, double whole, const std::function<double(Point)>& depth)
-        : h(basin.nodes.bed.size(), 0), u(h.size(), velocity), v(h.size(), 0), solids(h.size(), fraction),
+        : h(basin.nodes.bed.size(), 0),
+          u(h.size(), velocity),
+          v(h.size(), 0),
+          solids(h.size(), fraction),
           structured(h.size(), whole) {
         basin.for_cells([&](Point p, std::size_t cell) { h[cell] = depth(p); });
         basin.solid = {h.data(), u.data(), v.data(), solids.data(), structured.data()};
@@ -140,8 +142,8 @@ TEST(FluidResistance, SolidsProfileDamps) {
     EXPECT_NEAR(basin.u(100, 1), 2 + std::exp(-rate * 3), 0.002);
 }
 
-// nu_A: of the enhanced stress -2 nu_A w dalpha_c/dx through a uniform stream over solids at rest whose depth varies, the
-// divergence, worked by hand; second order with 50 cells a wave.
+// nu_A: of the enhanced stress -2 nu_A w dalpha_c/dx through a uniform stream over solids at rest whose depth varies,
+// the divergence, worked by hand; second order with 50 cells a wave.
 TEST(FluidResistance, EnhancedStressOfAVaryingShareOfSolids) {
     FluidLaws laws = still_laws();
     laws.gravity = 0;

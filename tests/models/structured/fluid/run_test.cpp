@@ -69,7 +69,8 @@ TEST(StructuredRun, FluidGivesMaximaArrivalSeriesAndBudget) {
     budget_closes(result);
     EXPECT_EQ(result.particles_peak, 0);
     ASSERT_EQ(times.size(), 21u);
-    // Each is the first state at or after its time; no step of this scene is as long as 0.2 s, a cell over the speed of a film.
+    // Each is the first state at or after its time; no step of this scene is as long as 0.2 s, a cell over the speed of
+    // a film.
     for (std::size_t i = 0; i < times.size(); ++i) {
         EXPECT_GE(times[i], static_cast<double>(i) - 1e-9);
         EXPECT_LT(times[i], static_cast<double>(i) + 0.2);

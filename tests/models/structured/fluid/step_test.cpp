@@ -98,17 +98,15 @@ TEST(FluidStep, SameBitsForAnyNumberOfThreads) {
     for (const int threads : {2, 3, 8}) {
         const auto many = run(threads);
         ASSERT_EQ(many.size(), one.size());
-        EXPECT_EQ(std::memcmp(many.data(), one.data(), one.size() * sizeof(double)), 0)
-            << threads << " threads";
+        EXPECT_EQ(std::memcmp(many.data(), one.data(), one.size() * sizeof(double)), 0) << threads << " threads";
     }
 }
 
 // The four quarters of a square basin mirror each other to rounding.
 TEST(FluidStep, KeepsSymmetry) {
     Basin basin(Raster(plain_grid(60, 60, 1), 0.0), still_laws());
-    basin.fill([](Point p) {
-        return Water{0.1 + std::exp(-((p.x - 30) * (p.x - 30) + (p.y - 30) * (p.y - 30)) / 40)};
-    });
+    basin.fill(
+        [](Point p) { return Water{0.1 + std::exp(-((p.x - 30) * (p.x - 30) + (p.y - 30) * (p.y - 30)) / 40)}; });
     basin.advance(5);
     for (std::int64_t j = 0; j < 60; ++j) {
         for (std::int64_t i = 0; i < 60; ++i) {
@@ -139,8 +137,7 @@ TEST(FluidStep, TilesDoNotShow) {
         basin.fill([&](Point p) { return Water{std::abs(p.x - shift - 20) < 6 ? 1.0 : 0.0}; });
         basin.advance(12);
         std::vector<double> row;
-        for (std::int64_t i = 12; i < 140; ++i)
-            row.push_back(basin.depth(i + static_cast<std::int64_t>(shift), 10));
+        for (std::int64_t i = 12; i < 140; ++i) row.push_back(basin.depth(i + static_cast<std::int64_t>(shift), 10));
         return row;
     };
     const auto here = depths(0), there = depths(7);
@@ -155,8 +152,7 @@ TEST(FluidStep, WallsHold) {
     closed.fill([](Point p) { return Water{p.x < 20 ? 1.0 : 0.0, 3, 0}; });
     closed.advance(10);
     double behind = 0;
-    closed.for_cells(
-        [&](Point p, std::size_t cell) { behind += p.x > 20 ? closed.state.now.depth[cell] : 0; });
+    closed.for_cells([&](Point p, std::size_t cell) { behind += p.x > 20 ? closed.state.now.depth[cell] : 0; });
     EXPECT_EQ(behind, 0);
 
     walls.at(20, 20) = 0;
@@ -186,9 +182,7 @@ TEST(FluidStep, RandomStepsAndDropsStayPositive) {
     std::uniform_real_distribution<double> unit(0, 1);
     const Raster ground = sample_raster(plain_grid(40, 40, 1), [&](Point) { return 5 * unit(random); });
     Basin basin(ground, still_laws());
-    basin.fill([&](Point) {
-        return Water{unit(random) < 0.3 ? 3 * unit(random) : 0.0, 20 * unit(random) - 10, 0};
-    });
+    basin.fill([&](Point) { return Water{unit(random) < 0.3 ? 3 * unit(random) : 0.0, 20 * unit(random) - 10, 0}; });
     const double volume = basin.volume();
     const FluidReport report = basin.advance(5);
     EXPECT_EQ(report.non_finite, 0);
@@ -206,9 +200,7 @@ TEST(FluidStep, AnUndefinedStateEndsTheRun) {
 TEST(FluidStep, ASpeedNextToInfiniteIsCountedAndEndsTheStep) {
     for (const double speed : {1e12, 1e150, std::numeric_limits<double>::infinity()}) {
         Basin basin(hills(40), rough_laws());
-        basin.fill([&](Point p) {
-            return Water{1, p.x < 4 && p.y < 4 ? speed : 0};
-        });
+        basin.fill([&](Point p) { return Water{1, p.x < 4 && p.y < 4 ? speed : 0}; });
         const FluidReport report = basin.advance(1);
         EXPECT_GT(report.non_finite, 0) << speed;
         EXPECT_EQ(report.steps, 0) << speed;
