@@ -10,7 +10,7 @@
 namespace frana::test {
 namespace {
 
-// What each library may include besides itself: the floors below it, as the house is drawn (ARCHITECTURE.md).
+// What each library may include besides itself: those of lower levels (ARCHITECTURE.md).
 const std::map<std::string, std::set<std::string>> k_may_include{
     {"core", {}},
     {"params", {"core"}},
@@ -27,8 +27,8 @@ const std::map<std::string, std::set<std::string>> k_may_include{
      {"core", "params", "analysis", "particles", "physics", "mpm", "models", "simulation", "bench", "gis", "render"}},
 };
 
-// The rooms of a library, each above those before it. A library that is not here has one.
-const std::map<std::string, std::vector<std::string>> k_rooms{
+// The folders of a library, each above those before it. A library that is not here has one.
+const std::map<std::string, std::vector<std::string>> k_folders{
     {"params", {"grammar", "keys", "check", "scene"}},
     {"bench", {"exact", "set_up", "accuracy", "stability", "speed"}},
     {"gis", {"access", "crs", "vector", "raster"}},
@@ -36,7 +36,7 @@ const std::map<std::string, std::vector<std::string>> k_rooms{
     {"app", {"process", "text", "input", "store", "pictures", "compare", "publish", "commands", "main.cpp"}},
 };
 
-// Rooms that may not include all that their library may.
+// Folders that may not include all that their library may.
 const std::map<std::string, std::set<std::string>> k_may_not_include{
     {"bench/exact", {"params", "analysis", "particles", "physics", "mpm", "models", "simulation"}},
     {"app/process",
@@ -57,20 +57,20 @@ std::string library_of(const std::string& path) {
 }
 
 /// "gis/crs/crs.h" -> "crs"; empty for a file that lies in its library itself.
-std::string room_of(const std::string& path) {
+std::string folder_of(const std::string& path) {
     const std::string rest = path.rfind("src/", 0) == 0 ? path.substr(4) : path;
     const auto library = rest.find('/');
     if (library == std::string::npos) return {};
-    const auto room = rest.find('/', library + 1);
-    return room == std::string::npos ? std::string() : rest.substr(library + 1, room - library - 1);
+    const auto folder = rest.find('/', library + 1);
+    return folder == std::string::npos ? std::string() : rest.substr(library + 1, folder - library - 1);
 }
 
-/// The place of a room in its library, from below; none for a room that the house does not have.
-std::optional<std::size_t> floor_of(const std::string& path) {
-    const auto library = k_rooms.find(library_of(path));
-    if (library == k_rooms.end()) return 0;
-    const std::string room = room_of(path).empty() ? path.substr(path.rfind('/') + 1) : room_of(path);
-    const auto found = std::find(library->second.begin(), library->second.end(), room);
+/// The place of a folder in its library, from below; none for a folder that its library does not list.
+std::optional<std::size_t> level_of(const std::string& path) {
+    const auto library = k_folders.find(library_of(path));
+    if (library == k_folders.end()) return 0;
+    const std::string folder = folder_of(path).empty() ? path.substr(path.rfind('/') + 1) : folder_of(path);
+    const auto found = std::find(library->second.begin(), library->second.end(), folder);
     if (found == library->second.end()) return std::nullopt;
     return static_cast<std::size_t>(found - library->second.begin());
 }
@@ -88,21 +88,21 @@ bool starts_with_any(const std::string& text, const std::vector<std::string>& be
                        [&](const std::string& beginning) { return text.rfind(beginning, 0) == 0; });
 }
 
-TEST(IncludeDirections, NoArrowRunsUpTheHouse) {
+TEST(IncludeDirections, NoIncludeOfAHigherLevel) {
     const auto files = source_files({"src", "gis", "render"}, {".h", ".cpp"});
     ASSERT_GT(files.size(), 50U) << "the source tree was not found at " FRANA_SOURCE_DIR;
     for (const std::string& file : files) {
         const std::string library = library_of(file);
-        ASSERT_EQ(k_may_include.count(library), 1U) << file << " lies in a library that the house does not have";
-        const auto floor = floor_of(file);
-        ASSERT_TRUE(floor) << file << " lies in a room that its library does not have";
-        const auto forbidden = k_may_not_include.find(library + "/" + room_of(file));
+        ASSERT_EQ(k_may_include.count(library), 1U) << file << " lies in a library that is not listed";
+        const auto level = level_of(file);
+        ASSERT_TRUE(level) << file << " lies in a folder that its library does not list";
+        const auto forbidden = k_may_not_include.find(library + "/" + folder_of(file));
         for (const std::string& line : lines_of(file)) {
             const std::string target = included(line);
             const std::string other = library_of(target);
             if (target.find('/') == std::string::npos || k_may_include.count(other) == 0) continue;
             if (other == library) {
-                EXPECT_LE(floor_of(target), floor) << file << ": " << line;
+                EXPECT_LE(level_of(target), level) << file << ": " << line;
                 continue;
             }
             EXPECT_EQ(k_may_include.at(library).count(other), 1U) << file << ": " << line;
