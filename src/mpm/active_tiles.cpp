@@ -101,7 +101,7 @@ void ActiveTiles::keep(const NodeGrid& nodes) {
     kept_.clear();
     for (const std::int64_t tile : kept_tiles_) {
         NodeRange(tile, grid_, nodes).for_each(nodes.stride(), [&](std::size_t n, std::int64_t, std::int64_t) {
-            kept_.push_back(nodes.sums[n]);
+            kept_.push_back(nodes.records[n]);
         });
     }
 }
@@ -110,7 +110,7 @@ void ActiveTiles::put_back(NodeGrid& nodes) const {
     std::size_t next = 0;
     for (const std::int64_t tile : kept_tiles_) {
         NodeRange(tile, grid_, nodes).for_each(nodes.stride(), [&](std::size_t n, std::int64_t, std::int64_t) {
-            nodes.sums[n] = kept_[next++];
+            nodes.records[n] = kept_[next++];
         });
     }
 }

@@ -96,7 +96,7 @@ class ActiveTiles {
     std::array<std::vector<std::uint32_t>, 4> bringing_;
     std::vector<std::uint32_t> moved_;
     std::vector<std::int64_t> cleared_, gathered_, updated_, kept_tiles_;
-    std::vector<NodeSums> kept_;
+    std::vector<NodeRecord> kept_;
 };
 
 }  // namespace frana

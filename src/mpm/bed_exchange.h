@@ -46,7 +46,7 @@ void serialise(Archive& archive, ExchangeReport& report) {
 
 /// Erosion and deposition at a tile's nodes: what is eroded (or, where nothing is, deposited) in this step.
 /// Comes after update_nodes, whose friction says how the bed resists. What lies on the bed can be taken up
-/// again. Deposition leaves a film of the flow, so that particles keep a volume. Reads NodeSums mass,
+/// again. Deposition leaves a film of the flow, so that particles keep a volume. Reads NodeMotion mass,
 /// velocity, share; BedState; bed; reads and writes BedLayer. Nodes outside the terrain and solid ones do not
 /// exchange.
 /// @param density [kg/m3]  @param dt [s]  @param film least depth that deposition leaves [m]
@@ -57,7 +57,7 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
     const std::uint8_t* solid = nodes.solid();
     range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
-        const NodeSums& node = nodes.sums[i];
+        const NodeMotion& node = nodes.motion()[i];
         BedLayer& layer = layers[i];
         layer.gain = layer.loss = layer.change = 0;
         if (!(node.mass > 0) || column < k_ghost || row < k_ghost || column >= stride - k_ghost ||
@@ -66,11 +66,11 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
         double climb = 0;
         if constexpr (Metric) {
             const double* z = nodes.bed.data() + i;
-            climb = (node.px * (z[1] - z[-1]) + node.py * (z[stride] - z[-stride])) * half_inverse_dx;
+            climb = (node.u * (z[1] - z[-1]) + node.v * (z[stride] - z[-stride])) * half_inverse_dx;
         }
-        const double speed = std::sqrt(node.px * node.px + node.py * node.py + climb * climb);
+        const double speed = std::sqrt(node.u * node.u + node.v * node.v + climb * climb);
         const BedState& bed = states[i];
-        const double mass = density * bed.thickness, share = std::min(1.0, node.area);
+        const double mass = density * bed.thickness, share = std::min(1.0, node.fraction);
         const BedContact contact{node.mass / (share * cell_area), speed,        mass * bed.resistance,
                                  mass * bed.normal_gravity,       layer.eroded, dt};
         const double to_share = cell_area / node.mass;

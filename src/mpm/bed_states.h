@@ -5,12 +5,12 @@
 
 namespace frana {
 
-/// Thickness and support of each node that holds mass; the laws then add their parts. Reads NodeSums mass,
+/// Thickness and support of each node that holds mass; the laws then add their parts. Reads NodeForces mass,
 /// area, px, py (curved only), bed; writes BedState.
 template <class Slope>
 void fill_bed_states(const NodeRange& range, const NodeUpdate& k, const NodeGrid& nodes, BedState* states) {
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
-        const NodeSums& node = nodes.sums[i];
+        const NodeForces& node = nodes.forces()[i];
         if (!(node.mass > 0)) return;
         const NodeDrive ground = ground_of<Slope>(nodes, k, i, column, row);
         const double root = Slope::metric ? std::sqrt(ground.n) : 1;
@@ -23,7 +23,7 @@ template <class Law>
 void add_friction(const NodeRange& range, const NodeUpdate& k, Law law, const NodeGrid& nodes, BedState* states) {
     if constexpr (requires { law.effective_share; }) law.effective_share = k.effective_share;
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t, std::int64_t) {
-        if (nodes.sums[i].mass > 0) law(states[i], i);
+        if (nodes.mass(i) > 0) law(states[i], i);
     });
 }
 

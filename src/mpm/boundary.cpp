@@ -25,7 +25,7 @@ void for_each_mirror_pair(const NodeGrid& nodes, const Visit& visit) {
 }  // namespace
 
 void mirror_sums(NodeGrid& nodes) {
-    NodeSums* sums = nodes.sums.data();
+    NodeSums* sums = nodes.sums();
     for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool normal_is_x) {
         const NodeSums g = sums[ghost];
         if (g.mass == 0) return;
@@ -34,8 +34,8 @@ void mirror_sums(NodeGrid& nodes) {
         sums[inner].py += normal_is_x ? g.py : -g.py;
         sums[inner].area += g.area;
         sums[inner].area_bed += g.area_bed;
-        sums[inner].fx += g.fx;
-        sums[inner].fy += g.fy;
+        sums[inner].bed_squares += g.bed_squares;
+        sums[inner].surface_squares += g.surface_squares;
         sums[ghost] = NodeSums{};
     });
     for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool normal_is_x) {
@@ -47,30 +47,30 @@ void mirror_sums(NodeGrid& nodes) {
 
 void mirror_levels(NodeGrid& nodes) {
     for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool) {
-        if (nodes.sums[inner].mass != 0) nodes.levels[ghost] = nodes.levels[inner];
+        if (nodes.mass(inner) != 0) nodes.levels[ghost] = nodes.levels[inner];
     });
 }
 
 void fold_forces(NodeGrid& nodes) {
-    NodeSums* sums = nodes.sums.data();
+    NodeForces* forces = nodes.forces();
     for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool normal_is_x) {
-        sums[inner].fx += normal_is_x ? -sums[ghost].fx : sums[ghost].fx;
-        sums[inner].fy += normal_is_x ? sums[ghost].fy : -sums[ghost].fy;
-        sums[ghost].fx = sums[ghost].fy = 0;
+        forces[inner].fx += normal_is_x ? -forces[ghost].fx : forces[ghost].fx;
+        forces[inner].fy += normal_is_x ? forces[ghost].fy : -forces[ghost].fy;
+        forces[ghost].fx = forces[ghost].fy = 0;
     });
 }
 
 void mirror_velocities(NodeGrid& nodes) {
-    NodeSums* sums = nodes.sums.data();
+    NodeMotion* motion = nodes.motion();
     for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool normal_is_x) {
-        if (sums[inner].mass == 0) return;
-        sums[ghost] = sums[inner];
+        if (motion[inner].mass == 0) return;
+        motion[ghost] = motion[inner];
         if (normal_is_x) {
-            sums[ghost].px *= -1;
-            sums[ghost].fx *= -1;
+            motion[ghost].u *= -1;
+            motion[ghost].back_u *= -1;
         } else {
-            sums[ghost].py *= -1;
-            sums[ghost].fy *= -1;
+            motion[ghost].v *= -1;
+            motion[ghost].back_v *= -1;
         }
     });
 }

@@ -42,43 +42,46 @@ double under_level(const double* bed, std::int64_t stride, double level, double 
 }  // namespace
 
 void mean_levels(const NodeRange& range, NodeGrid& nodes) {
+    NodeSums* const sums = nodes.sums();
     NodeLevel* levels = nodes.levels.data();
     const double flat = k_flat * nodes.cell_size() * nodes.cell_size();
     range.for_each(nodes.stride(), [&](std::size_t n, std::int64_t, std::int64_t) {
-        NodeSums& s = nodes.sums[n];
+        NodeSums& s = sums[n];
         levels[n] = NodeLevel{};
         if (!(s.area > 0)) return;
         const double depth = s.mass / s.area, above = s.area_bed / s.area;
-        const double bed_spread = std::max(0.0, s.fx / s.area - above * above);
-        const double surface_spread = std::max(0.0, s.fy / s.area - (depth + above) * (depth + above));
+        const double bed_spread = std::max(0.0, s.bed_squares / s.area - above * above);
+        const double surface_spread = std::max(0.0, s.surface_squares / s.area - (depth + above) * (depth + above));
         levels[n].depth = depth;
         levels[n].level = nodes.bed[n] + above + depth;
         levels[n].ponding = 1 - smooth_step(k_level_ratio, k_sloping_ratio, surface_spread / (bed_spread + flat));
-        s.fx = s.fy = 0;
+        s.bed_squares = s.surface_squares = 0;
     });
 }
 
 void forget_squares(const NodeRange& range, NodeGrid& nodes) {
-    range.for_each(nodes.stride(),
-                   [&](std::size_t n, std::int64_t, std::int64_t) { nodes.sums[n].fx = nodes.sums[n].fy = 0; });
+    NodeSums* const sums = nodes.sums();
+    range.for_each(nodes.stride(), [&](std::size_t n, std::int64_t, std::int64_t) {
+        sums[n].bed_squares = sums[n].surface_squares = 0;
+    });
 }
 
 void node_references(const NodeRange& range, NodeGrid& nodes) {
-    const NodeSums* sums = nodes.sums.data();
+    NodeForces* const forces = nodes.forces();
     NodeLevel* levels = nodes.levels.data();
     const double* bed = nodes.bed.data();
     const std::uint8_t* solid = nodes.solid();
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
     const double dx = nodes.cell_size(), inverse_dx2 = 1 / (dx * dx);
     range.for_each(stride, [&](std::size_t n, std::int64_t i, std::int64_t j) {
-        if (!(sums[n].area > 0)) return;
+        if (!(forces[n].area > 0)) return;
         const bool ghost = i < k_ghost || j < k_ghost || i >= stride - k_ghost || j >= rows - k_ghost;
-        nodes.sums[n].area_bed = ghost ? 1 : crowding(nodes, n, i, j, dx * dx);
+        forces[n].crowding = ghost ? 1 : crowding(nodes, forces, n, i, j);
         if (i == 0 || j == 0 || i == stride - 1 || j == rows - 1) return;  // outermost ghosts: never read
         NodeLevel& level = levels[n];
-        double least = sums[n].area;
+        double least = forces[n].area;
         for (std::int64_t b = -1; b <= 1; ++b) {
-            const NodeSums* row = sums + n + b * stride;
+            const NodeForces* row = forces + n + b * stride;
             least = std::min(least, std::min(row[-1].area, std::min(row[0].area, row[1].area)));
         }
         if (least * inverse_dx2 >= k_filled_share) {  // filled all round, as most nodes are
@@ -93,7 +96,7 @@ void node_references(const NodeRange& range, NodeGrid& nodes) {
                 double fillable = 1;
                 if (level.ponding > 0 && i + a > 0 && j + b > 0 && i + a < stride - 1 && j + b < rows - 1)
                     fillable -= level.ponding * (1 - under_level(bed + k, stride, level.level, dx));
-                const double share = sums[k].area * inverse_dx2;
+                const double share = forces[k].area * inverse_dx2;
                 const double full = k_filled_share * fillable - k_known_share * level.ponding;
                 const double filled = share < full ? share / full : 1;
                 support = std::min(support, bed[k] >= level.level ? std::max(filled, level.ponding) : filled);

@@ -6,9 +6,8 @@
 
 namespace frana {
 
-/// Each node's mean depth and free surface, and how level that surface is. Reads NodeSums mass, area,
-/// area_bed and the squares in fx, fy, which it clears for the forces; writes NodeLevel depth, level,
-/// ponding.
+/// Each node's mean depth and free surface, and how level that surface is. Reads NodeSums and clears
+/// its squares, since forces are summed in their place; writes NodeLevel depth, level, ponding.
 ///
 /// Ponding tells a pool from a layer on a slope: it compares the spread of the particles' free surface round
 /// the node with the spread of the bed under them. 1 where the surface spreads less than a fifth of the bed,
@@ -16,11 +15,11 @@ namespace frana {
 /// same.
 void mean_levels(const NodeRange& range, NodeGrid& nodes);
 
-/// Clears for the forces what particles_to_nodes left in fx, fy, where the levels of the step before still hold.
+/// Clears the squares of NodeSums where the levels of the step before still hold.
 void forget_squares(const NodeRange& range, NodeGrid& nodes);
 
 /// Each node's support: the least share of any neighbour whose bed lies under the surface, full at 0.6
-/// (share/doc/numerics.md, "Reference level"); needs mean_levels of the whole neighbourhood.
+/// (share/doc/numerics.md, "Reference level"); and NodeForces::crowding. Needs mean_levels of the whole neighbourhood.
 void node_references(const NodeRange& range, NodeGrid& nodes);
 
 }  // namespace frana

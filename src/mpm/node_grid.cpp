@@ -67,7 +67,7 @@ NodeGrid::NodeGrid(const Ground& ground)
     }
     extend_beyond_edges();
     if (gaps) extend_into_gaps(bed, stride(), padded_rows());
-    sums = ZeroArray<NodeSums>(bed.size());
+    records = ZeroArray<NodeRecord>(bed.size());
 }
 
 // Beyond the edge the terrain goes on with the slope it has there.

@@ -1,32 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "core/raster.h"
 #include "core/zero_array.h"
+#include "mpm/node_record.h"
 
 namespace frana {
 
 /// Nodes outside the terrain on every side: a particle in the outermost half cell reaches one of them.
 inline constexpr std::int64_t k_ghost = 2;
-
-/// What one node gathers in a step; one cache line. After update_nodes the same places hold velocities. Each half is
-/// what a fast sweep loads at once.
-struct alignas(64) NodeSums {
-    double px, py;    ///< momentum [m4/s]; after the update: velocity in map view [m/s]
-    double fx, fy;    ///< force over density [m4/s2]; after the update: what the particles take back [m/s], the
-                      ///< velocity (along the bed where it is carried so) or, with FLIP, its change; at first: sums
-                      ///< of area times squared bed (fx) and surface (fy) over the node's own bed [m4]
-    double mass;      ///< volume: density is constant and divided out [m3]
-    double area;      ///< area the particles claim [m2]; after the update: share of the cell, phi [-]
-    double area_bed;  ///< sum of area times bed elevation over the node's own bed [m3]; with the references: crowding,
-                      ///< negative where friction holds the node; after the update: rate of climb, v . grad Z [m/s]
-                      ///< (Curved only)
-    double support;   ///< after the update: NodeLevel::support
-};
 
 /// The reference state that a node's pressure is measured against (share/doc/numerics.md, "Reference level").
 struct NodeLevel {
@@ -117,25 +104,45 @@ class NodeGrid {
     [[nodiscard]] double datum() const noexcept { return datum_; }
 
     std::vector<double> bed;      ///< padded, relative to datum [m]
-    ZeroArray<NodeSums> sums;     ///< padded
     ZeroArray<NodeLevel> levels;  ///< padded; empty when no term needs it
 
     bool bed_changes = false;  ///< the bed need not be the terrain's any more
 
+    [[nodiscard]] std::size_t size() const noexcept { return records.size(); }
+    /// Volume on a node, in every phase [m3].
+    [[nodiscard]] double mass(std::size_t node) const noexcept { return records[node].sums.mass; }
+    /// The records as what they are in the present phase; builds with assertions end where they are something else.
+    [[nodiscard]] NodeSums* sums() noexcept { return (check(NodePhase::sums), &records.data()->sums); }
+    [[nodiscard]] const NodeSums* sums() const noexcept { return (check(NodePhase::sums), &records.data()->sums); }
+    [[nodiscard]] NodeForces* forces() noexcept { return (check(NodePhase::forces), &records.data()->forces); }
+    [[nodiscard]] const NodeForces* forces() const noexcept {
+        return (check(NodePhase::forces), &records.data()->forces);
+    }
+    [[nodiscard]] NodeMotion* motion() noexcept { return (check(NodePhase::motion), &records.data()->motion); }
+    [[nodiscard]] const NodeMotion* motion() const noexcept {
+        return (check(NodePhase::motion), &records.data()->motion);
+    }
+
+    ZeroArray<NodeRecord> records;  ///< padded
+    NodePhase phase = NodePhase::sums;
+
     /// What may differ from what the constructor and the walls made.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [z, node_sums, node_levels, changes, nx, ny, oi, oj, dx, lowest, edges, marks] = *this;
+        [[maybe_unused]] auto& [z, node_levels, changes, node_records, now, nx, ny, oi, oj, dx, lowest, edges, marks] =
+            *this;
         archive(changes);
         const std::size_t count = z.size();
         if (changes) archive(z);
         if constexpr (Archive::k_reads) archive.require(z.size() == count);
-        archive(node_sums, node_levels);
+        archive(node_records, node_levels);
+        if constexpr (Archive::k_reads) now = NodePhase::motion;
     }
 
-    void allocate_levels() { levels = ZeroArray<NodeLevel>(sums.size()); }
+    void allocate_levels() { levels = ZeroArray<NodeLevel>(size()); }
 
   private:
+    void check([[maybe_unused]] NodePhase wanted) const noexcept { assert(phase == wanted); }
     void extend_beyond_edges();
 
     std::int64_t columns_, rows_, origin_column_, origin_row_;

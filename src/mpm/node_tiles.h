@@ -33,10 +33,10 @@ struct NodeRange {
     }
 };
 
-/// Zeroes the sums of one tile's nodes.
+/// Zeroes the records of one tile's nodes.
 inline void clear_nodes(const NodeRange& range, NodeGrid& nodes) {
     for (std::int64_t j = range.j0; j < range.j1; ++j) {
-        NodeSums* row = nodes.sums.data() + j * nodes.stride();
+        NodeSums* row = nodes.sums() + j * nodes.stride();
         std::fill(row + range.i0, row + range.i1, NodeSums{});
     }
 }

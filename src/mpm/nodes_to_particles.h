@@ -92,15 +92,15 @@ struct ParticleReport {
 /// stencil are from linear, |v0 - 2 v1 + v2| / (|v1 - v0| + |v2 - v1|) along both axes. 1 behind a shock that rings, 0
 /// where a flow converges smoothly: there a viscosity would only cost energy.
 template <class Shape>
-double shock_compression(const Stencil<Shape>& s, const NodeSums* sums, std::int64_t stride, double divergence) {
+double shock_compression(const Stencil<Shape>& s, const NodeMotion* motion, std::int64_t stride, double divergence) {
     if (!(divergence < 0)) return 0;
     static_assert(Shape::width == 3);
     double u[3] = {0, 0, 0}, v[3] = {0, 0, 0};
     for (int b = 0; b < 3; ++b) {
-        const NodeSums* row = sums + s.first + b * stride;
+        const NodeMotion* row = motion + s.first + b * stride;
         for (int a = 0; a < 3; ++a) {
-            u[a] += s.wy[b] * row[a].px;
-            v[b] += s.wx[a] * row[a].py;
+            u[a] += s.wy[b] * row[a].u;
+            v[b] += s.wx[a] * row[a].v;
         }
     }
     const double bend = std::abs(u[0] - 2 * u[1] + u[2]) + std::abs(v[0] - 2 * v[1] + v[2]);
@@ -132,7 +132,7 @@ double shock_compression(const Stencil<Shape>& s, const NodeSums* sums, std::int
 inline constexpr double k_work_limit = 0.5;
 
 /// New velocity, position, depth and stress of a tile's particles (paper, equations 33-38).
-/// Reads NodeSums after update_nodes; reads and writes x, y, u, v, area; writes c_* (affine), compression
+/// Reads NodeMotion; reads and writes x, y, u, v, area; writes c_* (affine), compression
 /// (Relaxed), s_* (Stress). Relaxed adds the area relaxation, which ties h_p to the mass on the grid: A grows
 /// or shrinks with what the particles claim of each cell, and only shrinks at a free front. Relaxed and
 /// affine together also carry the particle's shape q_*, which decides about splitting, and shift the particle
@@ -175,7 +175,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
     const Bounds edges = nodes.bounds();
     const double margin = 1e-9 * dx;
     const std::int64_t stride = grid.stride;
-    const NodeSums* const sums = nodes.sums.data();
+    const NodeMotion* const motion = nodes.motion();
     ParticleReport report;
 
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
@@ -185,42 +185,42 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         double m_xx = 0, m_xy = 0, m_yx = 0, m_yy = 0;  // for the affine part: first moments, gradient with hats
         [[maybe_unused]] double least = 1, share_x = 0, share_y = 0, depth_x = 0, depth_y = 0;  // for shifting
         for (int b = 0; b < Shape::width; ++b) {
-            const NodeSums* row = sums + s.first + b * stride;
+            const NodeMotion* row = motion + s.first + b * stride;
             const double to_y = s.to_first_y + b * dx;
             for (int a = 0; a < Shape::width; ++a) {
                 const double w = s.wx[a] * s.wy[b], gx = s.gx[a] * s.wy[b], gy = s.wx[a] * s.gy[b];
-                const double nu = row[a].px, nv = row[a].py;
+                const double nu = row[a].u, nv = row[a].v;
                 un += w * nu;
                 vn += w * nv;
-                wu += w * row[a].fx;
-                wv += w * row[a].fy;
+                wu += w * row[a].back_u;
+                wv += w * row[a].back_v;
                 u_x += gx * nu;
                 u_y += gy * nu;
                 v_x += gx * nv;
                 v_y += gy * nv;
                 if constexpr ((Transfer::affine || FollowsBed) && Shape::width == 3) {
                     const double to_x = s.to_first_x + a * dx;
-                    m_xx += w * row[a].fx * to_x;
-                    m_xy += w * row[a].fx * to_y;
-                    m_yx += w * row[a].fy * to_x;
-                    m_yy += w * row[a].fy * to_y;
+                    m_xx += w * row[a].back_u * to_x;
+                    m_xy += w * row[a].back_u * to_y;
+                    m_yx += w * row[a].back_v * to_x;
+                    m_yy += w * row[a].back_v * to_y;
                 } else if constexpr (Transfer::affine) {
-                    m_xx += gx * row[a].fx;
-                    m_xy += gy * row[a].fx;
-                    m_yx += gx * row[a].fy;
-                    m_yy += gy * row[a].fy;
+                    m_xx += gx * row[a].back_u;
+                    m_xy += gy * row[a].back_u;
+                    m_yx += gx * row[a].back_v;
+                    m_yy += gy * row[a].back_v;
                 }
-                if constexpr (FollowsBed) climb += w * row[a].area_bed;
+                if constexpr (FollowsBed) climb += w * row[a].climb;
                 if constexpr (Relaxed) {
-                    share += w * row[a].area;
+                    share += w * row[a].fraction;
                     cell_depth += w * row[a].mass;
                     support += w * row[a].support;
                     if constexpr (Transfer::affine) {
-                        share_x += gx * row[a].area;
-                        share_y += gy * row[a].area;
+                        share_x += gx * row[a].fraction;
+                        share_y += gy * row[a].fraction;
                         depth_x += gx * row[a].mass;
                         depth_y += gy * row[a].mass;
-                        least = std::min(least, row[a].area);
+                        least = std::min(least, row[a].fraction);
                     }
                 }
             }
@@ -292,7 +292,7 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
         }
         const double speed2 = un * un + vn * vn, speed = std::sqrt(speed2);
         if constexpr (Relaxed) {
-            compression[p] = shock_compression(s, sums, stride, div);
+            compression[p] = shock_compression(s, motion, stride, div);
             const double gain = share > k_crowded_share ? k_crowded_gain : k_relaxation_gain;
             const double beta = std::min(k_relaxation_limit, gain * speed * courant);
             if (share > 1 || support > 0.999) new_area *= 1 + beta * (1 / share - 1);

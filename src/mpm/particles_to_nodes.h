@@ -9,8 +9,7 @@
 namespace frana {
 
 /// Mass, momentum and area of a tile's particles to the nodes (paper, equations 27 and 29; affine part:
-/// APIC). Reads x, y, u, v, volume, area, and c_* if Affine; adds to NodeSums mass, px, py, area, and
-/// area_bed and the squares in fx, fy if Levels.
+/// APIC). Reads x, y, u, v, volume, area, and c_* if Affine; adds to NodeSums.
 template <class Shape, bool Affine, bool Levels>
 void particles_to_nodes(const ParticleTile& tile, const ParticleSet& particles, NodeGrid& nodes) {
     const double* x = particles[Field::x];
@@ -26,7 +25,7 @@ void particles_to_nodes(const ParticleTile& tile, const ParticleSet& particles, 
     const NodeScale grid = nodes.scale();
     const double dx = grid.dx;
     const std::int64_t stride = grid.stride;
-    NodeSums* const sums = nodes.sums.data();
+    NodeSums* const sums = nodes.sums();
     const double* const bed = nodes.bed.data();
 
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
@@ -57,8 +56,8 @@ void particles_to_nodes(const ParticleTile& tile, const ParticleSet& particles, 
                 if constexpr (Levels) {
                     const double above = z - bed[s.first + static_cast<std::size_t>(b * stride + a)];
                     row[a].area_bed += w * area[p] * above;
-                    row[a].fx += w * area[p] * above * above;
-                    row[a].fy += w * area[p] * (above + depth) * (above + depth);
+                    row[a].bed_squares += w * area[p] * above * above;
+                    row[a].surface_squares += w * area[p] * (above + depth) * (above + depth);
                 }
             }
         }

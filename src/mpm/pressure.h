@@ -21,7 +21,7 @@ inline constexpr double k_shock_viscosity = 0.5;
 /// node's own still level or mean depth, which integrates to zero in the continuum, so that a uniform state exerts
 /// exactly no force whatever the particles' arrangement; update_nodes adds back the weight of a reference
 /// that follows the bed. Reads x, y, volume, area, s_* if Stress, compression if Referenced; reads NodeLevel;
-/// adds to NodeSums fx, fy.
+/// adds to NodeForces fx, fy.
 template <class Shape, bool Referenced, bool Stress>
 void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity, NodeGrid& nodes) {
     const double* x = particles[Field::x];
@@ -35,7 +35,7 @@ void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, d
     const NodeScale grid = nodes.scale();
     const double dx = grid.dx;
     const std::int64_t stride = grid.stride;
-    NodeSums* const sums = nodes.sums.data();
+    NodeForces* const forces = nodes.forces();
     const NodeLevel* const levels = nodes.levels.data();
     const double* const bed = nodes.bed.data();
 
@@ -68,8 +68,8 @@ void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, d
                     node_pressure -= half_gravity_area * level.support * reference * reference;
                     weight = (depth - level.support * reference) * w;
                 }
-                sums[i].fx += (node_pressure - xx) * grad_x - xy * grad_y - slope_x * weight;
-                sums[i].fy += (node_pressure - yy) * grad_y - xy * grad_x - slope_y * weight;
+                forces[i].fx += (node_pressure - xx) * grad_x - xy * grad_y - slope_x * weight;
+                forces[i].fy += (node_pressure - yy) * grad_y - xy * grad_x - slope_y * weight;
             }
         }
     }

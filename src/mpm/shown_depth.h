@@ -9,43 +9,59 @@
 
 namespace frana {
 
-/// Share of the cells round a node that particles claim, itself included, with binomial weights over (2 Reach + 1)^2
+/// What the particles claim of a node's cell, and what would be all of it: as an area before the motion [m2], as a
+/// fraction after it.
+inline double claimed(const NodeForces& node) noexcept {
+    return node.area;
+}
+inline double claimed(const NodeMotion& node) noexcept {
+    return node.fraction;
+}
+inline double full_claim(const NodeGrid& nodes, const NodeForces*) noexcept {
+    return nodes.cell_size() * nodes.cell_size();
+}
+inline double full_claim(const NodeGrid&, const NodeMotion*) noexcept {
+    return 1;
+}
+
+/// Fraction of the cells round a node that particles claim, itself included, with binomial weights over (2 Reach + 1)^2
 /// nodes. All of them must exist.
-/// @param unit cell area where NodeSums::area is in m2, 1 where it is a share
-template <std::int64_t Reach>
-double mean_share(const NodeSums* node, std::int64_t stride, double unit) noexcept {
+template <std::int64_t Reach, class Node>
+double mean_fraction(const Node* node, std::int64_t stride, double full) noexcept {
     static_assert(Reach >= 1 && Reach <= 3);
     constexpr std::array<double, 4> weights = Reach == 1   ? std::array<double, 4>{2, 1}
                                               : Reach == 2 ? std::array<double, 4>{6, 4, 1}
                                                            : std::array<double, 4>{20, 15, 6, 1};
     // In pairs, so that a mirrored arrangement has the same sum.
     const auto row = [&](std::int64_t b) {
-        const NodeSums* n = node + b * stride;
-        double sum = weights[0] * n->area;
+        const Node* n = node + b * stride;
+        double sum = weights[0] * claimed(*n);
         for (std::int64_t a = 1; a <= Reach; ++a)
-            sum += weights[static_cast<std::size_t>(a)] * (n[-a].area + n[a].area);
+            sum += weights[static_cast<std::size_t>(a)] * (claimed(n[-a]) + claimed(n[a]));
         return sum;
     };
     double sum = weights[0] * row(0);
     for (std::int64_t b = 1; b <= Reach; ++b) sum += weights[static_cast<std::size_t>(b)] * (row(-b) + row(b));
     constexpr double all = 1 << (4 * Reach);
-    return sum / (all * unit);
+    return sum / (all * full);
 }
 
-/// Mean share of 7 x 7 nodes from which particles crowd for good, and from which all of it counts. What is less is the
-/// unevenness of an arrangement: 0.01 where particles lie at random.
+/// Mean fraction of 7 x 7 nodes from which particles crowd for good, and from which all of it counts. What is less is
+/// the unevenness of an arrangement: 0.01 where particles lie at random.
 inline constexpr double k_lasting_from = 1.015, k_lasting_full = 1.03;
 
 /// By how much particles round a node claim more than the ground has, at least 1. Where flow converges, in deposits and
 /// in gullies they do, and lie deeper on the ground by as much than each of them says.
-/// @param column, row padded numbers of a node inside the ghosts  @param unit as in mean_share
-inline double crowding(const NodeGrid& nodes, std::size_t node, std::int64_t column, std::int64_t row,
-                       double unit) noexcept {
-    const NodeSums* const sums = nodes.sums.data() + node;
-    const double near = mean_share<1>(sums, nodes.stride(), unit);
+/// @param records of the grid  @param column, row padded numbers of a node inside the ghosts
+template <class Node>
+double crowding(const NodeGrid& nodes, const Node* records, std::size_t node, std::int64_t column,
+                std::int64_t row) noexcept {
+    const Node* const middle = records + node;
+    const double full = full_claim(nodes, records), near = mean_fraction<1>(middle, nodes.stride(), full);
     if (!(near > 1)) return 1;
     const bool inner = std::min(column, row) >= 3 && column < nodes.stride() - 3 && row < nodes.padded_rows() - 3;
-    const double wide = inner ? mean_share<3>(sums, nodes.stride(), unit) : mean_share<2>(sums, nodes.stride(), unit);
+    const double wide =
+        inner ? mean_fraction<3>(middle, nodes.stride(), full) : mean_fraction<2>(middle, nodes.stride(), full);
     const double lasting = (wide - k_lasting_from) / (k_lasting_full - k_lasting_from);
     return 1 + std::clamp(lasting, 0.0, 1.0) * (near - 1);
 }
@@ -59,6 +75,15 @@ inline double shown_depth(double mass, double area, double support, double crowd
     if (!(area > 0)) return by_volume;
     const double filled = std::min(1.0, area * inverse_cell_area / k_filled_share);
     return by_volume + support * filled * (crowding * mass / area - by_volume);
+}
+
+/// The depth that a node inside the ghosts shows after a step [m].
+inline double shown_depth(const NodeGrid& nodes, std::size_t node) noexcept {
+    const NodeMotion& motion = nodes.motion()[node];
+    const double cell_area = nodes.cell_size() * nodes.cell_size();
+    const auto n = static_cast<std::int64_t>(node), stride = nodes.stride();
+    return shown_depth(motion.mass, motion.fraction * cell_area, motion.support,
+                       crowding(nodes, nodes.motion(), node, n % stride, n / stride), 1 / cell_area);
 }
 
 }  // namespace frana

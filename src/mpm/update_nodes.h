@@ -69,7 +69,7 @@ NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, s
     NodeDrive d{0, 0, slope.x, slope.y, 1, 0, {}};
     if constexpr (Slope::metric) d.n += d.slope_x * d.slope_x + d.slope_y * d.slope_y;
     if constexpr (Slope::curved) {
-        const NodeSums& node = nodes.sums[i];
+        const NodeForces& node = nodes.forces()[i];
         d.curvature = bed_curvature(nodes, i, column, row);
         d.load = std::max(-k.gravity, d.curvature.load(node.px / node.mass, node.py / node.mass));
     }
@@ -80,7 +80,7 @@ NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, s
 /// anything else reads them.
 inline void momenta_to_map(const NodeRange& range, NodeGrid& nodes) {
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
-        NodeSums& node = nodes.sums[i];
+        NodeForces& node = nodes.forces()[i];
         if (!(node.mass > 0)) return;
         const Point momentum = node_frame(nodes, i, column, row).in_map(node.px, node.py);
         node.px = momentum.x;
@@ -102,14 +102,14 @@ inline constexpr double k_least_bearing = 0.5;
 /// Savage and Hutter (1989):
 ///     a = -(g/n) [ grad Z + G^-1 grad h ],  G^-1 = I - grad Z grad Z^T / n
 /// The load of the motion over the bed's curvature is not in it: see turn_by_bed.
-/// Reads NodeSums mass, fx, fy; NodeLevel (if allocated); bed.
+/// Reads NodeForces; NodeLevel (if allocated); bed.
 template <class Slope>
 NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
     NodeDrive d = ground_of<Slope>(nodes, k, i, column, row);
     // The part of gravity that the reference state held back from the particles' sum.
     const double weight =
         nodes.levels.size() != 0 ? k.gravity * nodes.levels[i].support * (1 - nodes.levels[i].ponding) : 0;
-    const NodeSums& node = nodes.sums[i];
+    const NodeForces& node = nodes.forces()[i];
     const double fall_x = node.fx / node.mass - weight * d.slope_x;  // -g S
     const double fall_y = node.fy / node.mass - weight * d.slope_y;
     d.ax = fall_x / d.n;
@@ -131,7 +131,7 @@ NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, st
     return d;
 }
 
-/// Marks the nodes that static friction holds: NodeSums::area_bed becomes negative.
+/// Marks the nodes that static friction keeps at rest: NodeForces::held.
 ///
 /// At the rim of a resting mass the outermost nodes gather much pressure and little weight: alone each would
 /// creep. A node slower than friction can stop in a few steps is therefore judged with its eight neighbours:
@@ -151,7 +151,7 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& fri
     const auto pull = [&](std::size_t n, std::int64_t column, std::int64_t row) -> const Pull& {
         const auto place = static_cast<std::size_t>((row - range.j0 + 1) * k_side + column - range.i0 + 1);
         if (!known[place]) {
-            const NodeSums& node = nodes.sums[n];
+            const NodeForces& node = nodes.forces()[n];
             const NodeDrive d = drive_of<Slope>(nodes, k, n, column, row);
             pulls[place] = {node.px + k.dt * node.mass * d.ax, node.py + k.dt * node.mass * d.ay,
                             friction.held(node.mass, n, d.n, k.gravity + d.load)};
@@ -160,16 +160,15 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& fri
         return pulls[place];
     };
     range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
-        NodeSums& node = nodes.sums[i];
+        NodeForces& node = nodes.forces()[i];
         if (!(node.mass > 0)) return;
-        node.area_bed = std::abs(node.area_bed);
         const double slow = k_slow * friction.stopped_in_step(i, k);
         if (node.px * node.px + node.py * node.py > slow * slow * node.mass * node.mass) return;
         double px = 0, py = 0, bound = 0;
         for (std::int64_t b = std::max<std::int64_t>(row - 1, 0); b <= std::min(row + 1, rows - 1); ++b) {
             for (std::int64_t a = std::max<std::int64_t>(column - 1, 0); a <= std::min(column + 1, stride - 1); ++a) {
                 const auto n = static_cast<std::size_t>(b * stride + a);
-                if (!(nodes.sums[n].mass > 0)) continue;
+                if (!(nodes.mass(n) > 0)) continue;
                 const Pull& near = pull(n, a, b);
                 px += near.px;
                 py += near.py;
@@ -177,13 +176,13 @@ void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& fri
             }
         }
         bound *= friction.held_in_step(k);
-        if (px * px + py * py <= bound * bound) node.area_bed = -node.area_bed;
+        node.held = px * px + py * py <= bound * bound ? 1 : 0;
     });
 }
 
 /// New nodal velocities (paper, equations 31-32): what drives the node, then bed friction as a cap on the
-/// speed along the bed that stops but never reverses. Reads NodeSums, NodeLevel (if allocated), bed; writes
-/// velocity, share, old velocity and support into NodeSums. Calls observe(node, depth, speed) for every node
+/// speed along the bed that stops but never reverses. Reads NodeForces, NodeLevel (if allocated), bed; turns
+/// the records that hold mass into NodeMotion. Calls observe(node, depth, speed) for every node
 /// deeper than the minimum.
 template <class Slope, class Friction, class Observe>
 NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, NodeGrid& nodes,
@@ -195,7 +194,8 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
     const bool holds = friction.holds();
 
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
-        NodeSums& node = nodes.sums[i];
+        NodeRecord& record = nodes.records[i];
+        const NodeForces node = record.forces;
         if (!(node.mass > 0)) return;
         const NodeDrive drive = drive_of<Slope>(nodes, k, i, column, row);
         const Point old{node.px / node.mass, node.py / node.mass};
@@ -211,7 +211,7 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         const Point driven{turned.x + k.dt * drive.ax, turned.y + k.dt * drive.ay};
         const double driven_speed = bed.speed(driven);
         Point after = driven;
-        if ((solid && solid[i]) || (holds && std::signbit(node.area_bed))) {
+        if ((solid && solid[i]) || (holds && node.held != 0)) {
             if constexpr (Friction::remembers) friction.remember(i, driven_speed, k);
             after = {0, 0};
         } else if (driven_speed > 0 && friction.active()) {
@@ -229,7 +229,7 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
             report.count_energy(node.mass, nodes.bed[i] + middle, k.gravity, bed, old, turned, driven, after);
         }
         const double support = levels ? levels[i].support : 0;
-        const double cell_depth = shown_depth(node.mass, node.area, support, std::abs(node.area_bed), inverse_area);
+        const double cell_depth = shown_depth(node.mass, node.area, support, node.crowding, inverse_area);
         // The particles' own mean velocity: the new nodal one overshoots where a node holds next to nothing.
         const double brought = bed.speed(old);
         // Ghosts mirror what nodes inside hold already.
@@ -244,19 +244,14 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
             observe(i, cell_depth, brought);
         }
         report.moves = report.moves || after.x != 0 || after.y != 0;
-        node.px = after.x;
-        node.py = after.y;
-        node.area *= inverse_area;
         if (k.brought != nullptr) k.brought[i] = old;
         Point back = Slope::curved ? frame.along_bed(after.x, after.y) : after;
         if (k.change_only) {
             const Point before = Slope::curved ? frame.along_bed(old.x, old.y) : old;
             back = {back.x - before.x, back.y - before.y};
         }
-        node.fx = back.x;
-        node.fy = back.y;
-        node.support = support;
-        if constexpr (Slope::curved) node.area_bed = after.x * drive.slope_x + after.y * drive.slope_y;
+        const double climb = Slope::curved ? after.x * drive.slope_x + after.y * drive.slope_y : 0;
+        record.motion = {after.x, after.y, back.x, back.y, node.mass, node.area * inverse_area, climb, support};
     });
     return report;
 }

@@ -53,7 +53,7 @@ ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
 }
 
 // What comes in where something lies already makes it deeper: particles near the newcomers give up area until
-// they claim no more than there is. Reads the nodes' sums of area.
+// they claim no more than there is. Reads NodeForces area.
 void make_room(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet& particles) {
     const NodeScale grid = nodes.scale();
     std::vector<std::size_t> near;
@@ -65,6 +65,7 @@ void make_room(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet&
             }
         }
     }
+    const NodeForces* const claims = nodes.forces();
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     for (std::size_t p = 0; p < particles.size(); ++p) {
@@ -74,8 +75,7 @@ void make_room(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet&
         double claimed = 0;
         for (int b = 0; b < 3; ++b) {
             for (int a = 0; a < 3; ++a)
-                claimed +=
-                    s.wx[a] * s.wy[b] * nodes.sums[s.first + static_cast<std::size_t>(b * nodes.stride() + a)].area;
+                claimed += s.wx[a] * s.wy[b] * claims[s.first + static_cast<std::size_t>(b * nodes.stride() + a)].area;
         }
         claimed *= grid.inverse_dx * grid.inverse_dx;
         if (claimed > 1) particles[Field::area][p] /= claimed;
@@ -113,13 +113,13 @@ Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& m
       stages_(choose_stages(material, zones, entrainment, numerics, kernels)),
       state_(initial_state(ground, with_fields(particles, stages_.fields))),
       laws_(make_laws(material, zones, entrainment, numerics, state_.nodes, tilt ? tilt->normal : numerics.gravity)),
-      maxima_(state_.nodes.sums.size()) {
+      maxima_(state_.nodes.size()) {
     // Without references the levels stay zero: the pressure is then measured against nothing.
     if (numerics.scheme == Scheme::standard) state_.nodes.allocate_levels();
     laws_.resample.edges = state_.nodes.bounds();
     laws_.resample.minimum_depth = 1e-3 * grid_.cell_size;
-    if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.sums.size());
-    if (stages_.flies) state_.flights = Flights(state_.nodes.sums.size());
+    if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.size());
+    if (stages_.flies) state_.flights = Flights(state_.nodes.size());
     if (entrainment.active()) {
         state_.bed_layers = bed_layers(entrainment, zones, state_.nodes);
         state_.nodes.bed_changes = true;
@@ -165,7 +165,7 @@ Point Flow::map_velocity(std::size_t p) const {
 }
 
 void Flow::keep_brought_velocities() {
-    if (state_.brought.size() == 0) state_.brought = ZeroArray<Point>(state_.nodes.sums.size());
+    if (state_.brought.size() == 0) state_.brought = ZeroArray<Point>(state_.nodes.size());
 }
 
 void Flow::synchronise() {
@@ -188,7 +188,7 @@ std::size_t Flow::bytes_per_node() const noexcept {
     const std::size_t laws = (state_.bed_states.size() != 0 ? sizeof(BedState) : 0) +
                              (state_.bed_layers.size() != 0 ? sizeof(BedLayer) : 0) +
                              laws_.friction.node_values.size() * sizeof(double);
-    return sizeof(double) + sizeof(NodeSums) + level + solid + Maxima::k_bytes + laws;
+    return sizeof(double) + sizeof(NodeRecord) + level + solid + Maxima::k_bytes + laws;
 }
 
 double Flow::volume() const {
@@ -233,10 +233,10 @@ Flow::NodalFields Flow::nodal_fields() {
     NodalFields fields{Raster(grid_), Raster(grid_), Raster(grid_)};
     const double inverse_area = 1 / grid_.cell_area();
     for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t node) {
-        const NodeSums& s = state_.nodes.sums[node];
+        const NodeForces& s = state_.nodes.forces()[node];
         if (!(s.mass > 0)) return;
         const double support = stages_.references ? state_.nodes.levels[node].support : 0;
-        const double depth = shown_depth(s.mass, s.area, support, s.area_bed, inverse_area);
+        const double depth = shown_depth(s.mass, s.area, support, s.crowding, inverse_area);
         double u = s.px / s.mass, v = s.py / s.mass;
         if (stages_.follows_bed) {
             const auto n = static_cast<std::int64_t>(node), stride = state_.nodes.stride();

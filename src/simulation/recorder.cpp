@@ -62,19 +62,16 @@ Recorder::Recorder(const Recording& recording, const GridSpec& grid, const Numer
 
 Recorder::NodeState Recorder::state_of(const Flow& flow, std::size_t node) const {
     const NodeGrid& nodes = flow.nodes();
-    const NodeSums& sums = nodes.sums[node];
-    if (!(sums.mass > 0)) return {};
+    const NodeMotion& motion = nodes.motion()[node];
+    if (!(motion.mass > 0)) return {};
     NodeState state;
-    const double cell_area = cell_size_ * cell_size_;
-    const auto n = static_cast<std::int64_t>(node), stride = nodes.stride();
-    state.depth = shown_depth(sums.mass, sums.area * cell_area, sums.support,
-                              crowding(nodes, node, n % stride, n / stride, 1), 1 / cell_area);
-    state.held = sums.mass / cell_area;
+    state.depth = shown_depth(nodes, node);
+    state.held = motion.mass / (cell_size_ * cell_size_);
     const Point brought = flow.brought_velocity(node);
     state.u = brought.x;
     state.v = brought.y;
-    state.moved_x = state.held * sums.px;
-    state.moved_y = state.held * sums.py;
+    state.moved_x = state.held * motion.u;
+    state.moved_y = state.held * motion.v;
     state.speed = flow.speed_along_bed(node, brought);
     return state;
 }

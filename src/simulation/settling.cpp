@@ -17,7 +17,7 @@ constexpr double k_calm = 0.1;         // share of the kinetic energy's peak und
 
 double depth_on(const Flow& flow, std::size_t node) {
     const double area = flow.grid().cell_area();
-    return flow.nodes().sums[node].mass / area;
+    return flow.nodes().mass(node) / area;
 }
 
 double depth_on(const StructuredFlow& flow, std::size_t cell) {

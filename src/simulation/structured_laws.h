@@ -2,7 +2,7 @@
 #pragma once
 
 #include "models/structured/solid/placement.h"
-#include "models/structured/step.h"
+#include "models/structured/state.h"
 #include "simulation/scene.h"
 
 namespace frana {

@@ -19,7 +19,7 @@ double unevenness(Flow& flow, std::int64_t first, std::int64_t last) {
     double sum = 0, count = 0;
     for (std::int64_t j = 0; j < nodes.rows(); ++j) {
         for (std::int64_t i = first; i < last; ++i) {
-            const double off = nodes.sums[nodes.index(i, j)].area / (nodes.cell_size() * nodes.cell_size()) - 1;
+            const double off = nodes.forces()[nodes.index(i, j)].area / (nodes.cell_size() * nodes.cell_size()) - 1;
             sum += off * off;
             ++count;
         }

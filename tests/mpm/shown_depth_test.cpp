@@ -24,8 +24,9 @@ struct Layer {
         return g;
     }
     explicit Layer(const std::function<double(int, int)>& share) {
+        nodes.phase = NodePhase::forces;
         for (int j = 0; j < 24; ++j)
-            for (int i = 0; i < 24; ++i) nodes.sums[nodes.index(i, j)].area = k_cell * share(i, j);
+            for (int i = 0; i < 24; ++i) nodes.forces()[nodes.index(i, j)].area = k_cell * share(i, j);
         for (int j = 4; j < 20; ++j) {
             for (int i = 4; i < 20; ++i) {
                 volume += 2 * share(i, j);
@@ -35,8 +36,9 @@ struct Layer {
     }
     [[nodiscard]] double depth(int i, int j) const {
         const std::size_t n = nodes.index(i, j);
-        const double area = nodes.sums[n].area;
-        return shown_depth(2 * area, area, k_filled, crowding(nodes, n, i + k_ghost, j + k_ghost, k_cell), 1 / k_cell);
+        const double area = nodes.forces()[n].area;
+        return shown_depth(2 * area, area, k_filled, crowding(nodes, nodes.forces(), n, i + k_ghost, j + k_ghost),
+                           1 / k_cell);
     }
 };
 
@@ -74,16 +76,16 @@ TEST(ShownDepth, IsTheVolumesAtAFront) {
     EXPECT_EQ(shown_depth(0, 0, 0, 1, 1 / k_cell), 0);
 }
 
-TEST(MeanShare, IsTheMeanByItsWeights) {
-    NodeSums nodes[81] = {};
-    for (NodeSums& node : nodes) node.area = k_cell;
-    const NodeSums* const middle = nodes + 40;
-    EXPECT_DOUBLE_EQ(mean_share<1>(middle, 9, k_cell), 1);
-    EXPECT_DOUBLE_EQ(mean_share<2>(middle, 9, k_cell), 1);
-    EXPECT_DOUBLE_EQ(mean_share<3>(middle, 9, k_cell), 1);
+TEST(MeanFraction, IsTheMeanByItsWeights) {
+    NodeForces nodes[81] = {};
+    for (NodeForces& node : nodes) node.area = k_cell;
+    const NodeForces* const middle = nodes + 40;
+    EXPECT_DOUBLE_EQ(mean_fraction<1>(middle, 9, k_cell), 1);
+    EXPECT_DOUBLE_EQ(mean_fraction<2>(middle, 9, k_cell), 1);
+    EXPECT_DOUBLE_EQ(mean_fraction<3>(middle, 9, k_cell), 1);
     nodes[40 + 3 * 9 - 2].area += k_cell;  // weight 1 of 64 times 6 of 64
-    EXPECT_DOUBLE_EQ(mean_share<2>(middle, 9, k_cell), 1);
-    EXPECT_DOUBLE_EQ(mean_share<3>(middle, 9, k_cell), 1 + 6.0 / 4096);
+    EXPECT_DOUBLE_EQ(mean_fraction<2>(middle, 9, k_cell), 1);
+    EXPECT_DOUBLE_EQ(mean_fraction<3>(middle, 9, k_cell), 1 + 6.0 / 4096);
 }
 
 }  // namespace

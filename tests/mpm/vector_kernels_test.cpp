@@ -72,18 +72,19 @@ void for_all_nodes(NodeGrid& nodes, const Visit& visit) {
 
 void work_out_levels(NodeGrid& nodes) {
     for_all_nodes(nodes, [&](const NodeRange& range) { mean_levels(range, nodes); });
+    nodes.phase = NodePhase::forces;
     for_all_nodes(nodes, [&](const NodeRange& range) { node_references(range, nodes); });
 }
 
 // Every double of the nodes' records, against the largest of its kind.
 void expect_same_nodes(const NodeGrid& plain, const NodeGrid& fast) {
-    constexpr std::size_t k_lanes = sizeof(NodeSums) / sizeof(double);
+    constexpr std::size_t k_lanes = sizeof(NodeRecord) / sizeof(double);
     for (std::size_t lane = 0; lane < k_lanes; ++lane) {
         double largest = 0;
-        for (std::size_t i = 0; i < plain.sums.size(); ++i)
-            largest = std::max(largest, std::abs((&plain.sums[i].px)[lane]));
-        for (std::size_t i = 0; i < plain.sums.size(); ++i) {
-            ASSERT_NEAR((&plain.sums[i].px)[lane], (&fast.sums[i].px)[lane], k_rounding * largest)
+        for (std::size_t i = 0; i < plain.size(); ++i)
+            largest = std::max(largest, std::abs((&plain.records[i].sums.px)[lane]));
+        for (std::size_t i = 0; i < plain.size(); ++i) {
+            ASSERT_NEAR((&plain.records[i].sums.px)[lane], (&fast.records[i].sums.px)[lane], k_rounding * largest)
                 << "lane " << lane << ", node " << i;
         }
     }
@@ -162,10 +163,12 @@ void step_nodes(const ParticleSet& particles, const ParticleTile& tile, double d
         update_nodes<Slope>(range, {dt, 9.81, 0, 0, 0.01}, UniformFriction{frictionless}, nodes,
                             [](std::size_t, double, double) {});
     });
-    for (std::size_t i = 0; i < nodes.sums.size(); ++i) {  // velocities of a flow that can be stepped
-        NodeSums& node = nodes.sums[i];
-        for (double* velocity : {&node.px, &node.py, &node.fx, &node.fy}) *velocity = 20 * std::tanh(*velocity / 20);
-        node.area_bed = 10 * std::tanh(node.area_bed / 10);
+    nodes.phase = NodePhase::motion;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {  // velocities of a flow that can be stepped
+        NodeMotion& node = nodes.motion()[i];
+        for (double* velocity : {&node.u, &node.v, &node.back_u, &node.back_v})
+            *velocity = 20 * std::tanh(*velocity / 20);
+        node.climb = 10 * std::tanh(node.climb / 10);
     }
 }
 

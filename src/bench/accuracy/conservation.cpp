@@ -27,7 +27,7 @@ Budget of_nodes(const NodeGrid& nodes) {
     Budget b;
     for (std::int64_t j = 0; j < nodes.rows(); ++j) {
         for (std::int64_t i = 0; i < nodes.columns(); ++i) {
-            const NodeSums& node = nodes.sums[nodes.index(i, j)];
+            const NodeForces& node = nodes.forces()[nodes.index(i, j)];
             b.volume += node.mass;
             b.px += node.px;
         }

@@ -1,74 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
-
-#include "models/structured/coupling/exchange.h"
-#include "models/structured/fluid/fluid_step.h"
-#include "models/structured/solid/solid_state.h"
+#include "models/structured/step_stages.h"
 
 namespace frana::structured {
 
-/// Parameters and laws; const while the run lasts.
-struct Laws {
-    /// @param smoothing_length of the solids' kernel [m]
-    explicit Laws(double smoothing_length) : solid(smoothing_length) {}
-
-    SolidLaws solid;
-    CouplingLaws coupling;
-    FluidLaws fluid;
-    double move_cfl = 0.25;  ///< share of a cell that solids and their thrust's waves may cross in a step
-    bool gaps_are_walls = false;
-};
-
-/// Solids, free fluid, or both, over one terrain.
-struct State {
-    State(NodeGrid terrain, const Laws& laws, ParticleSet solids, const SolidStages& stages, bool with_fluid);
-
-    NodeGrid grid;
-    SolidStages stages;
-    std::unique_ptr<SolidState> solid;  ///< null in a scene without solids
-    std::unique_ptr<FluidState> fluid;  ///< null in a scene that has no fluid and can set none free
-    double time = 0;                    ///< [s]
-    double deepest = 0;                 ///< column of any particle [m]
-    double released = 0;                ///< confined fluid that has become free so far [m3]
-    double released_outside = 0;        ///< of which beyond the edges [m3]
-};
-
-template <class Archive>
-void serialise(Archive& archive, State& state) {
-    [[maybe_unused]] auto& [grid, stages, solid, fluid, time, deepest, released, released_outside] = state;
-    archive(grid, solid, fluid, time, deepest, released, released_outside);
-    if constexpr (Archive::k_reads)
-        archive.require((!solid || is_within(solid->nodes.box, grid)) && (!fluid || has_own_tiles(*fluid)));
+/// One time step of at most `dt_limit`: the free fluid moves over the solids as they lie, both exchange momentum at the
+/// nodes, and the solids follow their own waves in substeps (run_substeps). h_u depth and q discharge of free fluid,
+/// h_c column of solids with confined fluid, b bed, k = 1 / (1 + |grad b|^2), m and u mass and velocity of a particle
+/// of solids; share/doc/structured.md. Without solids, or without fluid, their stages do nothing. The same bits for any
+/// number of threads.
+inline StepReport step(State& state, const Laws& laws, double dt_limit, ThreadPool& pool) {
+    Step now(state, laws, pool);
+    choose_length(now, dt_limit);  // dt = min(stable_step, limit)
+    move_fluid(now);               // dq/dt + div(q q / h_u) = -k g h_u grad(h_u + h_c + b) + div(h_u tau) - resistance
+    push_on_nodes(now);    // a = -k g grad b + thrust + buoyancy + (virtual mass and drag) / m; -dt m a of these to q
+    nodes_to_solids(now);  // a of a particle = sum w a
+    move_solids(now);  // m du/dt = sum of neighbours' stress + m a - bed friction,  dx/dt = u,  dA/dt = A tr(grad u)
+    release_confined(now);  // h_u += what broken solids no longer hold
+    solids_to_nodes(now);   // m = sum w m,  p = sum w m u,  h_c = sum w (V_s + V_fc) / cell area
+    state.time += now.report.dt;
+    return now.report;
 }
-
-struct StepReport {
-    double dt = 0;
-    int substeps = 0;    ///< of the solids
-    SolidReport solids;  ///< over all substeps
-    FluidReport fluid;
-    std::int64_t outside = 0;  ///< particles that left through open edges
-    std::int64_t no_data = 0;  ///< particles over cells without terrain
-    double deepest = 0;        ///< column of any particle [m]
-    bool elastic = false;      ///< whether any particle carries more than its earth pressure
-    double kinetic = 0;        ///< of the solids with their confined fluid [J]
-};
-
-/// Adds solids with the fields of the state's stages, between two steps; then call prepare.
-void add_solids(State& state, const ParticleSet& solids);
-
-/// Solids in order, on the nodes and in the fluid's sight; call before the first step and whenever particles were
-/// added.
-void prepare(State& state, const Laws& laws, ThreadPool& pool);
-
-/// Longest step of solids and fluid together [s]; the solids' elastic waves are followed in substeps.
-double stable_step(const State& state, const Laws& laws, ThreadPool& pool);
-
-/// One time step of at most dt_limit. The same bits for any number of threads.
-StepReport step(State& state, const Laws& laws, double dt_limit, ThreadPool& pool);
-
-/// What the fluid sees of the solids; null pointers without them.
-SolidLayer solid_layer(const State& state);
 
 }  // namespace frana::structured

@@ -60,6 +60,7 @@ void choose_active_tiles(Step& now) {
 
 void particles_to_nodes(Step& now) {
     State& state = now.state;
+    state.nodes.phase = NodePhase::sums;
     for_node_tiles(state, state.active.cleared(), now.pool,
                    [&](const NodeRange& range) { clear_nodes(range, state.nodes); });
     for_tiles_by_colour(state, now.pool, [&](const ParticleTile& tile) {
@@ -70,12 +71,16 @@ void particles_to_nodes(Step& now) {
 }
 
 void reference_levels(Step& now) {
-    if (!now.stages.references) return;
     State& state = now.state;
     const ActiveTiles& active = state.active;
+    if (!now.stages.references) {
+        state.nodes.phase = NodePhase::forces;
+        return;
+    }
     for_node_tiles(state, active.updated(), now.pool, [&](const NodeRange& range) { mean_levels(range, state.nodes); });
     for_node_tiles(state, active.gathered(), now.pool,
                    [&](const NodeRange& range) { forget_squares(range, state.nodes); });
+    state.nodes.phase = NodePhase::forces;
     for_node_tiles(state, active.updated(), now.pool,
                    [&](const NodeRange& range) { node_references(range, state.nodes); });
     if (now.laws.wall) mirror_levels(state.nodes);
@@ -132,6 +137,7 @@ void update_nodes(Step& now) {
     });
     for (const std::int64_t tile : state.order.node_tiles())
         now.report.nodes.merge(state.nodes_seen[static_cast<std::size_t>(tile)]);
+    state.nodes.phase = NodePhase::motion;
     active.put_back(state.nodes);
     if (now.laws.wall) mirror_velocities(state.nodes);
     now.watch.ends(Stage::nodes);

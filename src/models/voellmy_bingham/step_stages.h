@@ -36,20 +36,20 @@ struct Step {
 void choose_length(Step& now, double dt_limit);
 /// Lists the tiles of this step (ActiveTiles).
 void choose_active_tiles(Step& now);
-/// Reads the particles; writes NodeSums mass, px, py, area, and the squares of levels.
+/// Reads the particles; clears the records and writes NodeSums.
 void particles_to_nodes(Step& now);
 /// Reads the squares; writes NodeLevel; momenta become those in map view.
 void reference_levels(Step& now);
-/// Reads particles and NodeLevel; adds NodeSums fx, fy.
+/// Reads particles and NodeLevel; adds NodeForces fx, fy.
 void forces_to_nodes(Step& now);
-/// Reads NodeSums; writes BedState, and NodeSums::area_bed where a node is held. Holding looks at neighbours, so it is
+/// Reads NodeForces; writes BedState, and NodeForces::held. Holding looks at neighbours, so it is
 /// decided before any node is updated.
 void bed_resistance(Step& now);
-/// NodeSums from what was gathered to what particles take back (see NodeSums); maxima, NodeReport.
+/// From NodeForces to NodeMotion; maxima, NodeReport.
 void update_nodes(Step& now);
 /// Erosion and deposition: decided at the nodes, taken and given by the particles where they still are.
 void exchange_with_bed(Step& now);
-/// Reads NodeSums; writes all fields of the particles.
+/// Reads NodeMotion; writes all fields of the particles.
 void nodes_to_particles(Step& now);
 /// State::time and the bounds of the next step.
 void advance_time(Step& now);

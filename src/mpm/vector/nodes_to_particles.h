@@ -22,7 +22,7 @@ struct ChunkGather {
     /// Each node is two quads, {u, v, back_u, back_v} and {mass, share, climb, support}. Particle by particle only the
     /// sums of the first along rows and along columns are made, with the splines' weights, and the mean of the second;
     /// all else follows from those seven, four particles at once.
-    FRANA_INLINE ChunkGather(Quad px, Quad py, const NodeScale& grid, const NodeSums* sums, const double* bed) {
+    FRANA_INLINE ChunkGather(Quad px, Quad py, const NodeScale& grid, const NodeMotion* motion, const double* bed) {
         const ChunkAxis ax(px, grid), ay(py, grid);
         std::size_t first[4];
         first_nodes(ax, ay, grid, first);
@@ -36,13 +36,12 @@ struct ChunkGather {
         }
         Quad rows[3][4], columns[3][4], means[4];
         for (std::size_t k = 0; k < 4; ++k) {
-            const NodeSums* row = sums + first[k];  // lanes that repeat the first particle do so here too
+            const NodeMotion* row = motion + first[k];  // lanes that repeat the first particle do so here too
             const Quad w0(weight_x[0][k]), w1(weight_x[1][k]), w2(weight_x[2][k]);
             Quad column0 = 0.0, column1 = 0.0, column2 = 0.0;
             Quad mean = 0.0;
             for (int b = 0; b < 3; ++b, row += grid.stride) {
-                const Quad west = Quad::load(&row[0].px), middle = Quad::load(&row[1].px),
-                           east = Quad::load(&row[2].px);
+                const Quad west = Quad::load(&row[0].u), middle = Quad::load(&row[1].u), east = Quad::load(&row[2].u);
                 const Quad weight(weight_y[b][k]);
                 rows[b][k] = w0 * west + w1 * middle + w2 * east;
                 column0 += weight * west;
@@ -62,7 +61,7 @@ struct ChunkGather {
         climb = means[2];
         support = means[3];
         if constexpr (FollowsBed) gather_bed(ax, ay, wx, weight_y, grid, bed, first);
-        if constexpr (Shifts) gather_slopes(ax, ay, weight_x, weight_y, grid, sums, first);
+        if constexpr (Shifts) gather_slopes(ax, ay, weight_x, weight_y, grid, motion, first);
         for (int a = 0; a < 3; ++a) {
             transpose(rows[a][0], rows[a][1], rows[a][2], rows[a][3]);
             transpose(columns[a][0], columns[a][1], columns[a][2], columns[a][3]);
@@ -116,7 +115,7 @@ struct ChunkGather {
     /// Gradients of depth and share, and the least share of any node: a sweep of its own over the second quads, since
     /// few steps shift.
     FRANA_INLINE void gather_slopes(const ChunkAxis& ax, const ChunkAxis& ay, const double (&weight_x)[3][4],
-                                    const double (&weight_y)[3][4], const NodeScale& grid, const NodeSums* sums,
+                                    const double (&weight_y)[3][4], const NodeScale& grid, const NodeMotion* motion,
                                     const std::size_t (&first)[4]) {
         alignas(32) double along_x[3][4], along_y[3][4];
         Quad slope[3];
@@ -126,7 +125,7 @@ struct ChunkGather {
         for (int a = 0; a < 3; ++a) slope[a].store(along_y[a]);
         Quad slopes[4], lows[4];
         for (std::size_t k = 0; k < 4; ++k) {
-            const NodeSums* row = sums + first[k];
+            const NodeMotion* row = motion + first[k];
             Quad slope_x = 0.0, slope_y = 0.0, low = 1.0;
             for (int b = 0; b < 3; ++b, row += grid.stride) {
                 const Quad west = Quad::load(&row[0].mass), middle = Quad::load(&row[1].mass),
@@ -178,7 +177,7 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
     const double largest_claim = k_largest_claim * cell_area;
     const Bounds edges = nodes.bounds();
     const double margin = 1e-9 * grid.dx;
-    const NodeSums* const sums = nodes.sums.data();
+    const NodeMotion* const motion = nodes.motion();
     ParticleReport report;
     Quad wave_speed = 0.0, greatest_speed = 0.0, diffusivity = 0.0, front_squared = 0.0, longest = 0.0;
     Quad kinetic = 0.0, inside_volume = 0.0;
@@ -188,7 +187,7 @@ ParticleReport vector_nodes_to_particles(const ParticleTile& tile, const Particl
         const Quad::Mask real = first_lanes(n);
         const Quad old_x = load_some(x + p, n), old_y = load_some(y + p, n);
         const Quad mass = load_some(volume + p, n), old_area = load_some(area + p, n);
-        const ChunkGather<FollowsBed, Shifts> g(old_x, old_y, grid, sums, nodes.bed.data());
+        const ChunkGather<FollowsBed, Shifts> g(old_x, old_y, grid, motion, nodes.bed.data());
 
         const double d = 4 * grid.inverse_dx * grid.inverse_dx;  // inverse of the spline's second moment
         {

@@ -10,7 +10,7 @@ namespace {
 
 /// particles_to_nodes<QuadraticSplineShape, true, Levels>, four particles at a time: weights and what each brings
 /// are worked out side by side; then each particle adds two quads to each of its nine nodes,
-///     {px, py, fx, fy}  and  {mass, area, area_bed, support}, of which fx, fy, area_bed only if Levels.
+///     {px, py, bed_squares, surface_squares}  and  {mass, area, area_bed, 0}, squares and area_bed only if Levels.
 template <bool Levels>
 void vector_particles_to_nodes(const ParticleTile &tile, const ParticleSet &particles, NodeGrid &nodes) {
     const double *const x = particles[Field::x], *const y = particles[Field::y];
@@ -19,7 +19,7 @@ void vector_particles_to_nodes(const ParticleTile &tile, const ParticleSet &part
     const double *const c_xx = particles[Field::c_xx], *const c_xy = particles[Field::c_xy];
     const double *const c_yx = particles[Field::c_yx], *const c_yy = particles[Field::c_yy];
     const NodeScale grid = nodes.scale();
-    NodeSums *const sums = nodes.sums.data();
+    NodeSums *const sums = nodes.sums();
     const double *const bed = nodes.bed.data();
 
     for_chunks(tile.begin, tile.end, [&](std::size_t p, auto n) FRANA_INLINE_LAMBDA {

@@ -56,7 +56,7 @@ struct LevelBox {
     }
     void add_forces_to(const NodeBox& box, NodeGrid& nodes) const {
         for (std::int64_t j = 0; j < box.rows; ++j) {
-            NodeSums* row = nodes.sums.data() + (box.j0 + j) * nodes.stride() + box.i0;
+            NodeForces* row = nodes.forces() + (box.j0 + j) * nodes.stride() + box.i0;
             const std::int64_t from = j * NodeBox::k_columns;
             for (std::int64_t i = 0; i + 1 < box.columns; ++i) {
                 row[i].fx += fx[from + i];

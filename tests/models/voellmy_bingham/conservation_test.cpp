@@ -42,8 +42,8 @@ TEST_P(Conservation, ParticlesAndNodesAgreeAtEveryStep) {
         const NodeGrid& nodes = flow.nodes();
         for (std::int64_t j = 0; j < nodes.rows(); ++j) {
             for (std::int64_t i = 0; i < nodes.columns(); ++i) {
-                node_mass += nodes.sums[nodes.index(i, j)].mass;
-                node_mx += nodes.sums[nodes.index(i, j)].px;
+                node_mass += nodes.forces()[nodes.index(i, j)].mass;
+                node_mx += nodes.forces()[nodes.index(i, j)].px;
             }
         }
         ASSERT_NEAR(node_mass, volume, 1e-12 * volume);

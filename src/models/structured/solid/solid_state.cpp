@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "models/structured/solid/material_update.h"
-#include "models/structured/solid/rest.h"
 #include "models/structured/solid/transfer.h"
 
 namespace frana::structured {
@@ -18,16 +17,6 @@ SolidStages stages_of() {
     stages.solids_to_nodes = solids_to_nodes<Kind>;
     stages.nodes_to_solids = nodes_to_solids<Kind>;
     return stages;
-}
-
-// Runs a task over all rows of cells, with a report of each, merged in their order.
-template <class Task>
-SolidReport over_rows(const CellOrder& order, ThreadPool& pool, const Task& task) {
-    std::vector<SolidReport> reports(static_cast<std::size_t>(order.rows()));
-    pool.for_each(reports.size(), [&](std::size_t row) { reports[row] = task(static_cast<std::int64_t>(row)); });
-    SolidReport all;
-    for (const SolidReport& report : reports) all.merge(report);
-    return all;
 }
 
 void load_work(SolidState& state, ThreadPool& pool) {
@@ -96,88 +85,6 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
     state.mean = mass > 0 ? Point{px / mass, py / mass} : Point{};
     state.drift = state.moved = 0;
     load_work(state, pool);
-}
-
-double stable_substep(const SolidState& state, const SolidLaws& laws) {
-    constexpr double k_viscous = 0.4, k_force = 0.25;
-    const double length = laws.kernel.length();
-    const double sound = state.elastic ? laws.viscosity.sound : state.sound;
-    const double elastic =
-        state.elastic ? laws.elastic_cfl * length / laws.wave_speed : std::numeric_limits<double>::infinity();
-    const double viscous =
-        k_viscous * length /
-        (sound + 0.6 * (laws.viscosity.linear * sound + laws.viscosity.quadratic * state.last.approach));
-    const double force = k_force * std::sqrt(length / std::max(std::sqrt(state.last.acceleration2), laws.gravity));
-    return std::min({elastic, viscous, force});
-}
-
-int run_substeps(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
-                 const Obstacles& obstacles, double dt, SolidReport& seen, ThreadPool& pool) {
-    constexpr double k_least_share = 1e-6;  // of a step in a substep; elastic waves take some hundred
-    // As wide as the nodes see a lone particle: with cubic splines 1 / sum N^2 is at most 4.8 cells.
-    const double widest = 5 * grid.cell_size() * grid.cell_size();
-    int count = 0;
-    Rest rest;
-    rest.begin(state.order, state.work);
-    // Runs of awake cells of a row.
-    const auto over_awake = [&](std::int64_t row, const auto& task) {
-        for (std::int64_t column = 0; column < state.order.columns(); ++column) {
-            if (Rest::asleep(state.work, rest.index(row, column))) continue;
-            ParticleRun run = state.order.cell(row, column);
-            while (column + 1 < state.order.columns() && !Rest::asleep(state.work, rest.index(row, column + 1)))
-                run.end = state.order.cell(row, ++column).end;
-            if (run.begin < run.end) task(run);
-        }
-    };
-    for (double left = dt; left > 0; ++count) {
-        const double stable = stable_substep(state, laws);
-        if (!(stable > k_least_share * dt)) {  // a speed or force that is none
-            ++seen.non_finite;
-            break;
-        }
-        // Equal substeps for what is left, so that no sliver remains.
-        const double part = left / std::ceil(left / stable * (1 - 1e-12));
-        if (state.drift + part * std::sqrt(state.last.apart2) > 0.5 * state.order.slack()) {
-            sort_solids(state, laws, grid, pool);
-            rest.begin(state.order, state.work);
-        }
-        over_rows(state.order, pool, [&](std::int64_t row) {
-            stages.pairs->velocity_gradients(state.order, row, laws.kernel, state.work);
-            over_awake(row,
-                       [&](ParticleRun run) { stages.update_material(run, part, laws, state.particles, state.work); });
-            return SolidReport{};
-        });
-        const SolidReport pairs = over_rows(state.order, pool, [&](std::int64_t row) {
-            SolidReport report;
-            report.approach = stages.pairs->accelerations(state.order, row, laws, state.work);
-            return report;
-        });
-        state.last = over_rows(state.order, pool, [&](std::int64_t row) {
-            SolidReport report;
-            for (std::int64_t column = 0; column < state.order.columns(); ++column) {
-                const std::size_t cell = rest.index(row, column);
-                const ParticleRun run = state.order.cell(row, column);
-                if (run.begin < run.end && !Rest::asleep(state.work, cell))
-                    rest.see(cell,
-                             move_particles(run, part, obstacles, widest, state.mean, state.particles, state.work));
-                else if (run.begin == run.end)
-                    rest.see(cell, {});
-                else
-                    report.slept += static_cast<std::int64_t>(run.end - run.begin);
-                report.merge(rest.seen(cell));
-            }
-            return report;
-        });
-        if (laws.sleeps) rest.end_substep(state.work);
-        state.last.approach = pairs.approach;
-        state.drift += part * std::sqrt(state.last.apart2);
-        state.moved += part * std::sqrt(state.last.speed2);
-        seen.merge(state.last);
-        left = left - part > 1e-9 * dt ? left - part : 0;
-        if (state.last.non_finite > 0) return state.work.asleep.clear(), count + 1;
-    }
-    state.work.asleep.clear();
-    return count;
 }
 
 void gather_solids(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,

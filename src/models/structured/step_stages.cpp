@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/structured/step.h"
+#include "models/structured/step_stages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ void gather(State& state, const Laws& laws, ThreadPool& pool) {
 }
 
 // Sums over particles at the end of a step, row by row.
-void look_at_particles(const State& state, const Laws& laws, StepReport& report, ThreadPool& pool) {
+void observe_particles(const State& state, const Laws& laws, StepReport& report, ThreadPool& pool) {
     struct Row {
         double kinetic = 0, deepest = 0;
         std::int64_t no_data = 0, outside = 0;
@@ -66,7 +66,7 @@ void look_at_particles(const State& state, const Laws& laws, StepReport& report,
     }
 }
 
-void remember(State& state, const Laws& laws, const StepReport& report) {
+void keep_for_next_step(State& state, const Laws& laws, const StepReport& report) {
     state.deepest = report.deepest;
     state.solid->elastic = report.elastic;
     state.solid->sound = std::sqrt(laws.solid.gravity * report.deepest);
@@ -111,8 +111,8 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
         solid.last.apart2 = std::max(solid.last.apart2, du * du + dv * dv);
     }
     StepReport now;
-    look_at_particles(state, laws, now, pool);
-    remember(state, laws, now);
+    observe_particles(state, laws, now, pool);
+    keep_for_next_step(state, laws, now);
     gather(state, laws, pool);
 }
 
@@ -126,51 +126,63 @@ double stable_step(const State& state, const Laws& laws, ThreadPool& pool) {
     return dt;
 }
 
-StepReport step(State& state, const Laws& laws, double dt_limit, ThreadPool& pool) {
-    StepReport report;
-    const bool solids = state.solid && state.solid->particles.size() > 0;
-    report.dt = std::min(dt_limit, stable_step(state, laws, pool));
-    const double dt = report.dt;
+void choose_length(Step& now, double dt_limit) {
+    now.report.dt = std::min(dt_limit, stable_step(now.state, now.laws, now.pool));
+}
 
-    // The fluid moves over the solids as they lie; then both exchange momentum, node by node.
-    if (state.fluid) report.fluid = advance(*state.fluid, state.grid, laws.fluid, solid_layer(state), dt, pool);
-    if (solids) {
-        SolidState& solid = *state.solid;
-        over_box_rows(solid.nodes.box, pool, [&](std::int64_t j) {
-            push_solids(j, dt, state.grid, laws.solid, laws.coupling, solid.nodes, state.fluid.get());
-        });
+void move_fluid(Step& now) {
+    State& state = now.state;
+    if (!state.fluid) return;
+    now.report.fluid = advance(*state.fluid, state.grid, now.laws.fluid, solid_layer(state), now.report.dt, now.pool);
+}
 
-        // Particles take the nodes' push and follow their own waves: strain, stress, damage, neighbours' forces, move.
-        pool.for_each(static_cast<std::size_t>(solid.order.rows()), [&](std::size_t row) {
-            const auto r = static_cast<std::int64_t>(row);
-            const ParticleRun run = solid.order.whole_rows(r, r);
-            state.stages.nodes_to_solids(run, laws.solid, dt, state.grid, solid.nodes, solid.particles);
-            const double* const area = solid.particles[Field::area];
-            std::copy(area + run.begin, area + run.end, solid.work[PairWork::area] + run.begin);
-        });
-        const Obstacles obstacles{&state.grid, laws.fluid.wall, laws.gaps_are_walls};
-        report.substeps = run_substeps(solid, state.stages, laws.solid, state.grid, obstacles, dt, report.solids, pool);
+void push_on_nodes(Step& now) {
+    if (!now.solids()) return;
+    State& state = now.state;
+    over_box_rows(state.solid->nodes.box, now.pool, [&](std::int64_t j) {
+        push_solids(j, now.report.dt, state.grid, now.laws.solid, now.laws.coupling, state.solid->nodes,
+                    state.fluid.get());
+    });
+}
 
-        // Without numbers there is nothing to gather or to put into order.
-        if (report.solids.non_finite > 0) {
-            state.time += dt;
-            return report;
-        }
+void nodes_to_solids(Step& now) {
+    if (!now.solids()) return;
+    const State& state = now.state;
+    SolidState& solid = *state.solid;
+    now.pool.for_each(static_cast<std::size_t>(solid.order.rows()), [&](std::size_t row) {
+        const auto r = static_cast<std::int64_t>(row);
+        const ParticleRun run = solid.order.whole_rows(r, r);
+        state.stages.nodes_to_solids(run, now.laws.solid, now.report.dt, state.grid, solid.nodes, solid.particles);
+        const double* const area = solid.particles[Field::area];
+        std::copy(area + run.begin, area + run.end, solid.work[PairWork::area] + run.begin);
+    });
+}
 
-        // What broke gives its water to the grid; then the solids show where they are now.
-        if (state.stages.releases && state.fluid) {
-            const Released released = release_fluid(solid, state.grid, laws.fluid, *state.fluid);
-            state.released += released.inside;
-            state.released_outside += released.outside;
-        }
-        look_at_particles(state, laws, report, pool);
-        if (report.outside > 0 || solid.drift > 0.5 * solid.order.slack())
-            sort_solids(solid, laws.solid, state.grid, pool);
-        gather(state, laws, pool);
-        remember(state, laws, report);
-    }
-    state.time += dt;
-    return report;
+void move_solids(Step& now) {
+    if (!now.solids()) return;
+    const State& state = now.state;
+    const Obstacles obstacles{&state.grid, now.laws.fluid.wall, now.laws.gaps_are_walls};
+    now.report.substeps = run_substeps(*state.solid, state.stages, now.laws.solid, state.grid, obstacles, now.report.dt,
+                                       now.report.solids, now.pool);
+}
+
+void release_confined(Step& now) {
+    State& state = now.state;
+    if (!now.solids() || !state.stages.releases || !state.fluid) return;
+    const Released released = release_fluid(*state.solid, state.grid, now.laws.fluid, *state.fluid);
+    state.released += released.inside;
+    state.released_outside += released.outside;
+}
+
+void solids_to_nodes(Step& now) {
+    if (!now.solids()) return;
+    State& state = now.state;
+    SolidState& solid = *state.solid;
+    observe_particles(state, now.laws, now.report, now.pool);
+    if (now.report.outside > 0 || solid.drift > 0.5 * solid.order.slack())
+        sort_solids(solid, now.laws.solid, state.grid, now.pool);
+    gather(state, now.laws, now.pool);
+    keep_for_next_step(state, now.laws, now.report);
 }
 
 }  // namespace frana::structured

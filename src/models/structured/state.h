@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "models/structured/coupling/exchange.h"
+#include "models/structured/fluid/fluid_step.h"
+#include "models/structured/solid/solid_state.h"
+
+namespace frana::structured {
+
+/// Parameters and laws; const while the run lasts.
+struct Laws {
+    /// @param smoothing_length of the solids' kernel [m]
+    explicit Laws(double smoothing_length) : solid(smoothing_length) {}
+
+    SolidLaws solid;
+    CouplingLaws coupling;
+    FluidLaws fluid;
+    double move_cfl = 0.25;  ///< share of a cell that solids and their thrust's waves may cross in a step
+    bool gaps_are_walls = false;
+};
+
+/// Solids, free fluid, or both, over one terrain.
+struct State {
+    State(NodeGrid terrain, const Laws& laws, ParticleSet solids, const SolidStages& stages, bool with_fluid);
+
+    NodeGrid grid;
+    SolidStages stages;
+    std::unique_ptr<SolidState> solid;  ///< null in a scene without solids
+    std::unique_ptr<FluidState> fluid;  ///< null in a scene that has no fluid and can set none free
+    double time = 0;                    ///< [s]
+    double deepest = 0;                 ///< column of any particle [m]
+    double released = 0;                ///< confined fluid that has become free so far [m3]
+    double released_outside = 0;        ///< of which beyond the edges [m3]
+};
+
+template <class Archive>
+void serialise(Archive& archive, State& state) {
+    [[maybe_unused]] auto& [grid, stages, solid, fluid, time, deepest, released, released_outside] = state;
+    archive(grid, solid, fluid, time, deepest, released, released_outside);
+    if constexpr (Archive::k_reads)
+        archive.require((!solid || is_within(solid->nodes.box, grid)) && (!fluid || has_own_tiles(*fluid)));
+}
+
+/// Adds solids with the fields of the state's stages, between two steps; then call prepare.
+void add_solids(State& state, const ParticleSet& solids);
+
+/// Solids in order, on the nodes and in the fluid's sight; call before the first step and whenever particles were
+/// added.
+void prepare(State& state, const Laws& laws, ThreadPool& pool);
+
+/// What the fluid sees of the solids; null pointers without them.
+SolidLayer solid_layer(const State& state);
+
+}  // namespace frana::structured
