@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/file_aside.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "core/raster.h"
 #include "gis/raster/raster_out.h"
 

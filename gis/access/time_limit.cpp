@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana::gis {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana::gis {
 namespace {

@@ -12,7 +12,7 @@
 #include <filesystem>
 
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/local_files.h"
 #include "gis/access/memory_dataset.h"

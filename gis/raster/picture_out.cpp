@@ -10,7 +10,7 @@
 #include <cstdio>
 
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "core/utf8.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/memory_dataset.h"

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "core/file_aside.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana::gis {
 namespace {

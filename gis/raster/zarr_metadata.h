@@ -10,7 +10,4 @@ namespace frana::gis {
 /// but ASCII, for zarr decodes them as such. Throws Error(environment).
 void finish_zarr_metadata(const std::string& folder);
 
-/// JSON with every character beyond ASCII as \\uXXXX, two for those beyond 16 bits. `json` is valid UTF-8.
-std::string ascii_json(const std::string& json);
-
 }  // namespace frana::gis

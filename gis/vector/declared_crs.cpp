@@ -4,11 +4,9 @@
 #include <cpl_vsi.h>
 
 #include <algorithm>
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 #include <vector>
 
 #include "gis/access/json_members.h"
@@ -44,18 +42,14 @@ std::vector<JsonMember> crs_members(GDALDataset& dataset) {
 
 /// The name that the member gives, to be looked up; none where it is of no kind that is known.
 std::optional<std::string> name_in(const std::string& member) {
-    boost::property_tree::ptree tree;
-    try {
-        std::istringstream stream(member);
-        boost::property_tree::read_json(stream, tree);
-    } catch (const boost::property_tree::json_parser_error&) {
-        return std::nullopt;
-    }
-    const std::string type = tree.get<std::string>("type", "");
-    const auto of = [&](const char* key) {
-        const auto text = tree.get_optional<std::string>(std::string("properties.") + key);
-        return text ? std::optional<std::string>(*text) : std::nullopt;
+    const auto json = nlohmann::json::parse(member, nullptr, false);
+    const auto at = [&](const char* pointer) -> std::optional<std::string> {
+        const nlohmann::json::json_pointer place(pointer);
+        if (!json.contains(place)) return std::nullopt;
+        return json[place].is_string() ? json[place].get<std::string>() : json[place].dump();
     };
+    const auto of = [&](const char* key) { return at((std::string("/properties/") + key).c_str()); };
+    const std::string type = at("/type").value_or("");
     if (EQUAL(type.c_str(), "name")) return of("name");
     if (EQUAL(type.c_str(), "OGC")) return of("urn");
     if (EQUAL(type.c_str(), "EPSG")) {

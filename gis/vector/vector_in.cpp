@@ -9,7 +9,7 @@
 
 #include "core/counted_texts.h"
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/time_limit.h"
 #include "gis/crs/crs.h"

@@ -8,7 +8,7 @@
 #include <queue>
 
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana {
 namespace {

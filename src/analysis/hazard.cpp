@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana {
 namespace {

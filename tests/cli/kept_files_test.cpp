@@ -4,6 +4,7 @@
 #include <gdal.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "tiny_scene.h"
 
@@ -142,7 +143,9 @@ TEST_F(OwnFiles, OfAComparisonAreReplacedAndNoOthers) {
     // In a result they belong to it.
     for (int i = 0; i < 2; ++i)
         EXPECT_EQ(frana({"compare", "result", "--scar", "scar.geojson", "--size", "640x480"}).exit_code, 0);
-    EXPECT_NE(read_text(path("result/manifest.json")).find("comparison.png"), std::string::npos);
+    const Json listed = parse_json(read_text(path("result/manifest.json")))["files"];
+    EXPECT_TRUE(
+        std::any_of(listed.begin(), listed.end(), [](const Json& file) { return file["name"] == "comparison.png"; }));
 }
 
 TEST_F(OwnFiles, OfAStudyAreReplacedAndNoOthers) {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lasting_bytes.h"
 
-#include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <functional>
-#include <initializer_list>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
 
@@ -14,49 +12,30 @@
 namespace frana::test {
 namespace {
 
-bool has_any(const std::string& text, std::initializer_list<const char*> words) {
-    return std::any_of(words.begin(), words.end(),
-                       [&](const char* word) { return text.find(word) != std::string::npos; });
-}
-
-std::string lines_where(const std::string& text, const std::function<bool(const std::string&)>& is_wanted) {
-    std::istringstream lines(text);
-    std::string kept;
-    for (std::string line; std::getline(lines, line);)
-        if (is_wanted(line)) kept += line + "\n";
-    return kept;
-}
-
-// Those lines of a summary say how it was computed, not what.
-std::string without_cost(const std::string& summary) {
-    return lines_where(summary, [](const std::string& line) {
-        return !has_any(line, {"\"threads\"", "\"total\"", "\"input\"", "\"engine\"", "\"output\"", "\"render\"",
-                               "particle_steps_per_second", "peak_memory_bytes"});
-    });
-}
-
-std::string without_warnings(const std::string& summary) {
-    bool inside = false;
-    return lines_where(summary, [&](const std::string& line) {
-        const bool was_inside = inside;
-        inside = (inside || line.find("\"warnings\": [") != std::string::npos) && line.find(']') == std::string::npos;
-        return !inside && !was_inside && line.find("\"warnings\": [") == std::string::npos;
-    });
+// Without what tells how a result was computed, not what it is.
+void leave_out_cost(Json& summary) {
+    for (const char* key : {"threads", "wall_seconds", "particle_steps_per_second", "peak_memory_bytes"})
+        summary.erase(key);
 }
 
 // A list of files without its own time, and without the marks of files that tell theirs.
-std::string without_times(const std::string& manifest) {
-    int left_out = 0;
-    return lines_where(manifest, [&](const std::string& line) {
-        if (line.find("\"written\"") != std::string::npos) return false;
-        const bool is_name = line.find("\"name\": ") != std::string::npos;
-        if (is_name && has_any(line, {".gpkg\"", "\"log.txt\"", "\"summary.json\"", "\"report.html\"",
-                                      "\"convergence.csv\"", "\"robustness.csv\""})) {
-            left_out = 2;  // bytes and checksum
-            return true;
-        }
-        return left_out-- <= 0;
-    });
+void leave_out_times(Json& manifest) {
+    manifest.erase("written");
+    for (Json& file : manifest["files"]) {
+        const std::string name = file["name"];
+        if (name.ends_with(".gpkg") || name == "log.txt" || name == "summary.json" || name == "report.html" ||
+            name == "convergence.csv" || name == "robustness.csv")
+            file = {{"name", name}};
+    }
+}
+
+// Bytes that are no object, a user's own, stay as they are.
+template <class LeaveOut>
+std::string without(const std::string& bytes, const LeaveOut& leave_out) {
+    Json json = Json::parse(bytes, nullptr, false);
+    if (!json.is_object()) return bytes;
+    leave_out(json);
+    return frana::json_text(json);
 }
 
 // Without the column of seconds.
@@ -95,8 +74,8 @@ std::string without_dates(std::string bytes) {
 
 std::string lasting_bytes(const std::string& file) {
     const std::string name = std::filesystem::path(file).filename().string(), bytes = read_text(file);
-    if (name == "summary.json") return without_cost(bytes);
-    if (name == "manifest.json") return without_times(bytes);
+    if (name == "summary.json") return without(bytes, leave_out_cost);
+    if (name == "manifest.json") return without(bytes, leave_out_times);
     if (name == "convergence.csv" || name == "robustness.csv") return without_seconds(bytes);
     if (name == "log.txt" || name == "report.html") return bytes.empty() ? "" : "some text";
     return name.ends_with(".gpkg") ? without_dates(bytes) : bytes;
@@ -104,7 +83,8 @@ std::string lasting_bytes(const std::string& file) {
 
 std::string lasting_bytes_but_warnings(const std::string& file) {
     const std::string bytes = lasting_bytes(file);
-    return std::filesystem::path(file).filename() == "summary.json" ? without_warnings(bytes) : bytes;
+    if (std::filesystem::path(file).filename() != "summary.json") return bytes;
+    return without(bytes, [](Json& summary) { summary.erase("warnings"); });
 }
 
 }  // namespace frana::test

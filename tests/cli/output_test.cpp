@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <stdexcept>
 
@@ -197,7 +198,7 @@ TEST_F(Output, HighValuesOfNoAreaAreNone) {
     const std::string summary = text("summary.json");
     EXPECT_EQ(json_number(summary, "covered_area_m2"), 0);
     EXPECT_GT(json_number(summary, "max_depth_m"), 1);
-    EXPECT_EQ(json_text(summary, "max_depth_p999_m"), "null");
+    EXPECT_TRUE(json_value(summary, "max_depth_p999_m").is_null());
 }
 
 TEST_F(Output, ProfilesAlongTheFlowPathAndTheUsersLine) {
@@ -303,7 +304,10 @@ TEST_F(Output, HazardClassesFollowFromTheRasters) {
     for (const char* name : {"hazard.qml", "hazard.sld", "hazard_zones.qml", "hazard_zones.sld"})
         EXPECT_TRUE(fs::exists(path(std::string("result/") + name))) << name;
     EXPECT_FALSE(fs::exists(path("result/max_flux.tif"))) << "not asked for, not computed";
-    EXPECT_NE(text("summary.json").find("\"label\": \"High intensity\""), std::string::npos);
+    const Json named = json_value(text("summary.json"), "hazard");
+    EXPECT_TRUE(std::any_of(named.begin(), named.end(), [](const Json& one) {
+        return one["label"] == "High intensity";
+    })) << named;
 }
 
 TEST_F(Output, SchemesThatNeedFluxOrHeadRecordThem) {

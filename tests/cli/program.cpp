@@ -7,12 +7,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
-#include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
@@ -48,28 +48,14 @@ Outcome run_program(const std::string& folder, const std::vector<std::string>& a
 
 namespace {
 
-using Tree = boost::property_tree::ptree;
-
-std::vector<Tree> find_in(const std::string& json, const std::string& key) {
-    Tree root;
-    try {
-        std::istringstream stream(json);
-        boost::property_tree::read_json(stream, root);
-    } catch (const boost::property_tree::json_parser_error& error) {
-        ADD_FAILURE() << "no JSON: " << error.what() << "\n" << json;
-        return {};
-    }
-    if (key.find('.') != std::string::npos) {
-        const auto child = root.get_child_optional(key);
-        return child ? std::vector<Tree>{*child} : std::vector<Tree>{};
-    }
-    for (std::vector<Tree> level{root}; !level.empty();) {
-        std::vector<Tree> found, next;
-        for (const Tree& tree : level)
-            for (const auto& [name, child] : tree) {
-                if (name == key) found.push_back(child);
-                next.push_back(child);
-            }
+// Those nearest the root.
+std::vector<Json> find_in(const Json& root, const std::string& key) {
+    for (std::vector<Json> level{root}; !level.empty();) {
+        std::vector<Json> found, next;
+        for (const Json& parent : level) {
+            if (parent.contains(key)) found.push_back(parent[key]);
+            if (parent.is_structured()) next.insert(next.end(), parent.begin(), parent.end());
+        }
         if (!found.empty()) return found;
         level = std::move(next);
     }
@@ -85,22 +71,43 @@ std::string read_text(const std::string& path) {
     return content.str();
 }
 
+Json parse_json(const std::string& text) {
+    Json json = Json::parse(text, nullptr, false);
+    EXPECT_FALSE(json.is_discarded()) << "no JSON:\n" << text;
+    return json;
+}
+
+Json json_value(const std::string& json, const std::string& key) {
+    std::vector<Json> found{parse_json(json)};
+    std::istringstream names(key);
+    for (std::string name; std::getline(names, name, '.');) {
+        found = find_in(found.front(), name);
+        EXPECT_EQ(found.size(), 1U) << key << " in\n" << json;
+        if (found.size() != 1) return {};
+    }
+    return found.front();
+}
+
 std::string json_text(const std::string& json, const std::string& key) {
-    const std::vector<Tree> found = find_in(json, key);
-    EXPECT_EQ(found.size(), 1U) << key << " in\n" << json;
-    return found.size() == 1 ? found.front().data() : "";
+    const Json value = json_value(json, key);
+    EXPECT_TRUE(value.is_string()) << key << " is no text in\n" << json;
+    return value.is_string() ? value.get<std::string>() : "";
 }
 
 double json_number(const std::string& json, const std::string& key) {
-    const std::string text = json_text(json, key);
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    EXPECT_TRUE(!text.empty() && *end == '\0') << key << " is no number in\n" << json;
-    return value;
+    const Json value = json_value(json, key);
+    EXPECT_TRUE(value.is_number()) << key << " is no number in\n" << json;
+    return value.is_number() ? value.get<double>() : std::nan("");
 }
 
 bool json_has(const std::string& json, const std::string& key) {
-    return !find_in(json, key).empty();
+    return !find_in(parse_json(json), key).empty();
+}
+
+bool json_lists(const std::string& json, const std::string& key, const std::string& words) {
+    const Json list = json_value(json, key);
+    return std::any_of(list.begin(), list.end(),
+                       [&](const Json& text) { return text.get<std::string>().find(words) != std::string::npos; });
 }
 
 }  // namespace frana::test

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/json.h"
+
 namespace frana::test {
 
 /// Under a sanitizer most of a program's memory is the sanitizer's.
@@ -26,12 +28,18 @@ Outcome run_program(const std::string& folder, const std::vector<std::string>& a
 
 std::string read_text(const std::string& path);
 
-/// The value in a JSON text by its path ("runout.drop_m"), or by its name where only one value nearest the root has it;
-/// "null" where it is null. Fails the test where the text is no JSON, or has no such value, or more than one.
+/// Fails the test where the text is no JSON.
+Json parse_json(const std::string& text);
+/// The value in a JSON text by its name where only one value nearest the root has it, or by names that follow each
+/// other
+/// ("runout.drop_m"). Fails the test where there is no such value, or more than one.
+Json json_value(const std::string& json, const std::string& key);
+/// The same as a text or a number; fails the test where it is none.
 std::string json_text(const std::string& json, const std::string& key);
-/// The same as a number; fails the test where it is none.
 double json_number(const std::string& json, const std::string& key);
 /// Whether there is such a value, object or list.
 bool json_has(const std::string& json, const std::string& key);
+/// Whether one text of a list contains these words.
+bool json_lists(const std::string& json, const std::string& key, const std::string& words);
 
 }  // namespace frana::test

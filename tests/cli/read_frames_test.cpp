@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/store/frame_store.h"
@@ -20,12 +21,8 @@ class ReadFrames : public TinyScene {
     void write_expected(const std::string& scene) const {
         const std::vector<app::StoredFrame> stored = app::stored_frames(path("result/frames"));
         ASSERT_EQ(stored.size(), 4U);
-        JsonWriter json;
-        json.begin_object();
-        json.text("scene", scene);
-        json.begin_array("time");
-        for (const app::StoredFrame& frame : stored) json.number("", frame.time);
-        json.end_array();
+        Json json{{"scene", scene}, {"time", Json::array()}, {"x", Json::array()}, {"y", Json::array()}};
+        for (const app::StoredFrame& frame : stored) json["time"].push_back(frame.time);
         GridSpec grid;
         for (const std::string name : {"depth", "velocity"}) {
             std::ofstream out(path("result/" + name + ".f32"), std::ios::binary);
@@ -38,14 +35,9 @@ class ReadFrames : public TinyScene {
                 }
             }
         }
-        json.begin_array("x");
-        for (std::int64_t i = 0; i < grid.columns; ++i) json.number("", grid.cell_centre(0, i).x);
-        json.end_array();
-        json.begin_array("y");
-        for (std::int64_t i = 0; i < grid.rows; ++i) json.number("", grid.cell_centre(i, 0).y);
-        json.end_array();
-        json.end_object();
-        write("expected.json", json.str());
+        for (std::int64_t i = 0; i < grid.columns; ++i) json["x"].push_back(grid.cell_centre(0, i).x);
+        for (std::int64_t i = 0; i < grid.rows; ++i) json["y"].push_back(grid.cell_centre(i, 0).y);
+        write("expected.json", frana::json_text(json));
     }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a result holds is what its table of rasters says, and its figures are said once.
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "app/input/share_directory.h"
 #include "app/pictures/result_reader.h"
@@ -59,14 +60,11 @@ TEST_F(ResultTable, MapsShowTheFiguresOfTheSummary) {
     run(k_voellmy + k_numbers_only, "old");
     const auto notes = [&] { return joined(app::ResultReader(path("old")).map_source().notes, "; "); };
     const std::string summary = read_text(path("old/summary.json"));
-    const auto with = [&](const std::string& key, const std::string& value) {
-        const std::size_t at = summary.find("\"" + key + "\": ") + key.size() + 4,
-                          end = summary.find_first_of(",}\n", at);
-        return std::string(summary).replace(at, end - at, value);
-    };
-    write("old/summary.json", with("covered_area_m2", "123456"));
+    Json changed = parse_json(summary);
+    changed["covered_area_m2"] = 123456;
+    changed["runout"]["horizontal_m"] = 4321;
+    write("old/summary.json", frana::json_text(changed));
     EXPECT_NE(notes().find("Covered 123 456 m²"), std::string::npos) << notes();
-    write("old/summary.json", with("horizontal_m", "4321"));
     EXPECT_NE(notes().find("Run-out 4 321 m"), std::string::npos) << notes();
     fs::remove(path("old/summary.json"));
     EXPECT_EQ(notes().find("Run-out"), std::string::npos) << notes();

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "tiny_scene.h"
 
 namespace frana::test {

@@ -5,8 +5,10 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/json.h"
 #include "params/keys/materials.h"
 #include "params/keys/scene_parameters.h"
 #include "scene_fixture.h"
@@ -42,10 +44,13 @@ TEST(Parameters, ResetRestoresTheDefault) {
 }
 
 TEST(Reference, NamesEveryKeyInEveryForm) {
-    const std::string ini = reference_ini(), json = reference_json(), markdown = reference_markdown();
+    const std::string ini = reference_ini(), markdown = reference_markdown();
+    const Json json = Json::parse(reference_json());
+    ASSERT_EQ(json.size(), scene_parameters().size());
+    std::size_t at = 0;
     for (const Parameter& parameter : scene_parameters()) {
         EXPECT_NE(ini.find("# " + parameter.key + " = "), std::string::npos) << parameter.name();
-        EXPECT_NE(json.find("\"name\": \"" + parameter.name() + "\""), std::string::npos) << parameter.name();
+        EXPECT_EQ(json[at++]["name"], parameter.name());
         EXPECT_NE(markdown.find("| `" + parameter.key + "` |"), std::string::npos) << parameter.name();
     }
 }

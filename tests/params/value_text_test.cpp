@@ -2,8 +2,10 @@
 #include "params/grammar/value_text.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana {
 namespace {
@@ -30,19 +32,13 @@ TEST(ValueText, WordsAndSwitches) {
 }
 
 TEST(Json, EscapesAndNests) {
-    JsonWriter json;
-    json.begin_object().text("a\"b", "line\nend\\").number("x", 0.1).number("none", 0.0 / 0.0);
-    json.begin_array("list")
-        .integer("", 1)
-        .boolean("", true)
-        .end_array()
-        .begin_object("empty")
-        .end_object()
-        .end_object();
-    EXPECT_EQ(json.str(),
-              "{\n  \"a\\\"b\": \"line\\nend\\\\\",\n  \"x\": 0.1,\n  \"none\": null,\n  \"list\": [\n    "
-              "1,\n    true\n"
-              "  ],\n  \"empty\": {}\n}\n");
+    const Json json{{"a\"b", "line\nend\\"}, {"x", 0.1},          {"none", 0.0 / 0.0},
+                    {"bytes", "caf\xE9"},    {"list", {1, true}}, {"empty", Json::object()}};
+    EXPECT_EQ(json_text(json),
+              "{\n  \"a\\\"b\": \"line\\nend\\\\\",\n  \"x\": 0.1,\n  \"none\": null,\n"
+              "  \"bytes\": \"caf\\\\xe9\",\n  \"list\": [\n    1,\n    true\n  ],\n  \"empty\": {}\n}\n");
+    for (const double value : {0.1, 1.0 / 3, 9.80665, 5e-324, 1.7976931348623157e308, 527000.125, 4.0})
+        EXPECT_EQ(Json::parse(json_text(value)).get<double>(), value);
 }
 
 }  // namespace

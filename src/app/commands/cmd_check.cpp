@@ -19,7 +19,7 @@
 #include "app/process/machine_memory.h"
 #include "app/store/result_place.h"
 #include "app/text/number_text.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {

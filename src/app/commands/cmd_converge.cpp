@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "analysis/convergence.h"
@@ -22,6 +23,7 @@
 #include "app/text/text_file.h"
 #include "app/text/version.h"
 #include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/raster/raster_out.h"
 #include "params/keys/result_rasters.h"
 #include "render/chart/chart.h"
@@ -107,23 +109,21 @@ std::string csv_text(const std::vector<Level>& levels) {
     return text;
 }
 
-std::string json_text(const std::vector<Level>& levels, const SceneSpec& spec) {
-    JsonWriter json;
-    json.begin_object().text("program", k_program).text("version", k_version).text("scene", spec.file);
-    json.number("finest_cell_size_m", levels.back().cell_size);
-    json.begin_object("figures");
+std::string study_json(const std::vector<Level>& levels, const SceneSpec& spec) {
+    Json json{{"program", k_program},
+              {"version", k_version},
+              {"scene", spec.file},
+              {"finest_cell_size_m", levels.back().cell_size}};
     for (const RunFigure& name : told_figures()) {
         const GridConvergence c = convergence_of(levels, name);
-        json.begin_object(name.key).number("finest", name.of(levels.back().figures)).text("trend", describe(c.trend));
-        if (std::isnan(c.observed_order)) {
-            json.null("observed_order");
-        } else {
-            json.number("observed_order", c.observed_order);
-        }
-        json.number("extrapolated", c.extrapolated).number("estimated_error", c.error);
-        json.number("grid_convergence_index_percent", c.index_percent).end_object();
+        json["figures"][name.key] = {{"finest", name.of(levels.back().figures)},
+                                     {"trend", describe(c.trend)},
+                                     {"observed_order", c.observed_order},
+                                     {"extrapolated", c.extrapolated},
+                                     {"estimated_error", c.error},
+                                     {"grid_convergence_index_percent", c.index_percent}};
     }
-    return json.end_object().end_object().str();
+    return json_text(json);
 }
 
 /// The table a person reads, and the sentences kept for later runs.
@@ -263,7 +263,7 @@ int cmd_converge(const Arguments& arguments) {
     render::write_png((folder / k_chart).string(), chart_of(levels));
     write_text_file((folder / k_table).string(), csv_text(levels));
     write_error_estimate(folder.string(), spec, told);
-    write_text_file((folder / k_study).string(), json_text(levels, spec));
+    write_text_file((folder / k_study).string(), study_json(levels, spec));
     record_files(files_of(folder));
     std::cout << table_text(levels) << '\n' << told;
     if (!quiet) std::cerr << "frana: convergence study in " << folder.string() << '\n';

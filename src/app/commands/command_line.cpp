@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "params/keys/scene_parameters.h"
 
 namespace frana::app {

@@ -18,7 +18,7 @@
 #include "app/commands/commands.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/access/time_limit.h"
 #include "params/grammar/value_text.h"
 

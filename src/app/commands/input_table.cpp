@@ -7,7 +7,7 @@
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
 #include "app/text/text_table.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana::app {
 namespace {

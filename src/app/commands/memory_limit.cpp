@@ -6,7 +6,7 @@
 #include "app/input/memory_bound.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana::app {
 

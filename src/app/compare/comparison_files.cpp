@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/compare/comparison.h"
 #include "app/pictures/map_source.h"
@@ -9,6 +10,7 @@
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/styles.h"
 #include "params/keys/result_rasters.h"
@@ -68,86 +70,68 @@ std::vector<std::pair<const char*, double>> named(const ComparisonFigures& f) {
             {"auroc", f.auroc}};
 }
 
-void write_figures(JsonWriter& json, const std::optional<ComparisonFigures>& figures) {
+void add_figures(Json& json, const std::optional<ComparisonFigures>& figures) {
     for (const auto& [name, value] : named(figures.value_or(ComparisonFigures{})))
-        figures ? json.number(name, value) : json.null(name);
+        json[name] = figures ? Json(value) : Json();
 }
 
-void write_distance(JsonWriter& json, const LineDistance& distance) {
-    json.number("mean_m", distance.mean_m)
-        .number("percentile_95_m", distance.percentile_95_m)
-        .number("hausdorff_m", distance.hausdorff_m);
+void add_distance(Json& json, const LineDistance& distance) {
+    json["mean_m"] = distance.mean_m;
+    json["percentile_95_m"] = distance.percentile_95_m;
+    json["hausdorff_m"] = distance.hausdorff_m;
 }
 
-void write_runouts(JsonWriter& json, const Comparison& comparison) {
-    if (comparison.runout_difference_m)
-        json.number("runout_difference_m", *comparison.runout_difference_m);
-    else
-        json.null("runout_difference_m");
-    if (const auto& path = comparison.path_runout) {
-        json.begin_object("runout_along_path").number("simulated_m", path->simulated_m);
-        json.number("observed_m", path->observed_m)
-            .number("difference_m", path->simulated_m - path->observed_m)
-            .end_object();
+void add_runouts(Json& json, const Comparison& comparison) {
+    const auto& difference = comparison.runout_difference_m;
+    json["runout_difference_m"] = difference ? Json(*difference) : Json();
+    if (const auto& path = comparison.path_runout)
+        json["runout_along_path"] = {{"simulated_m", path->simulated_m},
+                                     {"observed_m", path->observed_m},
+                                     {"difference_m", path->simulated_m - path->observed_m}};
+}
+
+void add_fronts(Json& json, const Comparison& comparison) {
+    for (const FrontComparison& front : comparison.fronts) {
+        Json one{{"name", front.name}, {"mean_signed_m", front.mean_m}};
+        add_distance(one, front.size);
+        one["reached_percent"] = front.reached_percent;
+        json["fronts"].push_back(std::move(one));
     }
+    for (const TipComparison& tip : comparison.tips)
+        json["tips"].push_back({{"name", tip.name}, {"distance_m", tip.distance_m}});
 }
 
-void write_fronts(JsonWriter& json, const Comparison& comparison) {
-    if (!comparison.fronts.empty()) {
-        json.begin_array("fronts");
-        for (const FrontComparison& front : comparison.fronts) {
-            json.begin_object().text("name", front.name).number("mean_signed_m", front.mean_m);
-            write_distance(json, front.size);
-            json.number("reached_percent", front.reached_percent).end_object();
-        }
-        json.end_array();
-    }
-    if (!comparison.tips.empty()) {
-        json.begin_array("tips");
-        for (const TipComparison& tip : comparison.tips)
-            json.begin_object().text("name", tip.name).number("distance_m", tip.distance_m).end_object();
-        json.end_array();
-    }
-}
-
-void write_deposit(JsonWriter& json, const Comparison& comparison, const Survey& survey) {
+void add_deposit(Json& json, const Comparison& comparison, const Survey& survey) {
     if (!comparison.deposit_overlap) return;
-    json.begin_object("deposit").text("observed", survey.deposit_label);
-    write_figures(json, comparison.deposit_overlap);
-    if (const auto& depth = comparison.deposit_depth) {
-        json.begin_object("depth_error").number("area_m2", depth->area_m2);
-        json.number("observed_volume_m3", depth->observed_volume_m3)
-            .number("simulated_volume_m3", depth->simulated_volume_m3)
-            .number("bias_m", depth->bias_m)
-            .number("mean_absolute_error_m", depth->mean_absolute_error_m)
-            .number("rmse_m", depth->rmse_m)
-            .number("correlation", depth->correlation)
-            .end_object();
-    }
-    json.end_object();
+    Json& deposit = json["deposit"] = {{"observed", survey.deposit_label}};
+    add_figures(deposit, comparison.deposit_overlap);
+    if (const auto& depth = comparison.deposit_depth)
+        deposit["depth_error"] = {{"area_m2", depth->area_m2},
+                                  {"observed_volume_m3", depth->observed_volume_m3},
+                                  {"simulated_volume_m3", depth->simulated_volume_m3},
+                                  {"bias_m", depth->bias_m},
+                                  {"mean_absolute_error_m", depth->mean_absolute_error_m},
+                                  {"rmse_m", depth->rmse_m},
+                                  {"correlation", depth->correlation}};
 }
 
 }  // namespace
 
 std::string comparison_json(const Comparison& comparison, const ComparisonInput& input) {
-    JsonWriter json;
-    json.begin_object();
-    json.text("program", k_program).text("version", k_version);
-    json.text("simulated", input.depth_label)
-        .text("observed", input.survey.scar.empty() ? input.survey.front_label : input.survey.scar_label);
-    json.number("cell_size", input.depth.grid.cell_size).number("threshold_m", input.threshold);
-    write_figures(json, comparison.figures);
-    write_runouts(json, comparison);
-    if (comparison.outline) {
-        json.begin_object("outline_distance");
-        write_distance(json, *comparison.outline);
-        json.end_object();
-    }
-    write_fronts(json, comparison);
-    write_deposit(json, comparison, input.survey);
-    json.text("negatives", "true negatives are five times the observed area less the false alarms");
-    json.end_object();
-    return json.str();
+    const Survey& survey = input.survey;
+    Json json{{"program", k_program},
+              {"version", k_version},
+              {"simulated", input.depth_label},
+              {"observed", survey.scar.empty() ? survey.front_label : survey.scar_label},
+              {"cell_size", input.depth.grid.cell_size},
+              {"threshold_m", input.threshold}};
+    add_figures(json, comparison.figures);
+    add_runouts(json, comparison);
+    if (comparison.outline) add_distance(json["outline_distance"], *comparison.outline);
+    add_fronts(json, comparison);
+    add_deposit(json, comparison, survey);
+    json["negatives"] = "true negatives are five times the observed area less the false alarms";
+    return json_text(json);
 }
 
 std::string comparison_curve_csv(const Comparison& comparison) {

@@ -6,7 +6,7 @@
 
 #include "app/text/csv_cell.h"
 #include "app/text/file_stems.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana::app {
 namespace {

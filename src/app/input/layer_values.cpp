@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/text/number_text.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/crs/crs.h"
 #include "params/keys/scene_parameters.h"
 

@@ -9,7 +9,7 @@
 #include "app/input/prepare_inflow.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "params/grammar/value_text.h"
 #include "simulation/release.h"
 

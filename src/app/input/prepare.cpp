@@ -15,7 +15,7 @@
 #include "app/input/prepare_zones.h"
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/crs/crs.h"
 #include "params/keys/law_names.h"
 #include "simulation/arrivals.h"

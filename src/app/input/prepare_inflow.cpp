@@ -9,7 +9,7 @@
 #include "app/input/layer_values.h"
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/access/table_in.h"
 #include "gis/vector/lines_in.h"
 #include "params/grammar/absolute_path.h"

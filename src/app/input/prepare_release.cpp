@@ -11,7 +11,7 @@
 #include "app/input/thickness_volume.h"
 #include "app/input/transform_report.h"
 #include "app/text/number_text.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/rasterize.h"
 

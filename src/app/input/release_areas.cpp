@@ -7,7 +7,7 @@
 #include "analysis/slip_surface.h"
 #include "app/input/layer_values.h"
 #include "app/text/number_text.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana::app {
 namespace {

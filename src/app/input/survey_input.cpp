@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/text/number_text.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana::app {
 namespace {

@@ -2,7 +2,7 @@
 #include "app/input/thin_release.h"
 
 #include "app/text/number_text.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana::app {
 

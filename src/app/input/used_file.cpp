@@ -2,7 +2,7 @@
 #include "app/input/used_file.h"
 
 #include "app/text/number_text.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/crs/crs.h"
 
 namespace frana::app {

@@ -12,7 +12,7 @@
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "params/grammar/value_text.h"
 #include "render/map/plate.h"
 

@@ -3,7 +3,7 @@
 
 #include "app/text/number_text.h"
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana::app {
 namespace {

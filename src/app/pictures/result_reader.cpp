@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/pictures/particle_dots.h"
 #include "app/pictures/require_cells.h"
@@ -16,7 +17,7 @@
 #include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/crs/crs.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/marks_in.h"
@@ -32,10 +33,11 @@ namespace fs = std::filesystem;
 
 /// The scores that a comparison's map shows, from the file that frana wrote. Throws Error(input) where it is cut off.
 void add_figures(const std::string& path, std::vector<std::string>& notes) {
-    const std::optional<JsonTree> tree = read_json_file(path);
-    if (!tree) throw Error(ErrorKind::input, Problem{"is not whole", path, "", "", "Compare anew: frana compare"});
+    const std::optional<Json> json = read_json_file(path);
+    if (!json) throw Error(ErrorKind::input, Problem{"is not whole", path, "", "", "Compare anew: frana compare"});
     const auto add = [&](const std::string& key, const std::string& before, const std::string& after) {
-        if (const auto value = number_in(*tree, key)) notes.push_back(before + " " + figure(*value, 3) + after);
+        if (const auto value = value_in<double>(*json, "/" + key))
+            notes.push_back(before + " " + figure(*value, 3) + after);
     };
     add("threshold_m", "Threshold", " m");
     add("area_difference_percent", "Area difference", " %");
@@ -51,8 +53,8 @@ Error newer(const std::string& file, std::int64_t format, std::int64_t known) {
 
 // Results that tell no format are older than formats.
 void refuse_newer_summary(const std::string& path) {
-    const std::optional<JsonTree> tree = read_json_file(path);
-    const auto format = tree ? integer_from_text(tree->get<std::string>("format", "")) : std::nullopt;
+    const std::optional<Json> json = read_json_file(path);
+    const auto format = json ? value_in<std::int64_t>(*json, "/format") : std::nullopt;
     if (format && *format > k_result_format) throw newer(path, *format, k_result_format);
 }
 

@@ -23,7 +23,7 @@
 #include "app/text/number_text.h"
 #include "app/text/text_file.h"
 #include "app/text/version.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "params/keys/scene_parameters.h"
 #include "simulation/run_figures.h"
 #include "simulation/simulation.h"

@@ -8,7 +8,7 @@
 #include "app/store/result_files.h"
 #include "app/text/text_file.h"
 #include "core/colour.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/raster/raster_out.h"
 #include "gis/raster/rasterize.h"
 #include "gis/raster/styles.h"

@@ -6,7 +6,7 @@
 #include "app/store/result_files.h"
 #include "app/text/csv_cell.h"
 #include "app/text/text_file.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "gis/vector/vector_out.h"
 
 namespace frana::app {

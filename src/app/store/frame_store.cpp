@@ -8,7 +8,7 @@
 #include "app/process/stopwatch.h"
 #include "app/text/text_file.h"
 #include "core/error.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "core/sync_path.h"
 #include "core/utf8.h"
 #include "gis/raster/raster_out.h"

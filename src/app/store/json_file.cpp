@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/json_file.h"
 
-#include <boost/property_tree/json_parser.hpp>
 #include <cerrno>
 #include <cstring>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "core/read_blocks.h"
 #include "core/system_remedy.h"
-#include "params/grammar/value_text.h"
 
 namespace frana::app {
 namespace {
@@ -22,26 +20,32 @@ bool is_not_there(int reason) {
 
 }  // namespace
 
-std::optional<JsonTree> read_json_file(const std::string& path) {
+std::optional<Json> read_json_file(const std::string& path) {
     std::string text;
     const int reason = read_blocks(path, [&](std::string_view bytes) { text += bytes; });
     if (is_not_there(reason)) return std::nullopt;
     if (reason != 0)
         throw Error(ErrorKind::environment, Problem{std::string("cannot be read: ") + std::strerror(reason), path, "",
                                                     "", system_remedy(reason)});
-    JsonTree tree;
-    try {
-        std::istringstream stream(text);
-        boost::property_tree::read_json(stream, tree);
-    } catch (const boost::property_tree::json_parser_error&) {
-        return std::nullopt;
-    }
-    return tree;
+    Json json = Json::parse(text, nullptr, false);
+    return json.is_discarded() ? std::nullopt : std::optional(std::move(json));
 }
 
-std::optional<double> number_in(const JsonTree& tree, const std::string& path) {
-    const auto text = tree.get_optional<std::string>(path);
-    return text ? number_from_text(*text) : std::nullopt;
+template <class T>
+std::optional<T> value_in(const Json& json, const std::string& pointer) {
+    const Json::json_pointer place(pointer);
+    if (!json.contains(place)) return std::nullopt;
+    const Json& value = json[place];
+    const bool is_of_type = std::is_same_v<T, bool>           ? value.is_boolean()
+                            : std::is_same_v<T, std::int64_t> ? value.is_number_integer()
+                            : std::is_same_v<T, double>       ? value.is_number()
+                                                              : value.is_string();
+    return is_of_type ? std::optional(value.get<T>()) : std::nullopt;
 }
+
+template std::optional<bool> value_in(const Json&, const std::string&);
+template std::optional<double> value_in(const Json&, const std::string&);
+template std::optional<std::int64_t> value_in(const Json&, const std::string&);
+template std::optional<std::string> value_in(const Json&, const std::string&);
 
 }  // namespace frana::app

@@ -12,15 +12,14 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 #include "app/store/json_file.h"
 #include "app/store/result_files.h"
 #include "app/text/version.h"
 #include "core/error.h"
 #include "core/file_aside.h"
-#include "core/json.h"
 #include "core/read_blocks.h"
 #include "core/sync_path.h"
 #include "core/system_remedy.h"
@@ -142,20 +141,19 @@ FileMark mark_on_disk(const std::string& path) {
 }
 
 std::optional<Manifest> read_manifest(const std::string& folder) {
-    const std::optional<JsonTree> tree = read_json_file((fs::path(folder) / k_manifest_file).string());
-    if (!tree || tree->get<std::string>("program", "") != k_program || tree->get<long>("format", 0) < 1 ||
-        tree->get<long>("format", 0) > k_manifest_format)
-        return std::nullopt;
+    const std::optional<Json> json = read_json_file((fs::path(folder) / k_manifest_file).string());
+    if (!json || value_in<std::string>(*json, "/program") != k_program) return std::nullopt;
+    const std::int64_t format = value_in<std::int64_t>(*json, "/format").value_or(0);
+    if (format < 1 || format > k_manifest_format) return std::nullopt;
     Manifest manifest;
-    manifest.scene_hash = tree->get<std::string>("scene_hash", "");
-    manifest.simulated_seconds = tree->get<double>("simulated_seconds", 0);
-    if (const auto finished = tree->get_optional<bool>("finished")) manifest.finished = *finished;
-    const auto files = tree->get_child_optional("files");
-    if (!files) return std::nullopt;
+    manifest.scene_hash = value_in<std::string>(*json, "/scene_hash").value_or("");
+    manifest.simulated_seconds = value_in<double>(*json, "/simulated_seconds").value_or(0);
+    manifest.finished = value_in<bool>(*json, "/finished");
     try {
-        for (const auto& [key, entry] : *files)
-            manifest.files[unescaped_name(entry.get<std::string>("name"))] = {entry.get<std::uint64_t>("bytes"),
-                                                                              entry.get<std::string>(k_checksum)};
+        if (!json->at("files").is_array()) return std::nullopt;
+        for (const Json& entry : json->at("files"))
+            manifest.files[unescaped_name(entry.at("name").get<std::string>())] = {
+                entry.at("bytes").get_ref<const Json::number_unsigned_t&>(), entry.at(k_checksum).get<std::string>()};
     } catch (const std::exception&) {
         return std::nullopt;
     }
@@ -163,18 +161,17 @@ std::optional<Manifest> read_manifest(const std::string& folder) {
 }
 
 void write_manifest(const std::string& folder, const Manifest& manifest) {
-    JsonWriter json;
-    json.begin_object().text("program", k_program).text("version", k_version);
-    json.integer("format", k_manifest_format).text("written", now_utc());
-    json.text("scene_hash", manifest.scene_hash).number("simulated_seconds", manifest.simulated_seconds);
-    if (manifest.finished) json.boolean("finished", *manifest.finished);
-    json.begin_array("files");
-    for (const auto& [name, mark] : manifest.files) {
-        json.begin_object().text("name", escaped_name(name)).integer("bytes", static_cast<std::int64_t>(mark.bytes));
-        json.text(k_checksum, mark.checksum).end_object();
-    }
-    json.end_array().end_object();
-    write_file((fs::path(folder) / k_manifest_file).string(), json.str(), Sync::yes);
+    Json json{{"program", k_program},
+              {"version", k_version},
+              {"format", k_manifest_format},
+              {"written", now_utc()},
+              {"scene_hash", manifest.scene_hash},
+              {"simulated_seconds", manifest.simulated_seconds}};
+    if (manifest.finished) json["finished"] = *manifest.finished;
+    Json& files = json["files"] = Json::array();
+    for (const auto& [name, mark] : manifest.files)
+        files.push_back({{"name", escaped_name(name)}, {"bytes", mark.bytes}, {k_checksum, mark.checksum}});
+    write_file((fs::path(folder) / k_manifest_file).string(), json_text(json), Sync::yes);
     if (const int reason = sync_path(folder); reason != 0) fail("cannot be brought to the disk", folder, reason);
 }
 
@@ -185,8 +182,8 @@ bool is_listed_result(const std::string& folder) {
 bool is_unlisted_result(const std::string& folder) {
     std::error_code failure;
     if (is_listed_result(folder) || !fs::exists(fs::path(folder) / k_scene_file, failure)) return false;
-    const std::optional<JsonTree> summary = read_json_file((fs::path(folder) / k_summary_file).string());
-    return summary && summary->get<std::string>("program", "") == k_program;
+    const std::optional<Json> summary = read_json_file((fs::path(folder) / k_summary_file).string());
+    return summary && value_in<std::string>(*summary, "/program") == k_program;
 }
 
 void record_files(const std::vector<std::string>& paths) {

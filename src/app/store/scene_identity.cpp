@@ -6,13 +6,14 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/store/json_file.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
 #include "core/archive.h"
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana::app {
 namespace {
@@ -157,11 +158,13 @@ std::string scene_identity(const Prepared& prepared) {
 std::optional<std::string> result_identity(const std::string& result_folder) {
     const std::filesystem::path folder = result_folder;
     const std::string scene = text_of(folder / k_scene_file);
-    const std::optional<JsonTree> summary = read_json_file((folder / k_summary_file).string());
-    const auto facts = summary ? summary->get_child_optional(k_data_key) : boost::none;
-    if (!facts || scene.empty()) return std::nullopt;
+    const std::optional<Json> summary = read_json_file((folder / k_summary_file).string());
+    if (scene.empty() || !summary || !summary->contains(k_data_key)) return std::nullopt;
     std::vector<std::string> data;
-    for (const auto& [key, fact] : *facts) data.push_back(fact.data());
+    for (const Json& fact : summary->at(k_data_key)) {
+        if (!fact.is_string()) return std::nullopt;
+        data.push_back(fact.get<std::string>());
+    }
     return identity(scene, data);
 }
 

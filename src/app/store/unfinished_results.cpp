@@ -9,7 +9,7 @@
 #include <cctype>
 #include <cerrno>
 #include <filesystem>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 #include "app/store/checkpoints.h"
 #include "app/store/json_file.h"
@@ -19,7 +19,6 @@
 #include "app/text/text_file.h"
 #include "app/text/version.h"
 #include "core/folder_entries.h"
-#include "core/json.h"
 #include "core/read_blocks.h"
 
 namespace frana::app {
@@ -34,19 +33,20 @@ std::string own_name(const std::string& folder) {
 void write_note(const fs::path& path, const std::string& folder_name, const std::string& result) {
     char host[256] = "";
     ::gethostname(host, sizeof host - 1);
-    JsonWriter json;
-    json.begin_object().text("program", k_program).text("version", k_version);
-    json.text("folder", escaped_name(folder_name)).text("result", escaped_name(result));
-    json.integer("process", ::getpid()).text("host", escaped_name(host)).end_object();
-    write_text_file(path.string(), json.str());
+    write_text_file(path.string(), json_text({{"program", k_program},
+                                              {"version", k_version},
+                                              {"folder", escaped_name(folder_name)},
+                                              {"result", escaped_name(result)},
+                                              {"process", ::getpid()},
+                                              {"host", escaped_name(host)}}));
 }
 
 /// The folder's name that a note gives; empty where there is no note of frana's.
 std::string noted_name(const fs::path& path) {
     try {
-        const std::optional<JsonTree> tree = read_json_file(path.string());
-        if (!tree || tree->get<std::string>("program") != k_program) return {};
-        return unescaped_name(tree->get<std::string>("folder"));
+        const std::optional<Json> json = read_json_file(path.string());
+        if (!json || value_in<std::string>(*json, "/program") != k_program) return {};
+        return unescaped_name(value_in<std::string>(*json, "/folder").value_or(""));
     } catch (const std::exception&) {
         return {};
     }

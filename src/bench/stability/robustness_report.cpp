@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "bench/stability/robustness.h"
 #include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana::bench {
 namespace {
@@ -119,29 +121,32 @@ std::string robustness_csv(const std::vector<RobustnessRow>& rows) {
 
 std::string robustness_json(const std::vector<RobustnessRow>& rows, const RobustnessOptions& options,
                             const std::string& scene) {
-    JsonWriter json;
-    json.begin_object().text("scene", scene).number("trace_threshold_m", options.threshold);
-    json.integer("seed", static_cast<std::int64_t>(options.seed)).number("marked_beyond", k_robust_change);
-    json.begin_array("runs");
+    Json json{{"scene", scene},
+              {"trace_threshold_m", options.threshold},
+              {"seed", options.seed},
+              {"marked_beyond", k_robust_change},
+              {"runs", Json::array()}};
     for (std::size_t row = 0; row < rows.size(); ++row) {
         const RobustnessRow& one = rows[row];
-        json.begin_object().text("disturbance", one.disturbance.name).text("what", one.disturbance.what);
+        Json& run =
+            json["runs"].emplace_back(Json{{"disturbance", one.disturbance.name}, {"what", one.disturbance.what}});
         if (!one.refusal.empty()) {
-            json.text("refused", one.refusal).end_object();
+            run["refused"] = one.refusal;
             continue;
         }
         for (const RunFigure& figure : k_run_figures) {
             const auto change = relative_change(rows, row, figure);
-            json.begin_object(figure.key).number("value", figure.of(one.figures));
-            if (change) json.number("relative_change", *change).boolean("marked", marked(change));
-            json.end_object();
+            Json& value = run[figure.key] = {{"value", figure.of(one.figures)}};
+            if (!change) continue;
+            value["relative_change"] = *change;
+            value["marked"] = marked(change);
         }
-        json.number("simulated_seconds", one.simulated_seconds).integer("steps", one.steps);
-        json.integer("particles", one.particles);
-        if (!one.trouble.empty()) json.text("ended_early", one.trouble);
-        json.end_object();
+        run["simulated_seconds"] = one.simulated_seconds;
+        run["steps"] = one.steps;
+        run["particles"] = one.particles;
+        if (!one.trouble.empty()) run["ended_early"] = one.trouble;
     }
-    return json.end_array().end_object().str();
+    return json_text(json);
 }
 
 }  // namespace frana::bench

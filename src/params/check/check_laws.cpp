@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/law_names.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "params/check/check_laws.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/model_keys.h"

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/json.h"
+#include "core/shortest_text.h"
 #include "params/grammar/source.h"
 #include "params/grammar/value_text.h"
 #include "params/keys/parameter.h"

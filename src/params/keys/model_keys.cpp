@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/keys/model_keys.h"
 
-#include "core/json.h"
+#include "core/shortest_text.h"
 
 namespace frana {
 namespace {

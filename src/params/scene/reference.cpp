@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/scene/reference.h"
 
+#include <nlohmann/json.hpp>
+
 #include "core/json.h"
 #include "params/keys/scene_parameters.h"
 
@@ -43,22 +45,20 @@ std::string reference_ini() {
 }
 
 std::string reference_json() {
-    JsonWriter json;
-    json.begin_array();
+    Json keys = Json::array();
     for (const Parameter& parameter : scene_parameters()) {
-        json.begin_object();
-        json.text("name", parameter.name()).text("section", parameter.section).text("key", parameter.key);
-        json.text("type", parameter.type).text("unit", parameter.unit);
+        Json& key = keys.emplace_back(Json{{"name", parameter.name()},
+                                           {"section", parameter.section},
+                                           {"key", parameter.key},
+                                           {"type", parameter.type},
+                                           {"unit", parameter.unit}});
         const std::string fixed = parameter.default_text();
-        if (fixed.empty())
-            json.null("default").text("when_absent", parameter.absent);
-        else
-            json.text("default", fixed);
-        json.text("limits", parameter.limits).text("meaning", parameter.meaning);
-        json.end_object();
+        key["default"] = fixed.empty() ? Json() : Json(fixed);
+        if (fixed.empty()) key["when_absent"] = parameter.absent;
+        key["limits"] = parameter.limits;
+        key["meaning"] = parameter.meaning;
     }
-    json.end_array();
-    return json.str();
+    return json_text(keys);
 }
 
 std::string reference_markdown() {
