@@ -8,39 +8,11 @@
 #include <sstream>
 
 #include "core/file_aside.h"
+#include "core/markup.h"
 #include "core/shortest_text.h"
 
 namespace frana::gis {
 namespace {
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
-
-std::string hex(Rgb colour) {
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", colour.r, colour.g, colour.b);
-    return text.data();
-}
 
 const char* qgis_ramp_type(StyleKind kind) {
     switch (kind) {
@@ -80,9 +52,9 @@ std::string qml(const std::vector<ColourStop>& stops, const std::string& unit, S
         // QGIS leaves what lies above the last class uncoloured; its maps always end in infinity.
         const bool last_class = kind == StyleKind::classed && i + 1 == stops.size();
         out << "          <item value=\"" << (last_class ? "inf" : shortest_text(stops[i].value)) << "\" color=\""
-            << hex(stops[i].colour) << "\" alpha=\"255\" label=\"" << escaped(stops[i].label) << "\"/>\n";
+            << hex(stops[i].colour) << "\" alpha=\"255\" label=\"" << escaped_markup(stops[i].label) << "\"/>\n";
     }
-    out << "          <rampLegendSettings suffix=\"" << escaped(unit.empty() ? "" : " " + unit) << "\"/>\n"
+    out << "          <rampLegendSettings suffix=\"" << escaped_markup(unit.empty() ? "" : " " + unit) << "\"/>\n"
         << "        </colorrampshader>\n      </rastershader>\n    </rasterrenderer>\n"
         << "    <brightnesscontrast/>\n    <huesaturation/>\n    <rasterresampler maxOversampling=\"1\"/>\n"
         << "  </pipe>\n  <blendMode>0</blendMode>\n</qgis>\n";
@@ -96,14 +68,14 @@ std::string sld(const std::string& name, const std::vector<ColourStop>& stops, c
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         << "<StyledLayerDescriptor version=\"1.0.0\" xmlns=\"http://www.opengis.net/sld\" "
         << "xmlns:ogc=\"http://www.opengis.net/ogc\">\n"
-        << "  <NamedLayer>\n    <Name>" << escaped(name) << "</Name>\n    <UserStyle>\n      <Title>" << escaped(title)
-        << "</Title>\n      <FeatureTypeStyle>\n        <Rule>\n          <RasterSymbolizer>\n"
+        << "  <NamedLayer>\n    <Name>" << escaped_markup(name) << "</Name>\n    <UserStyle>\n      <Title>"
+        << escaped_markup(title) << "</Title>\n      <FeatureTypeStyle>\n        <Rule>\n          <RasterSymbolizer>\n"
         << "            <ColorMap type=\"" << sld_map_type(kind) << "\">\n";
     for (std::size_t i = 0; i < stops.size(); ++i) {
         // The same open end as in the QGIS style, in the largest number a Float32 raster holds.
         const bool last_class = kind == StyleKind::classed && i + 1 == stops.size();
         out << "              <ColorMapEntry quantity=\"" << (last_class ? "3.4e+38" : shortest_text(stops[i].value))
-            << "\" color=\"" << hex(stops[i].colour) << "\" opacity=\"1\" label=\"" << escaped(stops[i].label)
+            << "\" color=\"" << hex(stops[i].colour) << "\" opacity=\"1\" label=\"" << escaped_markup(stops[i].label)
             << "\"/>\n";
     }
     out << "            </ColorMap>\n          </RasterSymbolizer>\n        </Rule>\n      "
@@ -119,11 +91,11 @@ std::string polygon_qml(const std::string& attribute, const std::vector<ColourSt
     std::ostringstream out, symbols;
     out << "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
         << "<qgis version=\"3.22.0\" styleCategories=\"Symbology\">\n"
-        << "  <renderer-v2 type=\"categorizedSymbol\" attr=\"" << escaped(attribute)
+        << "  <renderer-v2 type=\"categorizedSymbol\" attr=\"" << escaped_markup(attribute)
         << "\" symbollevels=\"0\" enableorderby=\"0\" forceraster=\"0\">\n    <categories>\n";
     for (std::size_t i = 0; i < stops.size(); ++i) {
         out << "      <category symbol=\"" << i << "\" value=\"" << shortest_text(stops[i].value)
-            << "\" type=\"double\" label=\"" << escaped(stops[i].label) << "\" render=\"true\"/>\n";
+            << "\" type=\"double\" label=\"" << escaped_markup(stops[i].label) << "\" render=\"true\"/>\n";
         const Rgb c = stops[i].colour;
         symbols << "      <symbol type=\"fill\" name=\"" << i << "\" alpha=\"" << k_zone_opacity
                 << "\" clip_to_extent=\"1\" force_rhr=\"0\">\n        <layer class=\"SimpleFill\" pass=\"0\" "
@@ -140,11 +112,11 @@ std::string polygon_sld(const std::string& name, const std::string& attribute, c
     std::ostringstream out;
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         << "<StyledLayerDescriptor version=\"1.0.0\" xmlns=\"http://www.opengis.net/sld\" "
-        << "xmlns:ogc=\"http://www.opengis.net/ogc\">\n  <NamedLayer>\n    <Name>" << escaped(name)
+        << "xmlns:ogc=\"http://www.opengis.net/ogc\">\n  <NamedLayer>\n    <Name>" << escaped_markup(name)
         << "</Name>\n    <UserStyle>\n      <FeatureTypeStyle>\n";
     for (const ColourStop& stop : stops) {
-        out << "        <Rule>\n          <Name>" << escaped(stop.label) << "</Name>\n          <ogc:Filter>\n"
-            << "            <ogc:PropertyIsEqualTo><ogc:PropertyName>" << escaped(attribute)
+        out << "        <Rule>\n          <Name>" << escaped_markup(stop.label) << "</Name>\n          <ogc:Filter>\n"
+            << "            <ogc:PropertyIsEqualTo><ogc:PropertyName>" << escaped_markup(attribute)
             << "</ogc:PropertyName><ogc:Literal>" << shortest_text(stop.value)
             << "</ogc:Literal></ogc:PropertyIsEqualTo>\n          </ogc:Filter>\n"
             << "          <PolygonSymbolizer>\n            <Fill>\n              <CssParameter name=\"fill\">"

@@ -35,7 +35,7 @@ struct TitleResult {
     double bottom = 0;
     Point subtitle_at;
 };
-TitleResult draw_titles(Sheet& sheet, const PageStyle& style, const std::string& title, const std::string& subtitle,
+TitleResult draw_titles(Drawing& drawing, const PageStyle& style, const std::string& title, const std::string& subtitle,
                         bool subtitle_later, Point corner, double width);
 
 /// A style whose letters are shrunk, to `least_share` at most, so that a text fits `width`.
@@ -43,9 +43,9 @@ TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, Te
                         double least_share);
 
 /// Height of draw_foot's small print.
-double foot_height(const Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double width);
+double foot_height(const Drawing& drawing, const PageStyle& style, const std::vector<std::string>& parts, double width);
 /// Small print at the foot of the page, from below upwards; returns the y of its upper edge.
-double draw_foot(Sheet& sheet, const PageStyle& style, const std::vector<std::string>& parts, double left,
+double draw_foot(Drawing& drawing, const PageStyle& style, const std::vector<std::string>& parts, double left,
                  double bottom, double width);
 
 }  // namespace frana::render

@@ -1,66 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/canvas/sheet.h"
 
-#include <sstream>
-
-#include "core/utf8.h"
-
 namespace frana::render {
-namespace {
 
-constexpr std::size_t k_most_letters = 2000;  // of a paragraph
-constexpr std::size_t k_longest_line = 500;   // bytes; what is longer need not be measured
-
-}  // namespace
-
-const TextBox& Sheet::text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) {
-    texts_.push_back({lettering_.set(words, at, style, across, upright), style});
-    return boxes_.emplace_back(text_box(words, texts_.back().glyphs, style));
+void Sheet::line(std::span<const Point> points, const LineStyle& style, bool closed) {
+    canvas_.line(points, style, closed);
 }
 
-double Sheet::lines(const std::vector<std::string>& words, Point top, const TextStyle& style, Across across) {
-    for (const std::string& line : words) {
-        text(line, top, style, across, Upright::top);
-        top.y += line_height(style);
-    }
-    return top.y;
+void Sheet::fill(std::span<const Point> corners, Rgb colour, double opacity) {
+    canvas_.fill(corners, colour, opacity);
 }
 
-std::vector<std::string> Sheet::wrapped(const std::string& words, const TextStyle& style, double width) const {
-    const auto fits = [&](const std::string& candidate) {
-        return candidate.size() <= k_longest_line && lettering_.width(candidate, style) <= width;
-    };
-    // As much of it as fits is found by halving: setting a text to measure it is what costs.
-    const auto cut = [&](const std::string& word) {
-        std::size_t good = 1, bad = word.size() + 1;  // characters, with the ellipsis
-        while (good + 1 < bad) {
-            const std::size_t middle = (good + bad) / 2;
-            (fits(elided(word, middle)) ? good : bad) = middle;
-        }
-        return elided(word, good);
-    };
-    std::vector<std::string> lines, parts;
-    std::istringstream stream(elided(valid_utf8(words), k_most_letters));
-    for (std::string word; stream >> word;) {
-        parts.push_back(fits(word) ? std::move(word) : cut(word));
-    }
-    // Each line takes as many words as fit, likewise.
-    for (std::size_t first = 0; first < parts.size();) {
-        const auto line = [&](std::size_t end) {
-            std::string all = parts[first];
-            for (std::size_t i = first + 1; i < end; ++i) all += " " + parts[i];
-            return all;
-        };
-        std::size_t good = first + 1, bad = parts.size() + 1;
-        if (fits(line(parts.size()))) good = parts.size();
-        while (good + 1 < bad) {
-            const std::size_t middle = (good + bad) / 2;
-            (fits(line(middle)) ? good : bad) = middle;
-        }
-        lines.push_back(line(good));
-        first = good;
-    }
-    return lines;
+void Sheet::frame(const PageBox& box, const LineStyle& style) {
+    canvas_.frame(box, style);
+}
+
+void Sheet::text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) {
+    texts_.push_back({lettering().set(words, at, style, across, upright), style});
+    boxes_.push_back(text_box(words, texts_.back().glyphs, style));
 }
 
 Overlay Sheet::draw() const {

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/canvas/canvas.h"
-#include "render/canvas/lettering.h"
+#include "render/canvas/drawing.h"
 
 namespace frana::render {
 
@@ -25,31 +24,23 @@ class Overlay {
 };
 
 /// Lines, shapes and texts that will lie over a picture, and where the texts are.
-class Sheet {
+class Sheet : public Drawing {
   public:
     Sheet(int width, int height) : canvas_(width, height) {}
 
     [[nodiscard]] Canvas& canvas() noexcept { return canvas_; }
-    [[nodiscard]] const Lettering& lettering() const noexcept { return lettering_; }
     [[nodiscard]] const std::vector<TextBox>& texts() const noexcept { return boxes_; }
 
-    /// Puts a text over all lines and shapes.
-    const TextBox& text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright);
-    /// The lines one below the other, from the capitals' top of the first; returns the y under the last.
-    double lines(const std::vector<std::string>& words, Point top, const TextStyle& style, Across across);
-
-    /// Words broken into lines no wider than `width`; a single longer word is cut with an ellipsis.
-    [[nodiscard]] std::vector<std::string> wrapped(const std::string& words, const TextStyle& style,
-                                                   double width) const;
-    /// From one line's capitals to the next line's [px].
-    [[nodiscard]] static double line_height(const TextStyle& style) { return 1.35 * style.size_px; }
+    void line(std::span<const Point> points, const LineStyle& style, bool closed = false) override;
+    void fill(std::span<const Point> corners, Rgb colour, double opacity = 1) override;
+    void frame(const PageBox& box, const LineStyle& style) override;
+    void text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) override;
 
     /// Throws Error(environment) when VTK or OpenGL fails.
     [[nodiscard]] Overlay draw() const;
 
   private:
     Canvas canvas_;
-    Lettering lettering_;
     std::vector<Overlay::Text> texts_;
     std::vector<TextBox> boxes_;
 };

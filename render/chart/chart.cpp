@@ -4,206 +4,212 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
-#include "render/canvas/ticks.h"
+#include "core/error.h"
+#include "render/canvas/furniture.h"
+#include "render/canvas/sheet.h"
+#include "render/canvas/svg_drawing.h"
 #include "render/chart/chart_parts.h"
 
 namespace frana::render {
 namespace {
 
-constexpr Rgb k_grid{222, 225, 229}, k_fine_grid{240, 241, 243};
-constexpr double k_width = 2.2;  // of a series [px] on a page 1600 x 1200
-
-std::string power_of_ten(int exponent) {
-    if (exponent >= -3 && exponent <= 4) return number(std::pow(10.0, exponent));
-    return exponent < 0 ? "1e\u2212" + std::to_string(-exponent) : "1e" + std::to_string(exponent);
-}
-
-bool drawable(Point p) {
-    return p.x > 0 && p.y > 0 && std::isfinite(p.x) && std::isfinite(p.y);
-}
-
-void draw_marker(Sheet& sheet, Marker marker, Point at, double size, Rgb colour) {
-    std::vector<Point> corners;
-    const auto ring = [&](int sides, double radius, double turn) {
-        for (int k = 0; k < sides; ++k) {
-            const double angle = turn + 2 * 3.141592653589793 * k / sides;
-            corners.push_back({at.x + radius * std::sin(angle), at.y - radius * std::cos(angle)});
-        }
-    };
-    switch (marker) {
-        case Marker::circle:
-            ring(20, size, 0);
-            break;
-        case Marker::square:
-            ring(4, 1.3 * size, 0.7853981633974483);
-            break;
-        case Marker::triangle:
-            ring(3, 1.4 * size, 0);
-            break;
-        case Marker::diamond:
-            ring(4, 1.35 * size, 0);
-            break;
-    }
-    sheet.canvas().fill(corners, colour);
-}
-
-// One panel's axes, from powers of ten to pixels.
+/// A panel's axes round its values.
 class Axes {
   public:
-    Axes(const ChartPanel& panel, const PageBox& box) : box_(box) {
-        std::vector<double> x, y;
-        for (const ChartSeries& series : panel.series) {
-            for (const Point p : series.points) {
-                if (!drawable(p)) continue;
-                x.push_back(p.x);
-                y.push_back(p.y);
-            }
-        }
-        x_ = decades_of(x);
-        y_ = decades_of(y);
-    }
+    Axes(const ChartPanel& panel, const PageBox& box, const PageStyle& style)
+        : panel_(panel),
+          x_(panel.x, values(true), box.left, box.right, 5.0 * style.small.size_px, false),
+          y_(panel.y, values(false), box.bottom, box.top, 2.4 * style.small.size_px, true) {}
 
-    [[nodiscard]] double across(double value) const {
-        return box_.left + box_.width() * (std::log10(value) - x_.low) / (x_.high - x_.low);
+    [[nodiscard]] bool has(Point p) const { return ChartAxis::has(panel_.x, p.x) && ChartAxis::has(panel_.y, p.y); }
+    [[nodiscard]] Point page(Point p) const { return {x_.at(p.x), y_.at(p.y)}; }
+    [[nodiscard]] bool any() const {
+        return std::any_of(panel_.series.begin(), panel_.series.end(), [&](const ChartSeries& series) {
+            return std::any_of(series.points.begin(), series.points.end(), [&](Point p) { return has(p); });
+        });
     }
-    [[nodiscard]] double down(double value) const {
-        return box_.bottom - box_.height() * (std::log10(value) - y_.low) / (y_.high - y_.low);
-    }
-
-    void draw(const PageStyle& style, Sheet& sheet) const {
-        const LineStyle fine{style.line(1), k_fine_grid}, whole{style.line(1), k_grid};
-        for (int e = x_.low; e < x_.high && x_.high - x_.low < 5; ++e) {
-            for (int k = 2; k < 10; ++k) grid_upright(sheet, box_, across(k * std::pow(10.0, e)), fine);
-        }
-        for (int e = y_.low; e < y_.high && y_.high - y_.low < 5; ++e) {
-            for (int k = 2; k < 10; ++k) grid_level(sheet, box_, down(k * std::pow(10.0, e)), fine);
-        }
-        for (int e = x_.low; e <= x_.high; e += stride(x_, 5)) {
-            const double x = across(std::pow(10.0, e));
-            grid_upright(sheet, box_, x, whole);
-            number_below(sheet, style, box_, x, power_of_ten(e));
-        }
-        for (int e = y_.low; e <= y_.high; e += stride(y_, 5)) {
-            const double y = down(std::pow(10.0, e));
-            grid_level(sheet, box_, y, whole);
-            number_beside(sheet, style, box_, y, power_of_ten(e));
-        }
-        sheet.canvas().frame(box_, {style.line(1.5), k_soft_ink});
-    }
+    [[nodiscard]] const ChartAxis& x() const { return x_; }
+    [[nodiscard]] const ChartAxis& y() const { return y_; }
 
   private:
-    static int stride(Decades decades, int labels) {
-        return std::max(1, (decades.high - decades.low + labels - 1) / labels);
+    [[nodiscard]] std::vector<double> values(bool along_x) const {
+        std::vector<double> all;
+        for (const ChartSeries& series : panel_.series) {
+            for (std::size_t i = 0; i < series.points.size(); ++i) {
+                if (!has(series.points[i])) continue;
+                all.push_back(along_x ? series.points[i].x : series.points[i].y);
+                if (!along_x && !series.foot.empty()) all.push_back(series.foot[i]);
+            }
+        }
+        if (!along_x && panel_.from_zero) all.push_back(0);
+        return all;
     }
 
-    PageBox box_;
-    Decades x_, y_;
+    const ChartPanel& panel_;
+    ChartAxis x_, y_;
 };
 
-void draw_series(const ChartSeries& series, const Axes& axes, const PageStyle& style, Sheet& sheet,
-                 ChartLayout& layout) {
-    std::vector<Point> places;
-    for (const Point p : series.points)
-        if (drawable(p)) places.push_back({axes.across(p.x), axes.down(p.y)});
-    sheet.canvas().line(places, chart_line(style, series.colour, k_width, series.stroke));
-    for (const Point place : places) draw_marker(sheet, series.marker, place, 1.2 + style.line(3.2), series.colour);
-    layout.points.push_back(std::move(places));
+/// A run has one row a step: of what falls into a third of a pixel, its ends, its least and its greatest show.
+std::vector<Point> thinned(const std::vector<Point>& places) {
+    constexpr double k_same = 0.3;
+    const auto higher = [](Point a, Point b) { return a.y < b.y; };
+    std::vector<Point> kept;
+    for (auto begin = places.begin(), end = begin; begin != places.end(); begin = end) {
+        end = std::find_if(begin, places.end(), [&](Point p) { return std::abs(p.x - begin->x) > k_same; });
+        const auto [least, greatest] = std::minmax_element(begin, end, higher);
+        for (const auto place : std::set{begin, least, greatest, end - 1})
+            if (kept.empty() || std::hypot(place->x - kept.back().x, place->y - kept.back().y) > k_same)
+                kept.push_back(*place);
+    }
+    return kept;
 }
 
-void draw_panel(const ChartPanel& panel, const PageBox& box, const PageStyle& style, Sheet& sheet,
-                ChartLayout& layout) {
-    sheet.text(panel.title, {box.left, box.top - 0.5 * style.label.size_px}, style.heading, Across::left,
-               Upright::baseline);
-    const Axes axes(panel, box);
-    const std::size_t before = layout.points.size();
-    axes.draw(style, sheet);
-    for (const ChartSeries& series : panel.series) draw_series(series, axes, style, sheet, layout);
-    const bool empty = std::all_of(layout.points.begin() + static_cast<std::ptrdiff_t>(before), layout.points.end(),
-                                   [](const auto& places) { return places.empty(); });
-    if (empty && !panel.note.empty()) {
-        sheet.text(panel.note, {(box.left + box.right) / 2, (box.top + box.bottom) / 2}, style.small, Across::centre,
-                   Upright::middle);
+void fill_under(Drawing& drawing, const ChartSeries& series, const Axes& axes) {
+    constexpr double k_opacity = 0.3;
+    for (std::size_t i = 0; i + 1 < series.foot.size(); ++i) {
+        const Point a = series.points[i], b = series.points[i + 1];
+        if (!axes.has(a) || !axes.has(b)) continue;
+        drawing.fill(std::array<Point, 4>{{axes.page(a), axes.page(b), axes.page({b.x, series.foot[i + 1]}),
+                                           axes.page({a.x, series.foot[i]})}},
+                     series.colour, k_opacity);
     }
+}
+
+/// Returns the places of its points.
+std::vector<Point> draw_series(Drawing& drawing, const PageStyle& style, const ChartSeries& series, const Axes& axes) {
+    std::vector<Point> run, all;
+    const auto flush = [&] {
+        draw_line(drawing, style, series, thinned(run));
+        run.clear();
+    };
+    for (const Point p : series.points) {
+        if (axes.has(p)) {
+            run.push_back(axes.page(p));
+            all.push_back(run.back());
+        } else {
+            flush();
+        }
+    }
+    flush();
+    draw_markers(drawing, style, series, all);
+    return all;
+}
+
+void draw_inside(Drawing& drawing, const PageStyle& style, const ChartPanel& panel, const PageBox& box,
+                 ChartLayout& layout) {
+    if (box.width() < 60 || box.height() < 40) {
+        throw Error(ErrorKind::input,
+                    Problem{"the page is too small for its charts", "", "", "", "draw a larger picture"});
+    }
+    const Axes axes(panel, box, style);
+    if (axes.any()) draw_ticks(drawing, style, box, axes.x().ticks(), axes.y().ticks());
+    for (const ChartSeries& series : panel.series) fill_under(drawing, series, axes);
+    for (const ChartSeries& series : panel.series) layout.points.push_back(draw_series(drawing, style, series, axes));
+    if (panel.mark_x && axes.any()) {
+        const double x = axes.x().at(*panel.mark_x);
+        LineStyle line{style.line(1.4), k_soft_ink};
+        line.dashes = {style.length(8), style.length(6)};
+        if (x >= box.left && x <= box.right) drawing.line(std::array{Point{x, box.top}, Point{x, box.bottom}}, line);
+    }
+    drawing.frame(box, {style.line(1.5), k_soft_ink});
+    if (!axes.any())
+        drawing.text(panel.note, {(box.left + box.right) / 2, (box.top + box.bottom) / 2}, style.small, Across::centre,
+                     Upright::middle);
     layout.panels.push_back(box);
 }
 
-// Every label once.
-std::vector<const ChartSeries*> kinds_of(const ChartContent& content) {
+std::vector<const ChartSeries*> series_of(const ChartPanel& panel) {
+    std::vector<const ChartSeries*> all;
+    for (const ChartSeries& series : panel.series) all.push_back(&series);
+    return all;
+}
+
+/// Every label once.
+std::vector<const ChartSeries*> kinds_of(const Chart& chart) {
     std::vector<const ChartSeries*> kinds;
-    for (const ChartPanel& panel : content.panels) {
-        for (const ChartSeries& series : panel.series) {
-            const bool known = std::any_of(kinds.begin(), kinds.end(),
-                                           [&](const ChartSeries* kind) { return kind->label == series.label; });
-            if (!known) kinds.push_back(&series);
-        }
-    }
+    for (const ChartPanel& panel : chart.panels)
+        for (const ChartSeries* series : series_of(panel))
+            if (std::none_of(kinds.begin(), kinds.end(), [&](auto* kind) { return kind->label == series->label; }))
+                kinds.push_back(series);
     return kinds;
 }
 
-// Swatches in rows, from the left. Returns the y under them.
-double draw_key(const ChartContent& content, const PageStyle& style, double width, double y, Sheet& sheet) {
-    const std::vector<const ChartSeries*> kinds = kinds_of(content);
-    std::vector<std::string> names;
-    for (const ChartSeries* kind : kinds) names.push_back(kind->label);
-    const ChartKey key(sheet, style.label, names, width - 2 * style.margin);
-    key.draw(sheet, {style.margin, y}, [&](std::size_t i, Point from, Point to) {
-        const ChartSeries& kind = *kinds[i];
-        sheet.canvas().line(std::array{from, to}, chart_line(style, kind.colour, k_width, kind.stroke));
-        draw_marker(sheet, kind.marker, {(from.x + to.x) / 2, from.y}, 1.2 + style.line(3.2), kind.colour);
-    });
-    return y + key.height();
+/// With its own key and the names of its axes, where panels are not alike.
+void draw_panel(Drawing& drawing, const PageStyle& style, const Chart& chart, const ChartPanel& panel,
+                const PageBox& cell, ChartLayout& layout) {
+    const double letter = style.small.size_px, above = panel.title.empty() ? 0 : 1.6 * style.heading.size_px;
+    const double left = cell.left + (chart.alike ? 4.2 * letter : 5.6 * letter + 1.6 * style.label.size_px);
+    const double below = (chart.alike ? 2.6 : 4.2) * letter, right = cell.right - style.gap;
+    if (!panel.title.empty())
+        drawing.text(panel.title, {left, cell.top + Lettering::capital_height(style.heading)}, style.heading,
+                     Across::left, Upright::baseline);
+    const ChartKey key(drawing, style.small, chart.alike ? std::vector<const ChartSeries*>{} : series_of(panel),
+                       right - left);
+    const PageBox box{left, cell.top + above + key.height(), right, cell.bottom - below};
+    draw_inside(drawing, style, panel, box, layout);
+    key.draw(drawing, style, {left, cell.top + above});
+    if (chart.alike) return;
+    drawing.text(panel.x_label, {(left + right) / 2, box.bottom + 2.2 * letter}, style.small, Across::centre,
+                 Upright::top);
+    draw_vertical_name(drawing, style.small, {cell.left + 0.6 * letter, (box.top + box.bottom) / 2}, panel.y_label);
+}
+
+/// Draws the names that alike panels share; returns the room that they leave.
+PageBox draw_common_names(Drawing& drawing, const PageStyle& style, const Chart& chart, PageBox room) {
+    const double letter = style.label.size_px;
+    const ChartKey key(drawing, style.label, kinds_of(chart), room.width());
+    key.draw(drawing, style, {room.left, room.top});
+    const PageBox left{room.left + 1.4 * letter, room.top + key.height() + 0.6 * letter, room.right,
+                       room.bottom - 1.4 * letter};
+    drawing.text(chart.panels.front().x_label, {(left.left + left.right) / 2, room.bottom}, style.label, Across::centre,
+                 Upright::baseline);
+    draw_vertical_name(drawing, style.label, {room.left + 0.5 * letter, (left.top + left.bottom) / 2},
+                       chart.panels.front().y_label);
+    return left;
+}
+
+ChartLayout draw_on(Drawing& drawing, const Chart& chart, int width, int height) {
+    const PageStyle style(width, height);
+    const double inner = width - 2 * style.margin;
+    const TitleResult titles =
+        draw_titles(drawing, style, chart.title, chart.subtitle, false, {style.margin, style.margin}, inner);
+    PageBox room{style.margin, std::max(titles.bottom, style.margin) + style.gap, style.margin + inner,
+                 draw_foot(drawing, style, {chart.foot}, style.margin, height - style.margin, inner) - style.gap};
+    if (chart.alike && !chart.panels.empty()) room = draw_common_names(drawing, style, chart, room);
+    ChartLayout layout;
+    const auto across = static_cast<std::size_t>(std::max(1, chart.across));
+    double shares = 0;
+    for (std::size_t i = 0; i < chart.panels.size(); i += across) shares += chart.panels[i].share;
+    double y = room.top;
+    for (std::size_t i = 0; i < chart.panels.size(); ++i) {
+        const double cell_width = room.width() / static_cast<double>(across);
+        const double x = room.left + cell_width * static_cast<double>(i % across);
+        const double cell_height = room.height() * chart.panels[i - i % across].share / shares;
+        draw_panel(drawing, style, chart, chart.panels[i], {x, y, x + cell_width, y + cell_height}, layout);
+        if (i % across + 1 == across) y += cell_height;
+    }
+    return layout;
 }
 
 }  // namespace
 
-Decades decades_of(const std::vector<double>& values) {
-    Decades decades{0, 1};
-    bool any = false;
-    for (const double value : values) {
-        if (!(value > 0) || !std::isfinite(value)) continue;
-        const int low = static_cast<int>(std::floor(std::log10(value)));
-        const int high = static_cast<int>(std::ceil(std::log10(value)));
-        decades = any ? Decades{std::min(decades.low, low), std::max(decades.high, high)} : Decades{low, high};
-        any = true;
-    }
-    if (decades.high == decades.low) ++decades.high;
-    return decades;
-}
-
-Image draw_chart(const ChartContent& content, int width, int height, ChartLayout* layout) {
-    const PageStyle style(width, height);
+Image draw_chart(const Chart& chart, int width, int height, ChartLayout* layout) {
     Sheet sheet(width, height);
-    ChartLayout drawn;
-    double y = style.margin;
-    y = sheet.lines(sheet.wrapped(content.title, style.title, width - 2 * style.margin), {style.margin, y}, style.title,
-                    Across::left);
-    y = sheet.lines(sheet.wrapped(content.subtitle, style.subtitle, width - 2 * style.margin), {style.margin, y},
-                    style.subtitle, Across::left);
-    y = draw_key(content, style, width, y + style.label.size_px, sheet);
-
-    const int across = std::max(1, content.panels_across);
-    const int down = std::max(1, (static_cast<int>(content.panels.size()) + across - 1) / across);
-    // Beside a panel: its tick labels; above: its title; round all: the names of the axes.
-    const double side = 4.2 * style.small.size_px, above = 1.9 * style.heading.size_px,
-                 below = 1.9 * style.small.size_px;
-    const double left = style.margin + 1.4 * style.label.size_px,
-                 bottom = height - style.margin - 1.4 * style.label.size_px;
-    const double cell_width = (width - style.margin - left) / across, cell_height = (bottom - y) / down;
-    for (std::size_t i = 0; i < content.panels.size(); ++i) {
-        const int column = static_cast<int>(i) % across, row = static_cast<int>(i) / across;
-        const double x0 = left + cell_width * column, y0 = y + cell_height * row;
-        const PageBox box{x0 + side, y0 + above, x0 + cell_width - style.gap, y0 + cell_height - below};
-        draw_panel(content.panels[i], box, style, sheet, drawn);
-    }
-    sheet.text(content.x_label, {(left + width) / 2, height - style.margin}, style.label, Across::centre,
-               Upright::baseline);
-    upright_name(sheet, style.label, {style.margin + 0.5 * style.label.size_px, (y + bottom) / 2}, content.y_label);
-    Image page(width, height);
-    sheet.draw().put(page);
+    ChartLayout drawn = draw_on(sheet, chart, width, height);
     drawn.texts = sheet.texts();
     if (layout != nullptr) *layout = std::move(drawn);
+    Image page(width, height);
+    sheet.draw().put(page);
     return page;
+}
+
+std::string chart_svg(const Chart& chart, int width, int height, ChartLayout* layout) {
+    SvgDrawing drawing(width, height);
+    ChartLayout drawn = draw_on(drawing, chart, width, height);
+    if (layout != nullptr) *layout = std::move(drawn);
+    return drawing.svg();
 }
 
 }  // namespace frana::render

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,54 +9,62 @@
 #include "core/geometry.h"
 #include "render/canvas/image.h"
 #include "render/canvas/map_layout.h"
+#include "render/chart/chart_axis.h"
 
 namespace frana::render {
 
 /// Strokes tell lines apart where colours are not to be had: in print without colours.
 enum class Stroke { solid, dashed, dotted, dash_dot };
 
+/// Okabe and Ito's colours, safe for the colour-blind, the dark ones first.
+inline constexpr Rgb k_chart_colours[] = {{0, 114, 178}, {213, 94, 0},   {0, 158, 115}, {160, 80, 130},
+                                          {90, 70, 50},  {86, 180, 233}, {230, 159, 0}};
+
 enum class Marker { circle, square, triangle, diamond };
 
-/// Points of one kind, joined by a line in the order given.
+/// Points of one kind, joined by a line in the order given. One that has no place on an axis breaks the line: NaN, or 0
+/// and less on a logarithmic axis.
 struct ChartSeries {
-    std::string label;  ///< in the page's legend, once for all panels that share it
+    std::string label;  ///< in the key; empty: not in it
     Rgb colour;
-    Marker marker = Marker::circle;
+    std::vector<Point> points;
+    double width_px = 2.2;  ///< on a page 1600 x 1200
     Stroke stroke = Stroke::solid;
-    std::vector<Point> points;  ///< both coordinates positive; others cannot be drawn and are left out
+    std::vector<double> foot{};  ///< as many as points: the ground between them and the line is filled palely
+    std::optional<Marker> marker{};
 };
 
-/// One pair of logarithmic axes.
+/// A pair of axes.
 struct ChartPanel {
-    std::string title;
+    std::string title, x_label, y_label;
     std::vector<ChartSeries> series;
-    std::string note;  ///< written in the panel where it has no point to show
+    bool from_zero = false;  ///< 0 is on the y axis
+    Scale x = Scale::linear, y = Scale::linear;
+    std::optional<double> mark_x{};  ///< a vertical dashed line
+    double share = 1;                ///< of the page's height, compared with the panels beside it
+    std::string note = "no values";  ///< written in the panel where it has no point to show
 };
 
-/// A page of panels side by side and one below the other, all with the same quantities on their axes.
-struct ChartContent {
-    std::string title, subtitle;
-    std::string x_label, y_label;
-    int panels_across = 4;
+/// A page of panels, one row below the other, each row `across` panels wide.
+struct Chart {
+    std::string title, subtitle, foot;
+    int across = 1;
     std::vector<ChartPanel> panels;
+    bool alike = false;  ///< all panels have the first one's quantities, and kinds of series: named once for the page
 };
-
-/// Decades that a panel shows: whole powers of ten round all its points, 10^low to 10^high.
-struct Decades {
-    int low = 0, high = 1;
-};
-/// Of the positive values; 1 to 10 where there is none.
-Decades decades_of(const std::vector<double>& values);
 
 /// Where things were drawn, for tests.
 struct ChartLayout {
-    std::vector<PageBox> panels;  ///< the insides of the frames
-    std::vector<TextBox> texts;
+    std::vector<PageBox> panels;             ///< the insides of the frames
+    std::vector<TextBox> texts;              ///< of a picture
     std::vector<std::vector<Point>> points;  ///< of each series of each panel, in pixels
 };
 
-/// Draws the page; `layout`, if given, receives where things are. Throws Error(environment) when fonts or
-/// OpenGL fail.
-Image draw_chart(const ChartContent& content, int width, int height, ChartLayout* layout = nullptr);
+/// Draws the page; `layout`, if given, receives where things are. Throws Error(input) when the page is too small and
+/// Error(environment) when fonts or OpenGL fail.
+Image draw_chart(const Chart& chart, int width, int height, ChartLayout* layout = nullptr);
+
+/// The same page as an SVG element for an HTML page.
+std::string chart_svg(const Chart& chart, int width, int height, ChartLayout* layout = nullptr);
 
 }  // namespace frana::render

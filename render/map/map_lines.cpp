@@ -85,7 +85,8 @@ class LabelPlaces {
             along -= distance(line[begin], line[begin + 1]);
         }
         if (!best) return;
-        taken_.push_back(sheet.text(words, best_at, best_style, Across::centre, Upright::middle).box);
+        sheet.text(words, best_at, best_style, Across::centre, Upright::middle);
+        taken_.push_back(sheet.texts().back().box);
     }
 
   private:

@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "app/publish/svg_chart.h"
 #include "app/text/csv_cell.h"
 #include "app/text/file_stems.h"
+#include "core/markup.h"
 #include "core/utf8.h"
 
 namespace frana::app {
@@ -22,7 +22,7 @@ TEST(Names, BytesThatAreNotUtf8AreWrittenOut) {
     EXPECT_EQ(valid_utf8("\xF4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond Unicode
     EXPECT_EQ(valid_utf8("\xE9t\xC3\xA9"), "\\xe9t\xC3\xA9");
     EXPECT_EQ(valid_utf8(""), "");
-    EXPECT_EQ(html_escaped("<i>\xFF & 'x'\"</i>"), "&lt;i&gt;\\xff &amp; &#39;x&#39;&quot;&lt;/i&gt;");
+    EXPECT_EQ(escaped_markup("<i>\xFF & 'x'\"</i>"), "&lt;i&gt;\\xff &amp; &#39;x&#39;&quot;&lt;/i&gt;");
 }
 
 TEST(Names, LongTextsEndInAnEllipsis) {

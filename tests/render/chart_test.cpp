@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace frana::render {
@@ -26,16 +27,23 @@ TEST(Decades, AreNeverEmpty) {
     EXPECT_EQ(d.high, 1);
 }
 
-ChartContent two_panels() {
-    ChartContent content{"Errors", "of two schemes", "time [s]", "error [-]", 2, {}};
+Chart two_panels() {
+    const auto series = [](const char* label, Rgb colour, Marker marker, const std::vector<Point>& points) {
+        ChartSeries one{label, colour, points};
+        one.marker = marker;
+        return one;
+    };
     const Rgb blue{0, 90, 181}, red{220, 50, 32};
-    content.panels = {
-        {"first",
-         {{"one", blue, Marker::circle, Stroke::solid, {{0.1, 0.1}, {1, 0.01}, {10, 0.001}}},
-          {"other", red, Marker::square, Stroke::dashed, {{0.1, 0.5}, {1, 0.4}, {10, 0.3}}}},
-         ""},
-        {"second", {{"one", blue, Marker::circle, Stroke::solid, {{1, 0}, {2, -3}}}}, "no error to show"}};
-    return content;
+    Chart chart{"Errors", "of two schemes", "", 2, {}, true};
+    chart.panels = {{"first",
+                     "time [s]",
+                     "error [-]",
+                     {series("one", blue, Marker::circle, {{0.1, 0.1}, {1, 0.01}, {10, 0.001}}),
+                      series("other", red, Marker::square, {{0.1, 0.5}, {1, 0.4}, {10, 0.3}})}},
+                    {"second", "time [s]", "error [-]", {series("one", blue, Marker::circle, {{1, 0}, {2, -3}})}}};
+    for (ChartPanel& panel : chart.panels) panel.x = panel.y = Scale::decades;
+    chart.panels[1].note = "no error to show";
+    return chart;
 }
 
 TEST(Chart, PutsPointsWhereTheAxesSay) {
@@ -77,6 +85,38 @@ TEST(Chart, InksTheSeriesInTheirColours) {
     const Image page = draw_chart(two_panels(), 1000, 600, &layout);
     const Point at = layout.points[1][1];
     EXPECT_EQ(page.colour(static_cast<int>(at.x), static_cast<int>(at.y)), (Rgb{220, 50, 32}));
+}
+
+// The same page, for a browser.
+TEST(Chart, AsSvgHasTheSamePlacesAndNames) {
+    ChartLayout picture, element;
+    draw_chart(two_panels(), 1000, 600, &picture);
+    Chart chart = two_panels();
+    const std::string svg = chart_svg(chart, 1000, 600, &element);
+    ASSERT_EQ(element.points.size(), picture.points.size());
+    for (std::size_t i = 0; i < picture.points.size(); ++i) EXPECT_EQ(element.points[i].size(), picture.points[i].size());
+    for (const TextBox& text : picture.texts)
+        EXPECT_NE(svg.find(">" + text.text + "</text>"), std::string::npos) << text.text;
+    EXPECT_EQ(svg.rfind("<svg ", 0), 0U);
+    EXPECT_TRUE(svg.ends_with("</svg>\n"));
+    chart.panels[0].title = "a < b & \"c\"";
+    EXPECT_NE(chart_svg(chart, 1000, 600).find(">a &lt; b &amp; &quot;c&quot;</text>"), std::string::npos);
+}
+
+// A run has one row a step.
+TEST(Chart, ALineOfManyPointsKeepsItsPeaksAndStaysSmall) {
+    Chart chart{"", "", "", 1, {{"", "time [s]", "speed [m/s]", {{"", {0, 114, 178}, {}}}, true}}};
+    constexpr int k_count = 1'000'000;
+    for (int i = 0; i < k_count; ++i)
+        chart.panels[0].series[0].points.push_back({1e-3 * i, i == 123'456 ? 50 : std::sin(0.1 * i)});
+    ChartLayout layout;
+    const std::string svg = chart_svg(chart, 560, 240, &layout);
+    EXPECT_LT(svg.size(), 200'000U);
+    double top = 240;
+    for (const Point p : layout.points[0]) top = std::min(top, p.y);
+    char peak[32];
+    std::snprintf(peak, sizeof peak, ",%.4g ", top);
+    EXPECT_NE(svg.find(peak), std::string::npos) << peak;
 }
 
 }  // namespace

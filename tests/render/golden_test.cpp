@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "render/chart/line_chart.h"
+#include "render/chart/chart.h"
 #include "render/map/map2d.h"
 #include "render/view/view3d.h"
 #include "scenes.h"
@@ -97,11 +97,11 @@ TEST(Golden, View) {
 }
 
 TEST(Golden, Chart) {
-    CurveChart chart{"Chart", "", "foot", 1, {}};
-    Curve curve{"curve", {0, 114, 178}, {}};
+    Chart chart{"Chart", "", "foot", 1, {}};
+    ChartSeries curve{"curve", {0, 114, 178}, {}};
     for (int i = 0; i <= 50; ++i) curve.points.push_back({i / 5.0, std::sin(i / 5.0)});
     chart.panels = {{"Panel", "x [m]", "y [m]", {curve}}};
-    expect_like(draw_curves(chart, 640, 480), "chart");
+    expect_like(draw_chart(chart, 640, 480), "chart");
 }
 
 }  // namespace

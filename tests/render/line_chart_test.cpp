@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/chart/line_chart.h"
+#include "render/chart/chart.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 namespace frana::render {
 namespace {
 
-CurveChart chart() {
-    CurveChart content{"A slope and its depth", "along the flow path", "profiles.csv", 1, {}};
+Chart chart() {
+    Chart content{"A slope and its depth", "along the flow path", "profiles.csv", 1, {}};
     std::vector<Point> bed, depth;
     std::vector<double> foot;
     for (int i = 0; i <= 100; ++i) {
@@ -30,7 +30,7 @@ CurveChart chart() {
 
 TEST(LineChart, PointsLieWhereTheAxesSay) {
     ChartLayout layout;
-    draw_curves(chart(), 1600, 1200, &layout);
+    draw_chart(chart(), 1600, 1200, &layout);
     ASSERT_EQ(layout.panels.size(), 2U);
     ASSERT_EQ(layout.points.size(), 2U);
     // Straight in data, straight on the page; and its ends at the panel's sides.
@@ -51,7 +51,7 @@ TEST(LineChart, PointsLieWhereTheAxesSay) {
 TEST(LineChart, TextsAreTidyAtAllSizes) {
     for (const auto& [width, height] : {std::pair{800, 600}, {1600, 1200}, {1280, 960}, {1240, 1754}, {3508, 2480}}) {
         ChartLayout layout;
-        draw_curves(chart(), width, height, &layout);
+        draw_chart(chart(), width, height, &layout);
         const PageBox page{0, 0, static_cast<double>(width), static_cast<double>(height)};
         for (std::size_t i = 0; i < layout.texts.size(); ++i) {
             EXPECT_TRUE(layout.texts[i].box.inside(page)) << layout.texts[i].text;
@@ -66,7 +66,7 @@ TEST(LineChart, TextsAreTidyAtAllSizes) {
 
 TEST(LineChart, ACurveIsDrawnInItsColour) {
     ChartLayout layout;
-    const Image page = draw_curves(chart(), 1600, 1200, &layout);
+    const Image page = draw_chart(chart(), 1600, 1200, &layout);
     const Point at = layout.points[0][37];
     EXPECT_TRUE(test::near(page.colour(static_cast<int>(at.x), static_cast<int>(at.y)), {90, 70, 50}, 40));
 }

@@ -2,7 +2,7 @@
 // No text is cut off or covers another, at any size and with any of the things a map may hold.
 #include <gtest/gtest.h>
 
-#include "render/chart/line_chart.h"
+#include "render/chart/chart.h"
 #include "render/film/animation.h"
 #include "render/map/map2d.h"
 #include "render/map/plate.h"
@@ -188,13 +188,13 @@ TEST(OnPlates, PartsAreTidy) {
 
 TEST_P(AtSize, ChartsAreTidy) {
     const auto [width, height] = GetParam();
-    CurveChart chart{"Rock slide above the village in the second scenario: profile along the flow path",
-                     "Voellmy-Bingham, scheme default, 20 s simulated",
-                     "profiles.csv  ·  survey of 2019",
-                     1,
-                     {}};
+    Chart chart{"Rock slide above the village in the second scenario: profile along the flow path",
+                "Voellmy-Bingham, scheme default, 20 s simulated",
+                "profiles.csv  ·  survey of 2019",
+                1,
+                {}};
     const auto curve = [](const std::string& label, double factor) {
-        Curve one{label, {0, 114, 178}, {}};
+        ChartSeries one{label, {0, 114, 178}, {}};
         for (int i = 0; i <= 100; ++i) one.points.push_back({5.0 * i, 600 + factor * i});
         return one;
     };
@@ -206,7 +206,7 @@ TEST_P(AtSize, ChartsAreTidy) {
                                  curve("bed plus maximum depth", 3), curve("bed", 0.5)}});
     }
     ChartLayout layout;
-    const Image image = draw_curves(chart, width, height, &layout);
+    const Image image = draw_chart(chart, width, height, &layout);
     const PageBox page{0, 0, static_cast<double>(width), static_cast<double>(height)};
     expect_tidy(layout.texts, page, image);
     for (const TextBox& text : layout.texts)

@@ -11,6 +11,12 @@ namespace {
 
 constexpr Rgb k_default{0, 90, 181}, k_paper{213, 94, 0}, k_peer{90, 90, 90};
 
+render::ChartPanel panel_of(const std::string& title, const std::string& x_label, const std::string& y_label) {
+    render::ChartPanel panel{title, x_label, y_label, {}};
+    panel.x = panel.y = render::Scale::decades;
+    return panel;
+}
+
 // Told apart without colours, too: depth by full and dash-dotted lines, momentum by dashed and dotted ones.
 render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name, Scheme scheme,
                               bool momentum) {
@@ -18,12 +24,10 @@ render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const
     render::ChartSeries series{
         std::string("scheme = ") + bench::name_of(scheme) + (momentum ? ", momentum" : ", depth"),
         paper ? k_paper : k_default,
-        momentum ? render::Marker::diamond
-        : paper  ? render::Marker::square
-                 : render::Marker::circle,
-        momentum ? (paper ? render::Stroke::dotted : render::Stroke::dashed)
-                 : (paper ? render::Stroke::dash_dot : render::Stroke::solid),
         {}};
+    series.marker = momentum ? render::Marker::diamond : paper ? render::Marker::square : render::Marker::circle;
+    series.stroke = momentum ? (paper ? render::Stroke::dotted : render::Stroke::dashed)
+                             : (paper ? render::Stroke::dash_dot : render::Stroke::solid);
     for (const bench::AccuracyRow& row : rows) {
         if (row.case_name != name || row.scheme != scheme) continue;
         const double error = momentum ? row.figures.l1_momentum : row.figures.l1_depth;
@@ -36,8 +40,9 @@ render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const
 
 // GeoClaw publishes mean errors in metres; over the exact mean depth they are l1_depth.
 render::ChartSeries geoclaw_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name) {
-    render::ChartSeries series{
-        "GeoClaw, depth, published, its own machine", k_peer, render::Marker::triangle, render::Stroke::dashed, {}};
+    render::ChartSeries series{"GeoClaw, depth, published, its own machine", k_peer, {}};
+    series.marker = render::Marker::triangle;
+    series.stroke = render::Stroke::dashed;
     const auto row =
         std::find_if(rows.begin(), rows.end(), [&](const bench::AccuracyRow& one) { return one.case_name == name; });
     const double mean_depth = row->figures.mean_depth_error / row->figures.l1_depth;
@@ -50,52 +55,49 @@ render::ChartSeries geoclaw_of(const std::vector<bench::AccuracyRow>& rows, cons
 }  // namespace
 
 render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows) {
-    render::ChartContent content{"Error against time",
-                                 "One point a resolution, coarse to fine; one thread. A scheme that converges falls "
-                                 "to the right.",
-                                 "wall time of the engine [s]",
-                                 "relative L1 error [-]",
-                                 5,
-                                 {}};
+    render::Chart chart{
+        "Error against time",
+        "One point a resolution, coarse to fine; one thread. A scheme that converges falls to the right.",
+        "",
+        5,
+        {},
+        true};
     for (const bench::AccuracyRow& row : rows) {
-        if (!content.panels.empty() && content.panels.back().title == row.case_name) continue;
-        render::ChartPanel panel{row.case_name, {}, "no error: exact to the last bit"};
+        if (!chart.panels.empty() && chart.panels.back().title == row.case_name) continue;
+        render::ChartPanel panel = panel_of(row.case_name, "wall time of the engine [s]", "relative L1 error [-]");
+        panel.note = "no error: exact to the last bit";
         for (const Scheme scheme : bench::k_schemes)
             for (const bool momentum : {false, true})
                 panel.series.push_back(series_of(rows, row.case_name, scheme, momentum));
         render::ChartSeries peer = geoclaw_of(rows, row.case_name);
         if (!peer.points.empty()) panel.series.push_back(std::move(peer));
-        content.panels.push_back(std::move(panel));
+        chart.panels.push_back(std::move(panel));
     }
-    content.panels_across = std::min<int>(5, static_cast<int>(content.panels.size()));
-    return render::draw_chart(content, 2000, 1500);
+    chart.across = std::min<int>(5, static_cast<int>(chart.panels.size()));
+    return render::draw_chart(chart, 2000, 1500);
 }
 
 render::Image speed_chart(const bench::SpeedResult& result) {
-    render::ChartContent content{"Speed of the engine",
-                                 "Level lines: the time of a particle-step does not depend on their number.",
-                                 "particles",
-                                 "million particle-steps a second",
-                                 2,
-                                 {}};
+    render::Chart chart{"Speed of the engine",
+                        "Level lines: the time of a particle-step does not depend on their number.",
+                        "",
+                        2,
+                        {},
+                        true};
     for (const bench::SpeedRow& row : result.rows) {
-        if (content.panels.empty() || content.panels.back().title != row.case_name)
-            content.panels.push_back({row.case_name, {}, "not run"});
-        auto& lines = content.panels.back().series;
+        if (chart.panels.empty() || chart.panels.back().title != row.case_name)
+            chart.panels.push_back(panel_of(row.case_name, "particles", "million particle-steps a second"));
+        auto& lines = chart.panels.back().series;
         const std::string label = std::to_string(row.threads) + (row.threads == 1 ? " thread" : " threads");
         auto line = std::find_if(lines.begin(), lines.end(), [&](const auto& one) { return one.label == label; });
         if (line == lines.end()) {
             const bool one = row.threads == 1;
-            lines.push_back({label,
-                             one ? k_paper : k_default,
-                             one ? render::Marker::square : render::Marker::circle,
-                             render::Stroke::solid,
-                             {}});
-            line = lines.end() - 1;
+            line = lines.insert(line, {label, one ? k_paper : k_default, {}});
+            line->marker = one ? render::Marker::square : render::Marker::circle;
         }
         line->points.push_back({static_cast<double>(row.particles), row.particle_steps_per_second / 1e6});
     }
-    return render::draw_chart(content, 1600, 900);
+    return render::draw_chart(chart, 1600, 900);
 }
 
 }  // namespace frana::app

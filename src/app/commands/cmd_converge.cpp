@@ -162,23 +162,26 @@ std::string sentences(const std::vector<Level>& levels) {
 
 /// Distance of each level's figures from their extrapolated values, over those, against the cell size.
 render::Image chart_of(const std::vector<Level>& levels) {
-    render::ChartContent content{
-        "Convergence",
-        "distance from the extrapolated value, where a figure converges; from the finest otherwise",
-        "cell size [m]",
-        "relative distance [-]",
-        3,
-        {}};
+    render::Chart chart{"Convergence",
+                        "distance from the extrapolated value, where a figure converges; from the finest otherwise",
+                        "",
+                        3,
+                        {},
+                        true};
     for (const RunFigure& name : told_figures()) {
         const double limit = convergence_of(levels, name).extrapolated;
-        render::ChartSeries series{"this scene", {0, 90, 181}, render::Marker::circle, render::Stroke::solid, {}};
+        render::ChartSeries series{"this scene", {0, 90, 181}, {}};
+        series.marker = render::Marker::circle;
         for (const Level& level : levels) {
             const double distance = std::abs(name.of(level.figures) - limit) / std::abs(limit);
             if (distance > 0) series.points.push_back({level.cell_size, distance});
         }
-        content.panels.push_back({name.title, {series}, "no difference between the levels"});
+        render::ChartPanel panel{name.title, "cell size [m]", "relative distance [-]", {series}};
+        panel.x = panel.y = render::Scale::decades;
+        panel.note = "no difference between the levels";
+        chart.panels.push_back(std::move(panel));
     }
-    return render::draw_chart(content, 1600, 1100);
+    return render::draw_chart(chart, 1600, 1100);
 }
 
 int level_count(const boost::program_options::variables_map& values) {

@@ -20,10 +20,9 @@ namespace {
 
 using render::Stroke;
 
-// Okabe and Ito's colours, safe for the colour-blind, the dark ones first.
-constexpr Rgb k_blue{0, 114, 178}, k_vermilion{213, 94, 0}, k_green{0, 158, 115}, k_purple{160, 80, 130},
-    k_ground{90, 70, 50};
-constexpr Rgb k_colours[] = {k_blue, k_vermilion, k_green, k_purple, k_ground, {86, 180, 233}, {230, 159, 0}};
+constexpr const auto& k_colours = render::k_chart_colours;
+constexpr Rgb k_blue = k_colours[0], k_vermilion = k_colours[1], k_green = k_colours[2], k_purple = k_colours[3],
+              k_ground = k_colours[4];
 constexpr Stroke k_strokes[] = {Stroke::solid, Stroke::dashed, Stroke::dotted, Stroke::dash_dot};
 constexpr std::size_t k_most_curves = std::size(k_colours) * std::size(k_strokes);  // that look unequal
 constexpr std::size_t k_longest_name = 40;                                          // letters, in the key
@@ -86,7 +85,7 @@ std::vector<std::string> kinds_of(const Columns& table, const std::string& colum
     return kinds;
 }
 
-render::CurveChart page(const MapSource& source, const std::string& what, const std::string& file) {
+render::Chart page(const MapSource& source, const std::string& what, const std::string& file) {
     const std::string by = page_attribution(source);
     return {page_title(source, what), source.subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), 1, {}};
 }
@@ -115,20 +114,20 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const st
     std::vector<double> foot;
     for (const Point p : on_line(bed)) foot.push_back(p.y);
     const std::string metres = "distance along the line [m]";
-    render::CurvePanel relief{"Surfaces", metres, "elevation [m]", {}};
-    relief.curves = {{"final surface", k_vermilion, surface("final_depth"), 2, Stroke::solid, foot},
+    render::ChartPanel relief{"Surfaces", metres, "elevation [m]", {}};
+    relief.series = {{"final surface", k_vermilion, surface("final_depth"), 2, Stroke::solid, foot},
                      {"initial surface", k_green, surface("release_m"), 2, Stroke::dotted},
                      {"bed plus maximum depth", k_blue, surface("max_depth"), 2, Stroke::dashed},
                      {"bed", k_ground, on_line(bed), 2.4}};
     relief.share = 1.5;
-    render::CurvePanel depths{"Depths, vertical", metres, "depth [m]", {}, true};
-    depths.curves = {{"maximum", k_blue, on_line(column("max_depth")), 2, Stroke::dashed},
+    render::ChartPanel depths{"Depths, vertical", metres, "depth [m]", {}, true};
+    depths.series = {{"maximum", k_blue, on_line(column("max_depth")), 2, Stroke::dashed},
                      {"released", k_green, on_line(column("release_m")), 2, Stroke::dotted},
                      {"at the end", k_vermilion, on_line(column("final_depth")), 2}};
-    render::CurvePanel speeds{"Greatest speed, along the bed", metres, "speed [m/s]", {}, true};
-    speeds.curves = {{"maximum", k_blue, on_line(column("max_velocity")), 2}};
+    render::ChartPanel speeds{"Greatest speed, along the bed", metres, "speed [m/s]", {}, true};
+    speeds.series = {{"maximum", k_blue, on_line(column("max_velocity")), 2}};
     const std::string name = elided(text_of_cell(line), k_longest_name);
-    render::CurveChart chart = page(source, "profile along " + name, k_profile_table);
+    render::Chart chart = page(source, "profile along " + name, k_profile_table);
     chart.panels = {relief, depths, speeds};
     return {"profile_" + stem, chart};
 }
@@ -139,10 +138,10 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
                            Stroke stroke = Stroke::solid) {
         std::vector<double> values = table.numbers(name);
         for (double& value : values) value *= factor;
-        return render::Curve{label, colour, joined_points(time, values), 2.2, stroke};
+        return render::ChartSeries{label, colour, joined_points(time, values), 2.2, stroke};
     };
     const std::string seconds = "time [s]";
-    render::CurveChart chart = page(source, "course of the flow", k_series_file);
+    render::Chart chart = page(source, "course of the flow", k_series_file);
     chart.across = 2;
     chart.panels = {
         {"Greatest speed", seconds, "speed [m/s]", {curve("max_speed_ms", "along the bed", k_vermilion)}, true},
@@ -166,20 +165,21 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
 NamedChart scores_chart(const Columns& table, const ResultReader& result, const MapSource& source) {
     const std::vector<double> threshold = table.numbers("threshold_m");
     const auto curve = [&](const std::string& name, const std::string& label, std::size_t colour, Stroke stroke) {
-        return render::Curve{label, k_colours[colour], joined_points(threshold, table.numbers(name)), 2.4, stroke};
+        return render::ChartSeries{label, k_colours[colour], joined_points(threshold, table.numbers(name)), 2.4,
+                                   stroke};
     };
-    render::CurvePanel scores{"Scores", "depth threshold [m]", "score [-]", {}, true};
-    scores.curves = {curve("jaccard", "Jaccard", 0, Stroke::solid), curve("dice", "Dice", 1, Stroke::dash_dot),
+    render::ChartPanel scores{"Scores", "depth threshold [m]", "score [-]", {}, true};
+    scores.series = {curve("jaccard", "Jaccard", 0, Stroke::solid), curve("dice", "Dice", 1, Stroke::dash_dot),
                      curve("true_positive_rate", "hit rate", 2, Stroke::dashed),
                      curve("false_positive_rate", "false alarm rate", 3, Stroke::dotted)};
-    render::CurvePanel areas{"Area difference", "depth threshold [m]", "difference [%]", {}, true};
-    areas.curves = {curve("area_difference_percent", "|simulated \u2212 observed| / observed", 0, Stroke::solid)};
-    for (render::CurvePanel* panel : {&scores, &areas}) {
-        panel->log_x = true;
+    render::ChartPanel areas{"Area difference", "depth threshold [m]", "difference [%]", {}, true};
+    areas.series = {curve("area_difference_percent", "|simulated \u2212 observed| / observed", 0, Stroke::solid)};
+    for (render::ChartPanel* panel : {&scores, &areas}) {
+        panel->x = render::Scale::logarithmic;
         panel->mark_x = result.scene_number("scar.threshold", result.scene_number("output.trace-threshold", 0.1));
     }
     scores.share = 1.6;
-    render::CurveChart chart = page(source, "scores over the depth threshold", k_comparison_curve);
+    render::Chart chart = page(source, "scores over the depth threshold", k_comparison_curve);
     chart.subtitle = "dashed: the threshold of the comparison";
     chart.panels = {scores, areas};
     return {"scores", chart};
@@ -190,7 +190,7 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
                         const std::string& title, const std::string& file,
                         const std::vector<std::array<std::string, 3>>& quantities) {
     const std::vector<double> time = table.numbers("time_s");
-    render::CurveChart chart = page(source, title, file + ".csv");
+    render::Chart chart = page(source, title, file + ".csv");
     std::vector<std::string> kinds = kinds_of(table, place);
     if (kinds.size() > k_most_curves) {
         chart.subtitle = "the first " + std::to_string(k_most_curves) + " of " + std::to_string(kinds.size()) +
@@ -199,14 +199,14 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
     }
     for (const auto& [column, name, label] : quantities) {
         const std::vector<double> values = table.numbers(column);
-        render::CurvePanel panel{name, "time [s]", label, {}, true};
+        render::ChartPanel panel{name, "time [s]", label, {}, true};
         for (const std::string& kind : kinds) {
-            const Rgb colour = k_colours[panel.curves.size() % std::size(k_colours)];
-            render::Curve curve{elided(text_of_cell(kind), k_longest_name), colour, {}};
-            curve.stroke = k_strokes[panel.curves.size() % std::size(k_strokes)];
+            const Rgb colour = k_colours[panel.series.size() % std::size(k_colours)];
+            render::ChartSeries curve{elided(text_of_cell(kind), k_longest_name), colour, {}};
+            curve.stroke = k_strokes[panel.series.size() % std::size(k_strokes)];
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (table.text(i, place) == kind) curve.points.push_back({time[i], values[i]});
-            panel.curves.push_back(std::move(curve));
+            panel.series.push_back(std::move(curve));
         }
         chart.panels.push_back(std::move(panel));
     }
@@ -280,7 +280,7 @@ std::vector<std::string> draw_charts(const ResultReader& result, const MapSource
     for (const NamedChart& one : result_charts(result, source, problems)) {
         try {
             for (const std::string& file :
-                 write_plain_picture(render::draw_curves(one.chart, size.width, size.height), source.style,
+                 write_plain_picture(render::draw_chart(one.chart, size.width, size.height), source.style,
                                      one.chart.title, (std::filesystem::path(folder) / one.name).string()))
                 files.push_back(file);
         } catch (const Error& error) {

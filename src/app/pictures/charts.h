@@ -6,14 +6,14 @@
 
 #include "app/pictures/result_reader.h"
 #include "core/error.h"
-#include "render/chart/line_chart.h"
+#include "render/chart/chart.h"
 
 namespace frana::app {
 
 /// A chart with the name of its file.
 struct NamedChart {
     std::string name;  ///< "profile_flow_path"
-    render::CurveChart chart;
+    render::Chart chart;
 };
 
 /// Every chart that a result's tables give: a longitudinal profile for each line of profiles.csv (bed,

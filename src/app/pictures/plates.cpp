@@ -171,10 +171,10 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
         page_title(source, "profile and comparison with the scar"), source.subtitle, source.crs_label, 2, {}};
     if (!charts.empty() && charts.front().name.starts_with("profile")) {
         last.parts.push_back([&](int w, int h) {
-            render::CurveChart chart = charts.front().chart;
+            render::Chart chart = charts.front().chart;
             chart.title = "";
             chart.subtitle = "longitudinal profile along the flow path";
-            return render::draw_curves(chart, w, h);
+            return render::draw_chart(chart, w, h);
         });
     }
     last.parts.push_back(

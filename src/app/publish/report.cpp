@@ -9,13 +9,13 @@
 #include <iterator>
 
 #include "app/publish/report_tables.h"
-#include "app/publish/svg_chart.h"
 #include "app/store/layers.h"
 #include "app/store/provenance.h"
 #include "app/store/result_files.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
 #include "core/file_aside.h"
+#include "core/markup.h"
 #include "params/keys/result_rasters.h"
 #include "params/keys/scene_parameters.h"
 
@@ -43,7 +43,7 @@ tr.given td { font-weight: bold; } tr.given td:last-child { font-weight: normal;
 .warning { border-left: .4rem solid #d55e00; background: #fdf1e7; padding: .4rem .8rem; margin: .4rem 0; }
 .good { border-left: .4rem solid #009e73; background: #eaf7f2; padding: .4rem .8rem; }
 img, svg { width: 100%; height: auto; border: 1px solid #ccc; margin: .4rem 0; }
-svg { font-size: 12px; max-width: 46rem; } .grid { stroke: #ddd; fill: none; } .line { stroke-width: 1.6; fill: none; }
+svg { max-width: 46rem; }
 .swatch { display: inline-block; width: 1em; height: 1em; border: 1px solid #666; vertical-align: -.15em; }
 @media print { body { max-width: none; margin: 0; font-size: 10pt; } h2 { break-after: avoid; }
   tr, img, svg, figure, .warning { break-inside: avoid; } a { color: inherit; text-decoration: none; } }
@@ -62,7 +62,7 @@ class Page {
 
     void add(const std::string& text) { file_ << text; }
     void add_picture(const std::string& path, const std::string& caption) {
-        add("<figure>\n<img alt=\"" + html_escaped(caption) + "\" src=\"data:image/png;base64,");
+        add("<figure>\n<img alt=\"" + escaped_markup(caption) + "\" src=\"data:image/png;base64,");
         add(base64(file_bytes(path)));
         add("\">\n</figure>\n");
     }
@@ -84,7 +84,7 @@ class Page {
 void add_warnings(Page& page, const std::vector<std::string>& warnings) {
     page.add("<h2 id=\"warnings\">Warnings</h2>\n");
     if (warnings.empty()) page.add("<p class=\"good\">The run gave no warning.</p>\n");
-    for (const std::string& warning : warnings) page.add("<p class=\"warning\">" + html_escaped(warning) + "</p>\n");
+    for (const std::string& warning : warnings) page.add("<p class=\"warning\">" + escaped_markup(warning) + "</p>\n");
 }
 
 /// A picture in its place, or where it was drawn for the page alone.
@@ -129,10 +129,10 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     const SceneSpec& spec = input.prepared.spec;
     const std::string title = spec.output.title.value_or(scene_name(spec));
     Page page(directory.path(k_report_file));
-    page.add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + html_escaped(title) +
-             "</title>\n<style>" + k_style + "</style>\n</head>\n<body>\n<h1>" + html_escaped(title) +
+    page.add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped_markup(title) +
+             "</title>\n<style>" + k_style + "</style>\n</head>\n<body>\n<h1>" + escaped_markup(title) +
              "</h1>\n<p class=\"small\">Computed with " + k_program + " " + k_version + ", scene " +
-             html_escaped(spec.file) + ", hash " + provenance(input.prepared).at("SCENE_HASH") + "</p>\n");
+             escaped_markup(spec.file) + ", hash " + provenance(input.prepared).at("SCENE_HASH") + "</p>\n");
     add_warnings(page, input.facts.warnings);
     page.add("<h2 id=\"results\">Results</h2>\n" + results_table(input));
     page.add("<h2 id=\"budget\">Mass budget</h2>\n" + budget_table(input.result));

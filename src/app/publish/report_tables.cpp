@@ -5,10 +5,11 @@
 #include <cstdio>
 
 #include "app/input/transform_report.h"
-#include "app/publish/svg_chart.h"
 #include "app/text/number_text.h"
+#include "core/markup.h"
 #include "params/keys/scene_parameters.h"
 #include "params/scene/write_scene.h"
+#include "render/chart/chart.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -20,18 +21,18 @@ class Table {
     explicit Table(const std::vector<std::string>& heads = {}) {
         if (heads.empty()) return;
         rows_ += "<tr>";
-        for (const std::string& head : heads) rows_ += "<th>" + html_escaped(head) + "</th>";
+        for (const std::string& head : heads) rows_ += "<th>" + escaped_markup(head) + "</th>";
         rows_ += "</tr>\n";
     }
     Table& row(const std::vector<std::string>& cells, const std::string& kind = {}) {
         rows_ += kind.empty() ? "<tr>" : "<tr class=\"" + kind + "\">";
-        for (const std::string& cell : cells) rows_ += "<td>" + html_escaped(cell) + "</td>";
+        for (const std::string& cell : cells) rows_ += "<td>" + escaped_markup(cell) + "</td>";
         rows_ += "</tr>\n";
         return *this;
     }
     Table& number(const std::string& name, const std::string& value, const std::string& unit) {
-        rows_ += "<tr><td>" + html_escaped(name) + "</td><td class=\"n\">" + html_escaped(value) + "</td><td>" +
-                 html_escaped(unit) + "</td></tr>\n";
+        rows_ += "<tr><td>" + escaped_markup(name) + "</td><td class=\"n\">" + escaped_markup(value) + "</td><td>" +
+                 escaped_markup(unit) + "</td></tr>\n";
         return *this;
     }
     Table& raw(const std::string& html) {
@@ -63,12 +64,6 @@ std::string signed_figure(double value) {
     return (value > 0 ? "+" : "") + figure(value, 3);
 }
 
-std::string hex(Rgb colour) {
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", colour.r, colour.g, colour.b);
-    return text;
-}
-
 void add_figures(Table& table, const ComparisonFigures& f) {
     table.number("Depth that counts as covered", figure(f.threshold_m), "m")
         .number("Observed area", grouped(f.observed_area_m2), "m²")
@@ -85,16 +80,26 @@ void add_figures(Table& table, const ComparisonFigures& f) {
         .number("Area under the ROC curve, best 1", figure(f.auroc, 3), "");
 }
 
+/// One panel, as wide as the page's text.
+std::string line_chart(const std::string& x_label, const std::string& y_label, std::vector<render::ChartSeries> series,
+                       render::Scale x = render::Scale::linear) {
+    constexpr int k_width = 560, k_height = 240;
+    render::ChartPanel panel{"", x_label, y_label, std::move(series), true};
+    panel.x = x;
+    for (render::ChartSeries& one : panel.series) one.width_px = 3;
+    return render::chart_svg({"", "", "", 1, {std::move(panel)}}, k_width, k_height);
+}
+
 std::string curve_chart(const std::vector<ComparisonFigures>& curve) {
-    SvgSeries jaccard{"Jaccard", "#0072b2", {}, {}}, hit{"true positive rate", "#009e73", {}, {}},
-        alarm{"false positive rate", "#d55e00", {}, {}};
+    render::ChartSeries jaccard{"Jaccard", render::k_chart_colours[0], {}},
+        hit{"true positive rate", render::k_chart_colours[2], {}},
+        alarm{"false positive rate", render::k_chart_colours[1], {}};
     for (const ComparisonFigures& f : curve) {
-        for (SvgSeries* series : {&jaccard, &hit, &alarm}) series->x.push_back(f.threshold_m);
-        jaccard.y.push_back(f.jaccard);
-        hit.y.push_back(f.true_positive_rate);
-        alarm.y.push_back(f.false_positive_rate);
+        jaccard.points.push_back({f.threshold_m, f.jaccard});
+        hit.points.push_back({f.threshold_m, f.true_positive_rate});
+        alarm.points.push_back({f.threshold_m, f.false_positive_rate});
     }
-    return svg_chart({"depth threshold [m]", "score", {jaccard, hit, alarm}, true});
+    return line_chart("depth threshold [m]", "score", {jaccard, hit, alarm}, render::Scale::logarithmic);
 }
 
 std::string operation(const gis::TransformInfo& transform) {
@@ -119,7 +124,7 @@ std::string results_table(const ReportInput& input) {
     return table.html() +
            "<p class=\"small\">The greatest value is that of a single cell; those of 99.9 % and 99 % are over the area "
            "deeper than " +
-           html_escaped(figure(input.prepared.spec.output.trace_threshold)) +
+           escaped_markup(figure(input.prepared.spec.output.trace_threshold)) +
            " m, at the greatest of all times in each cell.</p>\n";
 }
 
@@ -171,7 +176,7 @@ std::string numerics_table(const ReportInput& input) {
                .number("Speeds above what the fall allows", grouped(e.impossible_speed), "0 in a good run")
                .number("Steps after which the volume was off", grouped(e.volume_drift), "0 in a good run")
                .html() +
-           "<p class=\"small\">Computed: " + html_escaped(terms) + "</p>\n";
+           "<p class=\"small\">Computed: " + escaped_markup(terms) + "</p>\n";
 }
 
 std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas) {
@@ -179,43 +184,39 @@ std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& a
     for (const HazardArea& area : areas) {
         table.raw("<tr><td>" + std::to_string(area.kind.value) +
                   "</td><td><span class=\"swatch\" style=\"background:" + hex(area.kind.colour) + "\"></span> " +
-                  html_escaped(area.kind.label) + "</td><td class=\"n\">" + grouped(area.area_m2) + "</td></tr>\n");
+                  escaped_markup(area.kind.label) + "</td><td class=\"n\">" + grouped(area.area_m2) + "</td></tr>\n");
     }
-    return "<p>Scheme " + html_escaped(*spec.hazard.scheme) +
+    return "<p>Scheme " + escaped_markup(*spec.hazard.scheme) +
            ". This is the intensity of one scenario; a degree of danger also asks how often it "
            "happens.</p>\n" +
            table.html();
 }
 
 std::string series_charts(const ReportInput& input) {
-    SvgSeries front{"", "#0072b2", {}, {}}, speed{"", "#d55e00", {}, {}}, depth{"", "#009e73", {}, {}};
-    for (const SeriesRow& row : input.result.series) {
-        for (SvgSeries* series : {&front, &speed, &depth}) series->x.push_back(row.time);
-        front.y.push_back(row.front_distance);
-        speed.y.push_back(row.max_speed);
-        depth.y.push_back(row.max_depth);
-    }
-    std::string charts = svg_chart({"time [s]", "front from the release [m]", {front}, false}) +
-                         svg_chart({"time [s]", "greatest speed [m/s]", {speed}, false}) +
-                         svg_chart({"time [s]", "greatest depth [m]", {depth}, false});
-    static constexpr const char* k_colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
-    const auto colour = [](std::size_t i) { return k_colours[i % std::size(k_colours)]; };
+    const std::string seconds = "time [s]";
+    std::string charts;
+    const auto add = [&](const char* label, std::size_t colour, double SeriesRow::*value) {
+        render::ChartSeries series{"", render::k_chart_colours[colour], {}};
+        for (const SeriesRow& row : input.result.series) series.points.push_back({row.time, row.*value});
+        charts += line_chart(seconds, label, {series});
+    };
+    add("front from the release [m]", 0, &SeriesRow::front_distance);
+    add("greatest speed [m/s]", 1, &SeriesRow::max_speed);
+    add("greatest depth [m]", 2, &SeriesRow::max_depth);
+    const auto named = [](const auto& places) {
+        std::vector<render::ChartSeries> series;
+        for (const auto& place : places)
+            series.push_back(
+                {place.name, render::k_chart_colours[series.size() % std::size(render::k_chart_colours)], {}});
+        return series;
+    };
     const Recording& recording = input.prepared.scene.recording;
-    std::vector<SvgSeries> gauges, sections;
-    for (const Gauge& gauge : recording.gauges) gauges.push_back({gauge.name, colour(gauges.size()), {}, {}});
-    for (const CrossSection& section : recording.sections)
-        sections.push_back({section.name, colour(sections.size()), {}, {}});
-    for (const GaugeRow& row : input.result.gauges) {
-        gauges[row.gauge].x.push_back(row.time);
-        gauges[row.gauge].y.push_back(row.depth);
-    }
-    for (const SectionRow& row : input.result.sections) {
-        sections[row.section].x.push_back(row.time);
-        sections[row.section].y.push_back(row.discharge);
-    }
-    if (!gauges.empty()) charts += "<h3>Gauges</h3>\n" + svg_chart({"time [s]", "depth [m]", gauges, false});
-    if (!sections.empty())
-        charts += "<h3>Cross-sections</h3>\n" + svg_chart({"time [s]", "discharge [m³/s]", sections, false});
+    std::vector<render::ChartSeries> gauges = named(recording.gauges), sections = named(recording.sections);
+    for (const GaugeRow& row : input.result.gauges) gauges[row.gauge].points.push_back({row.time, row.depth});
+    for (const SectionRow& row : input.result.sections)
+        sections[row.section].points.push_back({row.time, row.discharge});
+    if (!gauges.empty()) charts += "<h3>Gauges</h3>\n" + line_chart(seconds, "depth [m]", gauges);
+    if (!sections.empty()) charts += "<h3>Cross-sections</h3>\n" + line_chart(seconds, "discharge [m³/s]", sections);
     return charts;
 }
 
@@ -263,8 +264,8 @@ std::string inputs_table(const Prepared& p) {
         table.row({file.role + (file.resampling.empty() ? "" : " (" + file.resampling + ")"), file.path, file.content,
                    file.crs_label, file.crs_label.empty() ? "" : operation(file.transform)});
     }
-    return "<p>Working CRS: " + html_escaped(p.ground.crs_label) + "; extent " +
-           html_escaped(extent_text(p.scene.grid.bounds())) + "; " + grouped(p.ground.nodata_cells) +
+    return "<p>Working CRS: " + escaped_markup(p.ground.crs_label) + "; extent " +
+           escaped_markup(extent_text(p.scene.grid.bounds())) + "; " + grouped(p.ground.nodata_cells) +
            " cells without elevation" +
            (p.ground.filled_cells > 0 ? ", " + grouped(p.ground.filled_cells) + " filled" : "") + ".</p>\n" +
            table.html();

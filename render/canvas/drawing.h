@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/canvas/canvas.h"
+#include "render/canvas/lettering.h"
+
+namespace frana::render {
+
+/// What a page is drawn on, in pixels from the upper left corner: lines and filled shapes, later ones over earlier
+/// ones, and texts over all of them, whatever the file becomes.
+class Drawing {
+  public:
+    Drawing() = default;
+    virtual ~Drawing() = default;
+    Drawing(const Drawing&) = delete;
+    Drawing& operator=(const Drawing&) = delete;
+
+    virtual void line(std::span<const Point> points, const LineStyle& style, bool closed = false) = 0;
+    /// A filled convex polygon.
+    virtual void fill(std::span<const Point> corners, Rgb colour, double opacity = 1) = 0;
+    virtual void frame(const PageBox& box, const LineStyle& style) = 0;
+    virtual void text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) = 0;
+
+    /// The lines one below the other, from the capitals' top of the first; returns the y under the last.
+    double lines(const std::vector<std::string>& words, Point top, const TextStyle& style, Across across);
+    /// Words broken into lines no wider than `width`; a single longer word is cut with an ellipsis.
+    [[nodiscard]] std::vector<std::string> wrapped(const std::string& words, const TextStyle& style,
+                                                   double width) const;
+    /// From one line's capitals to the next line's [px].
+    [[nodiscard]] static double line_height(const TextStyle& style) { return 1.35 * style.size_px; }
+    [[nodiscard]] const Lettering& lettering() const noexcept { return lettering_; }
+
+  private:
+    Lettering lettering_;
+};
+
+}  // namespace frana::render

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/canvas/svg_drawing.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/markup.h"
+#include "core/shortest_text.h"
+
+namespace frana::render {
+namespace {
+
+// To a hundredth of a pixel.
+std::string px(double value) {
+    return shortest_text(std::round(100 * value) / 100 + 0.0);  // no "-0"
+}
+
+std::string attribute(const char* name, const std::string& value) {
+    return std::string(" ") + name + "=\"" + value + '"';
+}
+
+std::string opacity_attribute(double opacity) {
+    return opacity < 1 ? attribute("opacity", px(opacity)) : "";
+}
+
+std::string points_attribute(std::span<const Point> points) {
+    std::string list;
+    for (const Point p : points) list += (list.empty() ? "" : " ") + px(p.x) + ',' + px(p.y);
+    return attribute("points", list);
+}
+
+}  // namespace
+
+SvgDrawing::SvgDrawing(int width, int height)
+    : head_("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + std::to_string(width) + ' ' +
+            std::to_string(height) +
+            "\" role=\"img\" font-family=\"DejaVu Sans, Verdana, sans-serif\" stroke-linejoin=\"round\">\n") {}
+
+void SvgDrawing::line(std::span<const Point> points, const LineStyle& style, bool closed) {
+    std::string dashes;
+    for (const double length : style.dashes) dashes += (dashes.empty() ? "" : " ") + px(length);
+    shapes_ += (closed ? "<polygon" : "<polyline") + points_attribute(points) + attribute("fill", "none") +
+               attribute("stroke", hex(style.colour)) + attribute("stroke-width", px(style.width_px)) +
+               (dashes.empty() ? "" : attribute("stroke-dasharray", dashes)) + opacity_attribute(style.opacity) +
+               "/>\n";
+}
+
+void SvgDrawing::fill(std::span<const Point> corners, Rgb colour, double opacity) {
+    shapes_ +=
+        "<polygon" + points_attribute(corners) + attribute("fill", hex(colour)) + opacity_attribute(opacity) + "/>\n";
+}
+
+void SvgDrawing::frame(const PageBox& box, const LineStyle& style) {
+    line(
+        std::array<Point, 4>{
+            {{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}}},
+        style, true);
+}
+
+void SvgDrawing::text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) {
+    const double capital = Lettering::capital_height(style);
+    const double below = upright == Upright::top ? capital : upright == Upright::middle ? capital / 2 : 0;
+    std::string place = "translate(" + px(at.x) + ' ' + px(at.y) + ')';
+    if (style.angle_deg != 0) place += " rotate(" + px(-style.angle_deg) + ')';
+    texts_ += "<text" + attribute("transform", place) + attribute("y", px(below)) +
+              (across == Across::left     ? ""
+               : across == Across::centre ? attribute("text-anchor", "middle")
+                                          : attribute("text-anchor", "end")) +
+              attribute("font-size", std::to_string(style.size_px)) +
+              (style.bold ? attribute("font-weight", "bold") : "") + attribute("fill", hex(style.colour)) + '>' +
+              escaped_markup(words) + "</text>\n";
+}
+
+}  // namespace frana::render

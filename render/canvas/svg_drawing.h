@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "render/canvas/drawing.h"
+
+namespace frana::render {
+
+/// A page as an SVG element for an HTML page: sharp at every size.
+class SvgDrawing : public Drawing {
+  public:
+    SvgDrawing(int width, int height);
+
+    void line(std::span<const Point> points, const LineStyle& style, bool closed = false) override;
+    void fill(std::span<const Point> corners, Rgb colour, double opacity = 1) override;
+    void frame(const PageBox& box, const LineStyle& style) override;
+    void text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) override;
+
+    /// Everything so far.
+    [[nodiscard]] std::string svg() const { return head_ + shapes_ + texts_ + "</svg>\n"; }
+
+  private:
+    std::string head_, shapes_, texts_;
+};
+
+}  // namespace frana::render
