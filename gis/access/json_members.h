@@ -13,7 +13,8 @@ struct JsonMember {
 };
 
 /// Finds the members of one name in JSON that comes in pieces and may be larger than the memory; those in
-/// objects under the member `besides` are left out.
+/// objects under the member `besides` are left out. It accepts what GDAL reads and strict parsers refuse: NaN, texts
+/// that are not UTF-8, documents that follow each other.
 class JsonMembers {
   public:
     JsonMembers(std::string name, std::string besides) : name_(std::move(name)), besides_(std::move(besides)) {}

@@ -4,8 +4,8 @@
 #include <gdal.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "app/store/manifest.h"
 #include "tiny_scene.h"
 
 namespace frana::test {
@@ -143,9 +143,7 @@ TEST_F(OwnFiles, OfAComparisonAreReplacedAndNoOthers) {
     // In a result they belong to it.
     for (int i = 0; i < 2; ++i)
         EXPECT_EQ(frana({"compare", "result", "--scar", "scar.geojson", "--size", "640x480"}).exit_code, 0);
-    const Json listed = parse_json(read_text(path("result/manifest.json")))["files"];
-    EXPECT_TRUE(
-        std::any_of(listed.begin(), listed.end(), [](const Json& file) { return file["name"] == "comparison.png"; }));
+    EXPECT_TRUE(app::read_manifest(path("result")).value().files.contains("comparison.png"));
 }
 
 TEST_F(OwnFiles, OfAStudyAreReplacedAndNoOthers) {
@@ -286,7 +284,8 @@ TEST_F(OwnPictures, OfALongerFilmGo) {
     EXPECT_LT(left.size(), longer + 1);
     EXPECT_FALSE(fs::exists(path("film/frame_000" + std::to_string(longer - 1) + ".png")));
     EXPECT_EQ(read_text(path("film/frame_0009.png")), "the user's");
-    EXPECT_EQ(read_text(path("film/manifest.json")).find("frame_000" + std::to_string(longer - 1)), std::string::npos);
+    EXPECT_FALSE(
+        app::read_manifest(path("film")).value().files.contains("frame_000" + std::to_string(longer - 1) + ".png"));
 }
 
 }  // namespace
