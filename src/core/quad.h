@@ -5,6 +5,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "core/lanes.h"
+
 namespace frana {
 
 // Four doubles that are computed with at once: one 256-bit register where the instruction set has them, two of
@@ -128,4 +130,24 @@ FRANA_INLINE void for_chunks(std::size_t begin, std::size_t end, const Work& wor
 }
 
 }  // namespace
+
+template <>
+struct Lanes<Quad> {
+    using Mask = Quad::Mask;
+    using Count = Quad::Mask;  // downwards: true is -1
+
+    static FRANA_INLINE Mask first(std::size_t n) { return first_lanes(n); }
+    static FRANA_INLINE Mask none(Mask m) { return ~m; }
+    static FRANA_INLINE bool any(Mask m) { return frana::any(m); }
+    static FRANA_INLINE bool at(Mask m, int lane) { return m[lane] != 0; }
+    static FRANA_INLINE double at(Quad a, int lane) { return a[lane]; }
+    static FRANA_INLINE void set(Quad& a, int lane, double value) { a.v[lane] = value; }
+    static FRANA_INLINE Quad load(const double* from, std::size_t n) { return load_some(from, n); }
+    static FRANA_INLINE void store(Quad a, double* to, std::size_t n) { store_some(a, to, n); }
+    static FRANA_INLINE void add(Count& count, Mask m) { count += m; }
+    static FRANA_INLINE std::int64_t total(Count count) { return frana::count(count); }
+    static FRANA_INLINE double greatest(Quad a) { return frana::greatest(a); }
+    static FRANA_INLINE double sum(Quad a) { return frana::sum(a); }
+};
+
 }  // namespace frana

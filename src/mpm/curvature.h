@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/geometry.h"
+#include "mpm/along_bed.h"
 #include "mpm/node_grid.h"
 
 namespace frana {
@@ -46,39 +46,6 @@ inline BedCurvature bed_curvature(const NodeGrid& nodes, std::size_t i, std::int
     const double x = eighth * (east - west + (z[1] - z[-1])), y = eighth * (above - below + (north[0] - south[0]));
     return {xx, xy, yy, x, y};
 }
-
-/// Velocities in map view, measured along a bed of slope grad Z: u . v + (u . grad Z)(v . grad Z).
-struct AlongBed {
-    double slope_x = 0, slope_y = 0;
-
-    [[nodiscard]] double dot(Point u, Point v) const noexcept {
-        return u.x * v.x + u.y * v.y + (u.x * slope_x + u.y * slope_y) * (v.x * slope_x + v.y * slope_y);
-    }
-    [[nodiscard]] double speed(Point v) const noexcept { return std::sqrt(dot(v, v)); }
-};
-
-/// Velocities along a bed of slope grad Z, turned into the horizontal about the contour line:
-///
-///     w = u + (u . grad Z) grad Z / (root + 1),   root = sqrt(1 + |grad Z|^2),
-///
-/// so that |w| is the speed along the bed, |w|^2 = |u|^2 + (u . grad Z)^2, for the velocity u in map view. Linear, so
-/// that on a plane nothing differs whichever of them is exchanged; and across an edge from plane to plane w stays as it
-/// is, however steep they are.
-struct BedFrame {
-    double slope_x = 0, slope_y = 0, root = 1;
-
-    static BedFrame of(Point slope) noexcept {
-        return {slope.x, slope.y, std::sqrt(1 + slope.x * slope.x + slope.y * slope.y)};
-    }
-    [[nodiscard]] Point along_bed(double u, double v) const noexcept {
-        const double climb = (u * slope_x + v * slope_y) / (root + 1);
-        return {u + climb * slope_x, v + climb * slope_y};
-    }
-    [[nodiscard]] Point in_map(double x, double y) const noexcept {
-        const double climb = (x * slope_x + y * slope_y) / (root * (root + 1));
-        return {x - climb * slope_x, y - climb * slope_y};
-    }
-};
 
 /// A velocity in map view [m/s] after a time dt in which nothing but the bed turned it. Where the fall line turns under
 /// the motion, w turns as well, at the rate

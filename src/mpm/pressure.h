@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mpm/along_bed.h"
 #include "mpm/node_grid.h"
 #include "mpm/shape.h"
 #include "particles/particle_set.h"
@@ -14,6 +15,49 @@ namespace frana {
 /// Linear artificial viscosity under compression, as a share of rho h sqrt(g h) dx (share/doc/numerics.md,
 /// "Compression").
 inline constexpr double k_shock_viscosity = 0.5;
+
+/// What one particle (double) or each of four lanes (Quad) brings to its nodes. The formulas are always inlined: the
+/// fast sweeps, compiled for another instruction set, must share no function with the rest.
+template <class Number>
+struct ParticlePush {
+    Number pressure;          ///< over its area, over density [m4/s2]
+    Number half_weight;       ///< g A / 2 [m3/s2]
+    Number depth;             ///< h [m]
+    Number slope_x, slope_y;  ///< g A grad Z [m3/s2]
+    Number xx, xy, yy;        ///< V sigma, if there is stress [m5/s2]
+};
+
+/// 1/2 g A h^2, with what the artificial viscosity adds under compression.
+template <class Number>
+[[gnu::always_inline]] inline Number shocked_pressure(Number half_weight, Number depth, Number volume,
+                                                      Number compression, double gravity, double dx) {
+    using std::sqrt;
+    return half_weight * depth * depth + k_shock_viscosity * volume * sqrt(gravity * depth) * compression * dx;
+}
+
+/// Depth of a node's reference over a bed at z: of its still level, or its mean depth, by NodeLevel::ponding.
+/// @param following (1 - ponding) depth
+template <class Number>
+[[gnu::always_inline]] inline Number reference_depth(Number ponding, Number level, Number following, Number z) {
+    using std::max;
+    return ponding * max(Number(0.0), level - z) + following;
+}
+
+/// A particle's force on a node, over density; against `held`, the reference depth times the node's support, if
+/// Referenced.
+template <bool Referenced, bool Stress, class Number>
+[[gnu::always_inline]] inline MapVector<Number> push_on_node(const ParticlePush<Number>& p, Number held,
+                                                             Number reference, Number weight, Number grad_x,
+                                                             Number grad_y) {
+    Number pressure = p.pressure, pull = p.depth * weight;
+    if constexpr (Referenced) {
+        pressure = p.pressure - p.half_weight * held * reference;
+        pull = (p.depth - held) * weight;
+    }
+    if constexpr (!Stress) return {pressure * grad_x - p.slope_x * pull, pressure * grad_y - p.slope_y * pull};
+    return {(pressure - p.xx) * grad_x - p.xy * grad_y - p.slope_x * pull,
+            (pressure - p.yy) * grad_y - p.xy * grad_x - p.slope_y * pull};
+}
 
 /// Hydrostatic pressure, bed slope and in-plane stress, to the nodes' forces over density.
 /// Plain form (paper, equation 28): F_i = sum A [ 1/2 g h^2 grad N_i - g h grad Z N_i ] - sum V sigma grad
@@ -42,34 +86,31 @@ void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, d
     for (std::size_t p = tile.begin; p < tile.end; ++p) {
         const Stencil<Shape> s(x[p], y[p], grid);
         const Interpolated z = interpolate(s, bed, stride);
-        const double depth = volume[p] / area[p];
-        const double half_gravity_area = 0.5 * gravity * area[p];
-        double pressure = half_gravity_area * depth * depth;
-        if constexpr (Referenced) {
-            pressure += k_shock_viscosity * volume[p] * std::sqrt(gravity * depth) * compression[p] * dx;
-        }
-        double xx = 0, xy = 0, yy = 0;
+        const double weight = gravity * area[p];
+        ParticlePush<double> push{0, 0.5 * gravity * area[p], volume[p] / area[p], weight * z.dx, weight * z.dy, 0, 0,
+                                  0};
+        push.pressure = push.half_weight * push.depth * push.depth;
+        if constexpr (Referenced)
+            push.pressure = shocked_pressure(push.half_weight, push.depth, volume[p], compression[p], gravity, dx);
         if constexpr (Stress) {
-            xx = volume[p] * s_xx[p];
-            xy = volume[p] * s_xy[p];
-            yy = volume[p] * s_yy[p];
+            push.xx = volume[p] * s_xx[p];
+            push.xy = volume[p] * s_xy[p];
+            push.yy = volume[p] * s_yy[p];
         }
-        const double slope_x = gravity * area[p] * z.dx, slope_y = gravity * area[p] * z.dy;
         for (int b = 0; b < Shape::width; ++b) {
             const std::size_t first = s.first + static_cast<std::size_t>(b * stride);
             for (int a = 0; a < Shape::width; ++a) {
                 const std::size_t i = first + static_cast<std::size_t>(a);
-                const double grad_x = s.gx[a] * s.wy[b], grad_y = s.wx[a] * s.gy[b], w = s.wx[a] * s.wy[b];
-                double node_pressure = pressure, weight = depth * w;
+                double reference = 0, held = 0;
                 if constexpr (Referenced) {
                     const NodeLevel& level = levels[i];
-                    const double reference =
-                        level.ponding * std::max(0.0, level.level - z.value) + (1 - level.ponding) * level.depth;
-                    node_pressure -= half_gravity_area * level.support * reference * reference;
-                    weight = (depth - level.support * reference) * w;
+                    reference = reference_depth(level.ponding, level.level, (1 - level.ponding) * level.depth, z.value);
+                    held = level.support * reference;
                 }
-                forces[i].fx += (node_pressure - xx) * grad_x - xy * grad_y - slope_x * weight;
-                forces[i].fy += (node_pressure - yy) * grad_y - xy * grad_x - slope_y * weight;
+                const auto [fx, fy] = push_on_node<Referenced, Stress, double>(push, held, reference, s.wx[a] * s.wy[b],
+                                                                               s.gx[a] * s.wy[b], s.wx[a] * s.gy[b]);
+                forces[i].fx += fx;
+                forces[i].fy += fy;
             }
         }
     }

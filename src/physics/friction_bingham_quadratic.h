@@ -18,13 +18,12 @@ namespace frana {
 /// Range: tau_Y > 0, mu > 0. Limits: at speed zero zeta is 0.951, so that its bound is 1.051 tau_Y / (rho d);
 /// for d -> 0 the flow stops. For the exact root see friction_herschel_bulkley.h with m = 1.
 struct BinghamQuadraticExcess {
-    static constexpr bool active = true;
     double density = 2000;      ///< [kg/m3]
     double yield_stress = 100;  ///< tau_Y [Pa]
     double viscosity = 10;      ///< mu [Pa s]
 
     /// Bed stress at rest, this law's own bound [Pa].
-    [[nodiscard]] double bound() const noexcept { return yield_stress / QuadraticYieldRatio{}(0); }
+    [[nodiscard]] double bound() const noexcept { return yield_stress / QuadraticYieldRatio{}(0.0); }
 
     void operator()(BedState& bed, std::size_t) const noexcept { bed.yield += bound() / (density * bed.thickness); }
 

@@ -23,7 +23,6 @@ namespace frana {
 /// of div v.
 struct EarthPressureStress {
     static constexpr bool active = true;
-    static constexpr FieldMask fields = k_stress_fields;
 
     double gravity = 9.81;     ///< [m/s2]
     double spreading = 1;      ///< K_act [-]
@@ -43,7 +42,7 @@ struct EarthPressureStress {
         return share > 0 ? still + share * (spreading - still) : still - share * (compressed - still);
     }
 
-    [[nodiscard]] PlaneStress operator()(const StrainRate& rate) const noexcept {
+    [[nodiscard]] PlaneStress<double> operator()(const StrainRate<double>& rate) const noexcept {
         const double stress = -0.5 * (coefficient(rate.xx + rate.yy) - 1) * gravity * rate.depth;
         return {stress, 0, stress, 0};
     }

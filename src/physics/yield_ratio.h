@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/lanes.h"
 
 namespace frana {
 
@@ -15,25 +18,31 @@ namespace frana {
 struct ExactYieldRatio {
     /// Newton from a start that is within 1 % of the root everywhere and far closer at both ends: two steps reach 1e-9,
     /// three what rounding allows (1e-10 at a = 1e-12, where the root is nearly double).
-    [[nodiscard]] double operator()(double a) const noexcept {
-        const double p = 3 + a;
+    template <LaneNumber Number>
+    [[nodiscard, gnu::always_inline]] Number operator()(Number a) const noexcept {
+        using std::max;
+        using std::min;
+        using std::sqrt;
+        const Number p = 3 + a, inverse = 1 / p, none(0.0), all(1.0);
         // Near a = 0, with zeta = 1 - e: 3 e^2 - e^3 = a (1 - e), so e ~ sqrt(a / 3) - a / 9. For large a one step of
         // zeta = (2 + zeta^3) / p from 2 / p.
-        double zeta = a < 1 ? 1 - std::sqrt(a / 3) + a / 9 : 2 / p * (1 + 4 / (p * p * p));
+        Number zeta =
+            select(a < 1, 1 - sqrt(a * (1.0 / 3)) + a * (1.0 / 9), 2 * inverse * (1 + 4 * inverse * inverse * inverse));
         for (int i = 0; i < 3; ++i) {
-            const double slope = 3 * zeta * zeta - p;
-            if (slope > -1e-12) break;
-            zeta -= (zeta * zeta * zeta - p * zeta + 2) / slope;
+            const Number slope = 3 * zeta * zeta - p;
+            zeta = select(slope > -1e-12, zeta, zeta - (zeta * zeta * zeta - p * zeta + 2) / slope);
         }
-        return zeta < 0 ? 0 : zeta > 1 ? 1 : zeta;
+        return min(max(zeta, none), all);
     }
 };
 
 /// The paper's quadratic (9), 48 zeta^2 - (114 + 32 a) zeta + 65 = 0: the smaller root. Off by up to 0.043.
 struct QuadraticYieldRatio {
-    [[nodiscard]] double operator()(double a) const noexcept {
-        const double b = 57 + 16 * a;
-        return 65 / (b + std::sqrt(b * b - 48 * 65));
+    template <LaneNumber Number>
+    [[nodiscard, gnu::always_inline]] Number operator()(Number a) const noexcept {
+        using std::sqrt;
+        const Number b = 57 + 16 * a;
+        return 65 / (b + sqrt(b * b - 48 * 65));
     }
 };
 

@@ -35,7 +35,7 @@ TEST(EarthPressure, ChangesWithoutAJump) {
         EXPECT_LT(std::abs(law.coefficient((i + 1) * step) - law.coefficient(i * step)),
                   0.011 * (law.compressed - law.spreading));
     }
-    const PlaneStress dry = law({0.1, 0, 0.1, 1, 0, 0});
+    const PlaneStress<double> dry = law(StrainRate<double>{0.1, 0, 0.1, 1, 0, 0});
     EXPECT_EQ(dry.xx, 0);
 }
 

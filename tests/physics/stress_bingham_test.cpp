@@ -15,7 +15,7 @@ TEST(YieldRatio, ExactRootSatisfiesTheCubic) {
         // Relative to the terms; at a -> 0 the root is double, so the residual's square root counts.
         EXPECT_NEAR((zeta * zeta * zeta - (3 + a) * zeta + 2) / (3 + a), 0, 1e-14) << a;
     }
-    EXPECT_EQ(ExactYieldRatio{}(0), 1);
+    EXPECT_EQ(ExactYieldRatio{}(0.0), 1);
     EXPECT_NEAR(ExactYieldRatio{}(1e10) * 1e10 / 2, 1, 1e-9);  // 2 / (3 + a)
 }
 
@@ -28,12 +28,12 @@ TEST(YieldRatio, QuadraticIsWithinThePublishedError) {
     }
     // The closed form gives 0.951 against 1 at a -> 0; nowhere else is it worse.
     EXPECT_LT(greatest, 0.05);
-    EXPECT_NEAR(QuadraticYieldRatio{}(0), 0.951, 1e-3);
+    EXPECT_NEAR(QuadraticYieldRatio{}(0.0), 0.951, 1e-3);
 }
 
 TEST(BinghamStress, NewtonianPartIsTwiceTheViscosityTimesD) {
     const BinghamStress stress{0.5, 0, 0.01, true};
-    const PlaneStress s = stress({1.0, 0.25, -0.5, 3, 4, 2});
+    const PlaneStress<double> s = stress(StrainRate<double>{1.0, 0.25, -0.5, 3, 4, 2});
     EXPECT_DOUBLE_EQ(s.xx, 1.0);
     EXPECT_DOUBLE_EQ(s.xy, 0.25);
     EXPECT_DOUBLE_EQ(s.yy, -0.5);
@@ -44,17 +44,17 @@ TEST(BinghamStress, NewtonianPartIsTwiceTheViscosityTimesD) {
 TEST(BinghamStress, YieldPartHasTheYieldStressAsItsSize) {
     const double yield = 3, rate = 2;
     const BinghamStress stress{1e-9, yield, 1e-6, true};
-    const PlaneStress s = stress({0, rate / 2, 0, 0, 0, 1});
+    const PlaneStress<double> s = stress(StrainRate<double>{0, rate / 2, 0, 0, 0, 1});
     // I2 = D_xy^2 = (gamma / 2)^2, so tau_Y / sqrt(I2) D_xy = tau_Y.
     EXPECT_NEAR(s.xy, yield, 1e-6 * yield);
 }
 
 TEST(BinghamStress, IsFiniteAtRestAndAtZeroDepth) {
     const BinghamStress stress{0.5, 3, 0.01, true};
-    const PlaneStress rest = stress({0, 0, 0, 0, 0, 1});
+    const PlaneStress<double> rest = stress(StrainRate<double>{0, 0, 0, 0, 0, 1});
     EXPECT_EQ(rest.xx, 0);
     EXPECT_TRUE(std::isfinite(rest.diffusivity));
-    const PlaneStress dry = stress({1, 1, 1, 1, 1, 0});
+    const PlaneStress<double> dry = stress(StrainRate<double>{1, 1, 1, 1, 1, 0});
     EXPECT_TRUE(std::isfinite(dry.xx));
 }
 

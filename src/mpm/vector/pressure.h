@@ -110,8 +110,7 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
         {
             const Quad mass = load_some(volume + p, n), claim = load_some(area + p, n), h = mass / claim;
             const Quad half = 0.5 * gravity * claim;
-            (half * h * h + k_shock_viscosity * mass * sqrt(gravity * h) * load_some(compression + p, n) * grid.dx)
-                .store(pressure);
+            shocked_pressure(half, h, mass, load_some(compression + p, n), gravity, grid.dx).store(pressure);
             h.store(depth);
             half.store(half_weight);
             (gravity * claim).store(weight);
@@ -125,35 +124,30 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
             const Quad across = weight_y[0][k] * south + weight_y[1][k] * middle + weight_y[2][k] * north;
             const Quad along = slope_y[0][k] * south + slope_y[1][k] * middle + slope_y[2][k] * north;
             const Quad z = sum_everywhere(wx * across);
-            const Quad slope_x = weight[k] * sum_everywhere(gx * across);
-            const Quad slope_y_k = weight[k] * sum_everywhere(wx * along);
-            const Quad p_k(pressure[k]), depth_k(depth[k]), half_k(half_weight[k]);
-            Quad xx = 0.0, xy = 0.0, yy = 0.0;
+            ParticlePush<Quad> push{pressure[k],
+                                    half_weight[k],
+                                    depth[k],
+                                    weight[k] * sum_everywhere(gx * across),
+                                    weight[k] * sum_everywhere(wx * along),
+                                    0.0,
+                                    0.0,
+                                    0.0};
             if constexpr (Stress) {
-                xx = volume[p + k] * s_xx[p + k];
-                xy = volume[p + k] * s_xy[p + k];
-                yy = volume[p + k] * s_yy[p + k];
+                push.xx = volume[p + k] * s_xx[p + k];
+                push.xy = volume[p + k] * s_xy[p + k];
+                push.yy = volume[p + k] * s_yy[p + k];
             }
             const auto at = static_cast<std::int64_t>(box_first[k]);
             for (int b = 0; b < 3; ++b) {
                 const std::int64_t i = at + b * NodeBox::k_columns;
                 const Quad wy(weight_y[b][k]), gy(slope_y[b][k]);
-                const Quad reference = Quad::load(local.ponding + i) * max(0.0, Quad::load(local.level + i) - z) +
-                                       Quad::load(local.thickness + i);
+                const Quad reference = reference_depth(Quad::load(local.ponding + i), Quad::load(local.level + i),
+                                                       Quad::load(local.thickness + i), z);
                 const Quad held = Quad::load(local.support + i) * reference;
-                const Quad node_pressure = p_k - half_k * held * reference;
-                const Quad pull = (depth_k - held) * (wx * wy);
-                const Quad grad_x = gx * wy, grad_y = wx * gy;
-                Quad force_x = Quad::load(local.fx + i), force_y = Quad::load(local.fy + i);
-                if constexpr (Stress) {
-                    force_x += (node_pressure - xx) * grad_x - xy * grad_y - slope_x * pull;
-                    force_y += (node_pressure - yy) * grad_y - xy * grad_x - slope_y_k * pull;
-                } else {
-                    force_x += node_pressure * grad_x - slope_x * pull;
-                    force_y += node_pressure * grad_y - slope_y_k * pull;
-                }
-                force_x.store(local.fx + i);
-                force_y.store(local.fy + i);
+                const auto [force_x, force_y] =
+                    push_on_node<true, Stress, Quad>(push, held, reference, wx * wy, gx * wy, wx * gy);
+                (Quad::load(local.fx + i) + force_x).store(local.fx + i);
+                (Quad::load(local.fy + i) + force_y).store(local.fy + i);
             }
         }
     });

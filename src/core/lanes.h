@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace frana {
+
+/// What lets a formula be written once for one value (double) and for four (Quad, core/quad.h): comparisons give a
+/// Mask, select, any and counts read it. Everything is always inlined: the fast sweeps, compiled for another
+/// instruction set, must share no function with the rest.
+template <class Number>
+struct Lanes;
+
+/// double or Quad; what is no such number (the 0 of an int) does not compile.
+template <class Number>
+concept LaneNumber = requires {
+    typename Lanes<Number>::Mask;
+};
+
+template <>
+struct Lanes<double> {
+    using Mask = bool;
+    using Count = std::int64_t;
+
+    [[gnu::always_inline]] static Mask first(std::size_t) { return true; }
+    [[gnu::always_inline]] static Mask none(Mask m) { return !m; }
+    [[gnu::always_inline]] static bool any(Mask m) { return m; }
+    [[gnu::always_inline]] static bool at(Mask m, int) { return m; }
+    [[gnu::always_inline]] static double at(double a, int) { return a; }
+    [[gnu::always_inline]] static void set(double& a, int, double value) { a = value; }
+    [[gnu::always_inline]] static double load(const double* from, std::size_t) { return *from; }
+    [[gnu::always_inline]] static void store(double a, double* to, std::size_t) { *to = a; }
+    [[gnu::always_inline]] static void add(Count& count, Mask m) { count += m ? 1 : 0; }
+    [[gnu::always_inline]] static std::int64_t total(Count count) { return count; }
+    [[gnu::always_inline]] static double greatest(double a) { return a; }
+    [[gnu::always_inline]] static double sum(double a) { return a; }
+};
+
+[[gnu::always_inline]] inline double select(bool where, double a, double b) {
+    return where ? a : b;
+}
+
+}  // namespace frana

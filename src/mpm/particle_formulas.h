@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a particle makes of what it gathered from its nodes. One formula for one particle (double) and for four (Quad),
+// always inlined (core/lanes.h).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/lanes.h"
+
+namespace frana {
+
+/// Gain per Courant number of the relaxation of areas (share/doc/numerics.md, "Area relaxation"); 0.2 bounds it.
+/// Particles that crowd (k_crowded_share) shrink faster: friction and maps would see a layer thinner than the ground
+/// does. Not from a share of 1 on, where half of all evenly spread irregular particles are: ritter-irregular would be
+/// worse by 1/3.
+inline constexpr double k_relaxation_gain = 0.03, k_crowded_gain = 0.2, k_relaxation_limit = 0.2;
+
+/// Least factor by which an area may change in a step; the stable step keeps well clear of it.
+inline constexpr double k_least_growth = 0.1;
+
+/// Bound of a particle's area, and of its shape's trace, in cells: what cannot be split (films) grows no
+/// further.
+inline constexpr double k_largest_claim = 4;
+
+/// Greatest difference of a particle's affine velocity over a cell at a free front, in celerities sqrt(g h), where no
+/// support is left; with support s it is this over (1 - s). In a simple wave u + 2 sqrt(g h) is constant, so velocity
+/// cannot vary by more than twice the celerity over the cell in which the depth goes to zero; without the bound the
+/// foremost particles outrun 2 sqrt(g h) at every split.
+inline constexpr double k_front_shear = 0.7;
+
+/// A particle this many times deeper than its cells' mean depth is not compressed further.
+inline constexpr double k_tower = 2;
+
+/// Share of a cell from which it counts as full when material converges. Rounding must not decide about a lattice that
+/// fills its cells exactly.
+inline constexpr double k_full_share = 1 - 1e-9;
+
+/// Greatest share by which gravity's work sets the speed of a particle right in a step.
+inline constexpr double k_work_limit = 0.5;
+
+/// How far the velocities on a stencil are from linear.
+template <class Number>
+struct Bend {
+    Number bend;    ///< |v0 - 2 v1 + v2| along both axes [m/s]
+    Number change;  ///< |v1 - v0| + |v2 - v1| along both axes [m/s]
+};
+
+/// @param u, v means of the stencil's columns and of its rows
+template <class Number>
+[[gnu::always_inline]] inline Bend<Number> bend_of(Number u0, Number u1, Number u2, Number v0, Number v1, Number v2) {
+    using std::abs;
+    return {abs(u0 - 2 * u1 + u2) + abs(v0 - 2 * v1 + v2),
+            (abs(u1 - u0) + abs(u2 - u1)) + (abs(v1 - v0) + abs(v2 - v1))};
+}
+
+/// Rate of compression that the artificial viscosity acts on [1/s]: -div v, weighted by bend over change. 1 behind a
+/// shock that rings, 0 where a flow converges smoothly: there a viscosity would only cost energy.
+template <class Number>
+[[gnu::always_inline]] inline Number shock_compression(Number divergence, const Bend<Number>& b) {
+    return select((divergence < 0) & (b.change > 0), -divergence * b.bend / b.change, Number(0.0));
+}
+
+/// A velocity gradient, L_ab = dv_a / dx_b [1/s].
+template <class Number>
+struct Gradient {
+    Number xx, xy, yx, yy;
+};
+
+/// Bounds the affine velocity at a free front (k_front_shear): no more than the celerity allows. Squares, since few
+/// particles are at one.
+/// @param celerity2 bound of the celerity [m2/s2]
+template <class Number>
+[[gnu::always_inline]] inline Gradient<Number> bounded_at_front(const Gradient<Number>& c, Number support, double dx,
+                                                                Number bound2) {
+    using std::sqrt;
+    const Number free = (1 - support) * dx;
+    const Number free2 = free * free * (c.xx * c.xx + c.xy * c.xy + c.yx * c.yx + c.yy * c.yy);
+    Number fit(1.0);
+    if (Lanes<Number>::any(free2 > bound2)) fit = select(free2 > bound2, sqrt(bound2 / free2), Number(1.0));
+    return {fit * c.xx, fit * c.xy, fit * c.yx, fit * c.yy};
+}
+
+/// By what part gravity's work changes a particle's velocity (nodes_to_particles.h).
+/// @param most twice the energy that the work is measured against [m2/s2]
+template <class Number>
+[[gnu::always_inline]] inline Number change_by_work(Number work, Number most) {
+    using std::max;
+    using std::min;
+    const Number least(-k_work_limit), greatest(k_work_limit);
+    return min(max(select(most > 0, work / most, Number(0.0)), least), greatest);
+}
+
+/// Where the cells are not full, converging material first fills the gaps: only a full cell gets deeper, and no
+/// particle gets much deeper than the cells round it, however long it is pressed into a corner.
+/// @param growth of its area by the flow  @param share of the cells that particles claim
+/// @param cell_depth volume of the cells' nodes
+template <class Number>
+[[gnu::always_inline]] inline Number filling_growth(Number growth, Number volume, Number area, Number share,
+                                                    Number cell_depth, double cell_area) {
+    const auto tower = volume * share * cell_area > k_tower * area * cell_depth;
+    return select((growth < 1) & ((share < k_full_share) | tower), Number(1.0), growth);
+}
+
+/// Area relaxation, which ties a particle's depth to the mass on the grid: its area grows or shrinks with what the
+/// particles claim of each cell, and only shrinks at a free front. A film too thin to be split claims no more than a
+/// few cells: beyond that its support would be a fiction.
+/// @param grown area as the flow makes it  @param area before the step  @param courant |v| dt/dx
+template <class Number>
+[[gnu::always_inline]] inline Number relaxed_area(Number grown, Number area, Number share, Number support, Number speed,
+                                                  double courant, double cell_area) {
+    using std::max;
+    using std::min;
+    const Number gain = select(share > k_crowded_share, Number(k_crowded_gain), Number(k_relaxation_gain));
+    const Number limit(k_relaxation_limit), largest(k_largest_claim * cell_area);
+    const Number beta = min(limit, gain * speed * courant);
+    const Number relaxed = grown * (1 + beta * (1 / share - 1));
+    return min(select((share > 1) | (support > 0.999), relaxed, grown), max(area, largest));
+}
+
+}  // namespace frana

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mpm/along_bed.h"
+#include "mpm/node_grid.h"
+#include "mpm/particle_formulas.h"
+#include "mpm/particle_shape.h"
+#include "mpm/shifting.h"
+#include "particles/particle_set.h"
+#include "physics/stress_bingham.h"
+
+namespace frana {
+
+struct ParticleUpdate {
+    double dt = 0;  ///< for which the positions move [s]
+    double gravity = 0;
+    double film = 0;    ///< depth under which a particle is not split [m]
+    bool wall = false;  ///< particles are kept inside; otherwise they may leave
+    Point origin;       ///< release centroid, for the front distance, local metres
+    double pull = 0;    ///< gravity times the time for which forces acted [m/s]; for what follows the bed
+    double shift = 0;   ///< particle shifting: s of shifting.h, 0 in steps without it
+};
+
+/// What a tile's particles showed in a step; combined tile by tile in their order.
+struct ParticleReport {
+    double wave_speed = 0;     ///< greatest |v| + sqrt(g h) [m/s]
+    double speed = 0;          ///< greatest |v| [m/s]
+    double diffusivity = 0;    ///< greatest of the in-plane stress [m2/s]
+    double front_squared = 0;  ///< farthest from the origin [m2]
+    double kinetic = 0;        ///< sum of V v^2 / 2 [m5/s2]
+    double volume = 0;         ///< inside [m3]
+    double longest = 0;        ///< greatest trace of a shape that could be split [m2]
+    std::int64_t outside = 0, non_finite = 0, no_data = 0, clamped = 0;
+
+    void merge(const ParticleReport &r) noexcept {
+        wave_speed = std::max(wave_speed, r.wave_speed);
+        speed = std::max(speed, r.speed);
+        diffusivity = std::max(diffusivity, r.diffusivity);
+        front_squared = std::max(front_squared, r.front_squared);
+        kinetic += r.kinetic;
+        volume += r.volume;
+        longest = std::max(longest, r.longest);
+        outside += r.outside;
+        non_finite += r.non_finite;
+        no_data += r.no_data;
+        clamped += r.clamped;
+    }
+};
+
+/// What one particle (double) or four (Quad) gather from their nodes.
+template <class Number>
+struct Gathered {
+    Number cell_depth, share, climb, support;
+    Number depth_x, depth_y, share_x, share_y,
+        least;                      // for shifting: gradients of the first two; least share of any node
+    Number u, v, back_u, back_v;    // nodal velocity in map view; what the particles take back
+    Number u_x, u_y, v_x, v_y;      // gradient of the former
+    Number m_xx, m_xy, m_yx, m_yy;  // first moments of the latter (hat functions: its gradient)
+    Number bed_x, bed_y;            // gradient of the bed, through the splines
+    Bend<Number> bend;              // of the nodal velocity
+};
+
+/// A particle does not enter a wall's cell: it goes as far along the wall as either axis allows. Its cell then keeps it
+/// a whole cell away from the nodes behind a wall one cell thick.
+[[gnu::always_inline]] inline void slide_along_walls(const NodeGrid &nodes, double x, double y, double &px,
+                                                     double &py) noexcept {
+    const NodeScale grid = nodes.scale();
+    const auto wall = [&](double a, double b) {
+        return nodes.bounds().holds(a, b) && nodes.is_wall(grid.node_of(a, b));
+    };
+    if (!wall(px, py)) return;
+    if (!wall(px, y)) {
+        py = y;
+    } else if (!wall(x, py)) {
+        px = x;
+    } else {
+        px = x;
+        py = y;
+    }
+}
+
+/// What nodes_to_particles (mpm/nodes_to_particles.h) does after the gather, for one particle or for four.
+/// Affine, Increment: of the transfer. Shifts: whether ParticleUpdate::shift may not be 0.
+template <class Number, bool Affine, bool Increment, class Stress, bool Relaxed, bool FollowsBed, bool Shifts>
+struct ParticleSweep {
+    using L = Lanes<Number>;
+    using Mask = typename L::Mask;
+
+    const ParticleUpdate &k;
+    const Stress &stress;
+    const NodeGrid &nodes;
+    ParticleSet &particles;
+    const double d;  ///< inverse of the shape functions' second moment [1/m2]; hat functions: 1
+
+    const NodeScale grid = nodes.scale();
+    const Bounds edges = nodes.bounds();
+    const double *const volume = particles[Field::volume];
+    double *const area = particles[Field::area];
+    double *const x = particles[Field::x], *const y = particles[Field::y];
+    double *const u = particles[Field::u], *const v = particles[Field::v];
+    double *const c_xx = particles[Field::c_xx], *const c_xy = particles[Field::c_xy];
+    double *const c_yx = particles[Field::c_yx], *const c_yy = particles[Field::c_yy];
+    double *const s_xx = particles[Field::s_xx], *const s_xy = particles[Field::s_xy];
+    double *const s_yy = particles[Field::s_yy], *const compression = particles[Field::compression];
+    double *const q_xx = particles[Field::q_xx], *const q_xy = particles[Field::q_xy];
+    double *const q_yy = particles[Field::q_yy];
+
+    Number wave_speed = 0.0, greatest_speed = 0.0, diffusivity = 0.0, front_squared = 0.0, longest = 0.0;
+    Number kinetic = 0.0, inside_volume = 0.0;
+    typename L::Count clamped{}, non_finite{}, outside{};
+    std::int64_t no_data = 0;
+
+    /// Particles p to p + n - 1.
+    template <class Count>
+    [[gnu::always_inline]] void operator()(std::size_t p, Count n, Number old_x, Number old_y,
+                                           const Gathered<Number> &g) {
+        using std::abs;
+        using std::max;
+        using std::min;
+        using std::sqrt;
+        const Mask real = L::first(n);
+        const Number mass = L::load(volume + p, n), old_area = L::load(area + p, n);
+        const double cell_area = grid.dx * grid.dx, courant = k.dt * grid.inverse_dx;
+        if constexpr (Affine) {
+            Gradient<Number> c{d * g.m_xx, d * g.m_xy, d * g.m_yx, d * g.m_yy};
+            if constexpr (Relaxed) {
+                Number bound2 = (k_front_shear * k_front_shear * k.gravity) * mass / old_area;
+                if constexpr (FollowsBed) {  // of velocities in map view
+                    const Number speed2 = g.u * g.u + g.v * g.v;
+                    bound2 = select(speed2 > 0, bound2 * (g.back_u * g.back_u + g.back_v * g.back_v) / speed2, bound2);
+                }
+                c = bounded_at_front(c, g.support, grid.dx, bound2);
+            }
+            L::store(c.xx, c_xx + p, n);
+            L::store(c.xy, c_xy + p, n);
+            L::store(c.yx, c_yx + p, n);
+            L::store(c.yy, c_yy + p, n);
+        }
+        Number back_u = g.back_u, back_v = g.back_v;
+        if constexpr (Increment) {
+            back_u = L::load(u + p, n) + back_u;
+            back_v = L::load(v + p, n) + back_v;
+        }
+        if constexpr (FollowsBed && Relaxed) {
+            const Number root = sqrt(1 + g.bed_x * g.bed_x + g.bed_y * g.bed_y);
+            const auto driven = in_map<Number>(d * (g.m_xx * g.u + g.m_xy * g.v), d * (g.m_yx * g.u + g.m_yy * g.v),
+                                               g.bed_x, g.bed_y, root);
+            const double half = 0.5 * k.dt;
+            const Number mean_u = g.u - half * (g.u_x * g.u + g.u_y * g.v - driven.x),
+                         mean_v = g.v - half * (g.v_x * g.u + g.v_y * g.v - driven.y);
+            const Number work = k.pull * g.support * (g.climb - (mean_u * g.bed_x + mean_v * g.bed_y));
+            const Number change =
+                change_by_work<Number>(work, back_u * back_u + back_v * back_v + k.gravity * mass / old_area);
+            back_u += change * back_u;
+            back_v += change * back_v;
+        }
+        L::store(back_u, u + p, n);
+        L::store(back_v, v + p, n);
+
+        // Equation (38) in two dimensions: the area follows the map x -> x + dt v(x), whose determinant this is.
+        const Number div = g.u_x + g.v_y;
+        if constexpr (Relaxed) L::store(shock_compression(div, g.bend), compression + p, n);
+        const Number determinant = 1 + k.dt * div + k.dt * k.dt * (g.u_x * g.v_y - g.u_y * g.v_x);
+        const Mask sound = determinant > k_least_growth;
+        L::add(clamped, L::none(sound) & real);
+        Number growth = select(sound, determinant, Number(k_least_growth));
+        if constexpr (Relaxed) growth = filling_growth(growth, mass, old_area, g.share, g.cell_depth, cell_area);
+        Number new_area = old_area * growth;
+        if constexpr (Relaxed && Affine) {  // F = I + dt grad v
+            const ParticleShape<Number> old{L::load(q_xx + p, n), L::load(q_xy + p, n), L::load(q_yy + p, n)};
+            const auto [xx, xy, yy] =
+                deformed<Number>(old, 1 + k.dt * g.u_x, k.dt * g.u_y, k.dt * g.v_x, 1 + k.dt * g.v_y);
+            const Number trace = xx + yy;
+            longest = select(real & (mass > k.film * old_area), max(longest, trace), longest);
+            const double largest = k_largest_claim * cell_area;
+            Number fit(1.0);
+            if (L::any(trace > largest)) fit = min(fit, largest / trace);
+            L::store(fit * xx, q_xx + p, n);
+            L::store(fit * xy, q_xy + p, n);
+            L::store(fit * yy, q_yy + p, n);
+        }
+        const Number speed2 = g.u * g.u + g.v * g.v, speed = sqrt(speed2);
+        if constexpr (Relaxed)
+            new_area = relaxed_area(new_area, old_area, g.share, g.support, speed, courant, cell_area);
+        const Number depth = mass / new_area;
+        if constexpr (Stress::active) {
+            const auto t = stress(StrainRate<Number>{g.u_x, 0.5 * (g.u_y + g.v_x), g.v_y, g.u, g.v, depth});
+            L::store(t.xx, s_xx + p, n);
+            L::store(t.xy, s_xy + p, n);
+            L::store(t.yy, s_yy + p, n);
+            diffusivity = max(diffusivity, t.diffusivity);
+        }
+        Number px = old_x + k.dt * g.u, py = old_y + k.dt * g.v;
+        if constexpr (Shifts) {
+            const Shift<Number> shift =
+                shift_of<Number>(k.shift, speed * courant, g.support, g.least, g.share, g.share_x, g.share_y,
+                                 g.cell_depth, g.depth_x, g.depth_y, grid.dx);
+            px += shift.x;
+            py += shift.y;
+            new_area = new_area * shift.growth;
+        }
+        L::store(new_area, area + p, n);
+        if (k.wall) {
+            const double margin = 1e-9 * grid.dx;
+            px = min(max(px, Number(edges.west + margin)), Number(edges.east - margin));
+            py = min(max(py, Number(edges.south + margin)), Number(edges.north - margin));
+        }
+        if (nodes.any_solid()) {
+            for (std::size_t i = 0; i < n; ++i) {
+                const auto l = static_cast<int>(i);
+                double along_x = L::at(px, l), along_y = L::at(py, l);
+                slide_along_walls(nodes, L::at(old_x, l), L::at(old_y, l), along_x, along_y);
+                L::set(px, l, along_x);
+                L::set(py, l, along_y);
+            }
+        }
+        // What is not finite stays where it was; the run stops after this step.
+        const Number wave = speed + sqrt(k.gravity * depth);
+        const Mask finite = (wave < 1e9) & (abs(px) < 1e12) & (abs(py) < 1e12);
+        L::store(select(finite, px, old_x), x + p, n);
+        L::store(select(finite, py, old_y), y + p, n);
+        const Mask inside =
+            finite & real & (px >= edges.west) & (px < edges.east) & (py >= edges.south) & (py < edges.north);
+        L::add(non_finite, L::none(finite) & real);
+        L::add(outside, finite & L::none(inside) & real);
+        if (nodes.any_solid()) {
+            for (std::size_t i = 0; i < n; ++i) {
+                const auto l = static_cast<int>(i);
+                if (L::at(inside, l) && nodes.is_gap(grid.node_of(L::at(px, l), L::at(py, l)))) ++no_data;
+            }
+        }
+        const Number ox = px - k.origin.x, oy = py - k.origin.y;
+        wave_speed = select(inside, max(wave_speed, wave), wave_speed);
+        greatest_speed = select(inside, max(greatest_speed, speed), greatest_speed);
+        front_squared = select(inside, max(front_squared, ox * ox + oy * oy), front_squared);
+        kinetic += select(inside, 0.5 * mass * (back_u * back_u + back_v * back_v), Number(0.0));
+        inside_volume += select(inside, mass, Number(0.0));
+    }
+
+    [[nodiscard, gnu::always_inline]] ParticleReport report() const {
+        ParticleReport r;
+        r.wave_speed = L::greatest(wave_speed);
+        r.speed = L::greatest(greatest_speed);
+        r.diffusivity = L::greatest(diffusivity);
+        r.front_squared = L::greatest(front_squared);
+        r.kinetic = L::sum(kinetic);
+        r.volume = L::sum(inside_volume);
+        r.longest = L::greatest(longest);
+        r.outside = L::total(outside);
+        r.non_finite = L::total(non_finite);
+        r.no_data = no_data;
+        r.clamped = L::total(clamped);
+        return r;
+    }
+};
+
+}  // namespace frana
