@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "particles/resample.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,51 +10,62 @@
 namespace frana {
 namespace {
 
-// A symmetric 2x2 matrix.
-struct Symmetric {
-    double xx, xy, yy;
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
 
-    [[nodiscard]] double largest() const {
-        const double mean = 0.5 * (xx + yy), half = 0.5 * (xx - yy);
-        return mean + std::sqrt(half * half + xy * xy);
-    }
-    // Whether it has no longer axis, but for rounding.
-    [[nodiscard]] bool round() const {
-        const double mean = 0.5 * (xx + yy);
-        return largest() - mean < 1e-9 * mean;
-    }
-    // Unit vector of the largest eigenvalue.
-    [[nodiscard]] Point axis() const {
-        const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
-        return {std::cos(angle), std::sin(angle)};
-    }
-};
-
-Symmetric shape_of(const ParticleRow& r) {
-    return {get(r, Field::q_xx), get(r, Field::q_xy), get(r, Field::q_yy)};
+// The squared extents of a particle, symmetric.
+Matrix2d shape_of(double xx, double xy, double yy) {
+    return (Matrix2d() << xx, xy, xy, yy).finished();
 }
 
-void set_shape(ParticleRow& r, Symmetric q) {
-    get(r, Field::q_xx) = q.xx;
-    get(r, Field::q_xy) = q.xy;
-    get(r, Field::q_yy) = q.yy;
+Matrix2d shape_of(const ParticleRow& r) {
+    return shape_of(get(r, Field::q_xx), get(r, Field::q_xy), get(r, Field::q_yy));
+}
+
+void set_shape(ParticleRow& r, const Matrix2d& q) {
+    get(r, Field::q_xx) = q(0, 0);
+    get(r, Field::q_xy) = q(0, 1);
+    get(r, Field::q_yy) = q(1, 1);
+}
+
+// In closed form: every particle asks for it.
+double largest_eigenvalue(const Matrix2d& q) {
+    const double half = 0.5 * (q(0, 0) - q(1, 1));
+    return 0.5 * q.trace() + std::sqrt(half * half + q(0, 1) * q(0, 1));
+}
+
+// Whether a shape has no longer axis, but for rounding.
+bool is_round(const Matrix2d& q) {
+    const double mean = 0.5 * q.trace();
+    return largest_eigenvalue(q) - mean < 1e-9 * mean;
+}
+
+// Unit vector of the largest eigenvalue.
+Vector2d long_axis(const Matrix2d& q) {
+    const double angle = 0.5 * std::atan2(2 * q(0, 1), q(0, 0) - q(1, 1));
+    return {std::cos(angle), std::sin(angle)};
+}
+
+// n^T Q n
+double squared_extent(const Matrix2d& q, const Vector2d& n) {
+    return n.x() * n.x() * q(0, 0) + 2 * n.x() * n.y() * q(0, 1) + n.y() * n.y() * q(1, 1);
 }
 
 // What merging looks at.
 struct Outline {
-    double x, y, volume;
-    Symmetric shape;
+    Vector2d place;
+    double volume;
+    Matrix2d shape;
 
     explicit Outline(const ParticleRow& r)
-        : x(get(r, Field::x)), y(get(r, Field::y)), volume(get(r, Field::volume)), shape(shape_of(r)) {}
+        : place(get(r, Field::x), get(r, Field::y)), volume(get(r, Field::volume)), shape(shape_of(r)) {}
 };
 
 // Shape of two particles as one. The covariance of a uniform box of extents Q is Q / 12.
-Symmetric merged_shape(const Outline& a, const Outline& b) {
+Matrix2d merged_shape(const Outline& a, const Outline& b) {
     const double wa = a.volume / (a.volume + b.volume), wb = 1 - wa;
-    const double dx = a.x - b.x, dy = a.y - b.y, apart = 12 * wa * wb;
-    return {wa * a.shape.xx + wb * b.shape.xx + apart * dx * dx, wa * a.shape.xy + wb * b.shape.xy + apart * dx * dy,
-            wa * a.shape.yy + wb * b.shape.yy + apart * dy * dy};
+    const Vector2d apart = a.place - b.place;
+    return wa * a.shape + wb * b.shape + (12 * wa * wb * apart) * apart.transpose();
 }
 
 // Two particles as one.
@@ -126,7 +138,7 @@ class TileResampler {
         const double *volume = particles_[Field::volume] + begin_, *area = particles_[Field::area] + begin_;
         const double limit = limits_.split_extent * limits_.cell_size;
         for (std::size_t p = 0; p < size_; ++p) {
-            if (!(Symmetric{q_xx[p], q_xy[p], q_yy[p]}.largest() > limit * limit)) continue;
+            if (!(largest_eigenvalue(shape_of(q_xx[p], q_xy[p], q_yy[p])) > limit * limit)) continue;
             if (volume[p] <= limits_.minimum_depth * area[p]) continue;
             if (counts_[cell_of(x[p], y[p])] < limits_.split_below) split_one(p);
         }
@@ -134,14 +146,14 @@ class TileResampler {
 
     void split_one(std::size_t p) {
         const ParticleRow r = row(p);
-        const Symmetric q = shape_of(r);
+        const Matrix2d q = shape_of(r);
         std::vector<ParticleRow> parts;
-        if (q.round()) {
+        if (is_round(q)) {
             // As long as wide: four quarters, so that no axis is preferred.
-            for (const ParticleRow& half : halves(r, {1, 0}))
-                for (const ParticleRow& quarter : halves(half, {0, 1})) parts.push_back(quarter);
+            for (const ParticleRow& half : halves(r, Vector2d::UnitX()))
+                for (const ParticleRow& quarter : halves(half, Vector2d::UnitY())) parts.push_back(quarter);
         } else {
-            parts = halves(r, q.axis());
+            parts = halves(r, long_axis(q));
         }
         const auto fits = [&](const ParticleRow& part) {
             const double x = get(part, Field::x), y = get(part, Field::y);
@@ -155,26 +167,27 @@ class TileResampler {
     }
 
     // The two halves of a particle along an axis (a unit vector).
-    [[nodiscard]] std::vector<ParticleRow> halves(ParticleRow r, Point axis) const {
-        const Symmetric q = shape_of(r);
-        const double length2 = axis.x * axis.x * q.xx + 2 * axis.x * axis.y * q.xy + axis.y * axis.y * q.yy;
+    [[nodiscard]] std::vector<ParticleRow> halves(ParticleRow r, const Vector2d& axis) const {
+        const Matrix2d q = shape_of(r);
+        const double length2 = squared_extent(q, axis);
         // Halves go at most half a cell away, which the sort's drift budget has room for.
-        const double quarter = std::min(0.25 * std::sqrt(length2), k_split_reach * limits_.cell_size),
-                     ox = quarter * axis.x, oy = quarter * axis.y;
-        const double du = get(r, Field::c_xx) * ox + get(r, Field::c_xy) * oy;
-        const double dv = get(r, Field::c_yx) * ox + get(r, Field::c_yy) * oy;
+        const double quarter = std::min(0.25 * std::sqrt(length2), k_split_reach * limits_.cell_size);
+        const Vector2d offset = quarter * axis;
+        const Matrix2d gradient = (Matrix2d() << get(r, Field::c_xx), get(r, Field::c_xy),  //
+                                   get(r, Field::c_yx), get(r, Field::c_yy))
+                                      .finished();
+        const Vector2d change = gradient * offset;
         get(r, Field::volume) *= 0.5;
         get(r, Field::area) *= 0.5;
         // Half the extent along the axis, the same across it.
-        const double along = 0.75 * length2;
-        set_shape(r, {q.xx - along * axis.x * axis.x, q.xy - along * axis.x * axis.y, q.yy - along * axis.y * axis.y});
+        set_shape(r, q - (0.75 * length2 * axis) * axis.transpose());
         std::vector<ParticleRow> both;
         for (const double side : {-1.0, 1.0}) {
             ParticleRow half = r;
-            get(half, Field::x) += side * ox;
-            get(half, Field::y) += side * oy;
-            get(half, Field::u) += side * du;
-            get(half, Field::v) += side * dv;
+            get(half, Field::x) += side * offset.x();
+            get(half, Field::y) += side * offset.y();
+            get(half, Field::u) += side * change.x();
+            get(half, Field::v) += side * change.y();
             both.push_back(half);
         }
         return both;
@@ -202,7 +215,7 @@ class TileResampler {
                 }
                 const std::size_t other = along[k + 1].second;
                 const ParticleRow a = row(one), b = row(other);
-                if (merged_shape(Outline(a), Outline(b)).largest() >= limit * limit) {
+                if (largest_eigenvalue(merged_shape(Outline(a), Outline(b))) >= limit * limit) {
                     cell.push_back(one);
                     continue;
                 }
@@ -260,9 +273,9 @@ class TileResampler {
                 std::size_t best_a = 0, best_b = 0;
                 for (std::size_t a = 0; a < cell.size(); ++a) {
                     for (std::size_t b = a + 1; b < cell.size(); ++b) {
-                        const Symmetric shape = merged_shape(outlines[a], outlines[b]);
-                        if (0.5 * (shape.xx + shape.yy) >= best) continue;  // the largest is no less than the mean
-                        const double length2 = shape.largest();
+                        const Matrix2d shape = merged_shape(outlines[a], outlines[b]);
+                        if (0.5 * shape.trace() >= best) continue;  // the largest is no less than the mean
+                        const double length2 = largest_eigenvalue(shape);
                         if (length2 < best) {
                             best = length2;
                             best_a = a;

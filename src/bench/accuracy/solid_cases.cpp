@@ -145,12 +145,12 @@ CaseFigures run_drag(double dt) {
         m.coupled_density = m.grain_density = 2400;
         const double lambda = laws.drag(m) * (1 / 1200.0 + 1 / 500.0);
         for (double t = 0; t < k_time - 0.5 * dt; t += dt) {
-            const Point impulse = exchange(laws, cell, dt);
-            cell.coupled_velocity.x += impulse.x / 1200;
-            cell.free_velocity.x -= impulse.x / 500;
+            const Eigen::Vector2d impulse = exchange(laws, cell, dt);
+            cell.coupled_velocity.x() += impulse.x() / 1200;
+            cell.free_velocity.x() -= impulse.x() / 500;
         }
         const double exact = exponent == 1 ? 2 * std::exp(-lambda * k_time) : 2 / (1 + 2 * lambda * k_time);
-        worst = std::max(worst, std::abs((cell.free_velocity.x - cell.coupled_velocity.x) / exact - 1));
+        worst = std::max(worst, std::abs((cell.free_velocity.x() - cell.coupled_velocity.x()) / exact - 1));
     }
     CaseFigures f = watch.figures(dt, 1, worst);
     f.own = {{"relative error of the relative velocity", worst, 1e-12}};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 
-#include "core/grid_spec.h"
 #include "models/structured/coupling/coupling_laws.h"
 
 namespace frana::structured {
@@ -15,10 +15,11 @@ struct CellPhases {
     double structured = 0;                      ///< f_sc
     double grain_diameter = 1e-3;               ///< d [m]
     double friction = 0;                        ///< greatest shear stress of the bed on the solids [Pa]
-    Point coupled_velocity, free_velocity;      ///< u_c before the step, u_u after the fluid's own [m/s]
-    Point push;  ///< acceleration of the solids by everything else than friction and fluid drag [m/s2]
-    Point
-        free_push;  ///< acceleration of the fluid by all that acts on it but drag: pressure, stress, resistance [m/s2]
+    Eigen::Vector2d coupled_velocity{0, 0};     ///< u_c before the step [m/s]
+    Eigen::Vector2d free_velocity{0, 0};        ///< u_u after the fluid's own [m/s]
+    Eigen::Vector2d push{0, 0};                 ///< acceleration of the solids by all but friction and drag [m/s2]
+    Eigen::Vector2d free_push{0, 0};            ///< acceleration of the fluid by all that acts on it but drag:
+                                                ///< pressure, stress, resistance [m/s2]
 };
 
 /// Impulse per unit area that the solids gain and the fluid loses over dt by virtual mass and drag [kg/(m s)].
@@ -27,28 +28,27 @@ struct CellPhases {
 /// resistance to the fluid included, so that it does nothing where neither speeds up: solids that the bed holds do not
 /// stir a fluid at rest, and a steady stream over them stays as it is. The drag is then solved exactly for the relative
 /// velocity w, with the reduced mass m_r = m_c m_u / (m_c + m_u) + m_v:  lambda = h C / m_r  (drag_decay).
-inline Point exchange(const CouplingLaws& laws, const CellPhases& cell, double dt) noexcept {
+inline Eigen::Vector2d exchange(const CouplingLaws& laws, const CellPhases& cell, double dt) noexcept {
+    using Eigen::Vector2d;
     const double fluid_density = laws.drag.fluid.density;
     const double coupled = cell.solids + cell.confined, depth = coupled + cell.free;
     const double m_c = cell.coupled_mass, m_u = fluid_density * cell.free;
-    if (!(m_c > 0 && cell.free > laws.dry)) return {};
+    if (!(m_c > 0 && cell.free > laws.dry)) return Vector2d::Zero();
     const double grain_density = (m_c - fluid_density * cell.confined) / cell.solids;
     const double alpha_c = coupled / depth, alpha_u = cell.free / depth;
 
-    Point next{cell.coupled_velocity.x + dt * cell.push.x, cell.coupled_velocity.y + dt * cell.push.y};
-    const double speed = std::hypot(next.x, next.y), loss = dt * cell.friction / m_c;
-    const double kept = speed > loss ? 1 - loss / speed : 0;
-    next = {kept * next.x, kept * next.y};
+    Vector2d next = cell.coupled_velocity + dt * cell.push;
+    const double speed = std::hypot(next.x(), next.y()), loss = dt * cell.friction / m_c;
+    next *= speed > loss ? 1 - loss / speed : 0;
 
     const double m_v = laws.virtual_mass(alpha_c, alpha_u, m_c, m_u, fluid_density / grain_density);
-    Point impulse;
+    Vector2d impulse = Vector2d::Zero();
     if (m_v > 0) {
-        impulse.x = dt * virtual_mass_force(m_v, m_c, m_u, cell.free_push.x - (next.x - cell.coupled_velocity.x) / dt);
-        impulse.y = dt * virtual_mass_force(m_v, m_c, m_u, cell.free_push.y - (next.y - cell.coupled_velocity.y) / dt);
+        const Vector2d apart = cell.free_push - (next - cell.coupled_velocity) / dt;
+        impulse = dt * virtual_mass_force(m_v, m_c, m_u, apart);
     }
     if (!laws.drags) return impulse;
-    const Point u_c{next.x + impulse.x / m_c, next.y + impulse.y / m_c};
-    const Point u_u{cell.free_velocity.x - impulse.x / m_u, cell.free_velocity.y - impulse.y / m_u};
+    const Vector2d u_c = next + impulse / m_c, u_u = cell.free_velocity - impulse / m_u;
     Mixture m;
     m.solids = cell.solids / depth;
     m.coupled = alpha_c;
@@ -58,14 +58,15 @@ inline Point exchange(const CouplingLaws& laws, const CellPhases& cell, double d
     m.grain_density = grain_density;
     m.grain_diameter = cell.grain_diameter;
     m.block_size = laws.block_size > 0 ? laws.block_size : depth;
-    m.flux = std::hypot(alpha_c * u_c.x + alpha_u * u_u.x, alpha_c * u_c.y + alpha_u * u_u.y);
-    const Point w{u_u.x - u_c.x, u_u.y - u_c.y};
+    const Vector2d flux = alpha_c * u_c + alpha_u * u_u;
+    m.flux = std::hypot(flux.x(), flux.y());
+    const Vector2d w = u_u - u_c;
     // While the drag acts the virtual mass joins the two: their momenta change by m_r w only, of which the bare masses
     // carry the share that a change of w means for them.
     const double bare = m_c * m_u / (m_c + m_u), reduced = bare + m_v;
     const double lambda = depth * laws.drag(m) / reduced;
-    const double lost = bare * (1 - drag_decay(laws.drag.exponent, lambda, std::hypot(w.x, w.y), dt));
-    return {impulse.x + lost * w.x, impulse.y + lost * w.y};
+    const double lost = bare * (1 - drag_decay(laws.drag.exponent, lambda, std::hypot(w.x(), w.y()), dt));
+    return impulse + lost * w;
 }
 
 }  // namespace frana::structured

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +35,8 @@ struct VirtualMass {
 ///     m_c a_c = m_c a_c0 + f,   m_u a_u = m_u a_u0 - f,   f = m_v (a_u - a_c)
 /// in closed form.
 /// @param apart a_u0 - a_c0: how the accelerations would differ without it [m/s2]
-inline double virtual_mass_force(double virtual_mass, double coupled_mass, double free_mass, double apart) noexcept {
+inline Eigen::Vector2d virtual_mass_force(double virtual_mass, double coupled_mass, double free_mass,
+                                          const Eigen::Vector2d& apart) noexcept {
     return virtual_mass * apart / (1 + virtual_mass * (1 / coupled_mass + 1 / free_mass));
 }
 
