@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mpm/along_bed.h"
 #include "mpm/node_grid.h"
 #include "mpm/node_tiles.h"
 #include "mpm/shape.h"
@@ -63,12 +64,8 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
         if (!(node.mass > 0) || column < k_ghost || row < k_ghost || column >= stride - k_ghost ||
             row >= rows - k_ghost || (solid && solid[i]))
             return;
-        double climb = 0;
-        if constexpr (Metric) {
-            const double* z = nodes.bed.data() + i;
-            climb = (node.u * (z[1] - z[-1]) + node.v * (z[stride] - z[-stride])) * half_inverse_dx;
-        }
-        const double speed = std::sqrt(node.u * node.u + node.v * node.v + climb * climb);
+        const double climb = Metric ? climb_at(nodes.bed.data() + i, stride, half_inverse_dx, node.u, node.v) : 0;
+        const double speed = speed_along_bed(node.u, node.v, climb);
         const BedState& bed = states[i];
         const double mass = density * bed.thickness, share = std::min(1.0, node.fraction);
         const BedContact contact{node.mass / (share * cell_area), speed,        mass * bed.resistance,

@@ -22,7 +22,6 @@ namespace frana {
 /// stress as the unknown. Sources: Coussot 1994, J. Hydraul. Res. 32, 535; Huang and Garcia 1998, J. Fluid
 /// Mech. 374, 305.
 struct HerschelBulkleyExcess {
-    static constexpr bool active = true;
     double density = 2000;    ///< [kg/m3]
     double yield_stress = 0;  ///< tau_Y [Pa]
     double consistency = 1;   ///< K [Pa s^m]

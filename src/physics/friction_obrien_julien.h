@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "physics/bed_state.h"
+#include "physics/friction_manning.h"
 
 namespace frana {
 
@@ -27,7 +27,7 @@ struct OBrienJulienFriction {
         const double d = bed.thickness;
         bed.yield += yield_stress / (density * d);
         bed.linear += laminar_resistance * viscosity / (8 * density * d * d);
-        bed.square += gravity * manning * manning / (d * std::cbrt(d));
+        bed.square += manning_resistance(gravity, manning, d);
     }
 };
 

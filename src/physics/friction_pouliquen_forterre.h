@@ -20,7 +20,6 @@ namespace frana {
 /// J. Fluid Mech. 453, 133 (the dynamic branch, Fr > beta; it is continued here to Fr = 0, without their
 /// hysteresis of starting); as mu(I): Jop, Forterre, Pouliquen 2006, Nature 441, 727.
 struct PouliquenForterreExcess {
-    static constexpr bool active = true;
     NodeValue slow_coefficient;     ///< mu_1 [-]
     double fast_coefficient = 0.6;  ///< mu_2 [-]
     double beta = 0.136;            ///< [-]

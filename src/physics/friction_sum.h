@@ -7,16 +7,19 @@
 
 namespace frana {
 
+/// What a speed `left` is to be divided by for s1 with b s1 + k s1^2 = left: backward Euler of what is linear (b = 1 +
+/// dt times it) and what is quadratic in the speed (k = dt times it).
+inline double implicit_divisor(double left, double b, double k) noexcept {
+    return 0.5 * (b + std::sqrt(b * b + 4 * k * left));
+}
+
 /// s1 with s1 + dt (linear s1 + square s1^2) = left, for left > 0: the polynomial part of backward Euler.
 inline double polynomial_speed(const BedState& bed, double left, double dt) noexcept {
-    const double b = 1 + dt * bed.linear, k = dt * bed.square;
-    return 2 * left / (b + std::sqrt(b * b + 4 * k * left));
+    return left / implicit_divisor(left, 1 + dt * bed.linear, dt * bed.square);
 }
 
 /// No law beyond the polynomial ones.
 struct NoExcess {
-    static constexpr bool active = false;
-
     [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left, double dt) const noexcept {
         return polynomial_speed(bed, left, dt);
     }

@@ -12,13 +12,20 @@ namespace frana {
 /// xi turbulence coefficient [m/s2], d thickness normal to the bed [m], s speed along the bed [m/s]. Range:
 /// xi > 0; infinite: off. Limits: nothing at speed zero; infinitely stiff for d -> 0, so it is applied
 /// implicitly. Source: Voellmy 1955; Fois, de Falco, Formaggia 2024, equation 2. Chezy's law is the same with
-/// xi = C^2.
+/// xi = C^2. This is the factor of s^2 [1/m].
+///
+/// @param inverse_turbulence 1 / xi
+inline double turbulent_resistance(double gravity, double inverse_turbulence, double thickness) noexcept {
+    return gravity * inverse_turbulence / thickness;
+}
+
+/// The turbulent part as a law of the sum.
 struct TurbulentFriction {
     double gravity = 9.81;  ///< [m/s2]
     NodeValue turbulence;   ///< xi [m/s2]
 
     void operator()(BedState& bed, std::size_t node) const noexcept {
-        bed.square += gravity / (turbulence.at(node) * bed.thickness);
+        bed.square += turbulent_resistance(gravity, 1 / turbulence.at(node), bed.thickness);
     }
 };
 

@@ -47,11 +47,9 @@ StructuredFlow::Column StructuredFlow::column(std::size_t cell) const noexcept {
 double StructuredFlow::along_bed(std::size_t cell, double u, double v) const noexcept {
     double climb = 0;
     if (laws_.fluid.steep) {
-        const auto up = static_cast<std::size_t>(state_.grid.stride());
-        const std::vector<double>& bed = state_.grid.bed;
-        climb = (u * (bed[cell + 1] - bed[cell - 1]) + v * (bed[cell + up] - bed[cell - up])) / (2 * grid_.cell_size);
+        climb = climb_at(state_.grid.bed.data() + cell, state_.grid.stride(), 0.5 / grid_.cell_size, u, v);
     }
-    return std::sqrt(u * u + v * v + climb * climb);
+    return speed_along_bed(u, v, climb);
 }
 
 double StructuredFlow::fluid_speed(std::size_t cell) const {

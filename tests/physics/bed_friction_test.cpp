@@ -61,8 +61,8 @@ TEST(TurbulentFriction, IsVoellmysSecondPartAndChezysLaw) {
 
 // The sum of Coulomb's and the turbulent part is the law that scenes with Voellmy alone run with.
 TEST(TurbulentFriction, WithCoulombIsTheUniformVoellmyLaw) {
-    const VoellmyFriction uniform{0.2, 1 / 400.0, 150 / k_density};
-    BedState bed = bed_under(CoulombFriction{{0.2}, 1, 150 / k_density});
+    const VoellmyFriction uniform{0.2, 1 / 400.0};
+    BedState bed = bed_under(CoulombFriction{{0.2}});
     TurbulentFriction{k_gravity, {400}}(bed, 0);
     for (const double s0 : {0.01, 0.5, 3.0, 60.0}) {
         EXPECT_NEAR(speed_after_friction(bed, 0, NoExcess{}, s0, 0.05),

@@ -184,8 +184,7 @@ Parameter source(const std::string& name, Member member, const std::string& unit
 /// A list whose words come from a fixed set; a word in `alone` must stand by itself.
 template <class Member>
 Parameter word_list(const std::string& name, Member member, const std::vector<std::string>& alone,
-                    const std::vector<std::string>& words, const std::string& meaning,
-                    const std::vector<std::string>& not_yet = {}) {
+                    const std::vector<std::string>& words, const std::string& meaning) {
     Parameter result = parameter(
         name, "list", member,
         [=](std::vector<std::string>& target, const std::string& value) -> std::optional<Refusal> {
@@ -195,7 +194,6 @@ Parameter word_list(const std::string& name, Member member, const std::vector<st
             const std::vector<std::string> given = words_of(value);
             if (given.empty()) return Refusal{"names nothing", ""};
             for (const std::string& word : given) {
-                if (is_in(not_yet, word)) return Refusal{"'" + word + "' is not available in this version", ""};
                 if (is_in(alone, word) && given.size() > 1) return Refusal{"'" + word + "' must stand alone", ""};
                 if (!is_in(alone, word) && !is_in(words, word)) return Refusal{"'" + word + "' is not known", ""};
             }
@@ -206,7 +204,6 @@ Parameter word_list(const std::string& name, Member member, const std::vector<st
     std::vector<std::string> all = alone;
     all.insert(all.end(), words.begin(), words.end());
     result.limits = joined(all, ", ");
-    if (!not_yet.empty()) result.limits += " (not available yet: " + joined(not_yet, ", ") + ")";
     result.meaning = meaning;
     return result;
 }

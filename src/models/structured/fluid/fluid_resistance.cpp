@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "models/structured/fluid/fluid_step.h"
+#include "mpm/along_bed.h"
+#include "physics/friction_manning.h"
+#include "physics/friction_sum.h"
 
 namespace frana::structured {
 
@@ -13,7 +16,7 @@ bool has_viscosity(const FluidLaws& laws) {
 }
 
 bool has_resistance(const FluidLaws& laws) {
-    return laws.manning > 0 || !laws.manning_by_cell.empty() || laws.viscosity > 0;
+    return laws.manning > 0 || laws.viscosity > 0;
 }
 
 double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcept {
@@ -25,7 +28,6 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
             const SolidLayer& solid, double dt, FluidFields& fields) {
     const bool enhanced = solid.u != nullptr && laws.mobility > 0 && laws.viscosity > 0;
     const double half_inverse = 0.5 / nodes.cell_size();
-    const auto up = static_cast<std::size_t>(nodes.stride());
     range.for_each(nodes.stride(), [&](std::size_t cell, std::int64_t, std::int64_t) {
         const double h = fields.depth[cell];
         if (h < laws.dry || state.cell_kind[cell] != k_fluid_cell) return;
@@ -50,18 +52,13 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
         u += dt * pull_u;
         v += dt * pull_v;
         // Quadratic: Manning, along the bed. The speed V after the step solves V (1 + dt linear + dt a V) = V*.
-        const double n = laws.manning_by_cell.empty() ? laws.manning : laws.manning_by_cell[cell];
-        double speed = u * u + v * v, thickness = laws.manning_on_total ? total : h;
+        double climb = 0, thickness = laws.manning_on_total ? total : h;
         if (laws.steep) {
-            const double climb = half_inverse * (u * (nodes.bed[cell + 1] - nodes.bed[cell - 1]) +
-                                                 v * (nodes.bed[cell + up] - nodes.bed[cell - up]));
-            speed += climb * climb;
+            climb = climb_at(nodes.bed.data() + cell, nodes.stride(), half_inverse, u, v);
             thickness *= std::sqrt(state.slope_factor[cell]);
         }
-        speed = std::sqrt(speed);
-        const double a = dt * laws.gravity * n * n / (thickness * std::cbrt(thickness));
-        const double b = 1 + dt * linear;
-        const double kept = 2 / (b + std::sqrt(b * b + 4 * a * speed));
+        const double a = manning_resistance(dt * laws.gravity, laws.manning, thickness);
+        const double kept = 1 / implicit_divisor(speed_along_bed(u, v, climb), 1 + dt * linear, a);
         fields.qx[cell] = h * u * kept;
         fields.qy[cell] = h * v * kept;
     });

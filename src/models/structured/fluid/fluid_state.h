@@ -49,14 +49,13 @@ struct FluidLaws {
     bool gaps_are_open = true;  ///< flow may enter cells without terrain (and is counted); false: walls
     double manning = 0;         ///< n [s/m^(1/3)]
     bool manning_on_total =
-        false;  ///< R_n by the depth of solids and fluid together (paper, equation 46), not the fluid's
-    std::vector<double> manning_by_cell;  ///< padded; empty: manning everywhere
-    double density = 1000;                ///< rho_u [kg/m3]
-    double viscosity = 0;                 ///< a_eta: eta = a_eta exp(b_eta alpha_s) [Pa s]; 0: no viscous term
-    double viscosity_growth = 10;         ///< b_eta [-]
-    double velocity_shape = 3;            ///< chi: bed shear by viscosity, chi nu u / h^2 [-]
-    double mobility = 1;                  ///< A of the enhanced non-Newtonian stress [-]; 0: off
-    double solids_shape = 2;              ///< zeta: damping by the vertical profile of solids [-]
+        false;              ///< R_n by the depth of solids and fluid together (paper, equation 46), not the fluid's
+    double density = 1000;  ///< rho_u [kg/m3]
+    double viscosity = 0;   ///< a_eta: eta = a_eta exp(b_eta alpha_s) [Pa s]; 0: no viscous term
+    double viscosity_growth = 10;  ///< b_eta [-]
+    double velocity_shape = 3;     ///< chi: bed shear by viscosity, chi nu u / h^2 [-]
+    double mobility = 1;           ///< A of the enhanced non-Newtonian stress [-]; 0: off
+    double solids_shape = 2;       ///< zeta: damping by the vertical profile of solids [-]
 };
 
 /// Everything of the fluid that changes while it runs.

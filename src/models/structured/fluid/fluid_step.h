@@ -32,9 +32,4 @@ FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& l
 /// Fluid inside [m3], summed tile by tile over what was ever wet.
 double fluid_volume(const FluidState& state, const NodeGrid& nodes, ThreadPool& pool);
 
-/// Velocity of a cell [m/s]; zero under the dry depth.
-inline double fluid_velocity(double depth, double discharge, double dry) noexcept {
-    return depth >= dry ? discharge / depth : 0;
-}
-
 }  // namespace frana::structured

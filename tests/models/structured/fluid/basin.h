@@ -52,18 +52,21 @@ struct Basin {
                             (static_cast<double>(j) + 0.5) * nodes.cell_size()},
                       nodes.index(i, j));
     }
+    /// Velocity of a cell [m/s]; zero under the dry depth.
+    [[nodiscard]] double velocity(double depth, double discharge) const {
+        return depth >= laws.dry ? discharge / depth : 0;
+    }
     [[nodiscard]] double depth(std::int64_t i, std::int64_t j) const { return state.now.depth[nodes.index(i, j)]; }
     [[nodiscard]] double u(std::int64_t i, std::int64_t j) const {
         const std::size_t cell = nodes.index(i, j);
-        return fluid_velocity(state.now.depth[cell], state.now.qx[cell], laws.dry);
+        return velocity(state.now.depth[cell], state.now.qx[cell]);
     }
     /// Greatest speed of any cell [m/s].
     [[nodiscard]] double greatest_speed() const {
         double greatest = 0;
         for_cells([&](Point, std::size_t cell) {
             const double h = state.now.depth[cell];
-            const double speed = std::hypot(fluid_velocity(h, state.now.qx[cell], laws.dry),
-                                            fluid_velocity(h, state.now.qy[cell], laws.dry));
+            const double speed = std::hypot(velocity(h, state.now.qx[cell]), velocity(h, state.now.qy[cell]));
             if (!(speed <= greatest)) greatest = speed;
         });
         return greatest;
