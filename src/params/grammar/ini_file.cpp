@@ -24,10 +24,10 @@ std::vector<IniEntry> read_ini(const std::string& path) {
     if (std::filesystem::is_directory(path, ignored))
         throw Error(ErrorKind::input, Problem{"is a folder, not a file", path, "", "", "Name the .ini file in it"});
     if (std::filesystem::is_other(path, ignored))
-        throw Error(ErrorKind::input, Problem{"is no regular file", path, "", "",
-                                              "Copy what the FIFO, device or socket holds into a file"});
+        throw Error(ErrorKind::input, Problem{"is not a regular file", path, "", "",
+                                              "Copy the content of the FIFO, device or socket into a file"});
     if (const auto bytes = std::filesystem::file_size(path, ignored); !ignored && bytes > k_most_bytes)
-        throw Error(ErrorKind::input, Problem{"is too long to be a scene", path, std::to_string(bytes) + " bytes",
+        throw Error(ErrorKind::input, Problem{"is too long for a scene", path, std::to_string(bytes) + " bytes",
                                               "up to " + std::to_string(k_most_bytes), "A scene is an INI file"});
     std::ifstream file(path, std::ios::binary);
     if (!file)

@@ -23,27 +23,28 @@ template <class Layer>
 void add_layer_choice(std::vector<Parameter>& list, const std::string& key, Layer layer) {
     insert(list, text(
                      key + "-layer", [=](auto& scene) -> auto& { return layer(scene).name; }, "text",
-                     "Layer to read where the file holds several.", "the only one with areas"));
+                     "Layer to read if the file contains several.", "the only one with areas"));
     insert(list, text(
                      key + "-filter", [=](auto& scene) -> auto& { return layer(scene).filter; }, "text",
                      "Condition on the attributes, as in SQL: kind = 'scar' AND year > 2000.", "all features"));
     insert(list, text(
                      key + "-crs", [=](auto& scene) -> auto& { return layer(scene).crs; }, "text",
-                     "CRS where the file names none or a wrong one.", "the file's own"));
+                     "CRS, if the file names none or a wrong one.", "the file's own"));
 }
 
 }  // namespace
 
 void add_input_parameters(std::vector<Parameter>& list) {
-    insert(list, number(
-                     "terrain.nodata-value", [](auto& scene) -> auto& { return scene.terrain.nodata_value; }, "",
-                     Range{-1e300, 1e300}, "One more stored value that means no elevation, such as 0 around the edge.",
-                     "only what the file declares"));
+    insert(list,
+           number(
+               "terrain.nodata-value", [](auto& scene) -> auto& { return scene.terrain.nodata_value; }, "",
+               Range{-1e300, 1e300}, "Additional stored value that means no elevation, such as 0 around the edge.",
+               "only what the file declares"));
     add_layer_choice(
         list, "release.perimeter", [](auto& scene) -> auto& { return scene.release.perimeter_layer; });
     insert(list, text(
                      "release.thickness-crs", [](auto& scene) -> auto& { return scene.release.thickness_crs; }, "text",
-                     "CRS of the thickness rasters where they name none or a wrong one.", "the files' own"));
+                     "CRS of the thickness rasters, if they name none or a wrong one.", "the files' own"));
     add_layer_choice(
         list, "scar.perimeter", [](auto& scene) -> auto& { return scene.scar.perimeter_layer; });
 }

@@ -53,7 +53,7 @@ Parameter scheme_parameter() {
         },
         [](const std::string& value) { return value; });
     result.limits = joined(schemes, ", ");
-    result.meaning = "Scheme of intensity classes for hazard.tif; share/doc/hazard.md tells their sources.";
+    result.meaning = "Scheme of intensity classes for hazard.tif; sources in share/doc/hazard.md.";
     result.absent = "no classes";
     return result;
 }
@@ -62,8 +62,8 @@ Parameter scheme_parameter() {
 
 void add_extra_output(std::vector<Parameter>& list) {
     list.push_back(choice("output.names", FRANA_MEMBER(output.names), {"frana", "avaframe"},
-                          "avaframe: also peakFiles/ with pressure, thickness normal to the slope and speed under "
-                          "AvaFrame's names."));
+                          "avaframe: also write peakFiles/ with pressure, thickness normal to the slope and speed "
+                          "under AvaFrame's names."));
     list.push_back(on_off("output.report", FRANA_MEMBER(output.report),
                           "Write report.html: maps, parameters, inputs, results and warnings in one file."));
     list.push_back(text("output.gauges", FRANA_MEMBER(output.gauges), "file",
@@ -73,28 +73,28 @@ void add_extra_output(std::vector<Parameter>& list) {
     list.push_back(number("output.sample-interval", FRANA_MEMBER(output.sample_interval), "s", Range{0, 1e6, true},
                           "Simulated time between rows of gauges and cross-sections.", "every step"));
     list.push_back(text("output.profiles", FRANA_MEMBER(output.profiles), "file",
-                        "Lines along which profiles of the results are written, in their own CRS; the flow path's "
-                        "is always written.",
+                        "Lines along which profiles of the results are written, in their own CRS; the profile along "
+                        "the flow path is always written.",
                         "none"));
 }
 
 void add_hazard(std::vector<Parameter>& list) {
     list.push_back(scheme_parameter());
     list.push_back(rising_numbers("hazard.depth-limits", FRANA_MEMBER(hazard.depth_limits), "m",
-                                  "Scheme custom: greatest depths beyond which the class rises by one each."));
+                                  "Scheme custom: limits of the maximum depth; the class rises by one at each."));
     list.push_back(rising_numbers("hazard.velocity-limits", FRANA_MEMBER(hazard.velocity_limits), "m/s",
-                                  "Scheme custom: the same for the greatest speed."));
+                                  "Scheme custom: the same for the maximum speed."));
     list.push_back(rising_numbers("hazard.flux-limits", FRANA_MEMBER(hazard.flux_limits), "m2/s",
-                                  "Scheme custom: the same for the greatest depth times speed at one moment."));
+                                  "Scheme custom: the same for the maximum of depth times speed at one moment."));
     list.push_back(rising_numbers("hazard.pressure-limits", FRANA_MEMBER(hazard.pressure_limits), "kPa",
-                                  "Scheme custom: the same for the greatest dynamic pressure."));
+                                  "Scheme custom: the same for the maximum dynamic pressure."));
 }
 
 void add_survey(std::vector<Parameter>& list) {
     list.push_back(text("scar.front", FRANA_MEMBER(scar.front), "file",
                         "Surveyed lines of a front, or points of a deposit's tip, in their own CRS.", "no comparison"));
     list.push_back(text("scar.deposit", FRANA_MEMBER(scar.deposit), "file",
-                        "Surveyed deposit: polygons, or a raster of elevation after less before.", "no comparison"));
+                        "Surveyed deposit: polygons, or a raster of elevation after minus before.", "no comparison"));
 }
 
 }  // namespace frana

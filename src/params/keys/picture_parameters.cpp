@@ -35,10 +35,11 @@ void add_pictures(std::vector<Parameter>& list) {
                                    "Write for example 1600x1200 or A4@300",
                                    "Size of maps, views and charts, in pixels or as a page.",
                                    [](const std::string& value) { return size_from_text(value).has_value(); }));
-    list.push_back(word_list("output.map-formats", FRANA_MEMBER(output.map_formats), {}, {"png", "pdf", "tif"},
-                             "Files of each map: picture, geospatial PDF page, GeoTIFF of what is inside the frame."));
+    list.push_back(
+        word_list("output.map-formats", FRANA_MEMBER(output.map_formats), {}, {"png", "pdf", "tif"},
+                  "File formats of each map: picture, geospatial PDF page, GeoTIFF of the area inside the frame."));
     list.push_back(choice("output.map-legend", FRANA_MEMBER(output.map_legend), {"classed", "continuous"},
-                          "Colours in classes, or running through."));
+                          "Colours in classes, or continuous."));
     list.push_back(text("output.map-background", FRANA_MEMBER(output.map_background), "file",
                         "Orthophoto or topographic raster (bytes) under maps and views, in its own CRS.",
                         "shaded relief"));
@@ -46,15 +47,15 @@ void add_pictures(std::vector<Parameter>& list) {
                         "Sources of the data and author, at the foot of every picture.", "the program alone"));
     list.push_back(text("output.title", FRANA_MEMBER(output.title), "text", "Title of the maps.", "the scene's name"));
     list.push_back(number("output.view-exaggeration", FRANA_MEMBER(output.view_exaggeration), "", Range{0.1, 20},
-                          "Factor of heights in 3-D views."));
+                          "Vertical exaggeration of 3-D views."));
     list.push_back(choice("output.view-background", FRANA_MEMBER(output.view_background), {"sky", "plain"},
-                          "Behind the terrain of 3-D views: a blue sky, or white."));
+                          "Background of 3-D views: a blue sky, or white."));
     list.push_back(understood_text(
         "output.view-camera", FRANA_MEMBER(output.view_camera), k_cameras, "Write for example 210, 30, 1.5",
-        "Camera of 3-D views: direction of looking [degrees from grid north], angle downwards [degrees], zoom.",
-        [](const std::string& value) { return camera_from_text(value).has_value(); }, "found from the flow's path"));
+        "Camera of 3-D views: viewing direction [degrees from grid north], downward angle [degrees], zoom.",
+        [](const std::string& value) { return camera_from_text(value).has_value(); }, "from the flow path"));
     list.push_back(on_off("output.charts", FRANA_MEMBER(output.charts),
-                          "Draw charts, unless maps are off: profiles, series over time, scores over the threshold."));
+                          "Draw charts, unless maps are off: profiles, time series, scores over the threshold."));
 }
 
 }  // namespace frana

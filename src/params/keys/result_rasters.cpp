@@ -57,11 +57,11 @@ std::vector<ResultRaster> make_table() {
     table.add("release", Kind::given, "Thickness released", "Thickness released, vertical", "m", "depth", k_progressive)
         .is_surface = true;
     table.add("dtm", Kind::given, "Terrain", "Terrain on the working grid", "m", "", k_even);
-    table.add("bed", Kind::given, "Bed", "Bed that was slid over", "m", "", k_even);
+    table.add("bed", Kind::given, "Bed", "Sliding surface", "m", "", k_even);
 
     table.when("with `[hazard] scheme`", [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table.add("hazard", Kind::classes, "Intensity", "Classes of intensity", "", "depth", k_even);
-    table.when("with a hazard scheme that looks at it",
+    table.when("with a hazard scheme that uses it",
                [](const SceneSpec& scene) { return scene.hazard.scheme.has_value(); });
     table
         .flow("max_flux", "Maximum flux", "Maximum over time of depth times speed at one moment", "m2/s", "velocity",
@@ -98,15 +98,14 @@ std::vector<ResultRaster> make_table() {
     phase("fluid_depth", "Depth of free fluid", "Depth of the free fluid, vertical", "m", "depth", k_progressive);
     phase("solid_depth", "Depth of solids", "Depth of solids without their fluid, vertical", "m", "depth",
           k_progressive);
-    phase("solid_fraction", "Solid fraction", "Share of solids in everything that lies in the cell", "-", "depth",
-          k_even);
+    phase("solid_fraction", "Solid fraction", "Fraction of solids in all material of the cell", "-", "depth", k_even);
     phase("cohesion_ratio", "Cohesion left", "Cohesion over initial cohesion, mean of the solids", "-", "depth",
           k_even);
     phase("strain", "Strain", "Greatest strain in the plane since the start, mean of the solids", "-", "depth",
           k_progressive);
     phase("solid_velocity", "Velocity of the solids", "Speed of solids and confined fluid, along the bed", "m/s",
           "velocity", k_even);
-    phase("released_water", "Released fluid", "Confined fluid that the structure has set free here", "m", "depth",
+    phase("released_water", "Released fluid", "Confined fluid released by the solids in the cell", "m", "depth",
           k_progressive);
 
     table.by("compare", "with a surveyed outline");

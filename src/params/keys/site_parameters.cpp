@@ -61,9 +61,9 @@ Parameter thickness_parameter() {
         "a number greater than 0, attribute:NAME, raster:FILE, difference:PRE,POST, slip-surface:FILE, "
         "slip-surface, phases:SOLIDS,FLUID";
     result.meaning =
-        "Thickness of what fails: one number, a column of the perimeter, a raster, a DTM before less one "
-        "after, the DTM above a raster of the slip surface's elevation, or above one fitted to each polygon; of the "
-        "structured model, rasters of the depths of solids and of fluid, whose sum it is.";
+        "Thickness of the release: one number, a column of the perimeter, a raster, a DTM before minus one after, the "
+        "DTM minus a raster of the slip surface's elevation, or minus one fitted to each polygon; structured model: "
+        "the sum of two rasters, depths of solids and of fluid.";
     result.absent = "required, unless there is an inflow";
     result.map_files = [](SceneSpec& scene, const FileMap& map) {
         if (!scene.release.thickness) return;
@@ -86,27 +86,28 @@ Parameter zone(const std::string& key, Member member, const std::string& unit, R
 
 void add_terrain(std::vector<Parameter>& list) {
     list.push_back(text("terrain.dtm", FRANA_MEMBER(terrain.dtm), "file",
-                        "Digital terrain model: any raster GDAL reads, elevations in its first band.", "required"));
+                        "Digital terrain model: any raster that GDAL reads, with elevations in its first band.",
+                        "required"));
     list.push_back(text("terrain.crs", FRANA_MEMBER(terrain.crs), "text",
-                        "Working CRS, projected, in metres (EPSG:32632, WKT, PROJ); auto: the DTM's own if it is one, "
-                        "else the UTM zone it lies in; local: plain metres without a CRS."));
+                        "Working CRS, projected, in metres (EPSG:32632, WKT, PROJ); auto: the DTM's own if it is "
+                        "projected in metres, otherwise the local UTM zone; local: plain metres without a CRS."));
     list.push_back(text("terrain.dtm-crs", FRANA_MEMBER(terrain.dtm_crs), "text",
-                        "CRS of the DTM where its file names none or a wrong one.", "the file's own"));
+                        "CRS of the DTM, if its file names none or a wrong one.", "the file's own"));
     list.push_back(number("terrain.cell-size", FRANA_MEMBER(terrain.cell_size), "m", Range{0.01, 1000},
-                          "Side of the working grid's cells.", "the DTM's own"));
+                          "Cell size of the working grid.", "the DTM's own"));
     list.push_back(bounds_parameter());
     list.push_back(choice("terrain.nodata-policy", FRANA_MEMBER(terrain.nodata_policy), {"stop", "wall", "fill"},
-                          "Flow that reaches ground without elevation: end the run, meet a wall, or cross a bed "
-                          "interpolated there beforehand."));
+                          "Where the flow reaches ground without elevation: end the run, treat it as a wall, or "
+                          "interpolate the bed beforehand."));
     list.push_back(choice("terrain.vertical-unit", FRANA_MEMBER(terrain.vertical_unit),
                           {"auto", "metre", "foot", "us-survey-foot"},
-                          "Unit of the DTM's elevations; auto: as the file says, metres where it says nothing."));
+                          "Unit of the DTM's elevations; auto: as stated in the file, otherwise metres."));
     list.push_back(choice("terrain.resampling", FRANA_MEMBER(terrain.resampling),
                           {"automatic", "nearest", "bilinear", "cubic", "average"},
-                          "How the DTM comes onto the working grid; automatic: copied where the cells coincide, "
+                          "Resampling of the DTM to the working grid; automatic: copied if the cells coincide, "
                           "averaged to coarser cells, bilinear to finer ones."));
     list.push_back(text("terrain.friction-zones", FRANA_MEMBER(terrain.friction_zones), "file",
-                        "Polygons with material values of their own, in their own CRS; [zones] names the columns.",
+                        "Polygons with different material values, in their own CRS; [zones] names the columns.",
                         "none"));
     list.push_back(text("terrain.obstacles", FRANA_MEMBER(terrain.obstacles), "file",
                         "Polygons of dams, fills and embankments that raise the bed, in their own CRS.", "none"));
@@ -114,54 +115,52 @@ void add_terrain(std::vector<Parameter>& list) {
                           {Kind::number, Kind::attribute}, "Height of the obstacles above the DTM.",
                           "required with terrain.obstacles"));
     list.push_back(text("terrain.walls", FRANA_MEMBER(terrain.walls), "file",
-                        "Polygons of buildings and walls that no flow overtops, in their own CRS.", "none"));
+                        "Polygons of buildings and walls that the flow cannot overtop, in their own CRS.", "none"));
 }
 
 void add_release(std::vector<Parameter>& list) {
-    list.push_back(
-        text("release.perimeter", FRANA_MEMBER(release.perimeter), "file",
-             "Outline of what fails: any polygon layer OGR reads, in its own CRS; FILE|layer=NAME picks one.",
-             "required, unless thickness comes from rasters: then where that is positive"));
+    list.push_back(text("release.perimeter", FRANA_MEMBER(release.perimeter), "file",
+                        "Outline of the release area: any polygon layer that OGR reads, in its own CRS; "
+                        "FILE|layer=NAME selects a layer.",
+                        "required, unless thickness comes from rasters: then where it is positive"));
     list.push_back(thickness_parameter());
     list.push_back(choice("release.thickness-direction", FRANA_MEMBER(release.thickness_direction),
                           {"vertical", "normal"},
-                          "Direction in which the thickness was measured: plumb, or normal to "
-                          "the slope."));
+                          "Direction in which the thickness is measured: vertical, or normal to the slope."));
     list.push_back(on_off("release.dtm-contains-release", FRANA_MEMBER(release.dtm_contains_release),
-                          "on: the DTM is the ground before the failure and the bed lies under the release; off: the "
+                          "on: the DTM is the ground before the failure, and the bed lies under the release; off: the "
                           "release lies on top of the DTM."));
-    list.push_back(source("release.volume", FRANA_MEMBER(release.volume), "m3", Range{0, 1e12, true},
-                          {Kind::number, Kind::attribute},
-                          "Volume to match: thicknesses are scaled until the whole release, or each polygon of its "
-                          "own, holds it.",
-                          "what the thickness gives"));
+    list.push_back(source(
+        "release.volume", FRANA_MEMBER(release.volume), "m3", Range{0, 1e12, true}, {Kind::number, Kind::attribute},
+        "Volume of the release: thicknesses are scaled so that the whole release, or each polygon, has this volume.",
+        "from the thickness"));
     list.push_back(source("release.start", FRANA_MEMBER(release.start), "s", Range{0, 1e6},
-                          {Kind::number, Kind::attribute}, "When it fails.", "0"));
+                          {Kind::number, Kind::attribute}, "Time of failure.", "0"));
     list.push_back(source("release.velocity", FRANA_MEMBER(release.velocity), "m/s", Range{0, 200},
-                          {Kind::number, Kind::attribute}, "Speed along the bed at the start.", "0"));
-    list.push_back(source("release.direction", FRANA_MEMBER(release.direction), "degrees", Range{0, 360},
-                          {Kind::number, Kind::attribute}, "Azimuth of that velocity, clockwise from grid north.",
-                          "down the mean slope of each polygon"));
-    list.push_back(source("release.slip-depth", FRANA_MEMBER(release.slip_depth), "m", Range{0, 1000, true},
-                          {Kind::number, Kind::attribute},
-                          "Greatest depth of a fitted slip surface under the surface that spans the perimeter; this "
-                          "or release.volume.",
-                          "from release.volume"));
+                          {Kind::number, Kind::attribute}, "Initial speed along the bed.", "0"));
+    list.push_back(source(
+        "release.direction", FRANA_MEMBER(release.direction), "degrees", Range{0, 360}, {Kind::number, Kind::attribute},
+        "Azimuth of the initial velocity, clockwise from grid north.", "down the mean slope of each polygon"));
+    list.push_back(source(
+        "release.slip-depth", FRANA_MEMBER(release.slip_depth), "m", Range{0, 1000, true},
+        {Kind::number, Kind::attribute},
+        "Greatest depth of a fitted slip surface below the surface that spans the perimeter; this or release.volume.",
+        "from release.volume"));
     list.push_back(choice("release.slip-shape", FRANA_MEMBER(release.slip_shape), {"auto", "ellipsoid", "base-level"},
-                          "Form of a fitted slip surface; auto: ellipsoid, where a polygon cannot be seen whole from "
-                          "its centroid the sloping local base level."));
+                          "Shape of a fitted slip surface; auto: ellipsoid if the whole perimeter is visible from its "
+                          "centroid, otherwise sloping local base level."));
 }
 
 void add_inflow(std::vector<Parameter>& list) {
     list.push_back(text("inflow.line", FRANA_MEMBER(inflow.line), "file",
-                        "Lines through which material flows in: any OGR layer, in its own CRS.", "none"));
+                        "Lines of inflow: any layer that OGR reads, in its own CRS.", "none"));
     list.push_back(text("inflow.hydrograph", FRANA_MEMBER(inflow.hydrograph), "file",
-                        "CSV with the columns time, discharge or volume, and velocity; attribute:NAME: a column of "
-                        "the lines that names each one's own.",
+                        "CSV with the columns time, discharge or volume, and velocity; attribute:NAME: a column of the "
+                        "lines with a file for each.",
                         "required with inflow.line"));
     list.push_back(number("inflow.direction", FRANA_MEMBER(inflow.direction), "degrees", Range{0, 360},
                           "Azimuth of the inflow, clockwise from grid north.",
-                          "normal to the line, to its lower side"));
+                          "normal to the line, towards its lower side"));
 }
 
 void add_zones(std::vector<Parameter>& list) {
@@ -174,8 +173,9 @@ void add_zones(std::vector<Parameter>& list) {
     list.push_back(zone("cohesion", FRANA_MEMBER(zones.cohesion), "Pa", Range{0, 1e6}, "Bed cohesion by place."));
     list.push_back(zone("erodible-depth", FRANA_MEMBER(zones.erodible_depth), "m", Range{0, 1000},
                         "Thickness of the erodible layer by place."));
-    list.push_back(choice("zones.beyond-dtm", FRANA_MEMBER(zones.beyond_dtm), {"stop", "clip"},
-                          "Zone polygons that reach beyond the working grid: refuse them, or use what lies on it."));
+    list.push_back(
+        choice("zones.beyond-dtm", FRANA_MEMBER(zones.beyond_dtm), {"stop", "clip"},
+               "Zone polygons that reach beyond the working grid: refuse them, or use the part on the grid."));
 }
 
 }  // namespace frana

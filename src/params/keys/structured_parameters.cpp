@@ -30,41 +30,38 @@ void add_fluid(std::vector<Parameter>& list) {
     list.push_back(number("structured.manning", FRANA_MEMBER(structured.manning), "s/m^(1/3)", Range{0, 1},
                           "Manning's n of the ground under free fluid; 0: smooth."));
     list.push_back(choice("structured.manning-depth", FRANA_MEMBER(structured.manning_depth), {"free", "total"},
-                          "The depth that Manning's law reads where there are solids: the free fluid's, or "
-                          "that of everything."));
-    list.push_back(by_place("structured.initial-fluid-depth", FRANA_MEMBER(structured.initial_fluid_depth), "m",
-                            Range{0, 1000},
-                            "Depth of free fluid that lies on the ground or on the solids at the start, "
-                            "besides what is released.",
-                            "none"));
+                          "Depth in Manning's law where there are solids: of the free fluid, or of solids and fluid."));
+    list.push_back(by_place(
+        "structured.initial-fluid-depth", FRANA_MEMBER(structured.initial_fluid_depth), "m", Range{0, 1000},
+        "Depth of free fluid on the ground or on the solids at the start, in addition to the release.", "none"));
     list.push_back(number("structured.dry-depth", FRANA_MEMBER(structured.dry_depth), "m", Range{1e-8, 0.1},
-                          "Depth under which free fluid does not move."));
+                          "Depth below which free fluid does not move."));
 }
 
 void add_solids(std::vector<Parameter>& list) {
     list.push_back(by_place("structured.solid-fraction", FRANA_MEMBER(structured.solid_fraction), "", Range{0, 1, true},
-                            "Share of solids in the volume released; the rest is fluid."));
-    list.push_back(by_place("structured.confined-share", FRANA_MEMBER(structured.confined_share), "", Range{0, 1},
-                            "Share of that fluid which the structure confines; the rest is free from the start."));
+                            "Volume fraction of solids in the release; the rest is fluid."));
+    list.push_back(
+        by_place("structured.confined-share", FRANA_MEMBER(structured.confined_share), "", Range{0, 1},
+                 "Fraction of that fluid that is confined by the structure; the rest is free from the start."));
     list.push_back(by_place("structured.grain-density", FRANA_MEMBER(structured.grain_density), "kg/m3",
-                            Range{1000, 5000}, "Density of the solids' grains."));
+                            Range{1000, 5000}, "Density of the grains."));
     list.push_back(by_place("structured.grain-diameter", FRANA_MEMBER(structured.grain_diameter), "m", Range{1e-6, 1},
                             "Diameter of the grains, for the drag."));
     list.push_back(by_place("structured.cohesion", FRANA_MEMBER(structured.cohesion), "Pa", Range{0, 1e12},
-                            "Cohesion of the whole material; 0: loose from the start.", "required with solids"));
+                            "Cohesion of the intact material; 0: loose from the start.", "required with solids"));
     list.push_back(by_place("structured.internal-friction-angle", FRANA_MEMBER(structured.internal_friction_angle),
                             "degrees", Range{0, 60, true}, "Internal friction angle.", "required with solids"));
     list.push_back(by_place("structured.bed-friction-angle", FRANA_MEMBER(structured.bed_friction_angle), "degrees",
                             Range{0, 60}, "Friction angle at the bed.", "the internal friction angle"));
     list.push_back(text("structured.zones", FRANA_MEMBER(structured.zones), "file",
-                        "Polygons, in their own CRS, whose columns attribute:NAME of this section takes.",
-                        "the release's perimeter"));
+                        "Polygons, in their own CRS, for attribute:NAME in this section.", "the release's perimeter"));
     list.push_back(choice("structured.placement", FRANA_MEMBER(structured.placement), {"lattice", "r2"},
-                          "Where particles stand at the start: on a square lattice, or in each cell as many as its "
-                          "depth calls for along the R2 sequence."));
+                          "Particle positions at the start: on a square lattice, or along the R2 sequence with as many "
+                          "per cell as its depth requires."));
     list.push_back(number("structured.dilatancy-angle", FRANA_MEMBER(structured.dilatancy_angle), "degrees",
                           Range{0, 5},
-                          "Dilatancy angle of plastic flow; with more, a column pressed from its sides would "
+                          "Dilatancy angle of plastic flow; with a larger one, a column pressed from its sides would "
                           "widen without end."));
     list.push_back(number("structured.young-modulus", FRANA_MEMBER(structured.young_modulus), "Pa", Range{1e3, 1e13},
                           "Young's modulus E; under 9 times the bulk modulus."));
@@ -73,22 +70,21 @@ void add_solids(std::vector<Parameter>& list) {
     list.push_back(number("structured.critical-strain", FRANA_MEMBER(structured.critical_strain), "", Range{1e-6, 10},
                           "Strain of yielding material at which half of the cohesion is lost."));
     list.push_back(choice("structured.damage", FRANA_MEMBER(structured.damage), {"equivalent-plastic", "volumetric"},
-                          "What counts as that strain: distortion, or opening alone."));
+                          "Strain measure for critical-strain: distortion, or volumetric opening alone."));
     list.push_back(number("structured.initial-structured-share", FRANA_MEMBER(structured.initial_structured_share), "",
-                          Range{0, 1}, "Share of the solids that is structured in whole material."));
+                          Range{0, 1}, "Structured fraction of the solids in intact material."));
     list.push_back(choice("structured.yield-check", FRANA_MEMBER(structured.yield_check), {"total", "particle"},
-                          "The stress that the strength is compared with: with the overburden, whose vertical "
-                          "part stays as the weight gives it, or the strained material's own alone."));
-    list.push_back(choice("structured.broken-material", FRANA_MEMBER(structured.broken_material),
-                          {"earth-pressure", "elastic"},
-                          "Stress of material without cohesion: its earth pressure, or elastic and frictional "
-                          "as while it is whole."));
+                          "Stress in the yield check: total, with the overburden and the vertical stress of the "
+                          "weight, or the particle's elastic stress alone."));
+    list.push_back(choice(
+        "structured.broken-material", FRANA_MEMBER(structured.broken_material), {"earth-pressure", "elastic"},
+        "Stress of material without cohesion: earth pressure, or elastic and frictional as in intact material."));
     list.push_back(choice("structured.earth-pressure", FRANA_MEMBER(structured.earth_pressure),
                           {"hydrostatic", "active", "active-passive"},
-                          "Lateral thrust of broken material: as a fluid's, Rankine's active one, or passive where it "
-                          "is pushed together. Whole material has Bell's active one."));
+                          "Lateral thrust of broken material: hydrostatic, Rankine's active one, or also passive in "
+                          "compression. Intact material has Bell's active thrust."));
     list.push_back(number("structured.pore-pressure-share", FRANA_MEMBER(structured.pore_pressure_share), "",
-                          Range{0, 1}, "Share of the confined fluid's pressure that reaches the bed, B."));
+                          Range{0, 1}, "Fraction B of the confined fluid's pressure that reaches the bed."));
     list.push_back(number("structured.artificial-viscosity-linear", FRANA_MEMBER(structured.linear_viscosity), "",
                           Range{0, 10}, "Linear artificial viscosity between particles."));
     list.push_back(number("structured.artificial-viscosity-quadratic", FRANA_MEMBER(structured.quadratic_viscosity), "",
@@ -96,18 +92,18 @@ void add_solids(std::vector<Parameter>& list) {
     list.push_back(number("structured.artificial-sound-speed", FRANA_MEMBER(structured.sound_speed), "m/s",
                           Range{0, 1e5, true}, "Speed of sound in the artificial viscosity.",
                           "that of the elastic waves"));
-    list.push_back(number("structured.softening", FRANA_MEMBER(structured.softening), "", Range{1, 100},
-                          "Divides both moduli; elastic waves slow down by its root and substeps become as "
-                          "much longer."));
+    list.push_back(number(
+        "structured.softening", FRANA_MEMBER(structured.softening), "", Range{1, 100},
+        "Divides both moduli; elastic waves are slower by its square root, and substeps longer by the same factor."));
     list.push_back(number("structured.pic-share", FRANA_MEMBER(structured.pic_share), "", Range{0, 1},
-                          "Share of the cells' velocity that solids take over in a step."));
+                          "PIC fraction of the grid velocity that solids take over in a step."));
     list.push_back(number("structured.artificial-stress", FRANA_MEMBER(structured.artificial_stress), "", Range{0, 1},
-                          "Strength of the stress against clumping in tension."));
+                          "Strength of the artificial stress against clumping in tension."));
 }
 
 void add_coupling(std::vector<Parameter>& list) {
     Parameter exponent = number("structured.drag-exponent", FRANA_MEMBER(structured.drag_exponent), "", Range{1, 2},
-                                "Drag linear (1) or quadratic (2) in the relative velocity.");
+                                "Drag is linear (1) or quadratic (2) in the relative velocity.");
     exponent.limits = "1, 2";
     exponent.read = [](SceneSpec& scene, const std::string& value) -> std::optional<Refusal> {
         if (value != "1" && value != "2") return Refusal{"is neither 1 nor 2", ""};
@@ -118,33 +114,33 @@ void add_coupling(std::vector<Parameter>& list) {
     list.push_back(number("structured.richardson-zaki", FRANA_MEMBER(structured.richardson_zaki), "", Range{1, 5},
                           "Richardson and Zaki's exponent M of hindered settling."));
     list.push_back(choice("structured.richardson-zaki-law", FRANA_MEMBER(structured.richardson_zaki_law),
-                          {"constant", "by-grains"}, "That exponent as given, or from the grains' Reynolds number."));
+                          {"constant", "by-grains"}, "Exponent M: constant, or from the grains' Reynolds number."));
     list.push_back(number("structured.smoothing-velocity", FRANA_MEMBER(structured.smoothing_velocity), "m/s",
                           Range{0, 1000}, "K of the drag's smoothing term; 0: the mixture's flux."));
     list.push_back(choice("structured.drag-mixing", FRANA_MEMBER(structured.drag_mixing),
                           {"quotient", "solids-fraction"},
-                          "Fluid-like share of the drag, P: by what solids and fluid are loose, or by the "
-                          "solids' fraction."));
+                          "Fluid-like fraction P of the drag: from the loose fractions of solids and fluid, or from "
+                          "the solid fraction."));
     list.push_back(number("structured.drag-mixing-exponent", FRANA_MEMBER(structured.drag_mixing_exponent), "",
-                          Range{0, 10}, "Exponent of that share."));
+                          Range{0, 10}, "Exponent of the fluid-like fraction."));
     list.push_back(number("structured.block-size", FRANA_MEMBER(structured.block_size), "m", Range{0, 1000, true},
                           "Size of structured blocks, for the drag.", "the local depth"));
     list.push_back(choice("structured.virtual-mass", FRANA_MEMBER(structured.virtual_mass),
                           {"pudasaini-2012", "pudasaini-2019", "none"},
-                          "Law of the fluid that must speed up with the solids."));
+                          "Law of the virtual mass of fluid that accelerates with the solids."));
     list.push_back(number("structured.viscosity-growth", FRANA_MEMBER(structured.viscosity_growth), "", Range{0, 50},
-                          "Growth of the viscosity with the solids' fraction, b in a exp(b alpha)."));
+                          "Growth of the viscosity with the solid fraction, b in a exp(b alpha)."));
     list.push_back(number("structured.mobility", FRANA_MEMBER(structured.mobility), "", Range{0, 100},
                           "Mobility of the interface in the enhanced stress; 0: no such stress."));
     list.push_back(number("structured.solids-shape", FRANA_MEMBER(structured.solids_shape), "", Range{0, 10},
-                          "Shape of the solids' fraction over depth, zeta."));
+                          "Shape of the solid fraction over depth, zeta."));
 }
 
 }  // namespace
 
 void add_structured(std::vector<Parameter>& list) {
     Parameter phases = choice("structured.phases", FRANA_MEMBER(structured.phases), {"fluid", "solids-and-fluid"},
-                              "What the release is: fluid alone, or blocks of solids with the fluid they confine.");
+                              "Content of the release: fluid alone, or blocks of solids with confined fluid.");
     phases.absent = "required with material.model = structured";
     list.push_back(phases);
     add_fluid(list);

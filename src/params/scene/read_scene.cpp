@@ -57,7 +57,7 @@ class Reader {
 void Reader::apply(const Layer& layer) {
     static const std::string k_angle = "material.friction-angle", k_coefficient = "material.friction-coefficient";
     if (layer.has(k_angle) && layer.has(k_coefficient)) {
-        reading_.problems.add({"contradicts material.friction-coefficient: both say how rough the bed is",
+        reading_.problems.add({"contradicts material.friction-coefficient: both give the bed friction",
                                layer.where(k_angle), "", "", "Keep one of the two"});
     }
     // The two are one quantity: what a later layer says replaces what an earlier one said under the other
@@ -142,9 +142,8 @@ void Reader::make_paths_absolute(const Parameter& parameter, const std::string& 
             {"contains '#', which starts a comment in scene files", where, value, "", "Rename the file or folder"});
     }
     if (has_control_characters(value)) {
-        reading_.problems.add(
-            {"contains a line break or another control character, which no line of a scene file can hold", where,
-             shown(value), "", "Rename the file or folder, or correct the text"});
+        reading_.problems.add({"contains a line break or another control character, which a scene file cannot contain",
+                               where, shown(value), "", "Rename the file or folder, or correct the text"});
     }
 }
 
@@ -204,7 +203,7 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
     reading.scene.file = absolute.string();
     if (has_control_characters(reading.scene.file)) {
         throw Error(ErrorKind::input, Problem{"the scene's path contains a line break or another control character, "
-                                              "which the result's own scene file could not hold",
+                                              "which the result's own scene file cannot contain",
                                               shown(path), shown(reading.scene.file), "", "Rename the file or folder"});
     }
 

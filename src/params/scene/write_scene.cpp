@@ -22,10 +22,8 @@ std::string describe(Origin origin) {
 }
 
 std::string scene_text(const SceneSpec& scene, const std::map<std::string, std::string>& resolved) {
-    std::string text =
-        "# Every parameter of a run, as it was used; `frana run` on this file repeats the run.\n"
-        "# Read from " +
-        one_line(scene.file) + "\n";
+    std::string text = "# Every parameter of a run, as used; `frana run` on this file repeats the run.\n# Read from " +
+                       one_line(scene.file) + "\n";
     std::string section;
     for (const Parameter& parameter : scene_parameters()) {
         if (!model_reads(scene, parameter.name())) continue;
