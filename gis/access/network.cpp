@@ -44,7 +44,7 @@ constexpr const char* k_drivers[] = {"AmigoCloud", "Carto",    "Cloudant",      
 constexpr const char* k_remedy = "Copy it to this machine, or start frana with --allow-network";
 
 void note_asked(const std::string& place) {
-    note_refusal({"the file asks for something on the network", place, k_remedy});
+    note_refusal({"the file refers to data on the network", place, k_remedy});
 }
 
 /// Holds nothing: stands where a file system of the network was.

@@ -46,8 +46,9 @@ Table read_table(const std::string& path, const std::string& where) {
         for (const auto& feature : *layer) {
             limit.again();
             if (table.rows.size() >= k_most_rows)
-                throw Error(ErrorKind::input, Problem{"the table is longer than any scene needs", place, "",
-                                                      std::to_string(k_most_rows) + " rows", "Cut or thin it"});
+                throw Error(ErrorKind::input,
+                            Problem{"the table is too long", place, "", std::to_string(k_most_rows) + " rows",
+                                    "Cut it, or use fewer rows"});
             std::vector<std::string>& row = table.rows.emplace_back();
             for (int i = 0; i < fields.GetFieldCount(); ++i) row.push_back(feature->GetFieldAsString(i));
         }
@@ -55,7 +56,7 @@ Table read_table(const std::string& path, const std::string& where) {
     if (const auto cause = take_refusal())
         throw Error(ErrorKind::input, Problem{cause->what, place, cause->value, "", cause->remedy});
     if (table.rows.empty()) {
-        throw Error(ErrorKind::input, Problem{"the file is no table with a header and rows", place, "", "",
+        throw Error(ErrorKind::input, Problem{"the file is not a table with a header and rows", place, "", "",
                                               "Give a CSV: time,discharge,velocity and one row per time"});
     }
     return table;

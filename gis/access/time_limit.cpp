@@ -62,10 +62,9 @@ void watch_over() {
             w.changed.wait_for(lock, std::chrono::milliseconds(wait));
             continue;
         }
-        w.end({"reading takes longer than a file may", next->where(), "",
-               shortest_text(static_cast<double>(w.limit_ms) / 1000) + " s without an answer of the library",
-               "Look into the file (a view that never ends?), copy it to this machine, or allow more with "
-               "FRANA_READ_SECONDS"});
+        w.end({"reading takes too long", next->where(), "",
+               shortest_text(static_cast<double>(w.limit_ms) / 1000) + " s without an answer from the library",
+               "Check the file (an endless view?), copy it to this machine, or allow more with FRANA_READ_SECONDS"});
         return;
     }
 }

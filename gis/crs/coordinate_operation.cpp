@@ -93,9 +93,9 @@ CoordinateOperation choose_operation(PJ_CONTEXT* context, const std::string& fro
     CoordinateOperation chosen;
     if (usable) chosen.pj.reset(proj_normalize_for_visualization(context, usable.get()));
     if (!chosen.pj) {
-        throw Error(ErrorKind::input, Problem{"there is no way from one coordinate reference system to the other", "",
-                                              crs_name(from_wkt) + " to " + crs_name(to_wkt), "",
-                                              "Check that both are meant for this part of the world"});
+        throw Error(ErrorKind::input, Problem{"there is no transformation between the two coordinate reference systems",
+                                              "", crs_name(from_wkt) + " to " + crs_name(to_wkt), "",
+                                              "Check that both are valid for this part of the world"});
     }
     chosen.info.operation = name_of(usable.get());
     const bool by_formula = exact(context, usable.get());

@@ -96,9 +96,8 @@ struct CrsTransform::Parts {
         if (identity) return point;
         const PJ_COORD moved = transformed(operation.pj.get(), direction, point);
         if (good(moved)) return {moved.xy.x, moved.xy.y};
-        throw Error(ErrorKind::input,
-                    Problem{"a point cannot be transformed, " + names, "", text_of(point), "",
-                            "Check that the coordinate reference system is the one the coordinates are in"});
+        throw Error(ErrorKind::input, Problem{"a point cannot be transformed, " + names, "", text_of(point), "",
+                                              "Check that the coordinate reference system is that of the coordinates"});
     }
 };
 

@@ -36,8 +36,9 @@ struct FrameStack::Parts {
     Array depth, velocity;
 
     [[noreturn]] void refuse() const {
-        throw Error(ErrorKind::environment, Problem{"the frames cannot be written: " + session.last_message(), path, "",
-                                                    "", "Check that the folder exists, may be written and has room"});
+        throw Error(ErrorKind::environment,
+                    Problem{"the frames cannot be written: " + session.last_message(), path, "", "",
+                            "Check that the folder exists, may be written and has free space"});
     }
     template <class T>
     const T& must(const T& made) const {

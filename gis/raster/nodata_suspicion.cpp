@@ -13,9 +13,9 @@ namespace {
 constexpr double k_wall = 0.25;
 
 std::string undeclared(const std::string& path, std::int64_t cells, double value) {
-    return path + ": " + std::to_string(cells) + " cells hold " + shortest_text(value) +
-           ", which the file does not declare as no data; they were read as values. If they are no data, declare "
-           "it: gdal_edit.py -a_nodata " +
+    return path + ": " + std::to_string(cells) + " cells have the value " + shortest_text(value) +
+           ", which the file does not declare as nodata; they were read as values. If they are nodata, declare it: "
+           "gdal_edit.py -a_nodata " +
            shortest_text(value) + " FILE";
 }
 

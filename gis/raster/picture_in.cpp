@@ -40,8 +40,7 @@ GdalDataset opened(const std::string& path, const std::string& crs_wkt, const st
     }
     std::array<double, 6> geo{};
     if (GDALGetGeoTransform(dataset.get(), geo.data()) != CE_None) {
-        throw refuse("the picture has no place on the ground", "", "",
-                     "Give a GeoTIFF, or a picture with a world file");
+        throw refuse("the picture is not georeferenced", "", "", "Give a GeoTIFF, or a picture with a world file");
     }
     const int bands = GDALGetRasterCount(dataset.get());
     if (bands < 1) throw refuse("the picture has no band", "", "", "");
@@ -118,7 +117,7 @@ void check_picture(const std::string& path, const std::string& crs_wkt, const st
     const GdalDataset picture = opened(path, crs_wkt, where);
     if (can_be_read(picture.get()) && !session.failed()) return;
     throw Error(ErrorKind::input, Problem{"the picture is damaged: " + session.last_message(), where + ": " + path, "",
-                                          "", "Copy the file anew"});
+                                          "", "Copy the file again"});
 }
 
 std::vector<std::uint8_t> warp_picture(const std::string& path, const std::string& crs_wkt, const Bounds& box,
@@ -152,8 +151,8 @@ std::vector<std::uint8_t> warp_picture(const std::string& path, const std::strin
                       GDALDatasetRasterIO(warped.get(), GF_Read, 0, 0, width, height, rgba.data(), width, height,
                                           GDT_Byte, 4, nullptr, 4, 4 * width, 1) == CE_None;
     if (!read) {
-        throw Error(ErrorKind::input, Problem{"the picture cannot be brought onto the map", path,
-                                              session.last_message(), "", "Warp it yourself with gdalwarp"});
+        throw Error(ErrorKind::input, Problem{"the picture cannot be warped onto the map", path, session.last_message(),
+                                              "", "Warp it beforehand with gdalwarp"});
     }
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
         for (std::size_t k = 0; k < 3; ++k)

@@ -23,7 +23,7 @@ namespace {
     const std::string message = session.last_message();
     throw Error(ErrorKind::environment,
                 Problem{"the picture cannot be written" + (message.empty() ? "" : ": " + message), path, "", "",
-                        "Check that the folder exists, may be written and has room"});
+                        "Check that the folder exists, may be written and has free space"});
 }
 
 GdalDataset in_memory(const PicturePixels& picture, const std::string& path, const GdalSession& session) {

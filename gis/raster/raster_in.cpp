@@ -95,7 +95,8 @@ Method method_for(Resampling wanted, Point source_cells_per_cell) {
 
 std::string unit_warning(const RasterInfo& info, const VerticalUnit& unit, const std::string& crs) {
     if (!unit.known) {
-        return info.path + ": its values are in \"" + unit.name + "\", which is no unit of length; taken as they are";
+        return info.path + ": its values are in \"" + unit.name +
+               "\", which is not a unit of length; used without conversion";
     }
     if (!unit.stated && std::abs(metres_per_unit(crs) - 1) > 1e-9) {
         return info.path +

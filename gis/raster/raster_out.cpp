@@ -28,7 +28,7 @@ constexpr std::uint8_t k_no_class = 0;
     const std::string message = session.last_message();
     throw Error(ErrorKind::environment,
                 Problem{"the raster cannot be written" + (message.empty() ? "" : ": " + message), path, "", "",
-                        "Check that the folder exists, may be written and has room"});
+                        "Check that the folder exists, may be written and has free space"});
 }
 
 GdalDataset in_memory(const GridSpec& grid, GDALDataType type, double nodata) {
@@ -174,7 +174,7 @@ void write_class_geotiff(const std::string& path, const Raster& raster, const st
         const auto entry =
             std::find_if(classes.begin(), classes.end(), [value](const ClassEntry& one) { return value == one.value; });
         if (entry == classes.end()) {
-            throw Error(ErrorKind::input, Problem{"a cell holds a value that is no class", path, shortest_text(value),
+            throw Error(ErrorKind::input, Problem{"a cell has a value that is not a class", path, shortest_text(value),
                                                   std::to_string(classes.size()) + " named classes", ""});
         }
         values[i] = entry->value;

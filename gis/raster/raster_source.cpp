@@ -119,7 +119,7 @@ RasterSource::RasterSource(const std::string& path, const std::string& where, bo
     GDALDatasetH dataset = dataset_.get();
     if (GDALGetRasterCount(dataset) < 1) {
         const std::string parts = subdatasets(dataset);
-        refuse(parts.empty() ? "the raster has no band" : "the file holds several rasters", where, path,
+        refuse(parts.empty() ? "the raster has no band" : "the file contains several rasters", where, path,
                parts.empty() ? "Give a raster of elevations" : "Name one of them: " + parts);
     }
     band_ = GDALGetRasterBand(dataset, 1);
@@ -127,14 +127,14 @@ RasterSource::RasterSource(const std::string& path, const std::string& where, bo
     const GDALColorInterp colour = GDALGetRasterColorInterpretation(band_);
     const bool picture = colour == GCI_RedBand || (colour == GCI_PaletteIndex && !accept_colour_table);
     if (GDALDataTypeIsComplex(type) || picture) {
-        refuse("the raster is a picture or holds complex numbers, not one number per cell", where, path,
-               "Give the raster of values itself");
+        refuse("the raster is a picture or has complex numbers, not one number per cell", where, path,
+               "Give a raster of values");
     }
     refuse_huge_blocks(dataset, band_, where, path);
     const auto finite = [](double term) { return std::isfinite(term); };
     if (GDALGetGeoTransform(dataset, geo_.data()) != CE_None || !std::all_of(geo_.begin(), geo_.end(), finite) ||
         !GDALInvGeoTransform(geo_.data(), inverse_.data())) {
-        refuse("the raster does not say where it lies", where, path,
+        refuse("the raster is not georeferenced", where, path,
                "Add a world file or a geotransform (gdal_translate -a_ullr)");
     }
     info_.path = path;
@@ -180,7 +180,7 @@ std::vector<double> RasterSource::read_stored(const Window& w, int columns, int 
                       fetch(GDALGetMaskBand(band_), valid.data(), GDT_Byte) == CE_None;
     throw_if_refused(where_, info_.path);
     if (!read) {
-        refuse("the raster is damaged: " + session.last_message(), where_, info_.path, "Copy the file anew");
+        refuse("the raster is damaged: " + session.last_message(), where_, info_.path, "Copy the file again");
     }
     const auto declared = [&](double stored) {
         return declared_ && (stored == *declared_ || stored == static_cast<float>(*declared_));

@@ -169,7 +169,7 @@ void RasterWarp::fill_strip(const GridSpec& grid, Point scale, double* values) c
     GDALWarpOperation operation;
     if (operation.Initialize(options.get()) != CE_None ||
         operation.ChunkAndWarpImage(0, 0, static_cast<int>(grid.columns), static_cast<int>(grid.rows)) != CE_None) {
-        throw Error(ErrorKind::input, Problem{"the raster cannot be brought onto the grid: " + session.last_message(),
+        throw Error(ErrorKind::input, Problem{"the raster cannot be resampled to the grid: " + session.last_message(),
                                               source_.info().path, "", "", "Check its coordinate reference system"});
     }
 }

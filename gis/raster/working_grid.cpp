@@ -50,7 +50,7 @@ Bounds clipped(const Bounds& wanted, const Bounds& have, const std::string& path
                       std::min(wanted.east, have.east), std::min(wanted.north, have.north)};
     if (both.width() <= 0 || both.height() <= 0) {
         throw Error(ErrorKind::input,
-                    Problem{"the bounds asked for do not meet the DTM", path, text_of(wanted),
+                    Problem{"the requested bounds do not overlap the DTM", path, text_of(wanted),
                             "within " + text_of(have) + " (west south east north, working CRS)",
                             "Correct terrain.bounds, or check the DTM's coordinate reference system"});
     }
@@ -84,7 +84,7 @@ GridSpec working_grid(const RasterInfo& dtm, const std::string& working_crs_wkt,
                     Problem{"the working grid would be too large", dtm.path,
                             shortest_text(std::round(cells)) + " cells of " + shortest_text(cell) + " m",
                             "at most " + shortest_text(k_most_cells) + " cells",
-                            "Set terrain.bounds round the slope, or a larger terrain.cell-size"});
+                            "Set terrain.bounds around the slope, or a larger terrain.cell-size"});
     }
     // The DTM's own lattice where its cells are ours, else multiples of the cell size.
     const bool own_cells = same_crs && square && !dtm.rotated && std::abs(cell - dtm.cell_x) <= k_same * dtm.cell_x;

@@ -12,7 +12,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& file) {
     throw Error(ErrorKind::environment, Problem{"the frames' metadata cannot be written", file, "", "",
-                                                "Check that the folder exists, may be written and has room"});
+                                                "Check that the folder exists, may be written and has free space"});
 }
 
 void write(const std::string& file, const Json& content) {

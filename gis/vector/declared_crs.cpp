@@ -88,8 +88,8 @@ std::string declared_crs(GDALDataset& dataset, OGRLayer& layer, const VectorSour
         if (name && is_understood(*name, crs, at_top)) continue;
         constexpr std::size_t k_told = 200;
         throw vector_fault(source,
-                           at_top ? "the file's coordinate reference system is not known"
-                                  : "a coordinate reference system is named within the file that is not the layer's",
+                           at_top ? "the file's coordinate reference system is unknown"
+                                  : "a coordinate reference system within the file differs from the layer's",
                            name.value_or(member.text.substr(0, k_told)), crs_remedy(source, key));
     }
     return layer_crs(crs);
@@ -98,9 +98,9 @@ std::string declared_crs(GDALDataset& dataset, OGRLayer& layer, const VectorSour
 std::string crs_remedy(const VectorSource& source, const std::string& key) {
     const std::string ending = source.file.substr(source.file.find_last_of('.') + 1);
     const bool is_shapefile = EQUAL(ending.c_str(), "shp") || EQUAL(ending.c_str(), "shz");
-    return (is_shapefile ? "Correct or add its .prj file" : "Write the file anew with the right one") +
+    return (is_shapefile ? "Correct or add its .prj file" : "Write the file again with the right one") +
            std::string(" (ogr2ogr -a_srs EPSG:...)") +
-           (key.empty() ? "" : ", or say in the scene which one it is in (" + key + " = EPSG:...)");
+           (key.empty() ? "" : ", or state it in the scene (" + key + " = EPSG:...)");
 }
 
 }  // namespace frana::gis

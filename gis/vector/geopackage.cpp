@@ -14,7 +14,7 @@ namespace {
     const std::string message = session.last_message();
     throw Error(ErrorKind::environment,
                 Problem{"the vector file cannot be written" + (message.empty() ? "" : ": " + message), path, "", "",
-                        "Check that the folder exists, may be written and has room"});
+                        "Check that the folder exists, may be written and has free space"});
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ Polyline line_of(const OGRFeature& feature, const VectorSource& source) {
     }
     if (wkbFlatten(straight->getGeometryType()) != wkbLineString) {
         const bool parts = wkbFlatten(straight->getGeometryType()) == wkbMultiLineString;
-        throw vector_fault(source, name + (parts ? " has parts that do not join" : " is no line"),
+        throw vector_fault(source, name + (parts ? " has parts that do not join" : " is not a line"),
                            straight->getGeometryName(), "Draw one line per inflow");
     }
     Polyline line;

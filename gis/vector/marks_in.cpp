@@ -102,7 +102,7 @@ Marks read_marks(const std::string& path, const std::string& target_crs_wkt, con
     if (!found) throw fault("the file has no such layer", source.layer, "Name one of its layers");
     require_sound(session, source);
     if (marks.points.empty() && marks.lines.empty() && marks.polygons == 0)
-        throw fault("the file holds no point and no line", "", "Draw at least one");
+        throw fault("the file contains no point and no line", "", "Draw at least one");
     marks.crs_wkt = crs;
     marks.crs_label = crs.empty() ? "none" : crs_name(crs);
     if (crs.empty() && !target_crs_wkt.empty()) {

@@ -54,7 +54,7 @@ void mend(const OGRGeometry& geometry, const std::string& fault, double area_bef
     if (mended) polygons = polygon_parts(*mended).polygons;
     double area_after = 0;
     for (const auto& polygon : polygons) area_after += polygon->get_Area();
-    found.repairs.push_back("the outline was mended (" + fault + "): area " + area_text(area_before) + " before, " +
+    found.repairs.push_back("the outline was repaired (" + fault + "): area " + area_text(area_before) + " before, " +
                             area_text(area_after) + " after, in its own units squared");
     for (auto& polygon : polygons) found.polygons.push_back(std::move(polygon));
 }

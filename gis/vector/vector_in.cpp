@@ -70,8 +70,7 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
         warnings.add("line", source.where + ": " + name + " is a closed line and was taken as an area");
     }
     if (parts.unbounded > 0) {
-        problem("has a coordinate that is no number, or farther than any map reaches",
-                "beyond " + shortest_text(k_furthest), "Draw it anew");
+        problem("has a coordinate that is non-finite or too large", "beyond " + shortest_text(k_furthest), "Redraw it");
         return feature;
     }
     if (parts.open_lines > 0) {
@@ -80,19 +79,20 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
         return feature;
     }
     if (parts.polygons.empty()) {
-        problem(std::string("is no area but a ") + geometry->getGeometryName(), "", "Give polygons");
+        problem(std::string("is not an area but a ") + geometry->getGeometryName(), "", "Give polygons");
         return feature;
     }
     OutlineCheck check = check_outline(std::move(parts.polygons));
     if (check.crossing) {
-        problem("crosses itself", *check.crossing, "Redraw the outline there, so that inside and outside are certain");
+        problem("crosses itself", *check.crossing,
+                "Redraw the outline there, so that inside and outside are unambiguous");
         return feature;
     }
     for (const std::string& repair : check.repairs) warnings.add("repair", source.where + ": " + name + ": " + repair);
     for (const auto& polygon : check.polygons) {
         if (auto part = from_ogr(*polygon); part && area(*part) > 0) feature.parts.push_back(std::move(*part));
     }
-    if (feature.parts.empty()) problem("has no area", "", "Draw it anew");
+    if (feature.parts.empty()) problem("has no area", "", "Redraw it");
     take_attributes(from, feature);
     return feature;
 }
@@ -154,7 +154,7 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& s
     warnings = counted.told();
     if (seen == 0) throw vector_fault(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
     if (features.empty())
-        throw vector_fault(source, "the layer holds no polygon", layer.GetName(), "Draw at least one");
+        throw vector_fault(source, "the layer contains no polygon", layer.GetName(), "Draw at least one");
     return features;
 }
 
@@ -208,7 +208,7 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
                                    shortest_text(std::round(shared * 10) / 10) + " square units");
     }
     for (std::string& text : counted.told()) warnings.push_back(std::move(text));
-    if (found.size() >= k_most_overlaps) warnings.back() += " (further pairs were not looked at)";
+    if (found.size() >= k_most_overlaps) warnings.back() += " (further pairs were not checked)";
     return !found.empty();
 }
 
@@ -222,7 +222,7 @@ bool holds_layer(const std::string& file, const std::string& layer, const std::s
     const bool holds = found != nullptr && found->GetFeatureCount() > 0;
     // OGR is silent where it cannot read the list of layers.
     if (session.failed() || dataset->GetLayerCount() == 0)
-        throw vector_fault(source, "cannot be read whole: " + session.last_message(), "", "The file is damaged");
+        throw vector_fault(source, "cannot be read completely: " + session.last_message(), "", "The file is damaged");
     return holds;
 }
 
@@ -254,13 +254,13 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     require_sound(session, source);
     const Bounds own = bounds_of(read.features);
     if (!target_crs_wkt.empty() && !plausible(crs, own)) {
-        throw vector_fault(source, "the coordinates are no degrees though the file's CRS is in degrees",
+        throw vector_fault(source, "the coordinates are not degrees though the file's CRS is in degrees",
                            shortest_text(own.west) + ", " + shortest_text(own.south),
-                           "It says " + read.crs_label + ". " + crs_remedy(source, k_crs_key));
+                           "It states " + read.crs_label + ". " + crs_remedy(source, k_crs_key));
     }
     if (const auto place = long_way_round(read.features, target_crs_wkt.empty() ? 0 : longitude_turn(crs))) {
         throw vector_fault(source, "an edge goes round the Earth the long way", *place,
-                           "Split the outline at the antimeridian, or count its longitudes on beyond 180");
+                           "Split the outline at the antimeridian, or continue its longitudes beyond 180");
     }
     const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt, own);
     read.transform = transform.info();

@@ -109,15 +109,15 @@ void require_sound(const GdalSession& session, const VectorSource& source, const
 void VertexCount::add(const OGRGeometry* geometry) {
     constexpr std::int64_t k_most_features = 1'000'000, k_most_vertices = 20'000'000;
     if (++features_ > k_most_features)
-        throw vector_fault(source_, "the layer holds more features than any scene needs",
-                           "more than " + std::to_string(k_most_features), "Cut it to the slope");
+        throw vector_fault(source_, "the layer has too many features", "more than " + std::to_string(k_most_features),
+                           "Cut it to the slope");
     if (geometry == nullptr) return;
     PointCounter counter;
     geometry->accept(&counter);
     vertices_ += counter.count;
     if (vertices_ > k_most_vertices)
-        throw vector_fault(source_, "the layer holds more vertices than any scene needs",
-                           "more than " + std::to_string(k_most_vertices), "Simplify it, or cut it to the slope");
+        throw vector_fault(source_, "the layer has too many vertices", "more than " + std::to_string(k_most_vertices),
+                           "Simplify it, or cut it to the slope");
 }
 
 OGRLayer& choose_layer(GDALDataset& dataset, const VectorSource& source, const LayerTest& suits,
@@ -130,13 +130,13 @@ OGRLayer& choose_layer(GDALDataset& dataset, const VectorSource& source, const L
     for (OGRLayer* layer : dataset.GetLayers()) {
         if (!suits(*layer)) continue;
         if (found) {
-            throw vector_fault(source, "the file holds several layers", layer_names(dataset),
+            throw vector_fault(source, "the file contains several layers", layer_names(dataset),
                                "Name one: \"" + source.file + "|layer=" + found->GetName() + "\"");
         }
         found = layer;
     }
     if (!found)
-        throw vector_fault(source, "the file holds no layer with " + wanted, layer_names(dataset), "Give " + wanted);
+        throw vector_fault(source, "the file contains no layer with " + wanted, layer_names(dataset), "Give " + wanted);
     return *found;
 }
 
@@ -146,14 +146,14 @@ void check_attribute_table(GDALDataset& dataset, OGRLayer& layer, const VectorSo
     VSIStatBufL status;
     if (VSIStatL(table.c_str(), &status) == 0)
         throw vector_fault(source, "the attribute table is damaged", table,
-                           "Export the shapefile anew, or remove the .dbf");
+                           "Export the shapefile again, or remove the .dbf");
 }
 
 void filter_features(OGRLayer& layer, const VectorSource& source, const std::string& condition) {
     const GdalSession session;
     if (holds_query(condition)) {
-        throw vector_fault(source, "the filter holds a query of its own", condition,
-                           "Give a condition on the attributes alone: " + attribute_names(layer));
+        throw vector_fault(source, "the filter contains a query", condition,
+                           "Give a condition on the attributes: " + attribute_names(layer));
     }
     // Some drivers see a fault only when the first feature is asked for.
     if (layer.SetAttributeFilter(condition.c_str()) == OGRERR_NONE) {

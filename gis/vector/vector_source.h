@@ -31,7 +31,7 @@ GDALDatasetUniquePtr open_vector(const VectorSource& source, bool is_ours = fals
 
 /// Throws Error(input) where reading its features met a fault or a refusal.
 void require_sound(const GdalSession& session, const VectorSource& source,
-                   const std::string& remedy = "Export it anew");
+                   const std::string& remedy = "Export it again");
 
 /// Counts what a layer holds. Views and archives can hold without end: beyond what any map needs, Error(input).
 class VertexCount {

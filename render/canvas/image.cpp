@@ -73,7 +73,7 @@ void write_png(const std::string& path, const Image& image, double dots_per_inch
     const bool written = encode(stream, image, dots_per_inch);
     const bool closed = std::fclose(stream) == 0;
     const std::unique_ptr<char, void (*)(void*)> owned(bytes, &std::free);
-    if (!written || !closed) fail(path, "the picture could not be written whole");
+    if (!written || !closed) fail(path, "the picture could not be written completely");
     write_file(path, {bytes, size});
 }
 

@@ -96,7 +96,7 @@ class OsmesaWindow::Context {
                                          0,
                                          0};
         osmesa_.reset(OSMesaCreateContextAttribs(wishes.data(), nullptr));
-        if (!osmesa_) fail("OSMesa gives no OpenGL 3.2 context", "", "install Debian's libosmesa6");
+        if (!osmesa_) fail("OSMesa provides no OpenGL 3.2 context", "", "install Debian's libosmesa6");
         make_current();
 
         on_make_current_->SetClientData(this);
@@ -178,7 +178,7 @@ void OsmesaWindow::render() {
     context_->window().Render();
     errors.throw_if_any("the picture could not be drawn");
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-        fail("OpenGL reports an error", std::to_string(error), "this is a fault of the drawing system");
+        fail("OpenGL reports an error", std::to_string(error), "this is an error of the drawing system");
     }
 }
 

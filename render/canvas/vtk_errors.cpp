@@ -52,7 +52,7 @@ void VtkErrors::throw_if_any(const std::string& what) {
     }
     if (messages.size() > 1) words += " (and " + std::to_string(messages.size() - 1) + " more)";
     throw Error(ErrorKind::environment,
-                Problem{what, "VTK", words, "", "this is a fault of the drawing system, not of the data"});
+                Problem{what, "VTK", words, "", "this is an error of the drawing system, not of the data"});
 }
 
 }  // namespace frana::render

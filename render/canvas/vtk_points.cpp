@@ -53,7 +53,7 @@ void write_vtk_points(const std::string& path, const PointTable& table, const st
     errors.throw_if_any("the file of particles cannot be written: " + path);
     if (!written) {
         throw Error(ErrorKind::environment, Problem{"the file of particles cannot be written", path, "", "",
-                                                    "Check that the folder may be written and has room"});
+                                                    "Check that the folder may be written and has free space"});
     }
     file.bring_to_disk();
     file.rename_into_place();

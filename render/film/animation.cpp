@@ -18,7 +18,7 @@ const Spec& with_fixed_scale(const Spec& base) {
     if (!fixed) {
         throw Error(ErrorKind::input,
                     Problem{"an animation's colour scale is not fixed", "", "", "",
-                            "give class bounds, a maximum, or the greatest values over time as the base's layer"});
+                            "give class bounds, a maximum, or the maximum over time as the base's raster"});
     }
     return base;
 }
@@ -30,7 +30,7 @@ void check_value(double value, const ColourScale& scale) {
     throw Error(ErrorKind::input,
                 Problem{"a frame's value lies outside the animation's colour scale", "", number(value),
                         number(scale.classes().front().lower) + " to " + number(scale.classes().back().upper),
-                        "make the scale from the greatest values over time"});
+                        "make the scale from the maximum over time"});
 }
 
 void check_values(const Raster& layer, const ColourScale& scale) {

@@ -30,7 +30,7 @@ Kind kind_of(const std::string& path) {
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
     if (ending == ".mp4") return Kind::mp4;
     if (ending == ".gif") return Kind::gif;
-    throw Error(ErrorKind::input, Problem{"unknown kind of film", path, ending, ".mp4 or .gif", ""});
+    throw Error(ErrorKind::input, Problem{"unknown kind of animation", path, ending, ".mp4 or .gif", ""});
 }
 
 template <class T, void (*release)(T**)>
@@ -58,7 +58,7 @@ class MovieWriter::Encoder {
         : kind_(kind_of(path)), file_(std::move(path)), source_width_(width), source_height_(height) {
         if (width < 2 || height < 2 || !(frames_per_second > 0) || frames_per_second > 1000) {
             throw Error(ErrorKind::input,
-                        Problem{"a film's size or rate is out of range", file_.path(),
+                        Problem{"an animation's size or rate is out of range", file_.path(),
                                 std::to_string(width) + " x " + std::to_string(height) + " at " +
                                     std::to_string(frames_per_second) + " frames per second",
                                 "at least 2 x 2 pixels, over 0 and up to 1000 frames per second", ""});
@@ -71,11 +71,11 @@ class MovieWriter::Encoder {
     void add(const Image& image, int frames) {
         if (image.width != source_width_ || image.height != source_height_) {
             throw Error(ErrorKind::input,
-                        Problem{"a film's pictures must all have its size", file_.path(),
+                        Problem{"an animation's pictures must all have its size", file_.path(),
                                 std::to_string(image.width) + " x " + std::to_string(image.height),
                                 std::to_string(source_width_) + " x " + std::to_string(source_height_), ""});
         }
-        check(av_frame_make_writable(frame_.get()), "a film's frame cannot be filled");
+        check(av_frame_make_writable(frame_.get()), "an animation's frame cannot be filled");
         if (kind_ == Kind::mp4) {
             fill_yuv(image);
         } else {
@@ -83,7 +83,7 @@ class MovieWriter::Encoder {
         }
         for (int k = 0; k < frames; ++k) {
             frame_->pts = n_frames_++;
-            check(avcodec_send_frame(codec_.get(), frame_.get()), "a film's frame cannot be coded");
+            check(avcodec_send_frame(codec_.get(), frame_.get()), "an animation's frame cannot be encoded");
             write_packets();
         }
     }
@@ -91,12 +91,12 @@ class MovieWriter::Encoder {
     void finish() {
         if (n_frames_ == 0) {
             throw Error(ErrorKind::environment,
-                        Problem{"a film without pictures is not written", file_.path(), "", "", ""});
+                        Problem{"an animation without pictures is not written", file_.path(), "", "", ""});
         }
-        check(avcodec_send_frame(codec_.get(), nullptr), "a film cannot be completed");
+        check(avcodec_send_frame(codec_.get(), nullptr), "an animation cannot be completed");
         write_packets();
-        check(av_write_trailer(format_.get()), "a film cannot be completed");
-        check(avio_closep(&format_->pb), "a film cannot be written whole");
+        check(av_write_trailer(format_.get()), "an animation cannot be completed");
+        check(avio_closep(&format_->pb), "an animation cannot be written completely");
         file_.rename_into_place();
     }
 
@@ -112,14 +112,14 @@ class MovieWriter::Encoder {
     template <class Handle, class T>
     void own(Handle& handle, T* object) const {
         handle.reset(object);
-        if (!handle) check(AVERROR(ENOMEM), "a film cannot be started");
+        if (!handle) check(AVERROR(ENOMEM), "an animation cannot be started");
     }
 
     void open_codec(double frames_per_second) {
         const bool mp4 = kind_ == Kind::mp4;
         const AVCodec* encoder = mp4 ? avcodec_find_encoder_by_name("libx264") : avcodec_find_encoder(AV_CODEC_ID_GIF);
         if (encoder == nullptr) {
-            throw Error(ErrorKind::environment, Problem{"a film's encoder is missing", file_.path(),
+            throw Error(ErrorKind::environment, Problem{"an animation's encoder is missing", file_.path(),
                                                         mp4 ? "libx264" : "gif", "", "install Debian's libavcodec59"});
         }
         own(codec_, avcodec_alloc_context3(encoder));
@@ -138,15 +138,15 @@ class MovieWriter::Encoder {
             // As many threads as processors would give other bytes on every machine.
             codec_->thread_count = 1;
             // "animation" suits flat colours with sharp edges; quality 20 shows no blur round letters.
-            check(av_opt_set(codec_->priv_data, "preset", "veryfast", 0), "a film's encoder refuses an option");
-            check(av_opt_set(codec_->priv_data, "tune", "animation", 0), "a film's encoder refuses an option");
+            check(av_opt_set(codec_->priv_data, "preset", "veryfast", 0), "an animation's encoder refuses an option");
+            check(av_opt_set(codec_->priv_data, "tune", "animation", 0), "an animation's encoder refuses an option");
             // Without looking far ahead it needs a fifth of the memory, and flat pictures lose nothing.
             check(av_opt_set(codec_->priv_data, "x264-params",
                              "rc-lookahead=3:sync-lookahead=0:bframes=1:ref=2:cpu-independent=1", 0),
-                  "a film's encoder refuses an option");
-            check(av_opt_set(codec_->priv_data, "crf", "20", 0), "a film's encoder refuses an option");
+                  "an animation's encoder refuses an option");
+            check(av_opt_set(codec_->priv_data, "crf", "20", 0), "an animation's encoder refuses an option");
         }
-        check(avcodec_open2(codec_.get(), encoder, nullptr), "a film's encoder cannot be started");
+        check(avcodec_open2(codec_.get(), encoder, nullptr), "an animation's encoder cannot be started");
 
         make_frame(frame_, codec_->pix_fmt);
         frame_->colorspace = codec_->colorspace;
@@ -168,27 +168,27 @@ class MovieWriter::Encoder {
         frame->format = format;
         frame->width = codec_->width;
         frame->height = codec_->height;
-        check(av_frame_get_buffer(frame.get(), 0), "a film's frame cannot be made");
+        check(av_frame_get_buffer(frame.get(), 0), "an animation's frame cannot be made");
     }
 
     void open_file() {
         AVFormatContext* format = nullptr;
         check(avformat_alloc_output_context2(&format, nullptr, kind_ == Kind::mp4 ? "mp4" : "gif",
                                              file_.partial_path().c_str()),
-              "a film cannot be started");
+              "an animation cannot be started");
         format_.reset(format);
         format_->flags |= AVFMT_FLAG_BITEXACT;  // no date, no version: same frames, same bytes
         stream_ = avformat_new_stream(format_.get(), nullptr);
-        check(stream_ != nullptr ? 0 : AVERROR(ENOMEM), "a film cannot be started");
+        check(stream_ != nullptr ? 0 : AVERROR(ENOMEM), "an animation cannot be started");
         stream_->time_base = codec_->time_base;
         stream_->avg_frame_rate = codec_->framerate;
-        check(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), "a film cannot be started");
-        check(avio_open(&format_->pb, file_.partial_path().c_str(), AVIO_FLAG_WRITE), "a film cannot be written");
+        check(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), "an animation cannot be started");
+        check(avio_open(&format_->pb, file_.partial_path().c_str(), AVIO_FLAG_WRITE), "an animation cannot be written");
         AVDictionary* options = nullptr;
         if (kind_ == Kind::mp4) av_dict_set(&options, "movflags", "+faststart", 0);
         const int code = avformat_write_header(format_.get(), &options);
         av_dict_free(&options);
-        check(code, "a film cannot be started");
+        check(code, "an animation cannot be started");
     }
 
     // The scaler reads a little beyond the end of every row: the picture goes through a frame that has room for it.
@@ -199,7 +199,7 @@ class MovieWriter::Encoder {
         }
         check(sws_scale(scaler_.get(), picture_->data, picture_->linesize, 0, codec_->height, frame_->data,
                         frame_->linesize),
-              "a film's colours cannot be converted");
+              "an animation's colours cannot be converted");
     }
 
     void fill_indexed(const Image& image) {
@@ -222,11 +222,11 @@ class MovieWriter::Encoder {
         for (;;) {
             const int code = avcodec_receive_packet(codec_.get(), packet_.get());
             if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
-            check(code, "a film's frame cannot be coded");
+            check(code, "an animation's frame cannot be encoded");
             packet_->stream_index = stream_->index;
             packet_->duration = 1;
             av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
-            check(av_interleaved_write_frame(format_.get(), packet_.get()), "a film's frame cannot be written");
+            check(av_interleaved_write_frame(format_.get(), packet_.get()), "an animation's frame cannot be written");
         }
     }
 

@@ -63,10 +63,11 @@ ColourScale::ColourScale(const ScaleRequest& request) {
     Problems problems;
     if (!request.categories.empty() && (!request.classes.empty() || request.maximum)) {
         problems.add(
-            {"a map's layer has both categories and class bounds or a maximum", "", "", "", "give one of them"});
+            {"a map's raster has both categories and class bounds or a maximum", "", "", "", "give one of them"});
     }
     if (request.maximum && !(*request.maximum > 0 && std::isfinite(*request.maximum))) {
-        problems.add({"the end of a colour scale must be positive", "", number(*request.maximum), "over 0", ""});
+        problems.add(
+            {"the end of a colour scale must be positive", "", number(*request.maximum), "greater than 0", ""});
     }
     const bool rising = std::adjacent_find(request.classes.begin(), request.classes.end(),
                                            [](double a, double b) { return !(a < b); }) == request.classes.end();

@@ -40,7 +40,7 @@ void check(const MapSpec& spec) {
         problems.add({"the map's window is empty", "", "", "east over west, north over south", ""});
     }
     if (spec.terrain == nullptr && spec.layer == nullptr && spec.extent == nullptr) {
-        problems.add({"a map needs a terrain or a layer", "", "", "", ""});
+        problems.add({"a map needs a terrain or a raster", "", "", "", ""});
     }
     problems.throw_if_any();
 }
@@ -168,9 +168,9 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         if (scale_.classes().empty() && (spec.layer != nullptr || spec.dots != nullptr)) {
             TextStyle note = style.heading;
             note.halo_px = std::max(2.0, style.length(4));
-            sheet.text("nothing to show: the layer has no values",
+            sheet.text("nothing to show: the raster has no values",
                        {frame_.left + frame_.width / 2.0, frame_.top + frame_.height / 2.0},
-                       shrunk_to_fit(sheet.lettering(), "nothing to show: the layer has no values", note,
+                       shrunk_to_fit(sheet.lettering(), "nothing to show: the raster has no values", note,
                                      0.9 * frame_.width, 0.5),
                        Across::centre, Upright::middle);
         }

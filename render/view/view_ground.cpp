@@ -35,7 +35,7 @@ ViewGround::ViewGround(const Raster& terrain, const Raster* layer, double exagge
     const ValueRange range = value_range(heights_);
     if (heights_.grid.columns < 2 || heights_.grid.rows < 2 || range.empty()) {
         throw Error(ErrorKind::input,
-                    Problem{"a view needs terrain where its layer is", "", "", "", "is it the right DTM?"});
+                    Problem{"a view needs terrain where its raster is", "", "", "", "is it the right DTM?"});
     }
     const Bounds box = heights_.grid.bounds();
     origin_ = {(box.west + box.east) / 2, (box.south + box.north) / 2};

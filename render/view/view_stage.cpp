@@ -35,7 +35,7 @@ const ViewSpec& checked(const ViewSpec& spec) {
     }
     if (spec.camera &&
         !(spec.camera->elevation_deg >= 1 && spec.camera->elevation_deg <= 89 && spec.camera->zoom > 0)) {
-        problems.add({"the camera's place is out of range", "",
+        problems.add({"the camera's position is out of range", "",
                       number(spec.camera->elevation_deg) + " degrees, zoom " + number(spec.camera->zoom),
                       "elevation 1 to 89 degrees, zoom over 0", ""});
     }
@@ -107,7 +107,7 @@ class ViewStage::Scene {
         const std::vector<ScenePoint>& flow = flow_;
         if (flow.empty()) {
             throw Error(ErrorKind::input,
-                        Problem{"a view needs terrain where its layer is", "", "", "", "is it the right DTM?"});
+                        Problem{"a view needs terrain where its raster is", "", "", "", "is it the right DTM?"});
         }
         layout_.camera =
             spec.camera.value_or(find_camera(has_values ? std::span(flow) : std::span<const ScenePoint>()));
@@ -224,7 +224,7 @@ class ViewStage::Scene {
             if (nothing_to_show) {
                 TextStyle note = style.heading;
                 note.halo_px = std::max(2.0, style.length(4));
-                sheet.text("nothing to show: the layer has no values",
+                sheet.text("nothing to show: the raster has no values",
                            {(picture.left + picture.right) / 2, (picture.top + picture.bottom) / 2}, note,
                            Across::centre, Upright::middle);
             }

@@ -28,7 +28,7 @@ DepositScores compare_deposit(const Raster& simulated, const Raster& observed, d
         so += s * o;
     }
     if (count == 0) {
-        throw Error(ErrorKind::input, Problem{"neither the simulation nor the survey shows a deposit", "comparison", "",
+        throw Error(ErrorKind::input, Problem{"neither the simulation nor the survey has a deposit", "comparison", "",
                                               "", "Lower the threshold"});
     }
     const double cell = simulated.grid.cell_area();

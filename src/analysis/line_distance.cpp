@@ -74,7 +74,7 @@ LineDistance distance_statistics(std::vector<double> distances) {
 
 LineDistance distance_between(const LineSet& one, const LineSet& other, double spacing) {
     if (one.empty() || other.empty()) {
-        throw Error(ErrorKind::input, Problem{"an outline is empty, so its distance from the other is not known",
+        throw Error(ErrorKind::input, Problem{"an outline is empty, so its distance from the other is undefined",
                                               "comparison", "", "", "Lower the depth threshold or check the files"});
     }
     std::vector<double> distances;

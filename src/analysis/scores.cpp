@@ -69,7 +69,7 @@ ComparisonFigures figures_at(const Raster& simulated_depth, const Raster& observ
     const double positives = hits + misses;
     if (positives == 0) {
         throw Error(ErrorKind::input, Problem{"no cell lies inside the observed outline", "comparison", "", "",
-                                              "Check the outline's place and CRS, or use smaller cells"});
+                                              "Check the outline's position and CRS, or use smaller cells"});
     }
 
     ComparisonFigures figures;

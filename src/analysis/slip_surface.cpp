@@ -175,7 +175,7 @@ SlipSurface::SlipSurface(const Raster& ground, const MultiPolygon& perimeter, st
     const bool seen = seen_from_centroid(perimeter);
     if (shape == SlipShape::ellipsoid && !seen) {
         throw Error(ErrorKind::input,
-                    Problem{"no ellipsoid can be fitted to a perimeter that cannot be seen whole from its centroid",
+                    Problem{"no ellipsoid can be fitted to a perimeter that is not entirely visible from its centroid",
                             "release.slip-shape", "ellipsoid", "", "Choose auto or base-level"});
     }
     shape_ = shape.value_or(seen ? SlipShape::ellipsoid : SlipShape::base_level);

@@ -26,31 +26,18 @@ namespace frana::app {
 namespace {
 
 constexpr const char* k_help =
-    "frana simulates how far a landslide runs.\n"
-    "\n"
-    "Usage: frana COMMAND [arguments]\n"
-    "\n"
-    "  run SCENE.ini            compute a scene; write rasters, maps, animation, comparison\n"
-    "  check SCENE.ini          validate a scene and print what would run; writes nothing\n"
-    "  render RESULT_DIR        draw maps, views or an animation of a result\n"
-    "  compare RESULT_DIR|RASTER --scar VECTOR\n"
-    "                           compare a result with a surveyed outline\n"
-    "  params                   every key of a scene file: type, unit, default, range, meaning\n"
-    "  materials                the material presets\n"
-    "  converge SCENE.ini       the scene at several resolutions: how wrong is the finest?\n"
-    "  bench accuracy|stability|speed\n"
-    "                           frana measured: errors against exact solutions, hard cases, throughput\n"
-    "  bench robustness SCENE.ini\n"
-    "                           the scene with its grid shifted and turned, noise, other particles and time steps\n"
-    "\n"
-    "  frana COMMAND --help     more about a command\n"
-    "  frana --version          its version and its libraries'\n"
-    "  frana COMMAND --allow-network ...\n"
-    "                           inputs may be URLs, databases and map services\n"
-    "\n"
-    "Exit codes: 0 done; 2 usage, configuration or input data wrong; 3 numerical failure; 4 environment "
-    "(disk,\n"
-    "rights, graphics); 129, 130, 143 stopped by a signal.\n";
+    "frana computes the run-out of landslides.\n\nUsage: frana COMMAND [arguments]\n\n  run SCENE.ini            "
+    "compute a scene; write rasters, maps, animation, comparison\n  check SCENE.ini          validate a scene and "
+    "print what would run; writes nothing\n  render RESULT_DIR        draw maps, views or an animation of a result\n  "
+    "compare RESULT_DIR|RASTER --scar VECTOR\n                           compare a result with a surveyed outline\n  "
+    "params                   every key of a scene file: type, unit, default, range, meaning\n  materials              "
+    "  the material presets\n  converge SCENE.ini       the scene at several resolutions: estimated error\n  bench "
+    "accuracy|stability|speed\n                           tests of frana: errors against exact solutions, hard cases, "
+    "throughput\n  bench robustness SCENE.ini\n                           the scene with its grid shifted and rotated, "
+    "noise, other particles and time steps\n\n  frana COMMAND --help     more about a command\n  frana --version       "
+    "   its version and its libraries'\n  frana COMMAND --allow-network ...\n                           inputs may be "
+    "URLs, databases and map services\n\nExit codes: 0 done; 2 usage, wrong configuration or input data; 3 numerical "
+    "failure; 4 environment (disk,\nrights, graphics); 129, 130, 143 stopped by a signal.\n";
 
 struct Command {
     const char* name;
@@ -150,7 +137,7 @@ int main(int count, char** words) {
              frana::Problem{error.code().message(), "the system", "", "", frana::system_remedy(error.code().value())}});
     } catch (const std::exception& error) {
         std::cerr << "frana: " << error.what()
-                  << ". Where memory, threads or open files run out, allow more (ulimit -a) or take fewer --threads\n";
+                  << ". If memory, threads or open files run out, allow more (ulimit -a) or use fewer --threads\n";
     }
     return static_cast<int>(frana::app::ExitCode::environment);
 }

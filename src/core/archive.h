@@ -61,8 +61,8 @@ class StateReader {
     [[nodiscard]] std::uint64_t left() const noexcept { return left_; }
     static void require(bool fits) {
         if (!fits)
-            throw Error(ErrorKind::input, Problem{"the state saved there does not fit this program and scene",
-                                                  "checkpoint", "", "", "Run the scene from its start"});
+            throw Error(ErrorKind::input, Problem{"the saved state does not fit this program and scene", "checkpoint",
+                                                  "", "", "Run the scene from its start"});
     }
 
   private:

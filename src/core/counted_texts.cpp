@@ -30,7 +30,7 @@ std::vector<std::string> CountedTexts::told() const {
     std::vector<std::string> all;
     for (const Kind& kind : kinds_) {
         all.insert(all.end(), kind.first.begin(), kind.first.end());
-        if (kind.more > 0) all.back() += "; and " + grouped_digits(kind.more) + " more like it";
+        if (kind.more > 0) all.back() += "; and " + grouped_digits(kind.more) + " more of this kind";
     }
     return all;
 }

@@ -136,7 +136,7 @@ void FileAside::fail(const std::string& what, int reason) const {
 void FileAside::bring_to_disk() const {
     const Descriptor named(descriptor_ < 0 ? partial_ : "", O_RDONLY);
     const int descriptor = descriptor_ >= 0 ? descriptor_ : named.number();
-    if (const int reason = sync_descriptor(descriptor); reason != 0) fail("cannot be brought to the disk", reason);
+    if (const int reason = sync_descriptor(descriptor); reason != 0) fail("cannot be written to the disk", reason);
 }
 
 void FileAside::rename_into_place() {
@@ -149,13 +149,13 @@ void FileAside::rename_into_place() {
         // There is one of that name: only a file with a name can take its place.
         const int refusal = errno;
         ::unlink(named_.c_str());  // of a program that had our number
-        if (refusal != EEXIST) fail("a finished file cannot take its name", refusal);
-        if (!link(named_)) fail("a finished file cannot take its name", errno);
+        if (refusal != EEXIST) fail("a finished file cannot be renamed", refusal);
+        if (!link(named_)) fail("a finished file cannot be renamed", errno);
     }
     if (std::rename(named_.c_str(), path_.c_str()) != 0) {
         const int reason = errno;
         ::unlink(named_.c_str());
-        fail("a finished file cannot take its name", reason);
+        fail("a finished file cannot be renamed", reason);
     }
     done_ = true;
 }
@@ -165,7 +165,7 @@ void write_file(const std::string& path, std::string_view bytes, Sync sync) {
     const auto fail = [&](int reason) {
         throw Error(ErrorKind::environment,
                     Problem{std::string("cannot be written: ") + std::strerror(reason), path, "", "",
-                            "Check that the folder exists, may be written and has room"});
+                            "Check that the folder exists, may be written and has free space"});
     };
     {
         const Descriptor out(file.partial_path(), O_WRONLY | O_CREAT | O_TRUNC);

@@ -11,23 +11,22 @@ std::string system_remedy(int reason) {
             return "Memory ran out: end other programs, allow more (ulimit -v), or choose larger cells "
                    "(terrain.cell-size) or smaller pictures (output.map-size)";
         case EAGAIN:
-            return "The system gave no thread: allow more (ulimit -u, ulimit -v) or take fewer --threads";
+            return "The system refused a thread: allow more (ulimit -u, ulimit -v) or use fewer --threads";
         case EMFILE:
         case ENFILE:
             return "Too many files are open: allow more (ulimit -n)";
         case ENOSPC:
         case EDQUOT:
         case EFBIG:
-            return "Make room on the disk, then give the same command again";
+            return "Free some disk space, then repeat the command";
         case EACCES:
         case EPERM:
         case EROFS:
             return "Check the rights of the file and its folder";
         case EINTR:
-            return "Give the same command again";
+            return "Repeat the command";
         case EIO:
-            return "The disk or the network could not be read or written: look at it, then give the same "
-                   "command again";
+            return "The disk or the network could not be read or written: check it, then repeat the command";
         default:
             return "Check the place's rights and free space";
     }

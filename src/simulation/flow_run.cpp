@@ -81,7 +81,7 @@ void note_scaling(const std::vector<ReleasedArea>& areas, std::vector<std::strin
     for (std::size_t i = 0; i < areas.size(); ++i) {
         if (std::abs(areas[i].scaled - 1) <= 1e-9) continue;
         char text[128];
-        std::snprintf(text, sizeof text, "thickness of release area %zu scaled by %.4f to hold the given volume", i + 1,
+        std::snprintf(text, sizeof text, "thickness of release area %zu scaled by %.4f to the given volume", i + 1,
                       areas[i].scaled);
         notes.emplace_back(text);
     }
@@ -381,7 +381,8 @@ RunResult FlowRun<AnyFlow>::finish() {
     result.volume_final = flow_.volume();
     result.volume_left = flow_.volume_left();
     if constexpr (requires { flow_.phase_budget(); }) result.phases = flow_.phase_budget();
-    if (!arrivals_.done()) result.notes.emplace_back("the run ended before everything had failed or flowed in");
+    if (!arrivals_.done())
+        result.notes.emplace_back("the run ended before all release areas had failed or all inflow had entered");
     give_exchanges(scene_, flow_, result);
     give_jumps(scene_, flow_, result);
     engine_.stop();

@@ -114,7 +114,7 @@ InflowSource::InflowSource(const Scene& scene, const Inflow& inflow) : gravity_(
     for (const Point& map : inflow.line) line.push_back(scene.grid.local_from_map(map));
     const double length = length_of(line), spacing = lattice_spacing(scene);
     if (line.size() < 2 || !(length > 0))
-        throw refused("the inflow's line has no length", "inflow.line", "", "Draw it anew");
+        throw refused("the inflow's line has no length", "inflow.line", "", "Redraw it");
     const auto count = static_cast<std::size_t>(std::ceil(length / spacing));
     std::vector<Point> slopes, tangents;
     double towards_left = 0;  // how far the ground falls to the left of the line

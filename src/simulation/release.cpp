@@ -88,13 +88,12 @@ void refuse_thin(const Scene& scene, const Raster& depth) {
     const double minimum = scene.numerics.minimum_depth;
     if (!(greatest > 0) || greatest >= minimum || !scene.inflows.empty()) return;
     char value[96], limit[96], remedy[192];
-    std::snprintf(value, sizeof value, "%.3g m at most, as a mean over cells of %.4g m", greatest,
-                  scene.grid.cell_size);
+    std::snprintf(value, sizeof value, "%.3g m at most, mean over cells of %.4g m", greatest, scene.grid.cell_size);
     std::snprintf(limit, sizeof limit, "at least numerics.minimum-depth = %.4g m", minimum);
     std::snprintf(
         remedy, sizeof remedy, "Set numerics.minimum-depth = %.1g or less%s", greatest / 10,
-        ", choose smaller cells (terrain.cell-size) where the release is smaller than one, or check the unit");
-    throw Error(ErrorKind::input, Problem{"the release is thinner than what maps and figures count as reached",
+        ", choose smaller cells (terrain.cell-size) if the release is smaller than a cell, or check the unit");
+    throw Error(ErrorKind::input, Problem{"the release is thinner than the depth that counts as reached",
                                           "release.thickness", value, limit, remedy});
 }
 
@@ -217,10 +216,10 @@ Release make_release(const Scene& scene) {
         }
     }
     if (all.size() == 0 && scene.inflows.empty()) {
-        throw Error(
-            ErrorKind::input,
-            Problem{"nothing would be released: the perimeter holds no thickness above zero", "release.thickness", "",
-                    "", "Check that the thickness raster covers the perimeter and is positive inside it"});
+        throw Error(ErrorKind::input,
+                    Problem{"nothing would be released: the thickness in the perimeter is nowhere above zero",
+                            "release.thickness", "", "",
+                            "Check that the thickness raster covers the perimeter and is positive inside it"});
     }
     refuse_gaps(scene, all);
     refuse_walls(scene, all);

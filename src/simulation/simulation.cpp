@@ -89,15 +89,15 @@ const char* describe(StopReason reason) {
         case StopReason::end_time:
             return "end time reached";
         case StopReason::still:
-            return "everything at rest";
+            return "all material at rest";
         case StopReason::settled:
             return "run-out, area and deposit have stopped changing";
         case StopReason::energy:
-            return "kinetic energy under the given share of its peak";
+            return "kinetic energy below the given fraction of its peak";
         case StopReason::moving_volume:
-            return "moving volume under the given share of its peak";
+            return "moving volume below the given fraction of its peak";
         case StopReason::all_left:
-            return "everything has left the domain";
+            return "all material has left the domain";
         case StopReason::requested:
             return "stopped by a signal";
         case StopReason::reached_no_data:
@@ -105,9 +105,9 @@ const char* describe(StopReason reason) {
         case StopReason::non_finite:
             return "non-finite values appeared";
         case StopReason::impossible_speed:
-            return "the flow became faster than its fall allows";
+            return "the speed exceeded what the fall allows";
         case StopReason::volume_drift:
-            return "the volume did not add up any more";
+            return "the volume was no longer conserved";
     }
     return "";
 }

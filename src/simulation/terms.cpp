@@ -105,7 +105,7 @@ void add_solids(const StructuredMaterial& m, bool fluid, Words& words) {
             words.emplace_back("lateral earth pressure, active and passive");
             break;
     }
-    if (m.cohesion > 0) words.emplace_back("cohesion that strain destroys");
+    if (m.cohesion > 0) words.emplace_back("cohesion lost with strain");
     if (!fluid) return;
     if (m.cohesion > 0 && m.confined_share > 0) words.emplace_back("release of confined fluid");
     words.emplace_back("buoyancy");

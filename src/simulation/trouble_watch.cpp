@@ -157,7 +157,7 @@ std::string describe(const Trouble& trouble) {
     const auto count = static_cast<long long>(trouble.count);
     switch (trouble.kind) {
         case Kind::non_finite:
-            std::snprintf(what, sizeof what, "%lld particles or cells hold values that are not finite", count);
+            std::snprintf(what, sizeof what, "%lld particles or cells have non-finite values", count);
             break;
         case Kind::impossible_speed:
             std::snprintf(what, sizeof what,
@@ -165,11 +165,11 @@ std::string describe(const Trouble& trouble) {
                           trouble.value, trouble.limit);
             break;
         case Kind::volume_drift:
-            std::snprintf(what, sizeof what, "the volume is off by %.2g of all that came in (limit %.2g)",
+            std::snprintf(what, sizeof what, "the volume error is %.2g of all volume that came in (limit %.2g)",
                           trouble.value, trouble.limit);
             break;
         case Kind::no_data:
-            std::snprintf(what, sizeof what, "the flow came upon ground without elevation (%lld particles or cells)",
+            std::snprintf(what, sizeof what, "the flow reached ground without elevation (%lld particles or cells)",
                           count);
             break;
     }

@@ -280,10 +280,10 @@ std::vector<BrokenFile> broken_vectors(const std::string& key) {
          }},
         json("geojson_farther_than_a_map",
              R"({"type": "Polygon", "coordinates": [[[0, 0], [1e200, 0], [1e200, 1e200], [0, 1e200], [0, 0]]]})",
-             "farther than any map reaches"),
+             "non-finite or too large"),
         json("geojson_line_farther_than_a_map",
              R"({"type": "LineString", "coordinates": [[0, 0], [1e200, 0], [1e200, 1e200], [0, 1e200], [0, 0]]})",
-             "farther than any map reaches"),
+             "non-finite or too large"),
         {"geojson_cut", key, "a.geojson",
          [](W w) {
              w.write("a.geojson", w.bytes("perimeter.geojson"));

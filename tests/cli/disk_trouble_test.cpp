@@ -95,7 +95,7 @@ TEST_F(SmallDisk, ThatFillsStopsTheRunWhichGoesOnLater) {
         EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
         EXPECT_NE(outcome.err.find("disk: the disk has "), std::string::npos) << outcome.err;
         EXPECT_NE(outcome.err.find("the run up to its last checkpoint is kept"), std::string::npos) << outcome.err;
-        EXPECT_NE(outcome.err.find("--resume goes on from there"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("resume with the same command"), std::string::npos) << outcome.err;
     }
     EXPECT_EQ(read_text(path("disk/result/summary.json")), earlier);
     // Still no room: the same again, and nothing is lost.
@@ -105,7 +105,7 @@ TEST_F(SmallDisk, ThatFillsStopsTheRunWhichGoesOnLater) {
     filler.reset();
     const Outcome resumed = frana(run("disk/result", {"--overwrite", "--resume"}));
     EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-    EXPECT_NE(resumed.err.find("going on from"), std::string::npos) << resumed.err;
+    EXPECT_NE(resumed.err.find("resuming from"), std::string::npos) << resumed.err;
     expect_same_result("whole", "disk/result");
     expect_tidy("disk/result");
 }
@@ -153,7 +153,7 @@ TEST_F(SmallDisk, ThatFillsTakesTheStateOfAYoungRun) {
         filler.reset();
         const Outcome resumed = frana(resume);
         EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-        EXPECT_NE(resumed.err.find("going on from"), std::string::npos) << resumed.err;
+        EXPECT_NE(resumed.err.find("resuming from"), std::string::npos) << resumed.err;
         expect_same_result(whole, result);
         expect_tidy(result);
         fs::remove_all(path(result));

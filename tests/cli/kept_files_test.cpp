@@ -46,29 +46,28 @@ class KeptFilesOf : public TinyScene {
 
 TEST_F(KeptFilesOf, ARasterThatIsDrawn) {
     expect_refusal({"render", "result/max_depth.tif", "--format", "tif", "--out", "result", "--size", "640x480"},
-                   "--out: would be written over: it is read here, or belongs to a result (value "
-                   "result/max_depth.tif)");
+                   "--out: would be overwritten: it is an input or belongs to a result (value result/max_depth.tif)");
     fs::create_directory(path("maps"));
     fs::create_hard_link(path("result/max_depth.tif"), path("maps/max_depth.tif"));
     expect_refusal({"render", "result/max_depth.tif", "--format", "tif", "--out", "maps", "--size", "640x480"},
-                   "would be written over");
+                   "would be overwritten");
 }
 
 TEST_F(KeptFilesOf, AResult) {
     expect_refusal({"render", "result", "--out", "result", "--format", "tif", "--size", "640x480"},
-                   "pictures as tif do not go among them");
+                   "pictures as tif cannot be written there");
     fs::create_directory_symlink(path("result"), path("alias"));
     expect_refusal({"render", "result", "--out", "alias", "--format", "tif", "--size", "640x480"},
-                   "pictures as tif do not go among them");
+                   "pictures as tif cannot be written there");
     fs::create_symlink(path("result/max_depth.tif"), path("film.mp4"));
-    expect_refusal({"render", "result", "--animation", "film.mp4", "--size", "640x480"}, "would be written over");
+    expect_refusal({"render", "result", "--animation", "film.mp4", "--size", "640x480"}, "would be overwritten");
     fs::create_directory(path("pictures"));
     fs::create_symlink(path("dtm.asc"), path("pictures/max_depth.png"));
     expect_refusal({"render", "result", "--map", "max_depth", "--out", "pictures", "--size", "640x480"},
-                   "would be written over");
+                   "would be overwritten");
     fs::create_directory(path("charts"));
     fs::create_hard_link(path("result/summary.json"), path("charts/timeseries.png"));
-    expect_refusal({"render", "result", "--charts", "--out", "charts"}, "would be written over");
+    expect_refusal({"render", "result", "--charts", "--out", "charts"}, "would be overwritten");
 }
 
 TEST_F(KeptFilesOf, AnybodyWithTheNameOfAPicture) {
@@ -76,7 +75,7 @@ TEST_F(KeptFilesOf, AnybodyWithTheNameOfAPicture) {
     fs::copy_file(path("result/dtm.tif"), path("pictures/max_depth.tif"));
     const std::vector<std::string> draw{"render",   "result",   "--map", "max_depth", "--out",
                                         "pictures", "--format", "tif",   "--size",    "640x480"};
-    expect_refusal(draw, "is there already and is no picture that frana drew");
+    expect_refusal(draw, "exists already and was not drawn by frana");
     fs::remove(path("pictures/max_depth.tif"));
     for (int i = 0; i < 2; ++i) {  // its own pictures it draws anew
         const Outcome outcome = frana(draw);
@@ -107,9 +106,9 @@ TEST_F(KeptFilesOf, WhatIsCompared) {
     fs::create_directory(path("foreign"));
     fs::copy_file(path("result/max_depth.tif"), path("foreign/comparison.tif"));
     expect_refusal({"compare", "foreign/comparison.tif", "--scar", "scar.geojson", "--out", "foreign"},
-                   "would be written over");
+                   "would be overwritten");
     fs::rename(path("scar.geojson"), path("result/comparison.json"));
-    expect_refusal({"compare", "result", "--scar", "result/comparison.json"}, "would be written over");
+    expect_refusal({"compare", "result", "--scar", "result/comparison.json"}, "would be overwritten");
 }
 
 TEST_F(KeptFilesOf, WhatAConvergenceStudyReads) {
@@ -117,12 +116,12 @@ TEST_F(KeptFilesOf, WhatAConvergenceStudyReads) {
     fs::rename(path("dtm.asc"), path("study/convergence.csv"));
     fs::rename(path("dtm.prj"), path("study/convergence.prj"));
     expect_refusal({"converge", "scene.ini", "--set", "terrain.dtm=study/convergence.csv", "--out", "study", "--quiet"},
-                   "would be written over");
+                   "would be overwritten");
 }
 
 class OwnFiles : public KeptFilesOf {};
 
-const std::string k_foreign = "is there already, and frana did not write it";
+const std::string k_foreign = "exists already and was not written by frana";
 
 TEST_F(OwnFiles, OfAComparisonAreReplacedAndNoOthers) {
     write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
@@ -151,10 +150,10 @@ TEST_F(OwnFiles, OfAStudyAreReplacedAndNoOthers) {
     write("study/uncertainty.tif", "the user's");
     const std::vector<std::string> study{"converge", "scene.ini", "--out", "study", "--quiet", "--set", "time.end=1"};
     expect_refusal(study, k_foreign);
-    expect_refusal(study, "a study of an older frana, which kept no list of its files, has to go as a whole");
+    expect_refusal(study, "a study by an older frana, without a list of its files, must be moved as a whole");
     fs::remove(path("study/uncertainty.tif"));
     EXPECT_EQ(frana(study).exit_code, 0);
-    expect_refusal(study, "holds a convergence study already");
+    expect_refusal(study, "contains a convergence study already");
     std::vector<std::string> again = study;
     again.emplace_back("--overwrite");
     EXPECT_EQ(frana(again).exit_code, 0);
@@ -189,11 +188,11 @@ class AnotherResult : public KeptFilesOf {
         write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
     }
     void expect_both_named(const std::vector<std::string>& arguments, const std::string& reads) const {
-        expect_refusal(arguments, "lies in another result, " + fs::canonical(path("other")).string());
+        expect_refusal(arguments, "is in another result, " + fs::canonical(path("other")).string());
         if (reads.empty()) return;
         const Outcome outcome = frana(arguments);
-        EXPECT_NE(outcome.err.find("what is read is " + reads), std::string::npos) << outcome.err;
-        EXPECT_NE(outcome.err.find("Choose a place outside of it"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("the input is " + reads), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("Choose a place outside it"), std::string::npos) << outcome.err;
     }
 };
 

@@ -126,7 +126,7 @@ TEST_F(Late, ResumingAFinishedResultDrawsWhatIsMissing) {
     // It is not computed anew: not even for another scene, which is said.
     const Outcome other = frana(command("result", {"--resume", "--set", "time.end=3"}));
     EXPECT_EQ(other.exit_code, 2);
-    EXPECT_NE(other.err.find("holds the finished result of another scene: time.end is 3 here and was 4"),
+    EXPECT_NE(other.err.find("contains the finished result of another scene: time.end is 3 here and was 4"),
               std::string::npos)
         << other.err;
     write_dtm([](int, int column) { return 301 - 2.5 * column; });
@@ -158,7 +158,7 @@ TEST_F(Late, ResumingAResultWithFilesRuinedSaysWhich) {
     write("result/max_depth.qml", "of the user's own");
     EXPECT_EQ(frana(command("result", {"--resume"})).exit_code, 0);
     fs::remove(path("result/manifest.json"));
-    refused("the result's list of files is missing");
+    refused("the result's manifest is missing");
 }
 
 // Only a run can write them: a result that lacks one is not called complete.
@@ -169,7 +169,7 @@ TEST_F(Late, ResumingAResultWithFilesMissingSaysWhich) {
         fs::remove(path("result/maps/max_velocity.png"));
         const Outcome outcome = frana(command("result", {"--resume"}));
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find("files of the result are missing, which only a run can write: " + name),
+        EXPECT_NE(outcome.err.find("files of the result are missing that only a run can write: " + name),
                   std::string::npos)
             << outcome.err;
         EXPECT_EQ(fs::exists(path("result/maps/max_velocity.png")),

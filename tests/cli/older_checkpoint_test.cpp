@@ -65,7 +65,7 @@ class OlderCheckpoint : public TinyScene {
     void expect_goes_on_to(const Raster& expected) {
         const Outcome outcome = frana({"run", path("scene.ini"), "--out", "result", "--resume"});
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-        EXPECT_NE(outcome.err.find("going on from"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("resuming from"), std::string::npos) << outcome.err;
         const Raster made = gis::read_result_raster(path("result/max_depth.tif"));
         ASSERT_EQ(made.values.size(), expected.values.size());
         int flooded = 0;

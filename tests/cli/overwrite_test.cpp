@@ -301,7 +301,7 @@ TEST_F(LeftBehind, ACopyOrAUsersFileSavesTheFolderOfAKilledRun) {
                                    backup = files_below(path("result.partial-backup"));
     const Outcome outcome = frana(run("result", {"--overwrite"}));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find(left + "; it holds more than frana wrote there, and stays"), std::string::npos)
+    EXPECT_NE(outcome.err.find(left + "; it contains files that frana did not write, and is kept"), std::string::npos)
         << outcome.err;
     EXPECT_EQ(files_below(path(left)), killed);
     EXPECT_EQ(files_below(path("result.partial-backup")), backup);

@@ -79,8 +79,8 @@ TEST_F(Place, ASymbolicLinkStaysOneAndTheResultIsBuiltWhereItLeads) {
 TEST_F(Place, BrokenLinksAreRefused) {
     fs::create_directory_symlink("no_disk/result", path("dangling"));
     fs::create_directory_symlink("circle", path("circle"));
-    expect_refused("dangling", 2, "is a symbolic link to a place that is not there");
-    expect_refused("circle", 2, "is a symbolic link that leads back to itself");
+    expect_refused("dangling", 2, "is a symbolic link to a place that does not exist");
+    expect_refused("circle", 2, "is a symbolic link to itself");
 }
 
 TEST_F(Place, AMountPointIsRefusedAtTheStartAndAFolderInItTaken) {
@@ -175,7 +175,7 @@ TEST_F(Place, WhoseNameIsTooLongIsRefusedBeforeAFolderIsMade) {
     for (const std::string command : {"check", "run"}) {
         const Outcome outcome = frana({command, "scene.ini", "--out", "above/" + std::string(245, 'a')});
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find("--out: has too long a name"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("--out: has a name that is too long"), std::string::npos) << outcome.err;
         EXPECT_NE(outcome.err.find("Choose a shorter one with --out"), std::string::npos) << outcome.err;
     }
     EXPECT_FALSE(fs::exists(path("above")));
@@ -193,7 +193,7 @@ TEST_F(Place, InputsThatTheResultWouldReplaceAreRefusedUnderAnyName) {
           "terrain.dtm=GTIFF_RAW:result/dtm.tif"}) {
         const Outcome outcome = run("result", {"--overwrite", "--set", input});
         EXPECT_EQ(outcome.exit_code, 2) << input << ": " << outcome.err;
-        EXPECT_NE(outcome.err.find("would be replaced by the result while it is read"), std::string::npos)
+        EXPECT_NE(outcome.err.find("is an input and would be replaced by the result"), std::string::npos)
             << input << ": " << outcome.err;
     }
     EXPECT_EQ(files(), before);

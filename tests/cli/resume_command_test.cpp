@@ -106,11 +106,11 @@ TEST_F(Stopped, BySignalsItKeepsWhatThereIsAndGoesOn) {
             program.send(number);
             const Outcome outcome = program.wait();
             EXPECT_EQ(outcome.exit_code, 128 + number) << outcome.err;
-            EXPECT_NE(outcome.err.find("--resume goes on"), std::string::npos) << outcome.err;
+            EXPECT_NE(outcome.err.find("--resume continues it"), std::string::npos) << outcome.err;
         }
         const std::string summary = read_text(path(result + "/summary.json"));
         EXPECT_EQ(json_text(summary, "stop_reason"), "requested");
-        EXPECT_TRUE(json_lists(summary, "warnings", "the maps are not complete")) << summary;
+        EXPECT_TRUE(json_lists(summary, "warnings", "the maps are incomplete")) << summary;
         EXPECT_TRUE(fs::exists(path(result + "/max_depth.tif")));
         ASSERT_EQ(checkpoints(result).size(), 1U);
 
@@ -121,11 +121,11 @@ TEST_F(Stopped, BySignalsItKeepsWhatThereIsAndGoesOn) {
 
         const Outcome resumed = frana(with(run_once(result), {"--resume", "--threads", "3"}));
         EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-        EXPECT_NE(resumed.err.find("going on from"), std::string::npos) << resumed.err;
+        EXPECT_NE(resumed.err.find("resuming from"), std::string::npos) << resumed.err;
         expect_same_result("whole", result);
         expect_tidy(result);
         const std::string log = read_text(path(result + "/log.txt"));
-        EXPECT_LT(log.find("checkpoint at"), log.find("going on from"));  // both sessions, in order
+        EXPECT_LT(log.find("checkpoint at"), log.find("resuming from"));  // both sessions, in order
     }
 }
 
@@ -153,8 +153,8 @@ TEST_F(Interrupted, ItIsNeitherForgottenNorLost) {
     ASSERT_EQ(before.size(), 2U);  // the last two are kept
     const Outcome refused = frana(run("result"));
     EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("was interrupted and is kept in"), std::string::npos) << refused.err;
-    EXPECT_NE(refused.err.find("--resume goes on from there"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("an interrupted run of it is kept in"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("--resume continues it"), std::string::npos) << refused.err;
     EXPECT_EQ(checkpoints("result"), before);
     // Anew, when told so; then it has been replaced.
     EXPECT_EQ(frana(run("result", {"--overwrite", "--quiet"})).exit_code, 0);
@@ -182,7 +182,7 @@ TEST_F(Interrupted, ADamagedCheckpointGivesWayToTheOneBefore) {
     const Outcome outcome = frana(run("result", {"--resume"}));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("checkpoint not used: " + both[0] + ": is damaged"), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find("going on from"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("resuming from"), std::string::npos) << outcome.err;
     // The summary tells of the damaged checkpoint; all else is the same.
     fs::remove(path("result/summary.json"));
     fs::remove(path("whole/summary.json"));
@@ -196,16 +196,16 @@ TEST_F(Interrupted, NothingToGoOnFromIsSaidNotBegunAnew) {
     const auto refusal = [&](const std::vector<std::string>& more) {
         const Outcome outcome = frana(run("result", with({"--resume"}, more)));
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find("no checkpoint can be gone on from"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("the run cannot be resumed from any checkpoint"), std::string::npos) << outcome.err;
         return outcome.err;
     };
     // Another scene: which keys, which data.
     EXPECT_NE(refusal({"--set", "material.turbulence=400"})
-                  .find("is of another scene: material.turbulence is 400 here and was 500"),
+                  .find("is from another scene: material.turbulence is 400 here and was 500"),
               std::string::npos);
     const std::string dtm = read_text(path("dtm.asc"));
     write_dtm([](int, int column) { return 301 - 2.5 * column; });
-    EXPECT_NE(refusal({}).find("is of another scene: the terrain differs"), std::string::npos);
+    EXPECT_NE(refusal({}).find("is from another scene: the terrain differs"), std::string::npos);
     write("dtm.asc", dtm);
 
     fs::remove(both[1]);
@@ -236,7 +236,7 @@ TEST_F(Interrupted, AMissingInputOrFrameIsSaid) {
     fs::rename(frame, path("frame"));
     const Outcome framed = frana(run("result", {"--resume"}));
     EXPECT_EQ(framed.exit_code, 2);
-    EXPECT_NE(framed.err.find("counts on a frame that is not there any more"), std::string::npos) << framed.err;
+    EXPECT_NE(framed.err.find("needs a frame that is not there any more"), std::string::npos) << framed.err;
     fs::rename(path("frame"), frame);
     EXPECT_EQ(frana(run("result", {"--resume", "--quiet"})).exit_code, 0);
 }

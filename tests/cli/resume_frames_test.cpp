@@ -79,8 +79,7 @@ TEST_F(ResumedFrames, OfWhichAnyFileIsMissingAreSaid) {
     fs::remove(file);
     const Outcome refused = frana(with_particles("result", {"--resume"}));
     EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("counts on a frame that is not there any more: " + file.string()), std::string::npos)
-        << refused.err;
+    EXPECT_NE(refused.err.find("needs a frame that is missing: " + file.string()), std::string::npos) << refused.err;
 }
 
 // Else all would be computed, and the film or the stack of frames fail in the end, each time anew.
@@ -90,7 +89,7 @@ TEST_F(ResumedFrames, ThatAreDamagedAreSaidBeforeAnythingIsComputed) {
     damage(file);
     const Outcome refused = frana(run("result", {"--resume"}));
     EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("counts on a frame that is not as it was written: " + file.string()), std::string::npos)
+    EXPECT_NE(refused.err.find("needs a frame that is not as it was written: " + file.string()), std::string::npos)
         << refused.err;
     EXPECT_NE(refused.err.find("--overwrite"), std::string::npos) << refused.err;
     EXPECT_EQ(checkpoints("result").size(), 2U);
@@ -119,9 +118,9 @@ TEST_F(ResumedFrames, ThatAreDamagedCostNoMoreThanTheyMust) {
     damage(folder_of(newest) / ("frames/depth_000" + std::to_string(frames - 1) + ".tif"));
     const Outcome resumed = frana(run("result", {"--resume"}));
     EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-    EXPECT_NE(resumed.err.find("checkpoint not used: " + newest + ": counts on a frame"), std::string::npos)
+    EXPECT_NE(resumed.err.find("checkpoint not used: " + newest + ": needs a frame"), std::string::npos)
         << resumed.err;
-    EXPECT_NE(resumed.err.find("going on from"), std::string::npos) << resumed.err;
+    EXPECT_NE(resumed.err.find("resuming from"), std::string::npos) << resumed.err;
     // The summary tells of the checkpoint that was not used; all else is the same.
     fs::remove(path("result/summary.json"));
     fs::remove(path("whole/summary.json"));

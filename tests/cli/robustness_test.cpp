@@ -99,14 +99,14 @@ TEST_F(RobustnessCommand, RefusesBeforeAnythingIsComputed) {
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
     };
     refused({}, "SCENE.ini is missing");
-    refused({"scene.ini", "other.ini"}, "one word too many");
+    refused({"scene.ini", "other.ini"}, "is not expected here");
     refused({"missing.ini"}, "missing.ini");
     refused({"scene.ini", "--case", "turned-91"}, "turned-90");
     refused({"scene.ini", "--seed", "-1"}, "--seed");
     refused({"scene.ini", "--set", "numerics.cfl=7"}, "numerics.cfl");
     fs::create_directory(path("study"));
     std::ofstream(path("study/robustness.csv")) << "the user's\n";
-    refused({"scene.ini", "--out", "study"}, "frana did not write it");
+    refused({"scene.ini", "--out", "study"}, "was not written by frana");
     EXPECT_EQ(read_text(path("study/robustness.csv")), "the user's\n");
     EXPECT_EQ(frana({"bench", "accuracy", "scene.ini"}).exit_code, 2);
 }

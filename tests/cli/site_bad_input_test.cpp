@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
                   {"inflow.line", "reaches beyond the DTM"}},
         SiteFault{"line_is_an_area",
                   "[inflow]\nline = zone.geojson\nhydrograph = good.csv\n",
-                  {"zone.geojson", "is no line"}}),
+                  {"zone.geojson", "is not a line"}}),
     [](const auto& test) { return test.param.name; });
 
 /// Both columns are missing: both are told.

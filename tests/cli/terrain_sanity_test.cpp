@@ -37,7 +37,7 @@ TEST_F(Terrain, HigherAndLowerThanAnyIsToldWithItsPlace) {
                 {"29000 m at", "higher than any mountain", "527002.5", "terrain.vertical-unit"});
     expect_said(check([](int, int column) { return slope(column) - 900; }), 0, {"lower than any dry ground"});
     expect_said(check([](int, int column) { return column > 50 ? 9999 : slope(column); }), 0,
-                {"270 cells hold 9999", "higher than any mountain"});
+                {"270 cells have the value 9999", "higher than any mountain"});
 }
 
 TEST_F(Terrain, SlopesThatAreAMistakenUnitAreTold) {

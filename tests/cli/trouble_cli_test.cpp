@@ -19,7 +19,7 @@ TEST_F(TroubledRun, NamesPlaceStepAndTimeEverywhere) {
     const std::string summary = read_text(path("result/summary.json")), log = read_text(path("result/log.txt"));
     // Column 16 begins 80 m east of the DTM's corner; the flow comes from the west.
     for (const std::string& text : {outcome.err, summary, log}) {
-        EXPECT_NE(text.find("the flow came upon ground without elevation"), std::string::npos) << text;
+        EXPECT_NE(text.find("the flow reached ground without elevation"), std::string::npos) << text;
         EXPECT_NE(text.find(", at (52708"), std::string::npos) << text;
         EXPECT_NE(text.find("step "), std::string::npos) << text;
     }
@@ -35,7 +35,7 @@ TEST_F(TroubledRun, IsNotSilentWhereItIsToBeQuiet) {
     write_scene(k_numbers_only);
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     EXPECT_EQ(outcome.exit_code, 3);
-    EXPECT_NE(outcome.err.find("the flow came upon ground without elevation"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("the flow reached ground without elevation"), std::string::npos) << outcome.err;
     write_dtm();
     const Outcome good = frana({"run", "scene.ini", "--out", "good", "--quiet"});
     EXPECT_EQ(good.exit_code, 0);

@@ -117,9 +117,9 @@ MapSpec fullest_map(const Raster& ground, const Raster& layer, int width, int he
          {"Friction zones", "Obstacles", "Walls", "Profiles", "Cross-sections", "Gauges", "Release", "Surveyed scar"})
         spec.outlines.push_back({label, test::square({527600, 5094700}, 80), {200, 20, 30}, 2.5, true});
     spec.side_notes = {
-        "Volume 1 200 000 m³", "Covered 1 200 000 m²", "(deeper than 0.1 m)",     "Run-out 12 345 m",
-        "Drop 1 234 m",        "Angle of reach 21.3°", "Still moving at the end", "1 200 000 m³ left the map",
-        "1 s of film: 100 s"};
+        "Volume 1 200 000 m³",   "Covered 1 200 000 m²", "(deeper than 0.1 m)",     "Run-out 12 345 m",
+        "Drop 1 234 m",          "Angle of reach 21.3°", "Still moving at the end", "1 200 000 m³ left the map",
+        "1 s of playback: 100 s"};
     return spec;
 }
 

@@ -57,7 +57,7 @@ render::ChartSeries geoclaw_of(const std::vector<bench::AccuracyRow>& rows, cons
 render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows) {
     render::Chart chart{
         "Error against time",
-        "One point a resolution, coarse to fine; one thread. A scheme that converges falls to the right.",
+        "One point per resolution, coarse to fine; one thread. The curve of a converging scheme falls to the right.",
         "",
         5,
         {},
@@ -79,14 +79,14 @@ render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows) {
 
 render::Image speed_chart(const bench::SpeedResult& result) {
     render::Chart chart{"Speed of the engine",
-                        "Level lines: the time of a particle-step does not depend on their number.",
+                        "Horizontal lines: the time per particle-step does not depend on the number of particles.",
                         "",
                         2,
                         {},
                         true};
     for (const bench::SpeedRow& row : result.rows) {
         if (chart.panels.empty() || chart.panels.back().title != row.case_name)
-            chart.panels.push_back(panel_of(row.case_name, "particles", "million particle-steps a second"));
+            chart.panels.push_back(panel_of(row.case_name, "particles", "million particle-steps per second"));
         auto& lines = chart.panels.back().series;
         const std::string label = std::to_string(row.threads) + (row.threads == 1 ? " thread" : " threads");
         auto line = std::find_if(lines.begin(), lines.end(), [&](const auto& one) { return one.label == label; });

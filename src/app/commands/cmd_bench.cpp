@@ -30,27 +30,26 @@ CommandForm bench_form() {
     CommandForm form{
         "frana bench accuracy|stability|speed [options]\n"
         "       frana bench robustness SCENE.ini [options]",
-        "Measures frana itself. accuracy: cases with exact solutions, every scheme, several "
-        "resolutions.\nstability: hard cases. speed: particle-steps a second. Prints the table; "
-        "with --out also writes\naccuracy.csv and accuracy.png, stability.csv or "
-        "speed.csv,\nspeed_stages.csv, speed_terms.csv, law_costs.csv and speed.png.\n"
-        "accuracy takes some ten minutes, with --quick under a minute.\n"
-        "robustness: a scene as it is, with its grid shifted and turned, with rough ground, with other "
-        "numbers of\nparticles and Courant numbers: how much do its figures change? robustness.csv, "
-        "robustness.json. It takes as\nlong as some twenty runs without pictures.",
+        "Measures frana itself. accuracy: cases with exact solutions, every scheme, several resolutions.\nstability: "
+        "hard cases. speed: particle-steps per second. Prints the table; with --out also writes\naccuracy.csv and "
+        "accuracy.png, stability.csv or speed.csv,\nspeed_stages.csv, speed_terms.csv, law_costs.csv and "
+        "speed.png.\naccuracy takes some ten minutes, with --quick under a minute.\nrobustness: change of a scene's "
+        "results with its grid shifted and rotated, with rough ground, with other\nnumbers of particles and Courant "
+        "numbers. robustness.csv, robustness.json. It takes as long as some twenty\nruns without pictures.",
         "accuracy|stability|speed|robustness SCENE.ini",
         {}};
     form.repeats = true;
     form.options.add_options()("out", options::value<std::string>(), "folder for the files")(
-        "quick", "accuracy: two resolutions; speed: no more than a million particles")(
+        "quick", "accuracy: two resolutions; speed: at most a million particles")(
         "case", options::value<std::vector<std::string>>(),
         "accuracy, stability, robustness: only this case (may be repeated)")(
         "set", options::value<std::vector<std::string>>(),
         "robustness: section.key=value, overrides the scene; repeatable")(
-        "seed", options::value<std::string>(), "robustness: of the noise on the ground (default 1)")(
+        "seed", options::value<std::string>(), "robustness: seed of the noise on the ground (default 1)")(
         "quiet,q", "robustness: no progress on the terminal")(
         "threads", options::value<std::string>(),
-        "stability, robustness: threads of a run; speed: the most threads (default: all; accuracy always takes one)");
+        "stability, robustness: threads of a run; speed: maximum number of threads (default: all; accuracy always uses "
+        "one)");
     return form;
 }
 
@@ -138,7 +137,7 @@ int cmd_bench(const Arguments& arguments) {
     const std::string& which = operands.front();
     const bool takes_scene = which == "robustness";
     if (operands.size() > (takes_scene ? 2U : 1U)) {
-        throw Error(ErrorKind::input, Problem{"is one word too many", "command line", operands.back(), "",
+        throw Error(ErrorKind::input, Problem{"is not expected here", "command line", operands.back(), "",
                                               "Usage: " + bench_form().usage});
     }
     if (which == "accuracy") return bench_accuracy(*values);

@@ -28,14 +28,14 @@ namespace {
 CommandForm check_form() {
     namespace options = boost::program_options;
     CommandForm form{"frana check SCENE.ini [options]",
-                     "Validates a scene and everything it names, prints what would run, and writes nothing.",
+                     "Validates a scene and all its files, prints what would run, and writes nothing.",
                      "SCENE.ini",
                      {}};
     form.options.add_options()("out", options::value<std::string>(),
-                               "result directory that the run would have (overrides output.directory)")(
+                               "result directory of the run (overrides output.directory)")(
         "set", options::value<std::vector<std::string>>(), "section.key=value, overrides the scene; repeatable")(
         "threads", options::value<std::string>(), "number of threads (default: all processors)")(
-        "memory-limit", options::value<std::string>(), "refuse a run that would take more (4GB, 500MB)");
+        "memory-limit", options::value<std::string>(), "refuse a run that would need more (4GB, 500MB)");
     return form;
 }
 
@@ -94,21 +94,21 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     if (expected.inflow > 0) line("flows in", grouped(expected.inflow) + " m3 until the end");
     line("DTM", prepared.scene.terrain_contains_release ? "contains the release: the bed lies under it"
                                                         : "is the bed: the release lies on top of it");
-    const std::string node_bytes = std::to_string(expected.bytes_per_node) + " bytes a ";
+    const std::string node_bytes = std::to_string(expected.bytes_per_node) + " bytes per ";
     if (expected.particles == 0) {
         line("fields", node_bytes + "cell");
     } else {
         line("particles",
              grouped(expected.particles) +
                  (trial ? " at the start, about " + grouped(two_digits(trial->particles_peak)) + " at most" : ""));
-        line("fields", std::to_string(expected.bytes_per_particle) + " bytes a particle, " + node_bytes + "node");
+        line("fields", std::to_string(expected.bytes_per_particle) + " bytes per particle, " + node_bytes + "node");
     }
     line("first step", figure(expected.first_step_seconds, 3) + " s, end at " + shortest_text(prepared.scene.time.end) +
                            " s at most");
     line("estimated time", time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
     for (std::size_t i = 0; i < expected.terms.size(); ++i) line(i == 0 ? "terms" : "", expected.terms[i]);
     const std::string place = result_path(directory);
-    line("result", place + (holds_files(place) ? ", where one is already: --overwrite replaces it" : ""));
+    line("result", place + (holds_files(place) ? ", which contains a result already: --overwrite replaces it" : ""));
 }
 
 }  // namespace

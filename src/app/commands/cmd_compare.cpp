@@ -29,19 +29,17 @@ namespace fs = std::filesystem;
 
 CommandForm compare_form() {
     namespace options = boost::program_options;
-    CommandForm form{
-        "frana compare RESULT_DIR|RASTER... --scar VECTOR... [--deposit FILE] [options]",
-        "Compares simulated depths with what was surveyed, in any CRS: areas, lines of a front, points of a "
-        "tip.\n"
-        "Prints the figures and writes comparison.json, comparison_curve.csv, comparison.tif and "
-        "comparison.png.\nSeveral results or scars give a folder each, and a ranking in ranking.csv.",
-        "RESULT_DIR|RASTER",
-        {},
-        true};
+    CommandForm form{"frana compare RESULT_DIR|RASTER... --scar VECTOR... [--deposit FILE] [options]",
+                     "Compares simulated depths with a survey, in any CRS: areas, lines of a front, points of a "
+                     "tip.\nPrints the scores and writes comparison.json, comparison_curve.csv, comparison.tif and "
+                     "comparison.png.\nSeveral results or scars give one folder each, and a ranking in ranking.csv.",
+                     "RESULT_DIR|RASTER",
+                     {},
+                     true};
     form.options.add_options()("scar", options::value<std::vector<std::string>>(),
                                "surveyed areas, open lines (a front) or points (a tip); repeatable")(
         "deposit", options::value<std::string>(),
-        "surveyed deposit: polygons, or a raster of elevation after less before")(
+        "surveyed deposit: polygons, or a raster of elevation after minus before")(
         "threshold", options::value<std::string>(),
         "depth in metres over which ground counts as covered (default: the result's, else 0.1)")(
         "out", options::value<std::string>(),
@@ -55,8 +53,8 @@ Raster foreign_depth(const std::string& file) {
     const gis::RasterInfo info = gis::inspect_raster(file, "RESULT_DIR|RASTER");
     if (!info.crs_wkt.empty() && !gis::is_projected_in_metres(info.crs_wkt)) {
         throw Error(ErrorKind::input,
-                    Problem{"is not in a projected system in metres, so areas are not known", "RESULT_DIR|RASTER", file,
-                            info.crs_label, "Warp it first, with gdalwarp"});
+                    Problem{"is not in a projected CRS in metres, so areas cannot be computed", "RESULT_DIR|RASTER",
+                            file, info.crs_label, "Warp it first, with gdalwarp"});
     }
     return gis::read_result_raster(file);
 }
@@ -105,7 +103,8 @@ Simulated read_simulated(const std::string& operand, const std::optional<double>
 Survey read_survey(const std::optional<std::string>& scar, const std::optional<std::string>& deposit,
                    const GridSpec& grid, RunLog& log) {
     Survey survey;
-    if (grid.crs_wkt.empty()) log.warn("the raster has no CRS: the survey's coordinates are taken as they are");
+    if (grid.crs_wkt.empty())
+        log.warn("the raster has no CRS: the survey's coordinates are used without transformation");
     if (scar) add_surveyed(*scar, grid.crs_wkt, "--scar", log, survey);
     if (deposit) add_deposit(*deposit, grid, "--deposit", log, survey);
     return survey;

@@ -38,8 +38,8 @@ namespace fs = std::filesystem;
 CommandForm converge_form() {
     namespace options = boost::program_options;
     CommandForm form{"frana converge SCENE.ini [options]",
-                     "Runs a scene at several resolutions, the scene's own cells being the finest and each other level "
-                     "twice as\ncoarse, and estimates how far the finest is from the truth: convergence.csv, "
+                     "Runs a scene at several resolutions, the scene's own cell size being the finest and each other "
+                     "level twice as\ncoarse, and estimates the error of the finest: convergence.csv, "
                      "convergence.json, convergence.png, uncertainty.tif.",
                      "SCENE.ini",
                      {}};
@@ -66,7 +66,7 @@ Level run_level(const Prepared& prepared, const SceneVariants& variants) {
         throw Error(ErrorKind::numerical,
                     Problem{std::string("the run at ") + figure(prepared.scene.grid.cell_size) +
                                 " m ended early: " + describe(result.stop_reason),
-                            "convergence", "", "", "Mend the scene until `frana run` completes it"});
+                            "convergence", "", "", "Correct the scene so that `frana run` completes it"});
     }
     Level level;
     level.cell_size = prepared.scene.grid.cell_size;
@@ -155,15 +155,14 @@ std::string sentences(const std::vector<Level>& levels) {
     }
     return text + "from " + std::to_string(levels.size()) + " resolutions, the finest " +
            figure(levels.back().cell_size) +
-           " m; discretisation only: data and material are not in it, and where figures do not converge the "
-           "estimate is "
-           "a caution\n";
+           " m; discretisation only: errors of data and material are not included, and where values do not converge "
+           "the estimate is a caution\n";
 }
 
 /// Distance of each level's figures from their extrapolated values, over those, against the cell size.
 render::Image chart_of(const std::vector<Level>& levels) {
     render::Chart chart{"Convergence",
-                        "distance from the extrapolated value, where a figure converges; from the finest otherwise",
+                        "distance from the extrapolated value, if a value converges; otherwise from the finest",
                         "",
                         3,
                         {},
@@ -213,7 +212,7 @@ fs::path make_folder(const std::string& name, bool overwrite, const SceneSpec& s
     kept.check(files_of(folder), "--out", problems);
     problems.throw_if_any();
     if (fs::exists(folder / k_study) && !overwrite) {
-        throw Error(ErrorKind::input, Problem{"holds a convergence study already", "--out", folder.string(), "",
+        throw Error(ErrorKind::input, Problem{"contains a convergence study already", "--out", folder.string(), "",
                                               "Choose another folder, or add --overwrite"});
     }
     check_own(folder.string(), files_of(folder), "--out", {}, problems);

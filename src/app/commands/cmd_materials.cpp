@@ -9,19 +9,19 @@
 namespace frana::app {
 
 int cmd_materials(const Arguments& arguments) {
-    const CommandForm form{"frana materials",
-                           "Prints the material presets (material.preset): where their values come from, how far they "
-                           "reach, and the values.",
-                           "",
-                           {}};
+    const CommandForm form{
+        "frana materials",
+        "Prints the material presets (material.preset): the sources of their values, their range, and the values.",
+        "",
+        {}};
     if (!parse_arguments(form, arguments)) return static_cast<int>(ExitCode::done);
     bool first = true;
     for (const MaterialPreset& preset : material_presets(materials_directory())) {
         if (!first) std::cout << '\n';
         first = false;
-        std::cout << preset.name << '\n'
-                  << "  A starting point, not a calibrated truth: fit it to a known event of the same kind and "
-                     "place.\n";
+        std::cout
+            << preset.name << '\n'
+            << "  A starting point, not a calibrated value: fit it to a known event of the same kind and place.\n";
         for (const std::string& line : preset.comments) std::cout << "  # " << line << '\n';
         for (const IniEntry& entry : preset.entries) std::cout << "  " << entry.name << " = " << entry.value << '\n';
     }

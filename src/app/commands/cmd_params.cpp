@@ -18,7 +18,7 @@ int cmd_params(const Arguments& arguments) {
     const auto values = parse_arguments(form, arguments);
     if (!values) return static_cast<int>(ExitCode::done);
     if (values->count("ini") + values->count("json") + values->count("markdown") > 1) {
-        throw Error(ErrorKind::input, Problem{"more than one form asked for", "command line", "", "",
+        throw Error(ErrorKind::input, Problem{"more than one format is requested", "command line", "", "",
                                               "Give one of --ini, --json, --markdown"});
     }
     std::cout << (values->count("json") > 0       ? reference_json()

@@ -28,14 +28,13 @@ CommandForm render_form() {
     namespace options = boost::program_options;
     const auto text = [] { return options::value<std::string>(); };
     const auto texts = [] { return options::value<std::vector<std::string>>(); };
-    CommandForm form{"frana render RESULT_DIR|RASTER [options]",
-                     "Draws maps and views of a result, or of any program's raster with --dtm, or the frames "
-                     "of a result as a\n"
-                     "film. Nothing is computed anew. Prints the files it wrote. How pictures look comes "
-                     "from the scene's\n"
-                     "output.map-... and output.view-... keys; options take their place.",
-                     "RESULT_DIR|RASTER",
-                     {}};
+    CommandForm form{
+        "frana render RESULT_DIR|RASTER [options]",
+        "Draws maps and views of a result, or of any program's raster with --dtm, or the frames of a result as "
+        "an\nanimation. Nothing is computed again. Prints the names of the files. The style of pictures is written "
+        "from the scene's\noutput.map-... and output.view-... keys; options override them.",
+        "RESULT_DIR|RASTER",
+        {}};
     form.options.add_options()("map", texts(),
                                "raster to draw, for example max_depth; depth@12.5 is the frame nearest to "
                                "12.5 s, particles@12.5 its particles; "
@@ -43,18 +42,19 @@ CommandForm render_form() {
         "animation", text(),
         "write the frames as FILE.mp4 or FILE.gif, or as pictures into FOLDER/, instead of maps; --map "
         "velocity shows speeds, --map particles the particles")(
-        "beside", text(), "film: another result to show beside, with the same colours")(
-        "fly", "film, 3d: the camera glides along the flow")("charts", "draw the charts of a result instead of maps")(
-        "plates", "draw its plates instead: initial state, snapshots, stresses, profile beside comparison")(
+        "beside", text(), "animation: another result to show beside, with the same colours")(
+        "fly", "animation, 3d: the camera moves along the flow")("charts",
+                                                                 "draw the charts of a result instead of maps")(
+        "plates", "draw the plates instead: initial state, snapshots, stresses, profile and comparison")(
         "size", text(), k_sizes)("format", texts(),
-                                 "png (default), pdf, tif (what is inside the frame, in its place); repeatable")(
+                                 "png (default), pdf, tif (the area inside the frame, georeferenced); repeatable")(
         "legend", text(), "classed (default) or continuous")("background", text(),
                                                              "orthophoto or topographic raster instead of the relief")(
         "attribution", text(), "sources of the data and author, at the foot")("title", text(), "title of the maps")(
-        "camera", text(), k_cameras)("exaggeration", text(), "factor of heights in views (default: 1)")(
-        "plain", "views: white behind the terrain")("dtm", text(), "terrain under a RASTER")(
-        "unit", text(), "of the values of a RASTER, where the file does not say")(
-        "above", text(), "draw the values of a RASTER above this one only")(
+        "camera", text(), k_cameras)("exaggeration", text(), "vertical exaggeration of views (default: 1)")(
+        "plain", "views: white background")("dtm", text(), "terrain under a RASTER")(
+        "unit", text(), "unit of the values of a RASTER, if the file does not state it")(
+        "above", text(), "draw only the values of a RASTER above this one")(
         "out", text(), "folder for the pictures (default: RESULT_DIR/maps, or the current folder for a RASTER)");
     return form;
 }
@@ -94,7 +94,7 @@ void read_style(const Values& values, MapStyle& style, Problems& problems) {
     if (const auto factor = given("exaggeration")) {
         const auto number = number_from_text(*factor);
         if (!number || *number < 0.1 || *number > 20)
-            problems.add({"is not a factor of heights", "--exaggeration", *factor, "0.1 to 20", ""});
+            problems.add({"is not a vertical exaggeration", "--exaggeration", *factor, "0.1 to 20", ""});
         style.exaggeration = number.value_or(1);
     }
     if (values.count("plain") > 0) style.sky = false;
@@ -124,25 +124,25 @@ Request read_request(const Values& values, Problems& problems) {
     request.maps = text_options(values, "map");
     const bool pages = request.charts || request.plates;
     if (pages && (request.film || request.view_3d || !request.maps.empty() || (request.charts && request.plates))) {
-        problems.add({"goes without --map, --view and --animation, and one at a time",
+        problems.add({"cannot be combined with --map, --view or --animation, nor with each other",
                       request.charts ? "--charts" : "--plates", "", "", ""});
     }
     if (!request.film) {
         if (request.beside || request.fly)
-            problems.add({"makes sense with --animation only", request.fly ? "--fly" : "--beside", "", "", ""});
+            problems.add({"is for --animation only", request.fly ? "--fly" : "--beside", "", "", ""});
         return request;
     }
     const std::string ending = fs::path(*request.film).extension().string();
     if (ending != ".mp4" && ending != ".gif" && !request.film->ends_with('/')) {
-        problems.add({"is not a film's name", "--animation", *request.film, "FILE.mp4, FILE.gif, FOLDER/", ""});
+        problems.add(
+            {"is not the name of an animation", "--animation", *request.film, "FILE.mp4, FILE.gif, FOLDER/", ""});
     }
     if (request.fly && (!request.view_3d || request.beside))
         problems.add({"needs --view 3d and one result", "--fly", "", "", ""});
     if (!request.maps.empty()) request.film_of = request.maps.front();
     if (request.maps.size() > 1 ||
         (request.film_of != "depth" && request.film_of != "velocity" && request.film_of != "particles"))
-        problems.add(
-            {"is not what frames hold", "--map", joined(request.maps, ", "), "depth, velocity, particles", ""});
+        problems.add({"is not in the frames", "--map", joined(request.maps, ", "), "depth, velocity, particles", ""});
     return request;
 }
 
@@ -245,8 +245,8 @@ void check_folder(const ResultReader& result, const Request& request, const MapS
     const fs::path folder = fs::weakly_canonical(*request.out, ignored);
     for (const char* data : {"", "frames"}) {
         if (fs::weakly_canonical(result.path(data), ignored) / "" == folder / "")
-            problems.add({"holds the result's own rasters: pictures as tif do not go among them", "--out", *request.out,
-                          "", "Leave --out away: RESULT_DIR/maps"});
+            problems.add({"contains the result's own rasters: pictures as tif cannot be written there", "--out",
+                          *request.out, "", "Omit --out: RESULT_DIR/maps"});
     }
 }
 
@@ -254,10 +254,10 @@ void check_folder(const ResultReader& result, const Request& request, const MapS
 void check_request_under_way(const ResultReader& result, const Request& request, Problems& problems) {
     const std::string& folder = result.directory();
     if (request.charts || request.plates) {
-        problems.add({"needs a run that has ended", request.charts ? "--charts" : "--plates", "", "",
-                      "This one is under way in " + folder});
+        problems.add({"needs a finished run", request.charts ? "--charts" : "--plates", "", "",
+                      "This run is under way in " + folder});
     } else if (!request.film && request.maps.empty()) {
-        problems.add({"is under way: it has its frames only", "RESULT_DIR", folder, "",
+        problems.add({"is under way: it has only frames", "RESULT_DIR", folder, "",
                       "Draw --map depth@SECONDS, --map velocity@SECONDS, or --animation FILE"});
     } else if (!request.film && !request.out) {
         problems.add({"is under way: nothing is drawn into its folder", "RESULT_DIR", folder, "",
@@ -269,7 +269,7 @@ void render_result(const Values& values, const Request& request, Problems& probl
     const ResultReader result((values)["operand"].as<std::string>());
     for (const char* option : {"dtm", "unit", "above"}) {
         if (values.count(option) > 0)
-            problems.add({"goes with a RASTER, not with a result", std::string("--") + option, "", "", ""});
+            problems.add({"is for a RASTER, not for a result", std::string("--") + option, "", "", ""});
     }
     MapSource source = result.map_source();
     read_style(values, source.style, problems);
@@ -320,7 +320,7 @@ void render_raster(const Values& values, const Request& request, Problems& probl
     const std::string file = values["operand"].as<std::string>();
     for (const char* option : {"map", "animation", "charts", "plates"}) {
         if (values.count(option) > 0)
-            problems.add({"goes with a result, not with a raster", std::string("--") + option, "", "", ""});
+            problems.add({"is for a result, not for a raster", std::string("--") + option, "", "", ""});
     }
     if (request.view_3d && values.count("dtm") == 0)
         problems.add({"needs a terrain", "--view", "3d", "", "Name it: --dtm RASTER"});

@@ -33,18 +33,17 @@ CommandForm run_form() {
     namespace options = boost::program_options;
     CommandForm form{"frana run SCENE.ini [options]",
                      "Computes a scene and writes the result directory: GeoTIFFs, outlines, maps, animation, series, "
-                     "summary,\nand the comparison with a scar where one is given.",
+                     "summary,\nand the comparison with a scar if one is given.",
                      "SCENE.ini",
                      {}};
     form.options.add_options()("out", options::value<std::string>(),
                                "result directory, from the current folder (overrides output.directory)")(
         "set", options::value<std::vector<std::string>>(),
-        "section.key=value, overrides the scene; repeatable; paths count from the scene file")(
+        "section.key=value, overrides the scene; repeatable; paths are relative to the scene file")(
         "threads", options::value<std::string>(), "number of threads (default: all processors)")(
-        "overwrite", "replace an existing result")("resume",
-                                                   "go on with a run that was stopped or killed; from the "
-                                                   "start where there is none")(
-        "memory-limit", options::value<std::string>(), "refuse a run that would take more (4GB, 500MB)")(
+        "overwrite", "replace an existing result")(
+        "resume", "resume a run that was stopped or killed; without one, start at the beginning")(
+        "memory-limit", options::value<std::string>(), "refuse a run that would need more (4GB, 500MB)")(
         "quiet,q", "no progress, no warnings on the terminal (they are in log.txt)");
     return form;
 }
@@ -83,17 +82,17 @@ RunOptions run_options(int threads, FrameWriter* frames, bool with_particles, Pr
 // A run that did not come to its end is neither forgotten nor mixed with another.
 void refuse_to_forget(const InterruptedRun& interrupted, const std::string& target, Problems& problems) {
     if (interrupted.beside().empty()) return;
-    problems.add({"a run of it was interrupted and is kept in " + interrupted.beside(), target, "", "",
-                  "--resume goes on from there; --overwrite starts anew and, in the end, replaces it"});
+    problems.add({"an interrupted run of it is kept in " + interrupted.beside(), target, "", "",
+                  "--resume continues it; --overwrite starts anew and replaces it at the end"});
 }
 
 void tell_of_resuming(const CheckpointFile& from, RunLog& log) {
     const CheckpointHead& head = from.head();
     log.continue_from(head.log);
-    log.tell("going on from " + figure(head.time, 6) + " s, step " + std::to_string(head.step) + ": " + from.path());
+    log.tell("resuming from " + figure(head.time, 6) + " s, step " + std::to_string(head.step) + ": " + from.path());
     if (head.build != checkpoint_build()) {
-        log.warn("the checkpoint is of another build (" + head.build + "; this is " + checkpoint_build() +
-                 "): the result can differ in rounding from that of a run never interrupted");
+        log.warn("the checkpoint is from another build (" + head.build + "; this is " + checkpoint_build() +
+                 "): the result can differ in rounding from that of an uninterrupted run");
     }
 }
 
@@ -108,7 +107,7 @@ void tell_of_resuming(const CheckpointFile& from, RunLog& log) {
                             std::filesystem::path(folder).parent_path().string(), "", "", ""});
     if (!checkpoints_in(folder).empty())
         problems.push_back({"the run up to its last checkpoint is kept", folder, "", "",
-                            "When the trouble is over, the same command with --resume goes on from there"});
+                            "Remove the cause, then resume with the same command and --resume"});
     throw Error(error.kind(), problems);
 }
 
@@ -140,23 +139,23 @@ void tell_of_run(const RunResult& result, double end, RunLog& log) {
              " steps and " + figure(result.engine_seconds, 3) + " s of wall time: " + describe(result.stop_reason));
     if (result.exchanges) {
         log.tell("the flow eroded " + figure(result.volume_eroded, 4) + " m3 and deposited " +
-                 figure(result.volume_deposited, 4) + " m3 in its bed");
+                 figure(result.volume_deposited, 4) + " m3 on its bed");
     }
     if (result.jumps) {
         const RunResult::Jumps& jumps = *result.jumps;
         const auto metres = [](double value) { return std::to_string(std::llround(value)); };
         log.tell("material flew over edges, " + figure(jumps.volume, 4) + " m3 in all jumps together: up to " +
-                 figure(jumps.highest, 3) + " m above the ground and " + figure(jumps.longest, 3) + " m far, from (" +
+                 figure(jumps.highest, 3) + " m above the ground and " + figure(jumps.longest, 3) + " m long, from (" +
                  metres(jumps.from.x) + ", " + metres(jumps.from.y) + ") to (" + metres(jumps.to.x) + ", " +
                  metres(jumps.to.y) + "); see jump_height.tif");
     }
     if (result.unsupported > 0) {
         log.note("over convex ground the motion lifted the flow off its bed at " + std::to_string(result.unsupported) +
-                 " nodes times steps; there it had no friction");
+                 " node-steps; there it had no friction");
     }
     if (result.stop_reason == StopReason::requested) {
         log.warn("the run was stopped at " + figure(result.simulated_seconds, 4) + " s of at most " + figure(end, 4) +
-                 " s: the maps are not complete; the same command with --resume goes on");
+                 " s: the maps are incomplete; the same command with --resume continues it");
     }
 }
 

@@ -42,7 +42,7 @@ std::optional<options::variables_map> parse_arguments(const CommandForm& form,
                                                       const std::vector<std::string>& arguments) {
     options::options_description visible("Options");
     visible.add(form.options);
-    visible.add_options()("help,h", "print this and do nothing else");
+    visible.add_options()("help,h", "print this help");
     options::options_description all = visible;
     options::positional_options_description positions;
     if (!form.operand.empty()) {

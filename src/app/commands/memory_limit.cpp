@@ -18,11 +18,11 @@ void refuse_run_of(std::int64_t needed, const SceneReading& reading, const Prepa
     const MemoryBound bound = usable_memory();
     if (static_cast<double>(needed) <= bound.bytes) return;
     throw Error(ErrorKind::input,
-                Problem{"a run of this scene takes about " + bytes_text(static_cast<double>(needed)) + " of memory",
+                Problem{"a run of this scene needs about " + bytes_text(static_cast<double>(needed)) + " of memory",
                         reading.where("terrain.cell-size"), shortest_text(prepared.scene.grid.cell_size) + " m",
                         bound_text(bound),
                         "Choose a larger terrain.cell-size, a part of the DTM with terrain.bounds, a smaller "
-                        "output.map-size or no pictures, or give the run more memory"});
+                        "output.map-size or no pictures, or provide more memory"});
 }
 
 void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepared, std::int64_t held,
@@ -36,7 +36,7 @@ void refuse_pictures_of(std::int64_t needed, const std::string& where, const std
     const MemoryBound bound = usable_memory();
     const double all = static_cast<double>(needed + resident_memory());
     if (all <= bound.bytes) return;
-    throw Error(ErrorKind::input, Problem{"drawing takes about " + bytes_text(all) + " of memory", where, size,
+    throw Error(ErrorKind::input, Problem{"drawing needs about " + bytes_text(all) + " of memory", where, size,
                                           bound_text(bound), "Choose a smaller size"});
 }
 

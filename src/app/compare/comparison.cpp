@@ -17,9 +17,7 @@ namespace {
 std::optional<double> runout_difference(const ComparisonInput& input, const Raster& observed, RunLog& log) {
     if (!input.bed || !input.release) return std::nullopt;
     if (!observed.grid.same_cells(input.bed->grid)) {
-        log.warn(
-            "the scar reaches beyond the computed ground, so its run-out is not known: no run-out "
-            "difference");
+        log.warn("the scar reaches beyond the computed ground, so its run-out is unknown: no run-out difference");
         return std::nullopt;
     }
     const Runout simulated = runout(*input.bed, *input.release, trace_mask(input.depth, input.threshold));
@@ -128,7 +126,7 @@ Comparison compare_with_survey(const ComparisonInput& input, RunLog& log) {
 std::string comparison_headline(const Comparison& comparison) {
     std::string text;
     if (comparison.figures) {
-        text = "area differs from the scar's by " + figure(comparison.figures->area_difference_percent, 3) +
+        text = "the area differs from the scar's by " + figure(comparison.figures->area_difference_percent, 3) +
                " %, Jaccard " + figure(comparison.figures->jaccard, 3);
     }
     for (const FrontComparison& front : comparison.fronts)

@@ -102,7 +102,7 @@ const StoredFrame& frame_at(const std::vector<StoredFrame>& frames, double time)
 std::string pace_words(const FilmSource& film, double seconds) {
     const double simulated = film.frames.back().time - film.frames.front().time;
     if (!(seconds > 0) || !(simulated > 0)) return {};
-    return "1 s of film: " + figure(simulated / seconds, 2) + " s";
+    return "1 s of playback: " + figure(simulated / seconds, 2) + " s";
 }
 
 /// A picture of the film's layer at its size, with its pace: a MapSpec or a ViewSpec.

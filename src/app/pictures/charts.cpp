@@ -44,7 +44,7 @@ class Columns {
             const std::string& cell = row[column];
             const auto number = number_from_text(cell);
             if (!number && !cell.empty() && cell != "nan" && cell != "inf" && cell != "-inf") {
-                throw Error(ErrorKind::input, Problem{"is no number in the column " + name, path_,
+                throw Error(ErrorKind::input, Problem{"is not a number in the column " + name, path_,
                                                       elided(valid_utf8(cell), 80), "", "The file is damaged"});
             }
             values.push_back(number.value_or(k_no_data));
@@ -61,7 +61,7 @@ class Columns {
         if (found == table_.columns.end())
             throw Error(ErrorKind::input,
                         Problem{"has no column " + name, path_, elided(valid_utf8(joined(table_.columns, ",")), 80), "",
-                                "The file is not a run's, or damaged"});
+                                "The file is damaged or not from a run"});
         return static_cast<std::size_t>(found - table_.columns.begin());
     }
 
@@ -141,7 +141,7 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
         return render::ChartSeries{label, colour, joined_points(time, values), 2.2, stroke};
     };
     const std::string seconds = "time [s]";
-    render::Chart chart = page(source, "course of the flow", k_series_file);
+    render::Chart chart = page(source, "time series of the flow", k_series_file);
     chart.across = 2;
     chart.panels = {
         {"Greatest speed", seconds, "speed [m/s]", {curve("max_speed_ms", "along the bed", k_vermilion)}, true},
@@ -157,7 +157,7 @@ NamedChart series_chart(const Columns& table, const MapSource& source) {
          seconds,
          "volume [1000 m\u00B3]",
          {curve("volume_m3", "inside", k_blue, 1e-3),
-          curve("volume_left_m3", "left the ground", k_vermilion, 1e-3, Stroke::dashed)},
+          curve("volume_left_m3", "left the domain", k_vermilion, 1e-3, Stroke::dashed)},
          true}};
     return {"timeseries", chart};
 }
@@ -257,7 +257,7 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
     table(k_section_table, [&](const Columns& columns) {
         charts.push_back(places_chart(columns, "section", source, "cross-sections", "sections",
                                       {{"discharge_m3s", "Discharge", "discharge [m\u00B3/s]"},
-                                       {"volume_m3", "Volume passed", "volume [m\u00B3]"}}));
+                                       {"volume_m3", "Cumulative volume", "volume [m\u00B3]"}}));
     });
     table(k_comparison_curve, [&](const Columns& columns) { charts.push_back(scores_chart(columns, result, source)); });
     return charts;

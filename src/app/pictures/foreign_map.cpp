@@ -40,7 +40,7 @@ ForeignMap read_foreign_map(const std::string& file, const std::optional<std::st
         const Bounds ground = source.terrain.grid.bounds(), box = grid.bounds();
         if (ground.east <= box.west || ground.west >= box.east || ground.north <= box.south ||
             ground.south >= box.north) {
-            throw Error(ErrorKind::input, Problem{"does not lie where the raster lies", "--dtm", *dtm, "",
+            throw Error(ErrorKind::input, Problem{"does not overlap the raster", "--dtm", *dtm, "",
                                                   "Check the coordinate reference systems of both files"});
         }
     }

@@ -71,7 +71,7 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
             layer.categories.push_back({static_cast<double>(one.value), one.label, one.colour});
         layer.notes = class_areas(layer);
         if (kind == "hazard")  // a map travels without its log
-            layer.notes.insert(layer.notes.begin(), {"Intensity of one scenario,", "not a degree of danger"});
+            layer.notes.insert(layer.notes.begin(), {"Intensity of one scenario,", "not a hazard level"});
     }
     return layer;
 }
@@ -81,7 +81,7 @@ MapLayer read_greatest_layer(const std::vector<std::string>& paths) {
     for (std::size_t i = 1; i < paths.size(); ++i) {
         const Raster more = gis::read_result_raster(paths[i]);
         if (!more.grid.same_cells(layer.values.grid))
-            throw Error(ErrorKind::input, Problem{"has other cells than " + paths.front(), paths[i], "", "", ""});
+            throw Error(ErrorKind::input, Problem{"has different cells from " + paths.front(), paths[i], "", "", ""});
         for (std::size_t cell = 0; cell < more.values.size(); ++cell)
             layer.values.values[cell] =
                 std::fmax(layer.values.values[cell], more.values[cell]);  // a number before nodata

@@ -155,7 +155,7 @@ std::function<Point(Point)> longitude_latitude(const std::string& crs_wkt) {
 render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer) {
     if (source.terrain.grid.columns == 0)
         throw Error(ErrorKind::input, Problem{"is missing in the result, and a view needs a terrain", "dtm.tif", "", "",
-                                              "Bring it back, or draw maps"});
+                                              "Restore it, or draw maps"});
     render::ViewSpec spec = furnished<render::ViewSpec>(source, layer);
     spec.vertical_exaggeration = source.style.exaggeration;
     spec.camera = source.style.camera;

@@ -13,7 +13,7 @@ namespace frana::app {
 render::Dots read_particle_dots(const std::string& path) {
     if (!std::filesystem::exists(path)) {
         throw Error(ErrorKind::input,
-                    Problem{"the result has no particles at this instant", path, "", "",
+                    Problem{"the result has no particles at this time", path, "", "",
                             "Run the scene with particles-gpkg among output.formats and output.frames = on"});
     }
     const gis::ValuedPoints points = gis::read_valued_points(path, {"speed_ms", "depth_m", "volume_m3"}, "particles");

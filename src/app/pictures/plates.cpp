@@ -94,8 +94,8 @@ std::optional<std::pair<double, double>> column_weight(const ResultReader& resul
         const auto text = result.scene_value(key);
         if (const auto value = text ? number_from_text(*text) : std::nullopt) return *value;
         throw Error(ErrorKind::input,
-                    Problem{"does not tell " + key + ", which the normal stress on the bed needs",
-                            result.path(k_scene_file), text.value_or(""), "", "The file is not a run's, or damaged"});
+                    Problem{"does not contain " + key + ", which the normal stress on the bed needs",
+                            result.path(k_scene_file), text.value_or(""), "", "The file is damaged or not from a run"});
     };
     return std::pair{number("material.density"), number("numerics.gravity")};
 }
@@ -109,7 +109,7 @@ render::Image draw(const render::Plate& plate, const std::string& name, Size siz
         throw Error(ErrorKind::input,
                     Problem{"cannot be drawn: " + std::string(error.what()), "plate " + name,
                             std::to_string(size.width) + "x" + std::to_string(size.height), "",
-                            "Four parts share the page; draw it larger, for example with --size 1600x1200"});
+                            "The page has four parts; draw it larger, for example with --size 1600x1200"});
     }
 }
 

@@ -18,7 +18,7 @@ std::string cells_text(const GridSpec& grid) {
 void require_cells(const GridSpec& grid, const std::string& file, const GridSpec& expected, const std::string& other) {
     if (grid.same_cells(expected)) return;
     throw Error(ErrorKind::input, Problem{"does not have the cells of " + other, file, cells_text(grid),
-                                          cells_text(expected), "One of the two is not of this run"});
+                                          cells_text(expected), "One of the two is not from this run"});
 }
 
 }  // namespace frana::app

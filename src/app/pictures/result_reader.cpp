@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 /// The scores that a comparison's map shows, from the file that frana wrote. Throws Error(input) where it is cut off.
 void add_figures(const std::string& path, std::vector<std::string>& notes) {
     const std::optional<Json> json = read_json_file(path);
-    if (!json) throw Error(ErrorKind::input, Problem{"is not whole", path, "", "", "Compare anew: frana compare"});
+    if (!json) throw Error(ErrorKind::input, Problem{"is incomplete", path, "", "", "Compare again: frana compare"});
     const auto add = [&](const std::string& key, const std::string& before, const std::string& after) {
         if (const auto value = value_in<double>(*json, "/" + key))
             notes.push_back(before + " " + figure(*value, 3) + after);
@@ -82,9 +82,9 @@ ResultReader::ResultReader(std::string directory) : directory_(std::move(directo
     if (under_way()) return;
     for (const ResultRaster& row : main_rasters())
         if (has(row.name + ".tif")) return;
-    throw Error(ErrorKind::input, Problem{"holds no result: not one of its rasters is there", "RESULT_DIR", directory_,
+    throw Error(ErrorKind::input, Problem{"contains no result: none of its rasters is there", "RESULT_DIR", directory_,
                                           "a directory that `frana run` wrote",
-                                          has("dtm.tif") ? "Its run has just begun; wait for the first frame" : ""});
+                                          has("dtm.tif") ? "The run has just begun; wait for the first frame" : ""});
 }
 
 std::string ResultReader::path(const std::string& name) const {
@@ -188,7 +188,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
     const std::string kind = name.substr(0, at);
     if (at != std::string::npos && (kind == "depth" || kind == "velocity" || kind == "particles")) {
         const auto time = number_from_text(name.substr(at + 1));
-        if (!time) throw Error(ErrorKind::input, Problem{"names no time", "--map", name, kind + "@SECONDS", ""});
+        if (!time) throw Error(ErrorKind::input, Problem{"contains no time", "--map", name, kind + "@SECONDS", ""});
         const std::vector<StoredFrame>& all = frames();
         const auto nearest = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
             return std::abs(a.time - *time) < std::abs(b.time - *time);

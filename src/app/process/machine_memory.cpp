@@ -110,7 +110,7 @@ MemoryBound machine_memory(const std::string& root) {
     const auto lower = [&](double room, const char* what) {
         if (room + held < bound.bytes) bound = {room + held, what};
     };
-    lower(group_room(system), "this process's control group leaves");
+    lower(group_room(system), "the control group of this process leaves");
     lower(shell_room(system, RLIMIT_AS, "VmSize:"), "the shell allows (ulimit -v)");
     lower(shell_room(system, RLIMIT_DATA, "VmData:"), "the shell allows (ulimit -d)");
     return bound;

@@ -27,9 +27,9 @@ void require_same_scene(const Prepared& prepared, const std::string& directory) 
     if (then == here) return;
     const std::string remedy = "Choose another folder with --out, or add --overwrite";
     if (!then)
-        throw Error(ErrorKind::input, Problem{"holds a result already, of a frana that did not tell of what scene",
+        throw Error(ErrorKind::input, Problem{"contains a result of an older frana, which did not record its scene",
                                               directory, "", "", remedy});
-    throw Error(ErrorKind::input, Problem{"holds the finished result of another scene: " +
+    throw Error(ErrorKind::input, Problem{"contains the finished result of another scene: " +
                                               joined(identity_differences(here, *then), "; "),
                                           directory, "", "", remedy});
 }
@@ -88,11 +88,11 @@ std::string told(const std::vector<std::string>& names) {
 
 void require_all(const std::vector<std::string>& missing, const std::vector<std::string>& changed,
                  const std::string& directory) {
-    const std::string remedy = "Bring them back, or compute the scene anew with --overwrite";
+    const std::string remedy = "Restore them, or compute the scene again with --overwrite";
     Problems problems;
     if (!missing.empty())
-        problems.add({"files of the result are missing, which only a run can write: " + told(missing), directory, "",
-                      "", remedy});
+        problems.add(
+            {"files of the result are missing that only a run can write: " + told(missing), directory, "", "", remedy});
     if (!changed.empty())
         problems.add(
             {"files of the result are not as the run wrote them: " + told(changed), directory, "", "", remedy});
@@ -104,11 +104,9 @@ Manifest require_list(const std::string& directory) {
     if (auto manifest = read_manifest(directory)) return std::move(*manifest);
     throw Error(
         ErrorKind::input,
-        Problem{"the result's list of files is missing or cannot be read, so that nobody can tell whether it is "
-                "whole",
+        Problem{"the result's manifest is missing or cannot be read, so that its completeness cannot be checked",
                 (fs::path(directory) / k_manifest_file).string(), "", "",
-                "Bring it back, or compute the scene anew with --overwrite, which keeps this result under "
-                "another name"});
+                "Restore it, or compute the scene again with --overwrite, which keeps this result under another name"});
 }
 
 }  // namespace

@@ -57,12 +57,12 @@ void note_volumes(const RunResult& result, RunLog& log) {
                            grouped(area.area) + " m2";
         if (area.start > 0) text += ", at " + shortest_text(area.start) + " s";
         if (!area.failed) {
-            log.warn(text + ": not before the run ended");
+            log.warn(text + ": not before the end of the run");
         } else {
             log.note(text);
         }
     }
-    if (result.volume_inflow > 0) log.note("flowed in through lines: " + grouped(result.volume_inflow) + " m3");
+    if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");
 }
 
 std::string percent(double share) {
@@ -71,8 +71,8 @@ std::string percent(double share) {
 
 /// Summed over the window: what moves on and on changes place more than once.
 std::string volume_that_moved(double share) {
-    if (share <= 1) return percent(share) + " of the volume changed place";
-    return "all of the volume changed place, " + figure(share, 2) + " times over";
+    if (share <= 1) return percent(share) + " of the volume changed cell";
+    return "all of the volume changed cell, " + figure(share, 2) + " times over";
 }
 
 /// Time ran out: what moves, and how fast the figures that people use still grow.
@@ -88,8 +88,8 @@ void warn_of_motion(const Finished& run, RunLog& log) {
         text += ", the fastest at " + figure(fastest, 3) + " m/s";
     if (result.settling) {
         const Settling& s = *result.settling;
-        text += "; in its last " + figure(s.window, 2) + " s it came " + figure(s.runout, 3) +
-                " m farther, the area grew by " + percent(s.area) + " and " + volume_that_moved(s.deposit);
+        text += "; in its last " + figure(s.window, 2) + " s the run-out grew by " + figure(s.runout, 3) +
+                " m, the area by " + percent(s.area) + " and " + volume_that_moved(s.deposit);
     }
     log.warn(text + ". Final depth and run-out are not those of the deposit: raise time.end");
 }
@@ -104,8 +104,8 @@ void warn_of_thin_flow(const Finished& run, RunLog& log) {
     log.warn((seen ? "at one time " + percent(result.thin_share) + " of the flow was thinner than"
                    : std::string("the maps are empty: the flow was nowhere as deep as")) +
              " numerics.minimum-depth = " + shortest_text(minimum) +
-             " m, and is not on the maps there nor in areas, speeds and run-out: set numerics.minimum-depth to about a "
-             "hundredth of the flow's usual depth");
+             " m, and is not included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
+             "hundredth of the usual flow depth");
 }
 
 /// What outlines and run-out do not show though maps do.
@@ -115,7 +115,7 @@ void warn_of_empty_trace(const Finished& run, RunLog& log) {
     log.warn("the flow was nowhere deeper than output.trace-threshold = " + shortest_text(threshold) + " m, but " +
              figure(deepest, 3) +
              " m: trace, deposit and covered area are empty, run-out is 0 and a comparison finds nothing. Set "
-             "output.trace-threshold to about a tenth of the flow's usual depth");
+             "output.trace-threshold to about a tenth of the usual flow depth");
 }
 
 void warn_of_trouble(const Finished& run, RunLog& log) {
@@ -125,26 +125,27 @@ void warn_of_trouble(const Finished& run, RunLog& log) {
     for (const std::string& note : result.notes) log.note("engine: " + note);
     if (result.stop_reason == StopReason::reached_no_data) {
         log.warn(
-            "the run ended because the flow reached ground without elevation: the map is not complete; take "
-            "a larger "
-            "DTM, or set terrain.nodata-policy to wall or fill");
+            "the run ended because the flow reached ground without elevation: the map is incomplete; use a larger DTM, "
+            "or set terrain.nodata-policy to wall or fill");
     }
     if (!result.hard_events.none())
-        log.warn("the computation met events that a good run does not have; see hard_events in summary.json");
+        log.warn(
+            "the computation had numerical events that do not occur in a good run; see hard_events in summary.json");
     warn_of_motion(run, log);
     warn_of_thin_flow(run, log);
     warn_of_empty_trace(run, log);
     const double shown = shown_volume(result);
     if (std::abs(shown - result.volume_final) > k_shown_share * result.volume_final) {
-        log.warn("the depths of final_depth.tif add up to " + grouped(shown) + " m3, the flow holds " +
+        log.warn("the depths of final_depth.tif add up to " + grouped(shown) + " m3, the flow has " +
                  grouped(result.volume_final) +
-                 " m3: where particles crowd, in gullies narrower than a few cells, depths are shown too small. Choose "
-                 "smaller cells, or take deposit volumes from summary.json");
+                 " m3: where particles are crowded, in gullies narrower than a few cells, the depths shown are too "
+                 "small. Choose smaller cells, or take deposit volumes from summary.json");
     }
     if (result.volume_left > 0) {
         log.warn(grouped(result.volume_left) + " m3 left the computed ground (" +
                  figure(100 * result.volume_left / result.volume_entered, 2) +
-                 " % of all that came in): the map does not show how far it runs; take a larger DTM or terrain.bounds");
+                 " % of all volume that came in): the map does not show its full run-out; use a larger DTM or "
+                 "terrain.bounds");
     }
 }
 

@@ -83,7 +83,7 @@ class Page {
 
 void add_warnings(Page& page, const std::vector<std::string>& warnings) {
     page.add("<h2 id=\"warnings\">Warnings</h2>\n");
-    if (warnings.empty()) page.add("<p class=\"good\">The run gave no warning.</p>\n");
+    if (warnings.empty()) page.add("<p class=\"good\">The run gave no warnings.</p>\n");
     for (const std::string& warning : warnings) page.add("<p class=\"warning\">" + escaped_markup(warning) + "</p>\n");
 }
 
@@ -140,7 +140,7 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     if (!input.hazard.empty())
         page.add("<h2 id=\"hazard\">Intensity classes</h2>\n" + hazard_table(spec, input.hazard));
     add_maps(page, spec, directory);
-    page.add("<h2 id=\"series\">Course of the flow</h2>\n" + series_charts(input));
+    page.add("<h2 id=\"series\">Time series</h2>\n" + series_charts(input));
     if (input.comparison) {
         page.add("<h2 id=\"comparison\">Comparison with the survey</h2>\n" + comparison_tables(*input.comparison));
         if (const auto file = drawn(directory, "", "comparison")) page.add_picture(*file, "comparison");

@@ -55,8 +55,8 @@ void add_high_figures(Table& table, const HighFigures& high) {
             table.number(name + what.title, std::isnan(value) ? "–" : figure(value, 4), what.unit);
         };
         row("Greatest ", std::isnan(high[i].greatest) ? 0 : high[i].greatest);
-        row("99.9 % of the area stay under: ", high[i].p999);
-        row("99 % of the area stay under: ", high[i].p99);
+        row("99.9 % of the area do not exceed: ", high[i].p999);
+        row("99 % of the area do not exceed: ", high[i].p99);
     }
 }
 
@@ -122,16 +122,16 @@ std::string results_table(const ReportInput& input) {
         .number("Angle of reach", figure(f.figures.run_out.reach_angle_deg, 3), "°")
         .number("Simulated time (" + std::string(describe(r.stop_reason)) + ")", figure(r.simulated_seconds, 4), "s");
     return table.html() +
-           "<p class=\"small\">The greatest value is that of a single cell; those of 99.9 % and 99 % are over the area "
-           "deeper than " +
+           "<p class=\"small\">The greatest value is that of a single cell; the 99.9 % and 99 % values are over the "
+           "area deeper than " +
            escaped_markup(figure(input.prepared.spec.output.trace_threshold)) +
-           " m, at the greatest of all times in each cell.</p>\n";
+           " m, with the maximum over time in each cell.</p>\n";
 }
 
 std::string budget_table(const RunResult& r) {
     Table table;
     table.number("Released, at the start and later", grouped(r.volume_entered - r.volume_inflow), "m³");
-    if (r.volume_inflow > 0) table.number("Flowed in", grouped(r.volume_inflow), "m³");
+    if (r.volume_inflow > 0) table.number("Inflow", grouped(r.volume_inflow), "m³");
     if (r.exchanges)
         table.number("Eroded from the bed", grouped(r.volume_eroded), "m³")
             .number("Deposited on the bed", grouped(r.volume_deposited), "m³");
@@ -141,7 +141,7 @@ std::string budget_table(const RunResult& r) {
                     grouped(r.phases->entered.solids) + ", " + grouped(r.phases->inside.solids) + ", " +
                         grouped(r.phases->left.solids),
                     "m³")
-            .number("Confined water: came in, set free, inside at the end, left",
+            .number("Confined water: came in, released, inside at the end, left",
                     grouped(r.phases->entered.confined) + ", " + grouped(r.phases->released) + ", " +
                         grouped(r.phases->inside.confined) + ", " + grouped(r.phases->left.confined),
                     "m³")
@@ -152,7 +152,7 @@ std::string budget_table(const RunResult& r) {
             .number("Cohesion left, mean of the solids inside", figure(r.phases->cohesion_left, 3), "of 1");
     return table.number("Inside at the end", grouped(r.volume_final), "m³")
         .number("Left the computed ground", grouped(r.volume_left), "m³")
-        .number("Error of the budget", figure(relative_volume_error(r), 2), "of all that came in")
+        .number("Budget error", figure(relative_volume_error(r), 2), "of all volume that came in")
         .html();
 }
 
@@ -174,7 +174,7 @@ std::string numerics_table(const ReportInput& input) {
                .number("Depths clamped", grouped(e.depth_clamped), "0 in a good run")
                .number("Particles over ground without elevation", grouped(e.entered_no_data), "0 in a good run")
                .number("Speeds above what the fall allows", grouped(e.impossible_speed), "0 in a good run")
-               .number("Steps after which the volume was off", grouped(e.volume_drift), "0 in a good run")
+               .number("Steps with a volume error", grouped(e.volume_drift), "0 in a good run")
                .html() +
            "<p class=\"small\">Computed: " + escaped_markup(terms) + "</p>\n";
 }
@@ -187,8 +187,7 @@ std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& a
                   escaped_markup(area.kind.label) + "</td><td class=\"n\">" + grouped(area.area_m2) + "</td></tr>\n");
     }
     return "<p>Scheme " + escaped_markup(*spec.hazard.scheme) +
-           ". This is the intensity of one scenario; a degree of danger also asks how often it "
-           "happens.</p>\n" +
+           ". This is the intensity of one scenario; a hazard level also depends on its frequency.</p>\n" +
            table.html();
 }
 
@@ -229,7 +228,7 @@ std::string comparison_tables(const Comparison& c) {
             .number("Distance of the outlines, greatest (Hausdorff)", figure(c.outline->hausdorff_m, 3), "m");
     }
     if (c.runout_difference_m)
-        table.number("Run-out, simulated less observed, straight", signed_figure(*c.runout_difference_m), "m");
+        table.number("Run-out, simulated minus observed, straight", signed_figure(*c.runout_difference_m), "m");
     if (c.path_runout) {
         table.number("Run-out along the flow path, simulated", grouped(c.path_runout->simulated_m), "m")
             .number("Run-out along the flow path, observed", grouped(c.path_runout->observed_m), "m");

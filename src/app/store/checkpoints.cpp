@@ -123,9 +123,9 @@ void Checkpoints::set_space_aside(const Progress& now, const SaveState& state) {
         const auto wanted = static_cast<std::uint64_t>(k_growth * static_cast<double>(needed)) + k_least;
         if (space_.bytes() < needed + needed / 4 && !space_.grow(wanted) && !space_.grow(needed))
             throw Error(ErrorKind::environment,
-                        Problem{"the disk has no room to spare for a checkpoint of " +
+                        Problem{"the disk has not enough free space for a checkpoint of " +
                                     figure(static_cast<double>(needed) / 1e6, 3) + " MB",
-                                folder_, std::strerror(errno), "", "Make room: the run goes on meanwhile"});
+                                folder_, std::strerror(errno), "", "Free some space: the run continues meanwhile"});
     } catch (const Error& error) {
         warn_once(error);
     }

@@ -31,8 +31,7 @@ std::string fault_without_records(const std::string& folder, std::size_t count) 
     }
     for (std::size_t i = 0; i < count; ++i)
         for (const FrameFile& file : wanted)
-            if (!fs::exists(frame_path(folder, file, i)))
-                return "is not there any more: " + frame_path(folder, file, i);
+            if (!fs::exists(frame_path(folder, file, i))) return "is missing: " + frame_path(folder, file, i);
     return {};
 }
 
@@ -103,7 +102,7 @@ std::string frame_fault(const std::string& folder, std::size_t count, const std:
         const std::string path = (fs::path(folder) / record.name).string();
         std::error_code failure;
         const std::uint64_t bytes = fs::file_size(path, failure);
-        if (failure) return "is not there any more: " + path;
+        if (failure) return "is missing: " + path;
         if (bytes != record.bytes || record_of(path).sum != record.sum) return "is not as it was written: " + path;
     }
     return {};

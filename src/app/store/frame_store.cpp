@@ -213,16 +213,16 @@ std::vector<StoredFrame> stored_frames(const std::string& folder) {
         if (!next || file.eof() || (!frames.empty() && *time < frames.back().time)) {
             throw Error(
                 ErrorKind::input,
-                Problem{"is no list of frames: a line is not the next index and a time not before the last",
+                Problem{"is not a list of frames: a line is not the next index with a time not before the last",
                         list_file(folder), elided(valid_utf8(line), k_shown), "index,time_s", "The file is damaged"});
         }
         const auto path = [&](const FrameFile& what) { return frame_path(folder, what, frames.size()); };
         frames.push_back({*time, path(k_depth_file), path(k_velocity_file), path(k_particle_table)});
     }
     if (frames.empty())
-        throw Error(ErrorKind::input, Problem{"lists no frames", list_file(folder), "", "",
-                                              "A run lists each as soon as it is whole; a finished one without any "
-                                              "was damaged"});
+        throw Error(ErrorKind::input,
+                    Problem{"lists no frames", list_file(folder), "", "",
+                            "A run lists each frame when it is complete; a finished result without any is damaged"});
     return frames;
 }
 

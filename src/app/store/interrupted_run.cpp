@@ -27,15 +27,16 @@ fs::path result_of(const std::string& checkpoint) {
 std::string hindrance(const CheckpointFile& checkpoint, const std::string& identity) {
     const CheckpointHead& head = checkpoint.head();
     if (head.scene != identity)
-        return "is of another scene: " + joined(identity_differences(identity, head.scene), "; ");
+        return "is from another scene: " + joined(identity_differences(identity, head.scene), "; ");
     const std::string frames = (result_of(checkpoint.path()) / "frames").string();
     const std::string fault = frame_fault(frames, head.frame_times.size(), head.frame_records);
-    return fault.empty() ? "" : "counts on a frame that " + fault;
+    return fault.empty() ? "" : "needs a frame that " + fault;
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::error_code& failure) {
-    throw Error(ErrorKind::environment, Problem{"an interrupted run's files cannot be taken over: " + failure.message(),
-                                                path.string(), "", "", "Check the disk's space and the rights"});
+    throw Error(ErrorKind::environment,
+                Problem{"the files of an interrupted run cannot be taken over: " + failure.message(), path.string(), "",
+                        "", "Check the disk's space and the rights"});
 }
 
 // The same file under a second name, where the file system knows that; else a copy.
@@ -107,8 +108,8 @@ std::unique_ptr<CheckpointFile> InterruptedRun::choose(const std::string& identi
             reasons.push_back(error.problems().front());
         }
     }
-    reasons.push_back({"no checkpoint can be gone on from", "--resume", "", "",
-                       "Run the scene as it was, or from its start: --overwrite without --resume"});
+    reasons.push_back({"the run cannot be resumed from any checkpoint", "--resume", "", "",
+                       "Restore the scene as it was, or run it from its start: --overwrite without --resume"});
     throw Error(ErrorKind::input, reasons);
 }
 

@@ -82,7 +82,7 @@ bool KeptFiles::has(const std::string& path) const {
 void KeptFiles::check(const std::vector<std::string>& outputs, const std::string& where, Problems& problems) const {
     for (const std::string& path : outputs)
         if (has(path))
-            problems.add({"would be written over: it is read here, or belongs to a result", where, path, "",
+            problems.add({"would be overwritten: it is an input or belongs to a result", where, path, "",
                           "Choose another folder with --out"});
 }
 
@@ -91,8 +91,8 @@ void KeptFiles::check_pictures(const std::vector<std::string>& outputs, const st
     check(outputs, where, problems);
     for (const std::string& path : outputs) {
         if (path.ends_with(".tif") && place_of(path) && !has(path) && !gis::is_drawn_geotiff(path))
-            problems.add({"is there already and is no picture that frana drew", where, path, "",
-                          "Choose another folder with --out"});
+            problems.add(
+                {"exists already and was not drawn by frana", where, path, "", "Choose another folder with --out"});
     }
 }
 

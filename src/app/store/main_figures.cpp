@@ -15,8 +15,7 @@ std::optional<MainFigures> read_main_figures(const std::string& result_folder) {
     if (!std::filesystem::exists(path)) return std::nullopt;
     const std::optional<Json> summary = read_json_file(path);
     if (!summary)
-        throw Error(ErrorKind::input,
-                    Problem{"is not whole", path, "", "", "Bring it back, or compute the scene anew"});
+        throw Error(ErrorKind::input, Problem{"is incomplete", path, "", "", "Restore it, or compute the scene again"});
     MainFigures figures;
     const std::pair<const char*, double*> k_places[] = {{"/trace_threshold_m", &figures.threshold},
                                                         {"/covered_area_m2", &figures.covered_area_m2},

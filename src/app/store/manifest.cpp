@@ -136,7 +136,7 @@ FileMark mark_of(const std::string& path) {
 }
 
 FileMark mark_on_disk(const std::string& path) {
-    if (const int reason = sync_path(path); reason != 0) fail("cannot be brought to the disk", path, reason);
+    if (const int reason = sync_path(path); reason != 0) fail("cannot be written to the disk", path, reason);
     return mark_of(path);
 }
 
@@ -172,7 +172,7 @@ void write_manifest(const std::string& folder, const Manifest& manifest) {
     for (const auto& [name, mark] : manifest.files)
         files.push_back({{"name", escaped_name(name)}, {"bytes", mark.bytes}, {k_checksum, mark.checksum}});
     write_file((fs::path(folder) / k_manifest_file).string(), json_text(json), Sync::yes);
-    if (const int reason = sync_path(folder); reason != 0) fail("cannot be brought to the disk", folder, reason);
+    if (const int reason = sync_path(folder); reason != 0) fail("cannot be written to the disk", folder, reason);
 }
 
 bool is_listed_result(const std::string& folder) {

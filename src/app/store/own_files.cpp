@@ -45,9 +45,9 @@ void check_another_result(const std::string& folder, const std::string& where, c
     const auto result = around(folder, is_result);
     const auto is_it = [&](const std::string& read) { return around(read, is_result) == result; };
     if (!result || std::any_of(reads.begin(), reads.end(), is_it)) return;
-    const std::string read = reads.empty() ? "" : "; what is read is " + joined(reads, ", ");
-    problems.add({"lies in another result, " + result->string() + ", whose files would no longer be its own" + read,
-                  where, folder, "", "Choose a place outside of it"});
+    const std::string read = reads.empty() ? "" : "; the input is " + joined(reads, ", ");
+    problems.add({"is in another result, " + result->string() + ", whose files would be changed" + read, where, folder,
+                  "", "Choose a place outside it"});
 }
 
 }  // namespace
@@ -58,11 +58,11 @@ void check_own(const std::string& folder, const std::vector<std::string>& files,
     if (around(folder, lists_files)) return;  // what was changed since is kept when it is written anew
     std::error_code failure;
     const std::string list = (fs::path(folder) / k_manifest_file).string();
-    const std::string remedy = "Choose another folder with " + where +
-                               ", or move the file away; a study of an older frana, which kept no list of its "
-                               "files, has to go as a whole";
+    const std::string remedy =
+        "Choose another folder with " + where +
+        ", or move the file away; a study by an older frana, without a list of its files, must be moved as a whole";
     if (fs::exists(list, failure))
-        problems.add({"is there already and is not frana's list of files", where, list, "", remedy});
+        problems.add({"exists already and is not frana's list of files", where, list, "", remedy});
     // Results of a frana that did not list files have only its names to go by.
     const auto unlisted = around(folder, is_result);
     const fs::path real = fs::weakly_canonical(folder.empty() ? "." : folder, failure);
@@ -71,7 +71,7 @@ void check_own(const std::string& folder, const std::vector<std::string>& files,
         const bool known =
             unlisted && known_file(inside.lexically_normal().lexically_relative(*unlisted).generic_string()) != nullptr;
         if (!known && fs::exists(fs::symlink_status(file, failure)))
-            problems.add({"is there already, and frana did not write it", where, file, "", remedy});
+            problems.add({"exists already and was not written by frana", where, file, "", remedy});
     }
 }
 
@@ -98,7 +98,7 @@ void clear_own(const std::string& folder, const std::vector<std::string>& files,
         fs::remove(file, failure);
         if (failure)
             throw Error(ErrorKind::environment,
-                        Problem{"is of an earlier, longer series and cannot be removed: " + failure.message(),
+                        Problem{"is from an earlier, longer series and cannot be removed: " + failure.message(),
                                 file.string(), "", "", system_remedy(failure.value())});
         gone.push_back(name);
     }

@@ -197,7 +197,7 @@ std::vector<Problem> replace_result(const std::string& older, const std::string&
     if (fs::remove(older, ignored)) return {};  // it was empty: a run was killed while it ended this
     fs::path kept;
     if (const std::error_code failure = move_to_kept(older, result, "", kept))
-        return {{"the older result could not be given another name: " + failure.message(), older, "", "",
+        return {{"the older result could not be renamed: " + failure.message(), older, "", "",
                  "It is still there; the new result is complete in " + result}};
     log.tell("the older result does not list its files: it is kept whole in " + kept.string());
     return {};

@@ -78,7 +78,7 @@ void ResultDirectory::make_sibling() {
     fs::create_directories(fs::path(directory_).parent_path(), failure);
     if (failure) fail("cannot be made", fs::path(directory_).parent_path().string(), failure.message());
     std::string name = directory_ + k_building + "XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) fail("no folder can be made beside it", directory_, std::strerror(errno));
+    if (::mkdtemp(name.data()) == nullptr) fail("no folder can be created beside it", directory_, std::strerror(errno));
     aside_ = name;
     // mkdtemp keeps others out; a result is as readable as the one before it, or as any folder of the user's.
     const mode_t mask = ::umask(0);
@@ -214,7 +214,7 @@ std::vector<Problem> clear_place_of(const std::string& result, const std::string
     }
     for (const std::string& folder : left_results(result)) {
         if (!remove_unfinished(folder))
-            log.tell("a run that was killed has left " + folder + "; it holds more than frana wrote there, and stays");
+            log.tell("a killed run has left " + folder + "; it contains files that frana did not write, and is kept");
     }
     remove_empty_siblings(result);
     remove_note_of_building(result);

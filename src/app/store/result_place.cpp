@@ -83,9 +83,9 @@ std::optional<std::string> refusal(const fs::path& path) {
     if (::faccessat(AT_FDCWD, parent.c_str(), W_OK | X_OK, AT_EACCESS) != 0) return std::strerror(errno);
     if (::faccessat(AT_FDCWD, path.c_str(), F_OK, AT_EACCESS) != 0) return std::nullopt;
     if (::faccessat(AT_FDCWD, path.c_str(), R_OK | W_OK | X_OK, AT_EACCESS) != 0)
-        return std::string("the folder that is there may not be changed: ") + std::strerror(errno);
+        return std::string("the existing folder may not be changed: ") + std::strerror(errno);
     if (is_kept_by_its_owner(path))
-        return "the folder that is there is another user's, and only its owner may rename it";
+        return "the existing folder belongs to another user, and only its owner may rename it";
     return std::nullopt;
 }
 
@@ -93,12 +93,12 @@ std::optional<std::string> refusal(const fs::path& path) {
 std::optional<Problem> broken_link(const std::string& directory, const fs::path& path, const std::string& where) {
     std::error_code failure;
     if (fs::is_symlink(path, failure))
-        return Problem{"is a symbolic link that leads back to itself", where, path.string(), "", k_choose};
+        return Problem{"is a symbolic link to itself", where, path.string(), "", k_choose};
     const fs::path named = clean(directory);
     if (path == named || !fs::is_symlink(named, failure) || fs::exists(path.parent_path(), failure)) return {};
-    return Problem{"is a symbolic link to a place that is not there", where, named.string() + " -> " + path.string(),
-                   "",
-                   "Connect the disk or make the folder it points into, or choose another result directory with --out"};
+    return Problem{
+        "is a symbolic link to a place that does not exist", where, named.string() + " -> " + path.string(), "",
+        "Connect the disk or create the folder that it points to, or choose another result directory with --out"};
 }
 
 /// What of the older result goes, or moves, must not be read while it does.
@@ -113,13 +113,13 @@ void check_older(const fs::path& path, bool overwrite, const std::vector<std::st
                  Problems& problems) {
     const std::optional<Manifest> manifest = read_manifest(path.string());
     if (!manifest && !is_unlisted_result(path.string())) {
-        problems.add({"is a folder with other files in it, not a result; it is never overwritten", where, path.string(),
-                      "", "Choose an empty or new folder with --out"});
+        problems.add({"is a folder with other files, not a result; it is never overwritten", where, path.string(), "",
+                      "Choose an empty or new folder with --out"});
     } else if (!overwrite) {
-        problems.add({"holds a result already", where, path.string(), "",
+        problems.add({"contains a result already", where, path.string(), "",
                       (manifest && manifest->finished.value_or(false)) || checkpoints_in(path.string()).empty()
                           ? "Choose another folder with --out, or add --overwrite"
-                          : "It was stopped before its end: --resume goes on, --overwrite starts anew"});
+                          : "It was stopped before its end: --resume continues it, --overwrite starts anew"});
     }
     for (const std::string& input : inputs) {
         const std::vector<std::string> places = spellings(input);
@@ -128,7 +128,7 @@ void check_older(const fs::path& path, bool overwrite, const std::vector<std::st
                 const fs::path real = fs::weakly_canonical(place, failure);
                 return !failure && fs::exists(real, failure) && would_be_replaced(real, path, manifest);
             }))
-            problems.add({"would be replaced by the result while it is read", where, input, "", k_choose});
+            problems.add({"is an input and would be replaced by the result", where, input, "", k_choose});
     }
 }
 
@@ -168,12 +168,12 @@ std::optional<Problem> check_result_directory(const std::string& directory, bool
         return {};
     }
     if (fs::is_directory(path, failure) && is_mount_point(path)) {
-        problems.add({"is a mount point (a disk or a container's volume), which no result can take the place of", where,
+        problems.add({"is a mount point (a disk or a container's volume), which a result cannot replace", where,
                       path.string(), "", "Choose a folder in it: --out " + (path / "result").string()});
         return {};
     }
     if (const long most = longest_name(path); static_cast<long>(path.filename().string().size()) > most)
-        problems.add({"has too long a name", where, path.filename().string(),
+        problems.add({"has a name that is too long", where, path.filename().string(),
                       "at most " + std::to_string(most) + " bytes here", "Choose a shorter one with --out"});
     if (holds_files(path.string())) check_older(path, overwrite, inputs, where, problems);
     const fs::path parent = existing_parent(path);

@@ -22,7 +22,7 @@ class Row {
         for (const std::string& word : words_) {
             if (words_.size() == names_.size() && number_from_text(word)) continue;
             throw Error(ErrorKind::input,
-                        Problem{"a row is no list of numbers, one for each column", path_,
+                        Problem{"a row is not a list of numbers, one for each column", path_,
                                 elided(valid_utf8(line), k_shown), joined(names_, ","), "The file is damaged"});
         }
     }
@@ -35,7 +35,7 @@ class Row {
         if (const auto number = find(name)) return *number;
         throw Error(ErrorKind::input,
                     Problem{"has no column " + name, path_, elided(valid_utf8(joined(names_, ",")), k_shown), "",
-                            "The file is not a run's, or damaged"});
+                            "The file is damaged or not from a run"});
     }
 
   private:

@@ -77,7 +77,7 @@ void add_case(const std::string& name, const std::vector<AccuracyRow>& rows, std
         for (const OwnFigure& figure : f.own) {
             own += text("    %-8s %8g m  %-42s %11.4g", name_of(row.scheme), f.cell_size, figure.name.c_str(),
                         figure.value);
-            if (figure.mark) own += text("  mark %g: %s", *figure.mark, figure.met() ? "met" : "MISSED");
+            if (figure.mark) own += text("  target %g: %s", *figure.mark, figure.met() ? "met" : "MISSED");
             own += "\n";
         }
         if (row.scheme != Scheme::standard || std::isnan(row.observed_order)) {
@@ -110,7 +110,7 @@ std::string rotation_text(const std::vector<AccuracyRow>& rows) {
                 turned.scheme != aligned.scheme || turned.figures.cell_size != aligned.figures.cell_size)
                 continue;
             const double ratio = turned.figures.l1_depth / aligned.figures.l1_depth;
-            out += text("ritter-rotated over ritter, %s, %g m cells: %.3f, mark 1.2: %s\n", name_of(turned.scheme),
+            out += text("ritter-rotated over ritter, %s, %g m cells: %.3f, target 1.2: %s\n", name_of(turned.scheme),
                         turned.figures.cell_size, ratio, ratio <= 1.2 ? "met" : "MISSED");
         }
     }

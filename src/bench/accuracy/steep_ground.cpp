@@ -366,12 +366,12 @@ CaseFigures run_cliff_jump(double cell_size, Scheme scheme) {
 std::vector<AccuracyCase> steep_ground() {
     const std::vector<double> cells{10, 5, 2.5, 1.25};
     return {
-        {"valley", "film without friction down one side of a V and up the other", cells, false, run_valley},
-        {"profile", "film without friction down a smooth, wavy profile", cells, false, run_profile},
-        {"bowl", "film without friction round a paraboloid", cells, false, run_bowl},
-        {"slope-step", "film without friction from 40 to 10 degrees", cells, false, run_slope_step},
-        {"gully-bend", "film without friction down a half-pipe round a bend", cells, false, run_gully_bend},
-        {"ridge", "film without friction against a ridge that a part overtops", cells, false, run_ridge},
+        {"valley", "thin film without friction down one side of a V and up the other", cells, false, run_valley},
+        {"profile", "thin film without friction down a smooth, wavy profile", cells, false, run_profile},
+        {"bowl", "thin film without friction round a paraboloid", cells, false, run_bowl},
+        {"slope-step", "thin film without friction from 40 to 10 degrees", cells, false, run_slope_step},
+        {"gully-bend", "thin film without friction down a half-pipe round a bend", cells, false, run_gully_bend},
+        {"ridge", "thin film without friction against a ridge that a part overtops", cells, false, run_ridge},
         {"cliff-jump", "film of 30 cm without friction over an edge of 50 m", cells, false, run_cliff_jump<30>},
         {"thin-cliff-jump", "film of 10 cm without friction over an edge of 50 m", cells, false, run_cliff_jump<10>}};
 }

@@ -106,10 +106,10 @@ std::string law_costs_csv(const std::vector<LawCost>& costs) {
 }
 
 std::string law_costs_table(const std::vector<LawCost>& costs) {
-    std::string out = "what a law costs, one thread:\n";
+    std::string out = "cost of a law, one thread:\n";
     for (const LawCost& cost : costs) {
         char line[160];
-        std::snprintf(line, sizeof line, "%-28s %7.1f ns a particle-step  %5.2f times plain  %4.0f bytes\n",
+        std::snprintf(line, sizeof line, "%-28s %7.1f ns per particle-step  %5.2f times plain  %4.0f bytes\n",
                       cost.law.c_str(), cost.nanoseconds, cost.relative, cost.bytes_per_particle);
         out += line;
     }

@@ -119,7 +119,7 @@ std::string speed_table(const SpeedResult& result) {
     }
     for (const SpeedRow& row : result.rows) out += speed_line(row) + "\n";
 
-    out += "\nnanoseconds a particle-step, by stage (bytes of particle fields moved in the last column)\n";
+    out += "\nnanoseconds per particle-step, by stage (bytes of particle fields moved in the last column)\n";
     for (const SpeedRow& row : result.rows) {
         if (row.bytes_moved == 0) continue;  // its stages are not watched
         std::snprintf(line, sizeof line, "%-6s %9lld particles %3d threads ", row.case_name.c_str(),
@@ -134,10 +134,10 @@ std::string speed_table(const SpeedResult& result) {
         out += line;
     }
 
-    out += "\nwhat each term costs: the slide with it and all above it, one thread\n";
+    out += "\ncost of each term: the slide with it and all above it, one thread\n";
     double before = 0;
     for (const TermRow& row : result.terms) {
-        std::snprintf(line, sizeof line, "%-52s %7.1f ns %+7.1f  %4.0f bytes a particle\n", row.term.c_str(),
+        std::snprintf(line, sizeof line, "%-52s %7.1f ns %+7.1f  %4.0f bytes per particle\n", row.term.c_str(),
                       row.nanoseconds, row.nanoseconds - before, row.bytes_per_particle);
         before = row.nanoseconds;
         out += line;

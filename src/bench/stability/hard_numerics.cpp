@@ -106,10 +106,10 @@ HardFigure threads_alike(int threads, Soundness& sound) {
 
 std::vector<HardCase> hard_numerics_cases() {
     return {
-        particles_per_cell("one-per-cell", "1 particle a cell", 1, 0),
-        particles_per_cell("four-per-cell", "4 particles a cell", 2, 0),
-        particles_per_cell("sixteen-per-cell", "16 particles a cell", 4, 0),
-        particles_per_cell("random-particles", "4 a cell, placed at random", 2, 1),
+        particles_per_cell("one-per-cell", "1 particle per cell", 1, 0),
+        particles_per_cell("four-per-cell", "4 particles per cell", 2, 0),
+        particles_per_cell("sixteen-per-cell", "16 particles per cell", 4, 0),
+        particles_per_cell("random-particles", "4 per cell, placed at random", 2, 1),
         with_cfl("cfl-09", "Courant number 0.9", 0.9),
         with_cfl("cfl-005", "Courant number 0.05", 0.05),
         with_transfer("pic", "PIC transfer", Transfer::pic),

@@ -66,7 +66,7 @@ std::vector<HardCase> hard_release_cases() {
          [] { return seeded(flat_water(), [](Point p) { return Seed{p.x < 80 ? 1e-3 : 0}; }); }},
         {"wave-over-film", "a dam break, 10 m over a film of a millimetre", 8,
          [] { return seeded(flat_water(), [](Point p) { return Seed{p.x < 80 ? 10 : 1e-3}; }); }},
-        {"film-1um", "a film of a thousandth of a millimetre on the slope", 20,
+        {"film-1um", "a thin film of a thousandth of a millimetre on the slope", 20,
          [] { return seeded(usual_slide(), [](Point p) { return Seed{usual_cap(p) > 0 ? 1e-6 : 0}; }); }},
         {"collision", "two masses that meet at 20 m/s each", 10,
          [] {

@@ -60,7 +60,7 @@ HardFigure into_gaps(const Setup& setup, Flow& flow) {
 HardFigure what_stays(const Setup& setup, Flow& flow) {
     double start = 0;
     for (std::size_t p = 0; p < setup.seeds.size(); ++p) start += setup.seeds[Field::volume][p];
-    return {"share that has not left", flow.volume() / start, 0.01};
+    return {"fraction that has not left", flow.volume() / start, 0.01};
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ std::vector<HardCase> hard_terrain_cases() {
              });
          },
          into_gaps},
-        {"leaves-all-sides", "a smooth cone: everything leaves through every side", 60,
+        {"leaves-all-sides", "a smooth cone: all material leaves through all sides", 60,
          [] {
              Setup setup = on([](Point p) { return 60 - 0.6 * std::hypot(p.x - 80, p.y - 40); });
              setup.seeds = fill_lattice(setup.bed.grid, 2, 0,

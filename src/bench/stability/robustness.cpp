@@ -83,15 +83,15 @@ bool run_row(const RobustnessOptions& options, const Scene& scene, const Numeric
 std::vector<Disturbance> disturbances() {
     constexpr double k_noise = 0.1;
     std::vector<Disturbance> all{
-        {"shifted", "the grid half a cell to the east and to the north", {}, {0.5, 0}},
-        {"turned-30", "the grid turned by 30 degrees", {}, {0, 30}},
-        {"turned-45", "the grid turned by 45 degrees", {}, {0, 45}},
-        {"turned-90", "the grid turned by 90 degrees: nothing but rounding may change", {}, {0, 90}, 0, true},
+        {"shifted", "the grid shifted by half a cell to the east and to the north", {}, {0.5, 0}},
+        {"turned-30", "the grid rotated by 30 degrees", {}, {0, 30}},
+        {"turned-45", "the grid rotated by 45 degrees", {}, {0, 45}},
+        {"turned-90", "the grid rotated by 90 degrees: only rounding may change", {}, {0, 90}, 0, true},
         {"rough", "noise of 10 cm on every elevation", {}, {}, k_noise},
     };
     for (const char* count : {"1", "4", "9", "16"})
         all.push_back({std::string("particles-") + count,
-                       std::string(count) + " particles a cell",
+                       std::string(count) + " particles per cell",
                        {std::string("numerics.particles-per-cell=") + count}});
     for (const char* number : {"0.2", "0.3", "0.5", "0.7", "0.9"})
         all.push_back({std::string("cfl-") + number,

@@ -20,7 +20,7 @@ StabilityRow run_case(const HardCase& one, int threads) {
         TimedFlow run(setup, threads);
         row.sound = watch(run, setup, one.end);
         row.figure = one.figure ? one.figure(setup, run.flow())
-                                : HardFigure{"speed over the greatest possible", row.sound.speed_ratio, 1};
+                                : HardFigure{"speed over the highest possible speed", row.sound.speed_ratio, 1};
     }
     row.passed = row.sound.non_finite == 0 && row.sound.volume_error <= k_volume_limit && row.sound.speed_ratio <= 1 &&
                  row.figure.value <= row.figure.limit;
