@@ -9,8 +9,8 @@
 
 #include "core/error.h"
 #include "core/file_aside.h"
-#include "core/shortest_text.h"
 #include "core/raster.h"
+#include "core/shortest_text.h"
 #include "gis/raster/raster_out.h"
 
 namespace frana::sample {

@@ -118,8 +118,7 @@ TEST_F(ResumedFrames, ThatAreDamagedCostNoMoreThanTheyMust) {
     damage(folder_of(newest) / ("frames/depth_000" + std::to_string(frames - 1) + ".tif"));
     const Outcome resumed = frana(run("result", {"--resume"}));
     EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-    EXPECT_NE(resumed.err.find("checkpoint not used: " + newest + ": needs a frame"), std::string::npos)
-        << resumed.err;
+    EXPECT_NE(resumed.err.find("checkpoint not used: " + newest + ": needs a frame"), std::string::npos) << resumed.err;
     EXPECT_NE(resumed.err.find("resuming from"), std::string::npos) << resumed.err;
     // The summary tells of the checkpoint that was not used; all else is the same.
     fs::remove(path("result/summary.json"));

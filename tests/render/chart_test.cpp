@@ -94,7 +94,8 @@ TEST(Chart, AsSvgHasTheSamePlacesAndNames) {
     Chart chart = two_panels();
     const std::string svg = chart_svg(chart, 1000, 600, &element);
     ASSERT_EQ(element.points.size(), picture.points.size());
-    for (std::size_t i = 0; i < picture.points.size(); ++i) EXPECT_EQ(element.points[i].size(), picture.points[i].size());
+    for (std::size_t i = 0; i < picture.points.size(); ++i)
+        EXPECT_EQ(element.points[i].size(), picture.points[i].size());
     for (const TextBox& text : picture.texts)
         EXPECT_NE(svg.find(">" + text.text + "</text>"), std::string::npos) << text.text;
     EXPECT_EQ(svg.rfind("<svg ", 0), 0U);
