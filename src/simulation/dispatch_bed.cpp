@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "mpm/bed_states.h"
 #include "physics/friction_chezy.h"
@@ -18,13 +19,6 @@ namespace frana {
 using namespace voellmy_bingham;
 
 namespace {
-
-// A law with Voellmy's parameters that are not there does nothing and is left out.
-bool acts(BedTerm term, const Material& material, const MaterialZones& zones) {
-    if (term == BedTerm::coulomb) return material.friction_coefficient > 0 || zones.friction_coefficient;
-    if (term == BedTerm::turbulence) return std::isfinite(material.turbulence) || zones.turbulence;
-    return true;
-}
 
 template <class Slope>
 void hold_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState*,
@@ -62,11 +56,11 @@ template <class Slope>
 void choose_summed(const Material& material, Stages& stages) {
     stages.fill_bed_states = fill_bed_states<Slope>;
     stages.hold_nodes = hold_summed<Slope>;
-    if (material.has(BedTerm::herschel_bulkley) || (material.has(BedTerm::bingham) && material.exact_yield_ratio)) {
+    if (material.has("herschel-bulkley") || (material.has("bingham") && material.exact_yield_ratio)) {
         stages.update_nodes = update_summed<Slope, HerschelBulkleyExcess>;
-    } else if (material.has(BedTerm::bingham)) {
+    } else if (material.has("bingham")) {
         stages.update_nodes = update_summed<Slope, BinghamQuadraticExcess>;
-    } else if (material.has(BedTerm::pouliquen_forterre)) {
+    } else if (material.has("pouliquen-forterre")) {
         stages.update_nodes = update_summed<Slope, PouliquenForterreExcess>;
     } else {
         stages.update_nodes = update_summed<Slope, NoExcess>;
@@ -114,28 +108,23 @@ void choose_deposition(bool deposition, Stages& stages) {
 
 template <bool Metric>
 void choose_erosion(const Entrainment& entrainment, Stages& stages) {
-    switch (entrainment.erosion) {
-        case ErosionLaw::none:
-            return choose_deposition<Metric, NoExchange>(entrainment.deposition, stages);
-        case ErosionLaw::shear_stress:
-            return choose_deposition<Metric, ShearStressErosion>(entrainment.deposition, stages);
-        case ErosionLaw::growth:
-            return choose_deposition<Metric, GrowthErosion>(entrainment.deposition, stages);
-        case ErosionLaw::mechanical:
-            return choose_deposition<Metric, MechanicalErosion>(entrainment.deposition, stages);
-    }
+    const bool deposition = entrainment.deposition;
+    if (!entrainment.erodes()) return choose_deposition<Metric, NoExchange>(deposition, stages);
+    if (entrainment.erosion == "shear-stress") return choose_deposition<Metric, ShearStressErosion>(deposition, stages);
+    if (entrainment.erosion == "growth") return choose_deposition<Metric, GrowthErosion>(deposition, stages);
+    if (entrainment.erosion == "mechanical") return choose_deposition<Metric, MechanicalErosion>(deposition, stages);
+    throw std::out_of_range("no law of erosion " + entrainment.erosion);
 }
 
-// Turns the terms of a material into sweeps over the nodes.
+// Turns the laws of a material into sweeps over the nodes.
 class FrictionBuilder {
   public:
     FrictionBuilder(const Material& material, const MaterialZones& zones, const NodeGrid& nodes, double gravity)
         : material_(material), zones_(zones), nodes_(nodes), gravity_(gravity) {}
 
     BedFriction build() {
-        for (const BedTerm term : material_.bed_friction) {
-            if (acts(term, material_, zones_)) add(term);
-        }
+        for (const std::string& law : material_.bed_friction)
+            if (acts(law, material_, zones_)) add(law);
         friction_.summed = true;
         return std::move(friction_);
     }
@@ -146,6 +135,8 @@ class FrictionBuilder {
         friction_.node_values.push_back(node_values(*raster, uniform, nodes_));
         return {uniform, friction_.node_values.back().data()};
     }
+    NodeValue coefficient() { return value(zones_.friction_coefficient, material_.friction_coefficient); }
+    // `yields`: it holds what stands still.
     template <class Law>
     void sweep(const Law& law, bool yields) {
         friction_.yields |= yields;
@@ -157,7 +148,7 @@ class FrictionBuilder {
         std::get<Law>(friction_.excess) = law;
         sweep(law, true);
     }
-    void add(BedTerm term);
+    void add(const std::string& law);
 
     const Material& material_;
     const MaterialZones& zones_;
@@ -166,48 +157,47 @@ class FrictionBuilder {
     BedFriction friction_;
 };
 
-void FrictionBuilder::add(BedTerm term) {
+// By the words of params/keys/laws.cpp.
+void FrictionBuilder::add(const std::string& law) {
     const Material& m = material_;
-    switch (term) {
-        case BedTerm::coulomb:
-            return sweep(CoulombFriction{value(zones_.friction_coefficient, m.friction_coefficient), 1,
-                                         m.surface_pressure / m.density},
-                         true);
-        case BedTerm::turbulence:
-            return sweep(TurbulentFriction{gravity_, value(zones_.turbulence, m.turbulence)}, false);
-        case BedTerm::cohesion:
-            return sweep(CohesiveFriction{m.density, value(zones_.cohesion, m.cohesion)}, true);
-        case BedTerm::ramms_yield:
-            return sweep(
-                RammsYield{m.density, m.ramms_yield_stress, value(zones_.friction_coefficient, m.friction_coefficient)},
-                true);
-        case BedTerm::bingham:
-            if (!m.exact_yield_ratio) return excess(BinghamQuadraticExcess{m.density, m.yield_stress, m.viscosity});
-            return excess(HerschelBulkleyExcess{m.density, m.yield_stress, m.viscosity, 1});
-        case BedTerm::herschel_bulkley:
-            return excess(HerschelBulkleyExcess{m.density, m.yield_stress, m.consistency, m.flow_index});
-        case BedTerm::obrien_julien:
-            return sweep(
-                OBrienJulienFriction{gravity_, m.density, m.yield_stress, m.viscosity, m.laminar_resistance, m.manning},
-                m.yield_stress > 0);
-        case BedTerm::manning:
-            return sweep(ManningFriction{gravity_, m.manning}, false);
-        case BedTerm::chezy:
-            return sweep(ChezyFriction{gravity_, m.chezy}, false);
-        case BedTerm::pouliquen_forterre:
-            return excess(PouliquenForterreExcess{value(zones_.friction_coefficient, m.friction_coefficient),
-                                                  m.fast_friction_coefficient, m.friction_beta, m.friction_length});
-    }
+    if (law == "coulomb") return sweep(CoulombFriction{coefficient(), 1, m.surface_pressure / m.density}, true);
+    if (law == "turbulence") return sweep(TurbulentFriction{gravity_, value(zones_.turbulence, m.turbulence)}, false);
+    if (law == "cohesion") return sweep(CohesiveFriction{m.density, value(zones_.cohesion, m.cohesion)}, true);
+    if (law == "ramms-yield") return sweep(RammsYield{m.density, m.ramms_yield_stress, coefficient()}, true);
+    if (law == "bingham" && !m.exact_yield_ratio)
+        return excess(BinghamQuadraticExcess{m.density, m.yield_stress, m.viscosity});
+    if (law == "bingham") return excess(HerschelBulkleyExcess{m.density, m.yield_stress, m.viscosity, 1});
+    if (law == "herschel-bulkley")
+        return excess(HerschelBulkleyExcess{m.density, m.yield_stress, m.consistency, m.flow_index});
+    if (law == "obrien-julien")
+        return sweep(
+            OBrienJulienFriction{gravity_, m.density, m.yield_stress, m.viscosity, m.laminar_resistance, m.manning},
+            m.yield_stress > 0);
+    if (law == "manning") return sweep(ManningFriction{gravity_, m.manning}, false);
+    if (law == "chezy") return sweep(ChezyFriction{gravity_, m.chezy}, false);
+    if (law == "pouliquen-forterre")
+        return excess(
+            PouliquenForterreExcess{coefficient(), m.fast_friction_coefficient, m.friction_beta, m.friction_length});
+    throw std::out_of_range("no law of bed friction " + law);
 }
 
 }  // namespace
 
+bool acts(const std::string& law, const Material& material, const MaterialZones& zones) {
+    if (law == "coulomb") return material.friction_coefficient > 0 || zones.friction_coefficient;
+    if (law == "turbulence") return std::isfinite(material.turbulence) || zones.turbulence;
+    return true;
+}
+
 bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment) {
-    const bool only_voellmy = std::all_of(material.bed_friction.begin(), material.bed_friction.end(), [](BedTerm term) {
-        return term == BedTerm::coulomb || term == BedTerm::turbulence;
-    });
-    return !only_voellmy || zones.friction_coefficient || zones.turbulence || zones.cohesion ||
-           material.pore_pressure_ratio > 0 || material.surface_pressure > 0 || entrainment.active();
+    const bool only_voellmy =
+        std::all_of(material.bed_friction.begin(), material.bed_friction.end(),
+                    [](const std::string& law) { return law == "coulomb" || law == "turbulence"; });
+    const bool by_place =
+        std::any_of(std::begin(k_zone_rasters), std::end(k_zone_rasters),
+                    [&](const ZoneRaster& zone) { return zone.of_bed_friction && (zones.*zone.raster).has_value(); });
+    return !only_voellmy || by_place || material.pore_pressure_ratio > 0 || material.surface_pressure > 0 ||
+           entrainment.active();
 }
 
 void choose_node_stages(const Material& material, const Numerics& numerics, bool summed, Stages& stages) {
@@ -235,8 +225,8 @@ BedFriction make_friction(const Material& material, const MaterialZones& zones, 
     BedFriction friction;
     if (sums_friction(material, zones, entrainment))
         friction = FrictionBuilder(material, zones, nodes, gravity).build();
-    if (material.has(BedTerm::coulomb)) friction.voellmy.friction_coefficient = material.friction_coefficient;
-    if (material.has(BedTerm::turbulence) && std::isfinite(material.turbulence))
+    if (material.has("coulomb")) friction.voellmy.friction_coefficient = material.friction_coefficient;
+    if (material.has("turbulence") && std::isfinite(material.turbulence))
         friction.voellmy.inverse_turbulence = 1 / material.turbulence;
     friction.pore_pressure = {material.pore_pressure_ratio, material.pore_dissipation_time};
     return friction;

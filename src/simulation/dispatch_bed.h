@@ -6,6 +6,9 @@
 
 namespace frana {
 
+/// Whether a law of bed friction does anything: Voellmy's parts without their parameter do not, and are left out.
+bool acts(const std::string& law, const Material& material, const MaterialZones& zones);
+
 /// Whether a scene needs more at the bed than uniform Voellmy friction: other laws, parameters that vary,
 /// pore pressure, surface pressure, or the stress at the bed for erosion.
 bool sums_friction(const Material& material, const MaterialZones& zones, const Entrainment& entrainment);

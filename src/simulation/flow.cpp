@@ -94,7 +94,7 @@ voellmy_bingham::State initial_state(const Ground& ground, ParticleSet particles
 
 ZeroArray<BedLayer> bed_layers(const Entrainment& entrainment, const MaterialZones& zones, const NodeGrid& nodes) {
     ZeroArray<BedLayer> layers(nodes.bed.size());
-    if (entrainment.erosion == ErosionLaw::none) return layers;
+    if (!entrainment.erodes()) return layers;
     std::vector<double> depths;
     if (zones.erodible_depth) depths = node_values(*zones.erodible_depth, entrainment.erodible_depth, nodes);
     for (std::size_t i = 0; i < layers.size(); ++i)

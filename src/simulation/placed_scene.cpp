@@ -47,14 +47,9 @@ void for_each_raster(Scene& scene, const Look& look) {
     };
     for (ReleaseArea& area : scene.release) optional(area.thickness_raster, Kind::depth);
     optional(scene.walls, Kind::zone);
-    MaterialZones& zones = scene.zones;
-    for (auto* zone : {&zones.friction_coefficient, &zones.turbulence, &zones.cohesion, &zones.erodible_depth})
-        optional(*zone, Kind::zone);
+    for (const ZoneRaster& zone : k_zone_rasters) optional(scene.zones.*zone.raster, Kind::zone);
     if (!scene.structured) return;
-    StructuredZones& parts = scene.structured->zones;
-    for (auto* zone : {&parts.solid_fraction, &parts.confined_share, &parts.grain_density, &parts.grain_diameter,
-                       &parts.cohesion, &parts.friction, &parts.bed_friction})
-        optional(*zone, Kind::zone);
+    for (const auto zone : k_structured_zones) optional(scene.structured->zones.*zone, Kind::zone);
     optional(scene.structured->initial_fluid, Kind::depth);
 }
 

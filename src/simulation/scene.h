@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -12,7 +13,7 @@
 #include "core/geometry.h"
 #include "core/grid_spec.h"
 #include "core/raster.h"
-#include "params/keys/default_values.h"
+#include "params/keys/shared_values.h"
 
 namespace frana {
 
@@ -34,52 +35,33 @@ enum class NodataPolicy {
     fill,  ///< the bed was interpolated across them when the terrain was read, and the count reported
 };
 
-/// The laws of bed friction; src/physics/friction_*.h describe them.
-enum class BedTerm {
-    coulomb,
-    turbulence,
-    cohesion,
-    ramms_yield,
-    bingham,
-    herschel_bulkley,
-    obrien_julien,
-    manning,
-    chezy,
-    pouliquen_forterre,
-};
-
 /// What resists in the plane of the flow. Bingham with neither viscosity nor yield stress is none.
 enum class PlaneStressLaw { bingham, earth_pressure, none };
 
 /// One phase: a sum of laws at the bed, a stress in the plane. Angles are already tangents here. Only what
 /// the chosen laws need is read.
-struct Material {
-    std::vector<BedTerm> bed_friction{BedTerm::coulomb, BedTerm::turbulence};
+struct Material : MaterialValues {
+    std::vector<std::string> bed_friction{"coulomb", "turbulence"};  ///< words of params/keys/laws.cpp
     PlaneStressLaw plane_stress = PlaneStressLaw::bingham;
-    double density = 2000;                                        ///< [kg/m3]
     double friction_coefficient = 0.3;                            ///< tan(phi) [-]
     double turbulence = std::numeric_limits<double>::infinity();  ///< Voellmy xi [m/s2]; infinity: off
-    double surface_pressure = 0;                                  ///< p_A, gauge [Pa]
-    double viscosity = 0;                                         ///< mu [Pa s]
-    double yield_stress = 0;                                      ///< tau_Y [Pa]
-    double yield_regularisation = 0.01;    ///< shear rate under which yield is softened in the plane [1/s]
-    bool exact_yield_ratio = true;         ///< zeta from the cubic; false: the paper's (9)
-    double cohesion = 0;                   ///< c [Pa]
-    double ramms_yield_stress = 0;         ///< N_0 [Pa]
-    double consistency = 0;                ///< Herschel-Bulkley K [Pa s^m]
-    double flow_index = 1;                 ///< Herschel-Bulkley m [-]
-    double laminar_resistance = 24;        ///< O'Brien-Julien K [-]
-    double manning = 0;                    ///< n [s/m^(1/3)]
-    double chezy = 0;                      ///< C [m^(1/2)/s]
-    double fast_friction_coefficient = 0;  ///< Pouliquen-Forterre mu_2 [-]
-    double friction_length = 0;            ///< Pouliquen-Forterre L [m]
-    double friction_beta = 0.136;          ///< Pouliquen-Forterre beta [-]
-    double pore_pressure_ratio = 0;        ///< r_u at the start [-]
+    bool exact_yield_ratio = true;                                ///< zeta from the cubic; false: the paper's (9)
+    double cohesion = 0;                                          ///< c [Pa]
+    double ramms_yield_stress = 0;                                ///< N_0 [Pa]
+    double consistency = 0;                                       ///< Herschel-Bulkley K [Pa s^m]
+    double flow_index = 1;                                        ///< Herschel-Bulkley m [-]
+    double laminar_resistance = k_laminar_resistance;             ///< O'Brien-Julien K [-]
+    double manning = 0;                                           ///< n [s/m^(1/3)]
+    double chezy = 0;                                             ///< C [m^(1/2)/s]
+    double fast_friction_coefficient = 0;                         ///< Pouliquen-Forterre mu_2 [-]
+    double friction_length = 0;                                   ///< Pouliquen-Forterre L [m]
+    double friction_beta = k_friction_beta;                       ///< Pouliquen-Forterre beta [-]
+    double pore_pressure_ratio = 0;                               ///< r_u at the start [-]
     double pore_dissipation_time = std::numeric_limits<double>::infinity();  ///< T [s]; infinity: r_u stays
     double internal_friction_coefficient = 0;                                ///< tan(phi_i), earth pressure [-]
 
-    [[nodiscard]] bool has(BedTerm term) const noexcept {
-        return std::find(bed_friction.begin(), bed_friction.end(), term) != bed_friction.end();
+    [[nodiscard]] bool has(const char* law) const noexcept {
+        return std::find(bed_friction.begin(), bed_friction.end(), law) != bed_friction.end();
     }
 };
 
@@ -89,79 +71,68 @@ struct StructuredZones {
     std::optional<Raster> solid_fraction, confined_share, grain_density, grain_diameter, cohesion, friction,
         bed_friction;
 
-    [[nodiscard]] bool any() const noexcept {
-        return solid_fraction || confined_share || grain_density || grain_diameter || cohesion || friction ||
-               bed_friction;
-    }
+    [[nodiscard]] bool any() const noexcept;
 };
+/// All of them.
+inline constexpr std::optional<Raster> StructuredZones::*k_structured_zones[] = {
+    &StructuredZones::solid_fraction, &StructuredZones::confined_share, &StructuredZones::grain_density,
+    &StructuredZones::grain_diameter, &StructuredZones::cohesion,       &StructuredZones::friction,
+    &StructuredZones::bed_friction};
+
+inline bool StructuredZones::any() const noexcept {
+    return std::any_of(std::begin(k_structured_zones), std::end(k_structured_zones),
+                       [this](auto zone) { return (this->*zone).has_value(); });
+}
 
 /// What the structured model is made of: blocks of solids with the fluid they confine, or fluid alone.
-struct StructuredMaterial {
-    bool solids = false;            ///< false: the release is fluid, and nothing below the fluid's lines is read
-    double fluid_density = 1000;    ///< [kg/m3]
-    double fluid_viscosity = 0;     ///< a_eta [Pa s]; 0: no viscous terms
-    double viscosity_growth = 10;   ///< b_eta, with the solids' fraction [-]
-    double velocity_shape = 3;      ///< chi [-]
-    double mobility = 1;            ///< A of the enhanced stress [-]
-    double solids_shape = 2;        ///< zeta [-]
-    double manning = 0.1;           ///< n [s/m^(1/3)]
+struct StructuredMaterial : StructuredValues {
+    bool solids = false;            ///< false: the release is fluid, and nothing of solids is read
     bool manning_on_total = false;  ///< by the depth of everything; false: of the free fluid
-    double dry_depth = 1e-4;        ///< [m]
 
-    double solid_fraction = 0.5;                       ///< of what is released [-]
-    double confined_share = 1;                         ///< f_fc, share of its fluid that is confined [-]
-    double grain_density = 2400;                       ///< [kg/m3]
-    double grain_diameter = 1e-3;                      ///< [m]
-    double cohesion = 0;                               ///< [Pa]
-    double friction = 0;                               ///< tan(phi) [-]
-    double bed_friction = 0;                           ///< tan(phi_b) [-]
-    double sin_dilatancy = 0;                          ///< sin(psi) [-]
-    double young_modulus = 12e6, bulk_modulus = 23e6;  ///< [Pa]
-    double critical_strain = 0.05;                     ///< eps_c [-]
-    bool damage_by_distortion = true;                  ///< false: by opening
-    double initial_structured = 1;                     ///< f_sc of whole material [-]
-    bool yield_on_own_stress = false;                  ///< without the overburden
-    bool broken_is_elastic = false;                    ///< false: it carries its earth pressure alone
-    double softening = 1;                              ///< divides both moduli [-]
-    double pic_share = 0;                              ///< [-]
+    double solid_fraction = k_solid_fraction;  ///< of what is released [-]
+    double confined_share = k_confined_share;  ///< f_fc, share of its fluid that is confined [-]
+    double grain_density = k_grain_density;    ///< [kg/m3]
+    double grain_diameter = k_grain_diameter;  ///< [m]
+    double cohesion = 0;                       ///< [Pa]
+    double friction = 0;                       ///< tan(phi) [-]
+    double bed_friction = 0;                   ///< tan(phi_b) [-]
+    double sin_dilatancy = 0;                  ///< sin(psi) [-]
+    bool damage_by_distortion = true;          ///< false: by opening
+    double initial_structured = 1;             ///< f_sc of whole material [-]
+    bool yield_on_own_stress = false;          ///< without the overburden
+    bool broken_is_elastic = false;            ///< false: it carries its earth pressure alone
     enum class EarthPressure { hydrostatic, active, passive } earth_pressure = EarthPressure::hydrostatic;
-    double pore_pressure_share = 0;   ///< B [-]
     int drag_exponent = 2;            ///< j: 1 or 2
-    double richardson_zaki = 2.4;     ///< M [-]
-    double smoothing_velocity = 1;    ///< K of the drag [m/s]; 0: the mixture's flux
     bool exponent_by_grains = false;  ///< M from the grains' Reynolds number
     bool mixing_by_solids = false;    ///< P of the drag: alpha_s^m; false: the paper's quotient
-    double mixing_exponent = 1;       ///< m of P [-]
     double block_size = 0;            ///< d_sc [m]; 0: the local depth
     double sound_speed = 0;           ///< of the artificial viscosity [m/s]; 0: the elastic waves'
     enum class VirtualMass { none, pudasaini_2012, pudasaini_2019 } virtual_mass = VirtualMass::pudasaini_2012;
-    double linear_viscosity = 1, quadratic_viscosity = 1, artificial_stress = 0.5;  ///< [-]
     bool spread_evenly = false;  ///< particles placed by depth along the R2 sequence; false: on a lattice
     StructuredZones zones;
     std::optional<Raster> initial_fluid;  ///< depth of free fluid that lies there at the start [m]; NaN: none
     bool more_fluid = false;              ///< fluid comes from elsewhere than the release: it lies there or flows in
 };
 
-enum class ErosionLaw { none, shear_stress, growth, mechanical };
-
 /// What the flow takes from its bed and leaves on it; src/physics/erosion_*.h and deposition_*.h describe the
 /// laws.
 struct Entrainment {
-    ErosionLaw erosion = ErosionLaw::none;
+    std::string erosion = "off";  ///< or a word of params/keys/laws.cpp
     bool deposition = false;
-    double erodible_depth = 0;            ///< vertical, where MaterialZones gives none [m]
-    double erosion_rate = 0.025;          ///< shear stress: E [m/s]
-    double critical_shear = 1000;         ///< shear stress: tau_c [Pa]
-    double potential_depth = 1e-4;        ///< shear stress: depth per stress [m/Pa]
-    double growth_rate = 0;               ///< growth: E_s [1/m]
-    double bed_friction_coefficient = 0;  ///< mechanical: tan(phi_b) [-]
-    double bed_cohesion = 0;              ///< mechanical: c [Pa]
-    double bed_pore_pressure_ratio = 0;   ///< mechanical: r_b [-]
-    double velocity_ratio = 1;            ///< mechanical: lambda [-]
-    double deposition_rate = 0.01;        ///< w [m/s]
-    double deposition_shear = 1000;       ///< tau_d [Pa]
+    double erodible_depth = 0;                          ///< vertical, where MaterialZones gives none [m]
+    double erosion_rate = k_erosion_rate;               ///< shear stress: E [m/s]
+    double critical_shear = k_critical_shear;           ///< shear stress: tau_c [Pa]
+    double potential_depth = 1e-3 * k_potential_depth;  ///< shear stress: depth per stress [m/Pa]
+    double growth_rate = 0;                             ///< growth: E_s [1/m]
+    double bed_friction_coefficient = 0;                ///< mechanical: tan(phi_b) [-]
+    double bed_cohesion = 0;                            ///< mechanical: c [Pa]
+    double bed_pore_pressure_ratio = 0;                 ///< mechanical: r_b [-]
+    double velocity_ratio = k_velocity_ratio;           ///< mechanical: lambda [-]
+    double deposition_rate = 0.01;                      ///< w [m/s]
+    double deposition_shear = 1000;                     ///< tau_d [Pa]
 
-    [[nodiscard]] bool active() const noexcept { return erosion != ErosionLaw::none || deposition; }
+    [[nodiscard]] bool erodes() const noexcept { return erosion != "off"; }
+    [[nodiscard]] bool active() const noexcept { return erodes() || deposition; }
 };
 
 /// Parameters that differ from place to place: rasters on the working grid. NaN: the uniform value of
@@ -172,13 +143,22 @@ struct MaterialZones {
     std::optional<Raster> cohesion;              ///< [Pa], >= 0
     std::optional<Raster> erodible_depth;        ///< vertical [m], >= 0
 };
+/// All of them, by what the keys of params/keys/zone_keys.cpp give.
+struct ZoneRaster {
+    const char* what;
+    std::optional<Raster> MaterialZones::*raster;
+    bool of_bed_friction = true;
+};
+inline constexpr ZoneRaster k_zone_rasters[] = {{"friction", &MaterialZones::friction_coefficient},
+                                                {"turbulence", &MaterialZones::turbulence},
+                                                {"cohesion", &MaterialZones::cohesion},
+                                                {"erodible depth", &MaterialZones::erodible_depth, false}};
 
-struct Numerics {
+struct Numerics : NumericsValues {
     Scheme scheme = Scheme::standard;
-    std::optional<Transfer> transfer;  ///< none: the scheme's own (paper: pic, default: apic)
-    int particles_per_cell = 4;        ///< a square number: 1, 4, 9, 16
-    double cfl = 0.5;
-    bool well_balanced = true;  ///< still level per node (default scheme only)
+    std::optional<Transfer> transfer;               ///< none: the scheme's own (paper: pic, default: apic)
+    int particles_per_cell = k_particles_per_cell;  ///< a square number: 1, 4, 9, 16
+    bool well_balanced = true;                      ///< still level per node (default scheme only)
     SlopeCorrection slope_correction = SlopeCorrection::normal;
     bool curvature = true;  ///< motion along a curved bed (Curved); not without slope correction
     bool flight = true;     ///< what the bed throws off flies; only with curvature and the default scheme
@@ -186,22 +166,15 @@ struct Numerics {
                                    180);  ///< tangent: least fall of an edge in the direction of motion [-]
     Boundary boundary = Boundary::open;
     NodataPolicy nodata = NodataPolicy::stop;
-    double gravity = 9.81;        ///< [m/s2]
-    double minimum_depth = 0.01;  ///< depth from which a cell counts as reached in maxima and arrival [m]
 };
 
-struct TimeControl {
-    double end = 0;                ///< [s]; what a scene file leaves out, src/params says
-    bool stop_when_still = true;   ///< end early once nothing moves
-    double stop_energy_share = 0;  ///< end once kinetic energy is under this share of its peak; 0: never
-    double stop_moving_share = 0;  ///< end once the moving volume is under this share of its peak; 0: never
-    double moving_speed = 0.1;     ///< what counts as moving [m/s]
+struct TimeControl : TimeValues {
+    double end = 0;  ///< [s]; what a scene file leaves out, src/params says
     /// End once run-out and area over the threshold have changed by no more than this share over the window, and four
     /// times this share of the volume has changed place; 0: never.
     double stop_change = 0;
-    double stop_window = 0.25;     ///< share of the time since something came in last
-    double trace_threshold = 0.1;  ///< depth from which a cell belongs to that area [m]
-    double frame_interval = 0;     ///< [s]; 0: no frames
+    double trace_threshold = k_trace_threshold;  ///< depth from which a cell belongs to that area [m]
+    double frame_interval = 0;                   ///< [s]; 0: no frames
 };
 
 /// One area that fails, in map coordinates of the working CRS.

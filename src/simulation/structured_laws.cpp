@@ -169,7 +169,7 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     coupling.drag.richardson_zaki = m.richardson_zaki;
     if (m.exponent_by_grains) coupling.drag.exponent_of = structured::RichardsonZaki::by_grains;
     if (m.mixing_by_solids) coupling.drag.mixing = structured::DragMixing::solids_fraction;
-    coupling.drag.mixing_exponent = m.mixing_exponent;
+    coupling.drag.mixing_exponent = m.drag_mixing_exponent;
     coupling.drag.smoothing_velocity = m.smoothing_velocity;
     coupling.virtual_mass.law = law_of(m.virtual_mass);
     coupling.block_size = m.block_size;

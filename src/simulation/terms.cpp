@@ -3,78 +3,34 @@
 
 #include <cmath>
 
+#include "params/keys/laws.h"
 #include "simulation/dispatch.h"
+#include "simulation/dispatch_bed.h"
 
 namespace frana {
 namespace {
 
 using Words = std::vector<std::string>;
 
-void add_bed_term(BedTerm term, const Material& m, const MaterialZones& zones, Words& words) {
-    switch (term) {
-        case BedTerm::coulomb:
-            if (!(m.friction_coefficient > 0) && !zones.friction_coefficient) return;
-            words.emplace_back("Coulomb bed friction");
-            if (m.surface_pressure > 0) words.emplace_back("surface pressure");
-            return;
-        case BedTerm::turbulence:
-            if (std::isfinite(m.turbulence) || zones.turbulence) words.emplace_back("turbulent bed friction");
-            return;
-        case BedTerm::cohesion:
-            words.emplace_back("cohesion at the bed");
-            return;
-        case BedTerm::ramms_yield:
-            words.emplace_back("RAMMS yield term");
-            return;
-        case BedTerm::bingham:
-            words.emplace_back(m.exact_yield_ratio ? "Bingham bed resistance, exact"
-                                                   : "Bingham bed resistance, quadratic");
-            return;
-        case BedTerm::herschel_bulkley:
-            words.emplace_back("Herschel-Bulkley bed resistance");
-            return;
-        case BedTerm::obrien_julien:
-            words.emplace_back("O'Brien-Julien bed resistance");
-            return;
-        case BedTerm::manning:
-            words.emplace_back("Manning bed resistance");
-            return;
-        case BedTerm::chezy:
-            words.emplace_back("Chezy bed resistance");
-            return;
-        case BedTerm::pouliquen_forterre:
-            words.emplace_back("Pouliquen-Forterre bed friction");
-            return;
-    }
-}
-
 void add_bed(const Scene& scene, Words& words) {
     const Material& m = scene.material;
     const MaterialZones& zones = scene.zones;
-    for (const BedTerm term : m.bed_friction) add_bed_term(term, m, zones, words);
-    if (zones.friction_coefficient) words.emplace_back("friction by zones");
-    if (zones.turbulence) words.emplace_back("turbulence by zones");
-    if (zones.cohesion) words.emplace_back("cohesion by zones");
+    for (const std::string& law : m.bed_friction) {
+        if (!acts(law, m, zones)) continue;
+        words.push_back(find_law(LawKind::bed_friction, law).sentence);
+        if (law == "bingham") words.back() += m.exact_yield_ratio ? ", exact" : ", quadratic";
+        if (law == "coulomb" && m.surface_pressure > 0) words.emplace_back("surface pressure");
+    }
+    for (const ZoneRaster& zone : k_zone_rasters)
+        if (zones.*zone.raster && zone.of_bed_friction) words.push_back(std::string(zone.what) + " by zones");
     if (m.pore_pressure_ratio > 0)
         words.emplace_back(std::isfinite(m.pore_dissipation_time) ? "pore pressure that dissipates"
                                                                   : "constant pore pressure");
 }
 
 void add_exchange(const Entrainment& entrainment, Words& words) {
-    switch (entrainment.erosion) {
-        case ErosionLaw::none:
-            break;
-        case ErosionLaw::shear_stress:
-            words.emplace_back("erosion by excess shear stress");
-            break;
-        case ErosionLaw::growth:
-            words.emplace_back("erosion by exponential growth");
-            break;
-        case ErosionLaw::mechanical:
-            words.emplace_back("mechanical erosion");
-            break;
-    }
-    if (entrainment.deposition) words.emplace_back("deposition under a critical shear stress");
+    if (entrainment.erodes()) words.push_back(find_law(LawKind::erosion, entrainment.erosion).sentence);
+    if (entrainment.deposition) words.push_back(find_law(LawKind::deposition, "on").sentence);
 }
 
 void add_numerics(const Numerics& numerics, Words& words) {
@@ -145,7 +101,8 @@ std::vector<std::string> list_terms(const Scene& scene) {
         if (material.viscosity > 0) words.emplace_back("in-plane viscosity");
         if (material.yield_stress > 0) words.emplace_back("in-plane yield stress");
     }
-    if (material.plane_stress == PlaneStressLaw::earth_pressure) words.emplace_back("earth pressure");
+    if (material.plane_stress == PlaneStressLaw::earth_pressure)
+        words.push_back(find_law(LawKind::in_plane_stress, "earth-pressure").sentence);
     add_exchange(scene.entrainment, words);
     add_numerics(numerics, words);
     return words;

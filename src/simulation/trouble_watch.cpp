@@ -65,7 +65,7 @@ double lowest_bed(const Scene& scene, const Raster& bed) {
     for (const double z : bed.values) {
         if (!std::isnan(z)) lowest = std::min(lowest, z);
     }
-    if (scene.entrainment.erosion == ErosionLaw::none) return lowest;
+    if (!scene.entrainment.erodes()) return lowest;
     double erodible = scene.entrainment.erodible_depth;
     if (scene.zones.erodible_depth) {
         for (const double depth : scene.zones.erodible_depth->values)

@@ -4,7 +4,7 @@
 
 #include "app/input/share_directory.h"
 #include "gis/raster/raster_in.h"
-#include "params/keys/law_names.h"
+#include "params/keys/laws.h"
 #include "tiny_scene.h"
 
 namespace frana::test {
@@ -37,7 +37,8 @@ TEST_F(FlowWindow, IsCutByFrictionOnly) {
 
 // Every law says whether it bounds the run-out; those that do not are never trusted to.
 TEST_F(FlowWindow, AsEveryLawSays) {
-    for (const BedLaw& law : bed_laws()) {
+    for (const Law& law : laws()) {
+        if (law.kind != LawKind::bed_friction) continue;
         std::vector<std::string> sets{"material.bed-friction=" + law.word, "material.cohesion=100", "material.chezy=20",
                                       "material.manning=0.1"};
         EXPECT_EQ(cuts(sets), law.resists_with_friction) << law.word;

@@ -41,7 +41,7 @@ Scene eventful_scene() {
     scene.release.push_back({{{{{30, 30}, {34, 30}, {34, 34}, {30, 34}}, {}}}, 1});
     scene.release[1].start = 3;
     scene.inflows = {{{{20, 40}, {20, 46}}, {{0, 5, 2}, {4, 8, 3}}, std::nullopt}};
-    scene.entrainment.erosion = ErosionLaw::shear_stress;
+    scene.entrainment.erosion = "shear-stress";
     scene.entrainment.erodible_depth = 0.5;
     scene.entrainment.deposition = true;
     scene.material.pore_pressure_ratio = 0.3;

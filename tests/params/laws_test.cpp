@@ -3,8 +3,10 @@
 // echoed.
 #include <algorithm>
 
-#include "params/keys/law_names.h"
+#include "params/keys/laws.h"
 #include "params/keys/materials.h"
+#include "params/keys/scene_parameters.h"
+#include "params/keys/zone_keys.h"
 #include "params/scene/write_scene.h"
 #include "scene_fixture.h"
 
@@ -60,6 +62,17 @@ INSTANTIATE_TEST_SUITE_P(
         LawCase{"negative_manning",
                 "[material]\nbed-friction = manning\nmanning = -0.05\n",
                 {"material.manning: is out of range", "-0.05"}},
+        LawCase{
+            "solid_twice",
+            "[material]\nbed-friction = coulomb, pouliquen-forterre\nfriction-angle = 20\nfast-friction-angle = 30\n"
+            "friction-length = 1\n",
+            {"names two laws for one thing, the friction of the solid", "coulomb, pouliquen-forterre"}},
+        LawCase{"yield_ratio_unread",
+                "[material]\nfriction-angle = 20\nyield-ratio = quadratic\n",
+                {"material.yield-ratio: is given, but no law", "material.bed-friction = bingham"}},
+        LawCase{"a_default_asks_for_nothing",
+                "[material]\nfriction-angle = 20\nyield-ratio = exact\nviscosity = 0\nsurface-pressure = 0\n",
+                {}},
         LawCase{"yield_unread",
                 "[material]\nfriction-angle = 20\nyield-stress = 100\nin-plane-stress = none\n",
                 {"material.yield-stress: is given, but no law"}},
@@ -107,6 +120,21 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return tested.param.name; });
 
 using Laws = SceneFixture;
+
+// What the table names is there, and each law is found by what asks for it.
+TEST_F(Laws, OfTheTableReadKeysThatExist) {
+    const std::vector<Parameter> parameters = scene_parameters();
+    for (const std::string& key : law_keys()) EXPECT_NE(find_parameter(parameters, key), nullptr) << key;
+    for (const ZoneKey& key : zone_keys()) EXPECT_FALSE(readers_of(key.name).empty()) << key.name;
+    for (const Law& law : laws()) {
+        EXPECT_EQ(&find_law(law.kind, law.word), &law);
+        const std::string asked = law.asked_by(), key = asked.substr(0, asked.find(" ="));
+        SceneSpec scene;
+        EXPECT_FALSE(find_parameter(parameters, key)->read(scene, law.word)) << asked;
+        const std::vector<const Law*> found = laws_of(scene);
+        EXPECT_NE(std::find(found.begin(), found.end(), &law), found.end()) << asked;
+    }
+}
 
 TEST_F(Laws, VoellmyIsTakenApartAndNothingIsCountedTwice) {
     MaterialSpec material;

@@ -132,7 +132,7 @@ Scene random_scene(RandomNumbers& random, Made made) {
             scene.numerics.particles_per_cell = 4;
         }
         if (random.once_in(4)) {
-            scene.entrainment.erosion = ErosionLaw::growth;
+            scene.entrainment.erosion = "growth";
             scene.entrainment.growth_rate = random.log_between(1e-4, 1e-2);
             scene.entrainment.erodible_depth = random.between(0.1, 1);
         }

@@ -50,11 +50,11 @@ inline Scene eventful() {
     scene.inflows = {{{{20, 90}, {20, 110}}, {{0, 5, 2}, {9, 10, 3}}, std::nullopt}};
     scene.walls = Raster(scene.grid, 0);
     for (std::int64_t r = 20; r < 30; ++r) scene.walls->at(r, 70) = 1;
-    scene.material.bed_friction = {BedTerm::coulomb, BedTerm::turbulence, BedTerm::cohesion};
+    scene.material.bed_friction = {"coulomb", "turbulence", "cohesion"};
     scene.material.cohesion = 200;
     scene.material.pore_pressure_ratio = 0.3;
     scene.material.pore_dissipation_time = 5;
-    scene.entrainment.erosion = ErosionLaw::shear_stress;
+    scene.entrainment.erosion = "shear-stress";
     scene.entrainment.erodible_depth = 0.5;
     scene.entrainment.deposition = true;
     scene.recording.gauges = {{"a", {90, 60}}, {"b", {150, 60}}};

@@ -124,7 +124,7 @@ TEST(Run, EndsAtAShareOfThePeakOfMovingVolume) {
 
 TEST(Run, ErosionIsInTheBudgetAndInTheRasters) {
     Scene scene = slide();
-    scene.entrainment.erosion = ErosionLaw::growth;
+    scene.entrainment.erosion = "growth";
     scene.entrainment.growth_rate = 5e-3;
     scene.entrainment.erodible_depth = 0.5;
     const RunResult result = run(scene, {});
@@ -152,7 +152,7 @@ TEST(Run, EveryRowOfTheSeriesClosesItsBalance) {
     scene.release.push_back(scene.release[0]);
     scene.release[1].start = 5;
     scene.inflows = {{{{600100, 5000030}, {600100, 5000090}}, {{0, 20, 4}, {12, 20, 4}}, std::nullopt}};
-    scene.entrainment.erosion = ErosionLaw::growth;
+    scene.entrainment.erosion = "growth";
     scene.entrainment.growth_rate = 5e-3;
     scene.entrainment.erodible_depth = 0.5;
     scene.entrainment.deposition = true;

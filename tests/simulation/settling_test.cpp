@@ -28,7 +28,7 @@ TEST_P(Settles, WithTheFiguresOfAMuchLongerRun) {
     scene.time.stop_when_still = false;
     scene.time.stop_change = 0.001;
     if (GetParam()) scene.structured->manning = 0.1;
-    scene.material.bed_friction = {BedTerm::coulomb, BedTerm::turbulence};
+    scene.material.bed_friction = {"coulomb", "turbulence"};
     const RunResult settled = run(scene, {});
     ASSERT_EQ(settled.stop_reason, StopReason::settled) << settled.simulated_seconds;
     ASSERT_TRUE(settled.settling);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iostream>
 #include <limits>
+#include <utility>
 
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
@@ -20,6 +21,7 @@
 #include "app/store/result_place.h"
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
+#include "params/keys/zone_keys.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -62,8 +64,14 @@ std::string time_text(const RunEstimate& expected, const std::optional<TimeEstim
 
 /// What stands on the ground and where it differs, on the working grid.
 void print_site(const Scene& scene) {
-    const auto zone = [&](const std::string& name, const std::optional<Raster>& raster, const std::string& unit) {
-        if (!raster) return;
+    bool any = false;
+    for (const ZoneRaster& zone : k_zone_rasters) {
+        const std::optional<Raster>& raster = scene.zones.*zone.raster;
+        if (!raster) continue;
+        if (!std::exchange(any, true)) std::printf("\nZones\n");
+        // Of friction the coefficient's: the raster has tangents.
+        const auto key = std::find_if(zone_keys().begin(), zone_keys().end(),
+                                      [&](const ZoneKey& k) { return k.what == zone.what && !k.degrees(); });
         std::int64_t cells = 0;
         double least = std::numeric_limits<double>::infinity(), greatest = -least;
         for (const double value : raster->values) {
@@ -72,15 +80,9 @@ void print_site(const Scene& scene) {
             least = std::min(least, value);
             greatest = std::max(greatest, value);
         }
-        line(name, figure(least, 4) + " to " + figure(greatest, 4) + unit + " on " + grouped(cells) + " cells");
-    };
-    const MaterialZones& zones = scene.zones;
-    if (zones.friction_coefficient || zones.turbulence || zones.cohesion || zones.erodible_depth)
-        std::printf("\nZones\n");
-    zone("friction", zones.friction_coefficient, " (coefficient)");
-    zone("turbulence", zones.turbulence, " m/s2");
-    zone("cohesion", zones.cohesion, " Pa");
-    zone("erodible depth", zones.erodible_depth, " m");
+        line(zone.what, figure(least, 4) + " to " + figure(greatest, 4) + " " +
+                            (key->unit.empty() ? "(coefficient)" : key->unit) + " on " + grouped(cells) + " cells");
+    }
     if (scene.walls)
         std::printf("\nWalls on %s cells\n",
                     grouped(std::count(scene.walls->values.begin(), scene.walls->values.end(), 1.0)).c_str());

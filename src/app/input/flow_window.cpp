@@ -10,7 +10,8 @@
 #include "gis/raster/elevation_sample.h"
 #include "gis/vector/lines_in.h"
 #include "gis/vector/marks_in.h"
-#include "params/keys/law_names.h"
+#include "params/keys/laws.h"
+#include "params/keys/zone_keys.h"
 
 namespace frana::app {
 namespace {
@@ -168,12 +169,11 @@ std::vector<Bounds> layers_to_hold(const SceneReading& reading, const std::strin
 /// The least friction that the energy line may count on; 0 where places differ, and where no law at the bed resists
 /// with it: the structured model's fluid, RAMMS's yield term alone, laws of fluids.
 double sure_friction(const SceneSpec& scene) {
-    const bool by_place =
-        scene.terrain.friction_zones || scene.zones.friction_angle || scene.zones.friction_coefficient;
-    const std::vector<BedLaw> laws = bed_laws_of(scene.material);
+    bool by_place = scene.terrain.friction_zones.has_value();
+    for (const ZoneKey& key : zone_keys()) by_place = by_place || (key.what == "friction" && scene.zones.*key.source);
+    const std::vector<const Law*> laws = laws_of(scene);
     const bool resists =
-        scene.material.model == "voellmy-bingham" &&
-        std::any_of(laws.begin(), laws.end(), [](const BedLaw& law) { return law.resists_with_friction; });
+        std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->resists_with_friction; });
     if (by_place || !resists || (!scene.material.friction_angle && !scene.material.friction_coefficient)) return 0;
     return k_caution * friction_coefficient(scene.material) * (1 - scene.material.pore_pressure_ratio.value_or(0));
 }

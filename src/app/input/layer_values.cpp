@@ -27,15 +27,13 @@ std::string target_crs(const SceneReading& reading, const TerrainInput* ground) 
 
 bool within_limits(const SceneReading& reading, const std::string& key, double value, const std::string& what,
                    Problems& problems) {
-    for (const Parameter& parameter : scene_parameters()) {
-        if (parameter.name() != key) continue;
-        if (!parameter.fits || parameter.fits(value)) return true;
-        problems.add({what + " is out of range", reading.where(key),
-                      shortest_text(value) + (parameter.unit.empty() ? "" : " " + parameter.unit), parameter.limits,
-                      "Correct it in the file"});
-        return false;
-    }
-    return true;
+    const std::vector<Parameter> parameters = scene_parameters();
+    const Parameter* const parameter = find_parameter(parameters, key);
+    if (parameter == nullptr || !parameter->fits || parameter->fits(value)) return true;
+    problems.add({what + " is out of range", reading.where(key),
+                  shortest_text(value) + (parameter->unit.empty() ? "" : " " + parameter->unit), parameter->limits,
+                  "Correct it in the file"});
+    return false;
 }
 
 std::optional<double> value_of(const SceneReading& reading, const std::string& key, const SourceSpec& source,

@@ -17,7 +17,7 @@
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
 #include "gis/crs/crs.h"
-#include "params/keys/law_names.h"
+#include "params/keys/laws.h"
 #include "simulation/arrivals.h"
 #include "simulation/scene_origin.h"
 
@@ -32,7 +32,7 @@ Numerics numerics_of(const SceneSpec& spec) {
     if (words.transfer == "flip") numerics.transfer = Transfer::flip;
     if (words.transfer == "apic") numerics.transfer = Transfer::apic;
     numerics.particles_per_cell = static_cast<int>(words.particles_per_cell);
-    numerics.cfl = words.cfl;
+    static_cast<NumericsValues&>(numerics) = words;
     numerics.well_balanced = well_balanced(words);
     const std::string correction = slope_correction(words);
     numerics.slope_correction = correction == "none"      ? SlopeCorrection::none
@@ -46,8 +46,6 @@ Numerics numerics_of(const SceneSpec& spec) {
     numerics.nodata = policy == "wall"   ? NodataPolicy::wall
                       : policy == "fill" ? NodataPolicy::fill
                                          : NodataPolicy::stop;
-    numerics.gravity = words.gravity;
-    numerics.minimum_depth = words.minimum_depth;
     return numerics;
 }
 
@@ -158,13 +156,9 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     prepared.scene.numerics = numerics_of(reading.scene);
     refuse_unused_zones(reading, prepared.scene, problems);
     problems.throw_if_any();
+    static_cast<TimeValues&>(prepared.scene.time) = reading.scene.time;
     prepared.scene.time.end = reading.scene.time.end;
-    prepared.scene.time.stop_when_still = reading.scene.time.stop_when_still;
-    prepared.scene.time.stop_energy_share = reading.scene.time.stop_energy_share;
-    prepared.scene.time.stop_moving_share = reading.scene.time.stop_moving_share;
-    prepared.scene.time.moving_speed = reading.scene.time.moving_speed;
     prepared.scene.time.stop_change = reading.scene.time.stop_change;
-    prepared.scene.time.stop_window = reading.scene.time.stop_window;
     prepared.scene.time.trace_threshold =
         std::max(reading.scene.output.trace_threshold, reading.scene.numerics.minimum_depth);
     prepared.scene.time.frame_interval = frame_interval(reading.scene);

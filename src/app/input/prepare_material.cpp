@@ -2,10 +2,9 @@
 #include "app/input/prepare_material.h"
 
 #include <cmath>
-#include <map>
 #include <numbers>
 
-#include "params/keys/law_names.h"
+#include "params/keys/laws.h"
 
 namespace frana::app {
 namespace {
@@ -24,37 +23,18 @@ std::optional<double> constant(const std::optional<SourceSpec>& source) {
     return source->number;
 }
 
-BedTerm term_of(const std::string& word) {
-    static const std::map<std::string, BedTerm> terms{{"coulomb", BedTerm::coulomb},
-                                                      {"turbulence", BedTerm::turbulence},
-                                                      {"cohesion", BedTerm::cohesion},
-                                                      {"ramms-yield", BedTerm::ramms_yield},
-                                                      {"bingham", BedTerm::bingham},
-                                                      {"herschel-bulkley", BedTerm::herschel_bulkley},
-                                                      {"obrien-julien", BedTerm::obrien_julien},
-                                                      {"manning", BedTerm::manning},
-                                                      {"chezy", BedTerm::chezy},
-                                                      {"pouliquen-forterre", BedTerm::pouliquen_forterre}};
-    return terms.at(word);
-}
-
 }  // namespace
 
 Material material_of(const MaterialSpec& spec) {
     Material material;
-    material.bed_friction.clear();
-    for (const std::string& word : bed_friction_terms(spec)) material.bed_friction.push_back(term_of(word));
+    material.bed_friction = bed_friction_terms(spec);
     const std::string stress = in_plane_stress(spec);
     material.plane_stress = stress == "bingham"          ? PlaneStressLaw::bingham
                             : stress == "earth-pressure" ? PlaneStressLaw::earth_pressure
                                                          : PlaneStressLaw::none;
-    material.density = spec.density;
+    static_cast<MaterialValues&>(material) = spec;
     material.friction_coefficient = friction_coefficient(spec);
     set(material.turbulence, spec.turbulence);
-    material.surface_pressure = spec.surface_pressure;
-    material.viscosity = spec.viscosity;
-    material.yield_stress = spec.yield_stress;
-    material.yield_regularisation = spec.yield_regularisation;
     material.exact_yield_ratio = spec.yield_ratio == "exact";
     set(material.cohesion, spec.cohesion);
     set(material.ramms_yield_stress, spec.ramms_yield_stress);
@@ -77,15 +57,8 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     const StructuredSpec& s = spec.structured;
     StructuredMaterial m;
     m.solids = s.phases == "solids-and-fluid";
-    m.fluid_density = s.fluid_density;
-    m.fluid_viscosity = s.fluid_viscosity;
-    m.viscosity_growth = s.viscosity_growth;
-    m.velocity_shape = s.velocity_shape;
-    m.mobility = s.mobility;
-    m.solids_shape = s.solids_shape;
-    m.manning = s.manning;
+    static_cast<StructuredValues&>(m) = s;
     m.manning_on_total = s.manning_depth == "total";
-    m.dry_depth = s.dry_depth;
     m.spread_evenly = s.placement == "r2";
     set(m.solid_fraction, constant(s.solid_fraction));
     set(m.confined_share, constant(s.confined_share));
@@ -95,43 +68,28 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     set_tangent(m.friction, constant(s.internal_friction_angle));
     set_tangent(m.bed_friction, constant(s.bed_friction_angle ? s.bed_friction_angle : s.internal_friction_angle));
     m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
-    m.young_modulus = s.young_modulus;
-    m.bulk_modulus = s.bulk_modulus;
-    m.critical_strain = s.critical_strain;
     m.damage_by_distortion = s.damage == "equivalent-plastic";
     m.initial_structured = s.initial_structured_share;
     m.yield_on_own_stress = s.yield_check == "particle";
     m.broken_is_elastic = s.broken_material == "elastic";
-    m.softening = s.softening;
-    m.pic_share = s.pic_share;
     m.earth_pressure = s.earth_pressure == "active"           ? StructuredMaterial::EarthPressure::active
                        : s.earth_pressure == "active-passive" ? StructuredMaterial::EarthPressure::passive
                                                               : StructuredMaterial::EarthPressure::hydrostatic;
-    m.pore_pressure_share = s.pore_pressure_share;
     m.drag_exponent = s.drag_exponent > 1 ? 2 : 1;
-    m.richardson_zaki = s.richardson_zaki;
-    m.smoothing_velocity = s.smoothing_velocity;
     m.exponent_by_grains = s.richardson_zaki_law == "by-grains";
     m.mixing_by_solids = s.drag_mixing == "solids-fraction";
-    m.mixing_exponent = s.drag_mixing_exponent;
     set(m.block_size, s.block_size);
     set(m.sound_speed, s.sound_speed);
     using VirtualMass = StructuredMaterial::VirtualMass;
     m.virtual_mass = s.virtual_mass == "none"             ? VirtualMass::none
                      : s.virtual_mass == "pudasaini-2019" ? VirtualMass::pudasaini_2019
                                                           : VirtualMass::pudasaini_2012;
-    m.linear_viscosity = s.linear_viscosity;
-    m.quadratic_viscosity = s.quadratic_viscosity;
-    m.artificial_stress = s.artificial_stress;
     return m;
 }
 
 Entrainment entrainment_of(const EntrainmentSpec& spec) {
     Entrainment e;
-    e.erosion = spec.erosion == "shear-stress" ? ErosionLaw::shear_stress
-                : spec.erosion == "growth"     ? ErosionLaw::growth
-                : spec.erosion == "mechanical" ? ErosionLaw::mechanical
-                                               : ErosionLaw::none;
+    e.erosion = spec.erosion;
     e.deposition = spec.deposition;
     set(e.erodible_depth, spec.erodible_depth);
     set(e.erosion_rate, spec.erosion_rate);

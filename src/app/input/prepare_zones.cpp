@@ -13,33 +13,27 @@
 #include "gis/raster/footprint.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/vector_in.h"
-#include "params/keys/law_names.h"
+#include "params/keys/laws.h"
+#include "params/keys/zone_keys.h"
 
 namespace frana::app {
 namespace {
 
-/// One quantity that zones may give, and under which names a column is taken for it when no key names one.
+/// A key of [zones] and what it says, or the column that was taken for it.
 struct Quantity {
-    std::string key;
+    const ZoneKey* key;
     std::optional<SourceSpec> source;
     std::optional<Raster> MaterialZones::*target;
-    bool degrees;  ///< an angle, of which the tangent is kept
-    std::vector<std::string> columns;
 };
 
 std::vector<Quantity> quantities(const ZonesSpec& spec) {
-    using Zones = MaterialZones;
-    return {
-        {"zones.friction-angle", spec.friction_angle, &Zones::friction_coefficient, true, {"friction_angle", "phi"}},
-        {"zones.friction-coefficient",
-         spec.friction_coefficient,
-         &Zones::friction_coefficient,
-         false,
-         {"friction_coefficient", "mu"}},
-        {"zones.turbulence", spec.turbulence, &Zones::turbulence, false, {"turbulence", "xi"}},
-        {"zones.cohesion", spec.cohesion, &Zones::cohesion, false, {"cohesion"}},
-        {"zones.erodible-depth", spec.erodible_depth, &Zones::erodible_depth, false, {"erodible_depth"}},
-    };
+    std::vector<Quantity> list;
+    for (const ZoneKey& key : zone_keys()) {
+        const auto* const zone = std::find_if(std::begin(k_zone_rasters), std::end(k_zone_rasters),
+                                              [&](const ZoneRaster& raster) { return raster.what == key.what; });
+        list.push_back({&key, spec.*key.source, zone->raster});
+    }
+    return list;
 }
 
 bool by_attribute(const Quantity& quantity) {
@@ -55,12 +49,12 @@ void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, s
     for (const auto& number : numbers) known += (known.empty() ? "" : ", ") + number.first;
     bool any = false;
     for (Quantity& quantity : list) {
-        for (const std::string& column : quantity.columns) {
+        for (const std::string& column : quantity.key->columns) {
             expected += (expected.empty() ? "" : ", ") + column;
             for (const std::string& name : {column, column.substr(0, 10)}) {
                 if (numbers.count(name) == 0 || quantity.source) continue;
                 quantity.source = SourceSpec{SourceSpec::Kind::attribute, 0, name};
-                log.note("zones: column " + name + " taken for " + quantity.key);
+                log.note("zones: column " + name + " taken for " + quantity.key->name);
                 any = true;
             }
         }
@@ -138,11 +132,11 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
         std::vector<std::pair<Raster*, double>> values;
         for (const Quantity& quantity : list) {
             if (!by_attribute(quantity)) continue;
-            const auto value = value_of(reading, quantity.key, *quantity.source, layer, f, problems);
+            const auto value = value_of(reading, quantity.key->name, *quantity.source, layer, f, problems);
             if (!value) continue;
             std::optional<Raster>& raster = zones.*quantity.target;
             if (!raster) raster.emplace(grid, k_no_data);
-            values.emplace_back(&*raster, converted(*value, quantity.degrees));
+            values.emplace_back(&*raster, converted(*value, quantity.key->degrees()));
         }
         gis::visit_cells(layer.features[f].parts, grid, gis::Cover::centres,
                          [&](std::int64_t row, std::int64_t column) {
@@ -169,7 +163,7 @@ void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground,
 
 /// RAMMS's yield term would be negative.
 void refuse_large_friction(const SceneReading& reading, const Scene& scene, Problems& problems) {
-    if (!scene.zones.friction_coefficient || !scene.material.has(BedTerm::ramms_yield)) return;
+    if (!scene.zones.friction_coefficient || !scene.material.has("ramms-yield")) return;
     double greatest = 0;
     for (const double value : scene.zones.friction_coefficient->values)
         if (value > greatest) greatest = value;
@@ -228,10 +222,10 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
     for (const Quantity& quantity : list) {
         if (!quantity.source || quantity.source->kind != SourceSpec::Kind::raster) continue;
         try {
-            std::optional<Raster> raster = read_zone_raster(reading, ground, quantity.key, quantity.source->name,
+            std::optional<Raster> raster = read_zone_raster(reading, ground, quantity.key->name, quantity.source->name,
                                                             "the material's own holds there", files, log, problems);
             if (!raster) continue;
-            for (double& value : raster->values) value = converted(value, quantity.degrees);
+            for (double& value : raster->values) value = converted(value, quantity.key->degrees());
             zones.*quantity.target = std::move(raster);
         } catch (const Error& error) {
             problems.add(error);
@@ -241,25 +235,16 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
 }
 
 void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Problems& problems) {
-    const std::vector<BedLaw> laws = bed_laws_of(reading.scene.material);
-    const auto refuse = [&](const std::optional<Raster>& zones, bool read, const std::string& what,
-                            const std::string& remedy) {
-        if (!zones || read) return;
-        problems.add({"the zones give " + what + ", which the scene's laws do not use",
-                      reading.where("terrain.friction-zones"), "", "", remedy});
-    };
-    const auto refuse_unread = [&](const std::optional<Raster>& zones, bool BedLaw::*reads, const std::string& what) {
-        std::string readers;
-        for (const BedLaw& law : bed_laws())
-            if (law.*reads) readers += (readers.empty() ? "" : " or ") + law.word;
-        refuse(zones, std::any_of(laws.begin(), laws.end(), [&](const BedLaw& law) { return law.*reads; }), what,
-               "Add " + readers + " to material.bed-friction, or remove the zones");
-    };
-    refuse_unread(scene.zones.friction_coefficient, &BedLaw::reads_friction, "friction");
-    refuse_unread(scene.zones.turbulence, &BedLaw::reads_turbulence, "turbulence");
-    refuse_unread(scene.zones.cohesion, &BedLaw::reads_cohesion, "cohesion");
-    refuse(scene.zones.erodible_depth, scene.entrainment.erosion != ErosionLaw::none, "an erodible depth",
-           "Choose a law of erosion, or remove the zones");
+    const std::vector<const Law*> laws = laws_of(reading.scene);
+    std::string told;  // of friction once, though it has two keys
+    for (const Quantity& quantity : quantities(reading.scene.zones)) {
+        const ZoneKey& key = *quantity.key;
+        if (!(scene.zones.*quantity.target) || !readers_of(key.name, laws).empty() || key.what == told) continue;
+        problems.add({"the zones give the " + key.what + ", which the scene's laws do not use",
+                      reading.where("terrain.friction-zones"), "", "",
+                      "Set " + asked_by(readers_of(key.name)) + ", or remove the zones"});
+        told = key.what;
+    }
     refuse_large_friction(reading, scene, problems);
 }
 

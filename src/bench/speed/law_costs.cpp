@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "bench/speed/speed.h"
+#include "params/keys/laws.h"
 
 namespace frana::bench {
 namespace {
@@ -23,37 +24,44 @@ struct Variant {
     std::function<void(Scenery&)> change;
 };
 
-Variant friction(const std::string& name, BedTerm term) {
-    return {name, [term](Scenery& s) { s.material.bed_friction.push_back(term); }};
+// Each law of bed friction beside those of the plain scene, or instead of that which it excludes.
+std::vector<Variant> laws_of_friction() {
+    std::vector<Variant> list;
+    const Law& coulomb = find_law(LawKind::bed_friction, "coulomb");
+    for (const Law& law : laws()) {
+        if (law.kind != LawKind::bed_friction || Material{}.has(law.word.c_str())) continue;
+        const bool instead =
+            std::find_first_of(law.resists_alike.begin(), law.resists_alike.end(), coulomb.resists_alike.begin(),
+                               coulomb.resists_alike.end()) != law.resists_alike.end();
+        list.push_back({law.sentence, [word = law.word, instead](Scenery& s) {
+                            if (instead) std::erase(s.material.bed_friction, "coulomb");
+                            s.material.bed_friction.push_back(word);
+                        }});
+    }
+    return list;
 }
 
 std::vector<Variant> variants(const GridSpec& grid) {
-    return {{"plain: Voellmy", [](Scenery&) {}},
-            friction("cohesion", BedTerm::cohesion),
-            friction("RAMMS yield term", BedTerm::ramms_yield),
-            friction("Manning", BedTerm::manning),
-            friction("O'Brien-Julien", BedTerm::obrien_julien),
-            friction("Bingham at the bed", BedTerm::bingham),
-            friction("Herschel-Bulkley at the bed", BedTerm::herschel_bulkley),
-            {"Pouliquen-Forterre",
-             [](Scenery& s) {
-                 s.material.bed_friction = {BedTerm::pouliquen_forterre, BedTerm::turbulence};
-             }},
-            {"pore pressure",
-             [](Scenery& s) {
-                 s.material.pore_pressure_ratio = 0.3;
-                 s.material.pore_dissipation_time = 100;
-             }},
-            {"friction by zones",
-             [grid](Scenery& s) { s.zones.friction_coefficient = Raster(grid, s.material.friction_coefficient); }},
-            {"without curvature", [](Scenery& s) { s.numerics.curvature = false; }},
-            {"in-plane Bingham", [](Scenery& s) { s.material.plane_stress = PlaneStressLaw::bingham; }},
-            {"earth pressure", [](Scenery& s) { s.material.plane_stress = PlaneStressLaw::earth_pressure; }},
-            {"erosion and deposition", [](Scenery& s) {
-                 s.entrainment.erosion = ErosionLaw::shear_stress;
-                 s.entrainment.erodible_depth = 1;
-                 s.entrainment.deposition = true;
-             }}};
+    std::vector<Variant> list{{"plain: Voellmy", [](Scenery&) {}}};
+    for (Variant& variant : laws_of_friction()) list.push_back(std::move(variant));
+    const std::vector<Variant> others{
+        {"pore pressure",
+         [](Scenery& s) {
+             s.material.pore_pressure_ratio = 0.3;
+             s.material.pore_dissipation_time = 100;
+         }},
+        {"friction by zones",
+         [grid](Scenery& s) { s.zones.friction_coefficient = Raster(grid, s.material.friction_coefficient); }},
+        {"without curvature", [](Scenery& s) { s.numerics.curvature = false; }},
+        {"in-plane Bingham", [](Scenery& s) { s.material.plane_stress = PlaneStressLaw::bingham; }},
+        {"earth pressure", [](Scenery& s) { s.material.plane_stress = PlaneStressLaw::earth_pressure; }},
+        {"erosion and deposition", [](Scenery& s) {
+             s.entrainment.erosion = "shear-stress";
+             s.entrainment.erodible_depth = 1;
+             s.entrainment.deposition = true;
+         }}};
+    list.insert(list.end(), others.begin(), others.end());
+    return list;
 }
 
 }  // namespace

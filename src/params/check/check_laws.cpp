@@ -3,25 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "core/shortest_text.h"
 #include "params/grammar/value_text.h"
-#include "params/keys/law_names.h"
+#include "params/keys/laws.h"
+#include "params/keys/scene_parameters.h"
 
 namespace frana {
 namespace {
 
-bool holds(const std::vector<std::string>& list, const std::string& word) {
-    return std::find(list.begin(), list.end(), word) != list.end();
-}
-
-// Who asks for a law: the key that names it.
-std::string asked_by(const std::string& law) {
-    if (law == "deposition") return "entrainment.deposition = on";
-    if (law == "earth-pressure") return "material.in-plane-stress = earth-pressure";
-    if (holds(erosion_names(), law)) return "entrainment.erosion = " + law;
-    return "material.bed-friction = " + law;
+bool asks(const std::vector<const Law*>& laws, LawKind kind, const std::string& word) {
+    return std::find(laws.begin(), laws.end(), &find_law(kind, word)) != laws.end();
 }
 
 /// Whether [zones] gives what the key of another section would: nothing outside the zones is then a fair default.
@@ -31,65 +25,49 @@ bool by_place(const std::set<std::string>& given, const std::string& name) {
 
 void check_keys(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                 Problems& problems) {
-    const std::vector<std::string> laws = laws_of(scene);
-    for (const LawKey& key : law_keys()) {
-        bool is_given = given.count(key.name) > 0;
-        if (key.name == "material.turbulence" && !scene.material.turbulence) is_given = false;  // "off"
-        const bool read =
-            std::any_of(key.laws.begin(), key.laws.end(), [&](const std::string& law) { return holds(laws, law); });
-        if (is_given && !read) {
-            std::vector<std::string> askers;
-            for (const std::string& law : key.laws) askers.push_back(asked_by(law));
-            problems.add({"is given, but no law of the scene reads it", file + ": " + key.name, "", "",
-                          "Remove it, or set " + joined(askers, " or ")});
+    const std::vector<Parameter> parameters = scene_parameters();
+    const std::vector<const Law*> asked = laws_of(scene);
+    for (const std::string& name : law_keys()) {
+        const Parameter& key = *find_parameter(parameters, name);
+        const std::string preset = key.default_text(), value = key.write(scene).value_or("");
+        // Whoever writes down a default asks for nothing.
+        const bool is_given = given.count(name) > 0 && (preset.empty() || value != preset);
+        if (is_given && readers_of(name, asked).empty()) {
+            problems.add({"is given, but no law of the scene reads it", file + ": " + name, "", "",
+                          "Remove it, or set " + asked_by(readers_of(name))});
         }
-        for (const std::string& law : key.needs) {
-            if (is_given || !holds(laws, law) || by_place(given, key.name)) continue;
-            problems.add({"is missing", file + ": " + key.name, "", "", asked_by(law) + " needs it"});
+        for (const Law* law : asked) {
+            const bool needs = std::find(law->needs.begin(), law->needs.end(), name) != law->needs.end();
+            if (!needs || is_given || by_place(given, name)) continue;
+            const bool zones = find_parameter(parameters, "zones." + key.key) != nullptr;
+            problems.add({preset.empty() ? "is missing" : "must be greater than " + preset, file + ": " + name, value,
+                          "", law->asked_by() + " needs it" + (zones ? ", here or in zones." + key.key : "")});
         }
     }
 }
 
 void check_friction(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                     Problems& problems) {
-    const std::vector<std::string> laws = laws_of(scene);
-    const MaterialSpec& m = scene.material;
+    const std::vector<const Law*> asked = laws_of(scene);
     const bool has_friction = given.count("material.friction-angle") + given.count("material.friction-coefficient") > 0;
-    if (!has_friction && (holds(laws, "coulomb") || holds(laws, "ramms-yield") || holds(laws, "pouliquen-forterre") ||
-                          holds(laws, "earth-pressure"))) {
+    if (!has_friction && !readers_of("material.friction-angle", asked).empty()) {
         problems.add({"no bed friction is given", file + ": material.friction-angle", "", "",
                       "Set material.preset (see `frana materials`), material.friction-angle or "
                       "material.friction-coefficient; 0 is allowed, but must be said"});
     }
-    const std::vector<std::string> terms = bed_friction_terms(m);
-    const bool bed_bingham = holds(terms, "bingham"), bed_hb = holds(terms, "herschel-bulkley");
-    const bool bed_obj = holds(terms, "obrien-julien");
-    const bool pouliquen = holds(terms, "pouliquen-forterre");
-    if (bed_bingham + bed_hb + bed_obj + pouliquen > 1) {
-        problems.add({"names two laws for one thing", file + ": material.bed-friction", joined(terms, ", "),
-                      "one of bingham, herschel-bulkley, obrien-julien and pouliquen-forterre", "Keep one of them"});
+    std::map<std::string, std::vector<std::string>> alike;
+    for (const Law* law : asked)
+        for (const std::string& what : law->resists_alike) alike[what].push_back(law->word);
+    for (const auto& [what, words] : alike) {
+        if (words.size() < 2) continue;
+        problems.add({"names two laws for one thing, the " + what, file + ": material.bed-friction",
+                      joined(words, ", "), "one of them", "Keep one of them"});
     }
-    if (pouliquen && holds(terms, "coulomb")) {
-        problems.add({"names two laws for one thing", file + ": material.bed-friction", joined(terms, ", "),
-                      "coulomb (or voellmy) or pouliquen-forterre", "Keep one of them"});
-    }
-    if (bed_bingham && !(m.viscosity > 0)) {
-        problems.add({"must be greater than 0", file + ": material.viscosity", shortest_text(m.viscosity), "",
-                      "material.bed-friction = bingham needs it"});
-    }
-    if (bed_bingham && m.yield_ratio == "quadratic" && !(m.yield_stress > 0)) {
-        problems.add({"must be greater than 0", file + ": material.yield-stress", shortest_text(m.yield_stress), "",
+    if (asks(asked, LawKind::bed_friction, "bingham") && scene.material.yield_ratio == "quadratic" &&
+        !(scene.material.yield_stress > 0)) {
+        problems.add({"must be greater than 0", file + ": material.yield-stress",
+                      shortest_text(scene.material.yield_stress), "",
                       "yield-ratio = quadratic needs it; exact does without"});
-    }
-    const bool reads_yield = bed_bingham || bed_hb || bed_obj || in_plane_stress(m) == "bingham";
-    if (!reads_yield && (m.yield_stress > 0 || m.viscosity > 0)) {
-        const std::string name = m.yield_stress > 0 ? "material.yield-stress" : "material.viscosity";
-        problems.add({"is given, but no law of the scene reads it", file + ": " + name, "", "",
-                      "Remove it, or choose another in-plane-stress or bed-friction"});
-    }
-    if (m.surface_pressure > 0 && !holds(terms, "coulomb")) {
-        problems.add({"is given, but no law of the scene reads it", file + ": material.surface-pressure", "", "",
-                      "Remove it, or set material.bed-friction = coulomb"});
     }
 }
 
@@ -97,29 +75,24 @@ void check_angles(const SceneSpec& scene, const std::string& file, Problems& pro
     const MaterialSpec& m = scene.material;
     if (!m.friction_angle && !m.friction_coefficient) return;
     const double bed_deg = std::atan(friction_coefficient(m)) * 180 / std::numbers::pi;
-    const std::vector<std::string> laws = laws_of(scene);
-    const auto check = [&](const std::string& law, const std::string& key, const std::optional<double>& angle_deg) {
+    const std::vector<const Law*> laws = laws_of(scene);
+    const auto check = [&](LawKind kind, const std::string& law, const std::string& key,
+                           const std::optional<double>& angle_deg) {
         // A grain of tolerance, so that an angle equals the arctangent of its tangent.
-        if (!angle_deg || !holds(laws, law) || *angle_deg >= bed_deg - 1e-9) return;
+        if (!angle_deg || !asks(laws, kind, law) || *angle_deg >= bed_deg - 1e-9) return;
         problems.add({"is less than the friction angle of the bed", file + ": material." + key,
                       shortest_text(*angle_deg) + " degrees", "at least " + shortest_text(bed_deg) + " degrees",
                       law + " is not defined below it"});
     };
-    check("earth-pressure", "internal-friction-angle", m.internal_friction_angle);
-    check("pouliquen-forterre", "fast-friction-angle", m.fast_friction_angle);
-    if (holds(laws, "ramms-yield") && friction_coefficient(m) > 1) {
+    check(LawKind::in_plane_stress, "earth-pressure", "internal-friction-angle", m.internal_friction_angle);
+    check(LawKind::bed_friction, "pouliquen-forterre", "fast-friction-angle", m.fast_friction_angle);
+    if (asks(laws, LawKind::bed_friction, "ramms-yield") && friction_coefficient(m) > 1) {
         problems.add({"is too large for the law ramms-yield", file + ": material.friction-coefficient",
                       shortest_text(friction_coefficient(m)), "0 to 1", "Its term (1 - mu) N_0 would be negative"});
     }
 }
 
-void check_rest(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
-                Problems& problems) {
-    if (scene.entrainment.erosion != "off" && given.count("entrainment.erodible-depth") == 0 &&
-        !by_place(given, "entrainment.erodible-depth")) {
-        problems.add({"is missing", file + ": entrainment.erodible-depth", "", "",
-                      "Give the depth in metres that can be eroded, here or in zones.erodible-depth"});
-    }
+void check_rest(const SceneSpec& scene, const std::string& file, Problems& problems) {
     if (scene.material.pore_dissipation_time && !(scene.material.pore_pressure_ratio.value_or(0) > 0)) {
         problems.add({"is given without a pore pressure", file + ": material.pore-dissipation-time", "", "",
                       "Set material.pore-pressure-ratio, or remove it"});
@@ -151,7 +124,7 @@ void check_laws(const SceneSpec& scene, const std::set<std::string>& given, cons
     check_keys(scene, given, file, problems);
     check_friction(scene, given, file, problems);
     check_angles(scene, file, problems);
-    check_rest(scene, given, file, problems);
+    check_rest(scene, file, problems);
 }
 
 }  // namespace frana

@@ -8,6 +8,7 @@
 #include "params/grammar/value_text.h"
 #include "params/keys/model_keys.h"
 #include "params/keys/result_rasters.h"
+#include "params/keys/zone_keys.h"
 
 namespace frana {
 namespace {
@@ -44,10 +45,9 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
     const auto by_attribute = [](const std::optional<SourceSpec>& source) {
         return source && source->kind == SourceSpec::Kind::attribute;
     };
-    const bool zoned = terrain.friction_zones.has_value(), outlined = release.perimeter.has_value();
-    const std::string zone_remedy = "Name the polygons, or give raster:FILE";
+    const bool outlined = release.perimeter.has_value();
     const std::string outline_remedy = "Name the polygon layer, or give a number";
-    const Pair pairs[] = {
+    std::vector<Pair> pairs{
         {"terrain.obstacles", terrain.obstacles.has_value(), "terrain.obstacle-height",
          terrain.obstacle_height.has_value(), "Give metres above the DTM or attribute:NAME"},
         {"terrain.obstacle-height", terrain.obstacle_height.has_value(), "terrain.obstacles",
@@ -64,13 +64,10 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
         {"release.start", by_attribute(release.start), "release.perimeter", outlined, outline_remedy},
         {"release.velocity", by_attribute(release.velocity), "release.perimeter", outlined, outline_remedy},
         {"release.direction", by_attribute(release.direction), "release.perimeter", outlined, outline_remedy},
-        {"zones.friction-angle", by_attribute(zones.friction_angle), "terrain.friction-zones", zoned, zone_remedy},
-        {"zones.friction-coefficient", by_attribute(zones.friction_coefficient), "terrain.friction-zones", zoned,
-         zone_remedy},
-        {"zones.turbulence", by_attribute(zones.turbulence), "terrain.friction-zones", zoned, zone_remedy},
-        {"zones.cohesion", by_attribute(zones.cohesion), "terrain.friction-zones", zoned, zone_remedy},
-        {"zones.erodible-depth", by_attribute(zones.erodible_depth), "terrain.friction-zones", zoned, zone_remedy},
     };
+    for (const ZoneKey& key : zone_keys())
+        pairs.push_back({key.name, by_attribute(zones.*key.source), "terrain.friction-zones",
+                         terrain.friction_zones.has_value(), "Name the polygons, or give raster:FILE"});
     for (const Pair& pair : pairs)
         if (pair.given && !pair.has) problems.add({"needs " + pair.needs, file + ": " + pair.key, "", "", pair.remedy});
     if (zones.friction_angle && zones.friction_coefficient) {

@@ -2,7 +2,7 @@
 #include "params/keys/material_parameters.h"
 
 #include "params/keys/declare.h"
-#include "params/keys/law_names.h"
+#include "params/keys/laws.h"
 
 namespace frana {
 namespace {
@@ -31,7 +31,8 @@ Parameter turbulence_parameter() {
 }
 
 void add_friction(std::vector<Parameter>& list) {
-    list.push_back(word_list("material.bed-friction", FRANA_MEMBER(material.bed_friction), {}, bed_friction_names(),
+    list.push_back(word_list("material.bed-friction", FRANA_MEMBER(material.bed_friction), {},
+                             law_words("voellmy", LawKind::bed_friction),
                              "Laws whose sum resists at the bed; voellmy is coulomb and turbulence."));
     list.push_back(number("material.friction-angle", FRANA_MEMBER(material.friction_angle), "degrees", Range{0, 60},
                           "Bed friction angle phi; this or friction-coefficient.",
@@ -57,7 +58,8 @@ void add_friction(std::vector<Parameter>& list) {
     list.push_back(number("material.chezy", FRANA_MEMBER(material.chezy), "m^(1/2)/s", Range{0.1, 1000},
                           "Chezy's C (law chezy).", "required with the law"));
     list.push_back(number("material.laminar-resistance", FRANA_MEMBER(material.laminar_resistance), "",
-                          Range{24, 50000}, "K of the viscous part (law obrien-julien).", "24, a smooth wide bed"));
+                          Range{24, 50000}, "K of the viscous part (law obrien-julien).",
+                          shortest_text(k_laminar_resistance) + ", a smooth wide bed"));
     list.push_back(number("material.consistency", FRANA_MEMBER(material.consistency), "Pa s^m", Range{0, 1e8, true},
                           "Herschel-Bulkley K (law herschel-bulkley).", "required with the law"));
     list.push_back(number("material.flow-index", FRANA_MEMBER(material.flow_index), "", Range{0.1, 2},
@@ -67,7 +69,8 @@ void add_friction(std::vector<Parameter>& list) {
     list.push_back(number("material.friction-length", FRANA_MEMBER(material.friction_length), "m", Range{0, 100, true},
                           "L of the deposit's thickness (law pouliquen-forterre).", "required with the law"));
     list.push_back(number("material.friction-beta", FRANA_MEMBER(material.friction_beta), "", Range{0, 10, true},
-                          "beta of the flow rule (law pouliquen-forterre).", "0.136, glass beads"));
+                          "beta of the flow rule (law pouliquen-forterre).",
+                          shortest_text(k_friction_beta) + ", glass beads"));
 }
 
 }  // namespace
@@ -86,7 +89,7 @@ void add_material(std::vector<Parameter>& list) {
                           "Yield stress, in the plane and of the laws bingham, herschel-bulkley and obrien-julien."));
     list.push_back(
         choice("material.in-plane-stress", FRANA_MEMBER(material.in_plane_stress),
-               {"auto", "bingham", "earth-pressure", "none"},
+               law_words("auto", LawKind::in_plane_stress, {"none"}),
                "Stress in the plane of the flow; auto: bingham where viscosity or yield stress are given and "
                "no law of bed-friction takes them, otherwise none."));
     list.push_back(number("material.internal-friction-angle", FRANA_MEMBER(material.internal_friction_angle), "degrees",
@@ -99,17 +102,18 @@ void add_material(std::vector<Parameter>& list) {
 }
 
 void add_entrainment(std::vector<Parameter>& list) {
-    list.push_back(choice("entrainment.erosion", FRANA_MEMBER(entrainment.erosion), erosion_names(),
+    list.push_back(choice("entrainment.erosion", FRANA_MEMBER(entrainment.erosion), law_words("off", LawKind::erosion),
                           "Law by which the flow takes up its bed: excess of shear stress (RAMMS), growth with the way "
                           "(McDougall and Hungr), or mechanical (jump of stress over momentum)."));
     list.push_back(number("entrainment.erodible-depth", FRANA_MEMBER(entrainment.erodible_depth), "m", Range{0, 1000},
                           "Depth that can be eroded, vertical.", "required with erosion"));
     list.push_back(number("entrainment.erosion-rate", FRANA_MEMBER(entrainment.erosion_rate), "m/s", Range{0, 10, true},
-                          "Erosion rate (shear-stress).", "0.025"));
+                          "Erosion rate (shear-stress).", shortest_text(k_erosion_rate)));
     list.push_back(number("entrainment.critical-shear", FRANA_MEMBER(entrainment.critical_shear), "Pa", Range{0, 1e6},
-                          "Shear stress from which the bed erodes (shear-stress).", "1000"));
+                          "Shear stress from which the bed erodes (shear-stress).", shortest_text(k_critical_shear)));
     list.push_back(number("entrainment.potential-depth", FRANA_MEMBER(entrainment.potential_depth), "m/kPa",
-                          Range{0, 100, true}, "Depth eroded at most for each kPa above that (shear-stress).", "0.1"));
+                          Range{0, 100, true}, "Depth eroded at most for each kPa above that (shear-stress).",
+                          shortest_text(k_potential_depth)));
     list.push_back(number("entrainment.growth-rate", FRANA_MEMBER(entrainment.growth_rate), "1/m", Range{0, 1, true},
                           "Growth of volume with the way (growth).", "required with growth"));
     list.push_back(number("entrainment.bed-friction-angle", FRANA_MEMBER(entrainment.bed_friction_angle), "degrees",
@@ -120,7 +124,8 @@ void add_entrainment(std::vector<Parameter>& list) {
     list.push_back(number("entrainment.bed-pore-pressure-ratio", FRANA_MEMBER(entrainment.bed_pore_pressure_ratio), "",
                           Range{0, 1}, "Pore pressure over total normal stress in the bed (mechanical).", "0"));
     list.push_back(number("entrainment.velocity-ratio", FRANA_MEMBER(entrainment.velocity_ratio), "",
-                          Range{0, 1.5, true}, "Velocity at the base over mean velocity (mechanical).", "1"));
+                          Range{0, 1.5, true}, "Velocity at the base over mean velocity (mechanical).",
+                          shortest_text(k_velocity_ratio)));
     list.push_back(on_off("entrainment.deposition", FRANA_MEMBER(entrainment.deposition),
                           "Lay material down where the shear stress at the bed is below deposition-shear."));
     list.push_back(number("entrainment.deposition-rate", FRANA_MEMBER(entrainment.deposition_rate), "m/s",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/keys/scene_parameters.h"
 
+#include <algorithm>
+
 #include "params/keys/declare.h"
 #include "params/keys/input_parameters.h"
 #include "params/keys/material_parameters.h"
@@ -161,6 +163,12 @@ std::vector<Parameter> scene_parameters() {
     add_rest(list);
     add_input_parameters(list);
     return list;
+}
+
+const Parameter* find_parameter(const std::vector<Parameter>& parameters, const std::string& name) {
+    const auto found =
+        std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& p) { return p.name() == name; });
+    return found == parameters.end() ? nullptr : &*found;
 }
 
 std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {

@@ -11,6 +11,9 @@ namespace frana {
 /// Every key of a scene file, in the order in which they are documented and echoed.
 std::vector<Parameter> scene_parameters();
 
+/// One of them by "section.key"; null: there is none.
+const Parameter* find_parameter(const std::vector<Parameter>& parameters, const std::string& name);
+
 /// "section.key" of every parameter.
 std::vector<std::string> names_of(const std::vector<Parameter>& parameters);
 

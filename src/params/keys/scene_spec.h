@@ -10,7 +10,7 @@
 #include "core/grid_spec.h"
 #include "params/grammar/source.h"
 #include "params/grammar/thickness.h"
-#include "params/keys/default_values.h"
+#include "params/keys/shared_values.h"
 
 namespace frana {
 
@@ -66,10 +66,9 @@ struct ZonesSpec {
 };
 
 /// [material], in the units a user writes (degrees).
-struct MaterialSpec {
+struct MaterialSpec : MaterialValues {
     std::optional<std::string> preset;
     std::string model = "voellmy-bingham";
-    double density = 2000;
     std::optional<double> friction_angle;
     std::optional<double> friction_coefficient;
     std::optional<double> turbulence;  ///< none: the turbulent part is off
@@ -80,39 +79,29 @@ struct MaterialSpec {
     std::optional<double> fast_friction_angle, friction_length, friction_beta;
     std::string in_plane_stress = "auto";
     std::optional<double> internal_friction_angle;
-    double viscosity = 0;
-    double yield_stress = 0;
-    double surface_pressure = 0;
-    double yield_regularisation = 0.01;
     std::string yield_ratio = "exact";
 };
 
 /// [structured], where material.model = structured; in the units a user writes (degrees).
-struct StructuredSpec {
+struct StructuredSpec : StructuredValues {
     std::optional<std::string> phases;
-    double fluid_density = 1000, fluid_viscosity = 0, viscosity_growth = 10, velocity_shape = 3;
-    double mobility = 1, solids_shape = 2, manning = 0.1, dry_depth = 1e-4;
     std::string manning_depth = "free";
     std::optional<std::string> zones;
     std::optional<SourceSpec> initial_fluid_depth;
     std::string placement = "lattice";
-    std::optional<SourceSpec> solid_fraction = SourceSpec{SourceSpec::Kind::number, 0.5, {}};
-    std::optional<SourceSpec> confined_share = SourceSpec{SourceSpec::Kind::number, 1, {}};
-    std::optional<SourceSpec> grain_density = SourceSpec{SourceSpec::Kind::number, 2400, {}};
-    std::optional<SourceSpec> grain_diameter = SourceSpec{SourceSpec::Kind::number, 1e-3, {}};
+    std::optional<SourceSpec> solid_fraction = SourceSpec{SourceSpec::Kind::number, k_solid_fraction, {}};
+    std::optional<SourceSpec> confined_share = SourceSpec{SourceSpec::Kind::number, k_confined_share, {}};
+    std::optional<SourceSpec> grain_density = SourceSpec{SourceSpec::Kind::number, k_grain_density, {}};
+    std::optional<SourceSpec> grain_diameter = SourceSpec{SourceSpec::Kind::number, k_grain_diameter, {}};
     std::optional<SourceSpec> cohesion, internal_friction_angle, bed_friction_angle;
-    double dilatancy_angle = 0, young_modulus = 12e6, bulk_modulus = 23e6;
-    double critical_strain = 0.05;
+    double dilatancy_angle = 0;
     std::string damage = "equivalent-plastic", earth_pressure = "hydrostatic";
-    double initial_structured_share = 1, softening = 1, pic_share = 0;
+    double initial_structured_share = 1;
     std::string yield_check = "total", broken_material = "earth-pressure";
-    double pore_pressure_share = 0;
-    double drag_exponent = 2, richardson_zaki = 2.4;
-    double smoothing_velocity = 1, drag_mixing_exponent = 1;
+    double drag_exponent = 2;
     std::string richardson_zaki_law = "constant", drag_mixing = "quotient";
     std::optional<double> block_size, sound_speed;
     std::string virtual_mass = "pudasaini-2012";
-    double linear_viscosity = 1, quadratic_viscosity = 1, artificial_stress = 0.5;
 };
 
 /// [entrainment], in the units a user writes (degrees, metres per kPa).
@@ -125,32 +114,24 @@ struct EntrainmentSpec {
 };
 
 /// [numerics]
-struct NumericsSpec {
+struct NumericsSpec : NumericsValues {
     std::string scheme = "default";
     std::string shape = "auto";
     std::string transfer = "auto";
-    std::int64_t particles_per_cell = 4;
-    double cfl = 0.5;
+    std::int64_t particles_per_cell = k_particles_per_cell;
     std::optional<bool> well_balanced;
     std::string slope_correction = "auto";
     std::optional<bool> curvature;
     std::optional<bool> flight;
     double flight_slope = k_flight_slope_degrees;
     std::string boundary = "open";
-    double gravity = 9.81;
-    double minimum_depth = 0.01;
     std::string precision = "double";
 };
 
 /// [time]
-struct TimeSpec {
+struct TimeSpec : TimeValues {
     double end = 300;
-    bool stop_when_still = true;
-    double stop_energy_share = 0;
-    double stop_moving_share = 0;
-    double moving_speed = 0.1;
     double stop_change = 0.005;
-    double stop_window = 0.25;
     std::optional<double> frame_interval;
 };
 
@@ -162,7 +143,7 @@ struct OutputSpec {
     bool animation = true;
     std::vector<std::string> formats{"geotiff"};
     double checkpoint_interval = 600;
-    double trace_threshold = 0.1;
+    double trace_threshold = k_trace_threshold;
     std::string map_size = "1600x1200";
     std::vector<std::string> map_formats{"png"};
     std::string map_legend = "classed";

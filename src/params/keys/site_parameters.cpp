@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "params/keys/site_parameters.h"
 
-#include "params/keys/declare.h"
+#include "params/keys/zone_keys.h"
 
 namespace frana {
 namespace {
@@ -72,14 +72,6 @@ Parameter thickness_parameter() {
         if (!thickness.post.empty()) thickness.post = map(thickness.post);
     };
     return result;
-}
-
-/// A quantity of the zones; `range` is that of the key in [material] with the same meaning.
-template <class Member>
-Parameter zone(const std::string& key, Member member, const std::string& unit, Range range,
-               const std::string& meaning) {
-    return source("zones." + key, member, unit, range, {Kind::attribute, Kind::raster}, meaning,
-                  "the material's own everywhere");
 }
 
 }  // namespace
@@ -164,15 +156,10 @@ void add_inflow(std::vector<Parameter>& list) {
 }
 
 void add_zones(std::vector<Parameter>& list) {
-    list.push_back(zone("friction-angle", FRANA_MEMBER(zones.friction_angle), "degrees", Range{0, 60},
-                        "Bed friction angle by place; this or friction-coefficient."));
-    list.push_back(zone("friction-coefficient", FRANA_MEMBER(zones.friction_coefficient), "", Range{0, 2},
-                        "Bed friction coefficient by place."));
-    list.push_back(zone("turbulence", FRANA_MEMBER(zones.turbulence), "m/s2", Range{0, 1e9, true},
-                        "Voellmy turbulence coefficient xi by place."));
-    list.push_back(zone("cohesion", FRANA_MEMBER(zones.cohesion), "Pa", Range{0, 1e6}, "Bed cohesion by place."));
-    list.push_back(zone("erodible-depth", FRANA_MEMBER(zones.erodible_depth), "m", Range{0, 1000},
-                        "Thickness of the erodible layer by place."));
+    for (const ZoneKey& key : zone_keys())
+        list.push_back(source(
+            key.name, [member = key.source](auto& scene) -> auto& { return scene.zones.*member; }, key.unit, key.range,
+            {Kind::attribute, Kind::raster}, key.meaning, "the material's own everywhere"));
     list.push_back(
         choice("zones.beyond-dtm", FRANA_MEMBER(zones.beyond_dtm), {"stop", "clip"},
                "Zone polygons that reach beyond the working grid: refuse them, or use the part on the grid."));

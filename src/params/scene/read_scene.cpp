@@ -10,7 +10,7 @@
 #include "params/grammar/ini_file.h"
 #include "params/grammar/nearest_name.h"
 #include "params/grammar/value_text.h"
-#include "params/keys/law_names.h"
+#include "params/keys/laws.h"
 #include "params/keys/materials.h"
 #include "params/keys/scene_parameters.h"
 
@@ -78,9 +78,8 @@ void Reader::apply(const Layer& layer) {
 
 void Reader::apply(const Layer& layer, const IniEntry& entry) {
     const std::string where = layer.where(entry.name);
-    const auto parameter = std::find_if(parameters_.begin(), parameters_.end(),
-                                        [&](const Parameter& p) { return p.name() == entry.name; });
-    if (parameter == parameters_.end()) {
+    const Parameter* const parameter = find_parameter(parameters_, entry.name);
+    if (parameter == nullptr) {
         const std::string nearest = nearest_name(entry.name, names_of(parameters_));
         reading_.problems.add({"unknown key", where, "", "",
                                nearest.empty() ? "`frana params` lists all keys" : "Did you mean " + nearest + "?"});
@@ -106,17 +105,12 @@ void Reader::apply(const Layer& layer, const IniEntry& entry) {
 }
 
 void Reader::drop_unread_of_preset() {
-    const std::vector<std::string> laws = laws_of(reading_.scene);
-    for (const LawKey& key : law_keys()) {
-        if (reading_.scene.origin_of(key.name) != Origin::preset) continue;
-        if (std::any_of(key.laws.begin(), key.laws.end(),
-                        [&](const std::string& law) { return std::find(laws.begin(), laws.end(), law) != laws.end(); }))
-            continue;
-        for (const Parameter& parameter : parameters_) {
-            if (parameter.name() == key.name) parameter.reset(reading_.scene);
-        }
-        reading_.scene.origins.erase(key.name);
-        given_.erase(key.name);
+    const std::vector<const Law*> laws = laws_of(reading_.scene);
+    for (const std::string& name : law_keys()) {
+        if (reading_.scene.origin_of(name) != Origin::preset || !readers_of(name, laws).empty()) continue;
+        find_parameter(parameters_, name)->reset(reading_.scene);
+        reading_.scene.origins.erase(name);
+        given_.erase(name);
     }
 }
 

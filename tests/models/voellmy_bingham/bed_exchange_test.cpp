@@ -44,7 +44,7 @@ class Growth : public testing::TestWithParam<Scheme> {};
 
 TEST_P(Growth, IsExponentialInTheWayAndKeepsMassAndMomentum) {
     Entrainment e;
-    e.erosion = ErosionLaw::growth;
+    e.erosion = "growth";
     e.growth_rate = 5e-3;
     e.erodible_depth = 10;
     Flow flow = drifting_sheet(e, GetParam());
@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Growth, testing::Values(Scheme::standard, Sche
 
 TEST(Growth, EndsWithTheErodibleLayer) {
     Entrainment e;
-    e.erosion = ErosionLaw::growth;
+    e.erosion = "growth";
     e.growth_rate = 0.5;
     e.erodible_depth = 0.03;
     Flow flow = drifting_sheet(e);
@@ -106,7 +106,7 @@ SteadySlab steady_slab(const Entrainment& entrainment, double along, double spee
 
 TEST(ShearStressErosion, DigsAtItsRateDownToItsPotentialDepth) {
     Entrainment e;
-    e.erosion = ErosionLaw::shear_stress;
+    e.erosion = "shear-stress";
     e.erodible_depth = 5;
     e.critical_shear = 2000;
     // tau = 2000 kg/m3 x 1 m x 2 m/s2 = 4 kPa: 2 kPa above the critical stress.
@@ -120,7 +120,7 @@ TEST(ShearStressErosion, DigsAtItsRateDownToItsPotentialDepth) {
 
 TEST(MechanicalErosion, IsTheExcessOfStressOverMomentum) {
     Entrainment e;
-    e.erosion = ErosionLaw::mechanical;
+    e.erosion = "mechanical";
     e.erodible_depth = 5;
     e.bed_friction_coefficient = 0.1;
     e.bed_cohesion = 500;
@@ -180,7 +180,7 @@ TEST(Deposition, NeverTakesAllSoThatParticlesKeepAVolume) {
 
 TEST(BedExchange, ErodibleDepthByZones) {
     Entrainment e;
-    e.erosion = ErosionLaw::shear_stress;
+    e.erosion = "shear-stress";
     e.erodible_depth = 0;
     MaterialZones zones;
     zones.erodible_depth = Raster(bench::plain_grid(120, 8, 1), k_no_data);
@@ -193,7 +193,7 @@ TEST(BedExchange, ErodibleDepthByZones) {
 // exchange.
 TEST(BedExchange, SameBitsForAnyNumberOfThreads) {
     Entrainment e;
-    e.erosion = ErosionLaw::shear_stress;
+    e.erosion = "shear-stress";
     e.erodible_depth = 1;
     e.deposition = true;
     const GridSpec grid = bench::plain_grid(100, 60, 2);

@@ -3,7 +3,13 @@
 // block under that law. Only the slab's middle is looked at: its edges collapse.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "params/keys/laws.h"
+#include "params/keys/zone_keys.h"
 #include "physics/yield_ratio.h"
+#include "simulation/dispatch_bed.h"
+#include "simulation/terms.h"
 #include "support/cases.h"
 
 namespace frana::test {
@@ -11,7 +17,7 @@ namespace {
 
 constexpr double k_along = 3, k_normal = 9, k_density = 2000;
 
-Material material_of(std::vector<BedTerm> terms) {
+Material material_of(std::vector<std::string> terms) {
     Material material = water();
     material.density = k_density;
     material.plane_stress = PlaneStressLaw::none;
@@ -71,14 +77,14 @@ void expect_block(const Material& material, const std::function<double(double, d
 }
 
 TEST(BedLaws, Cohesion) {
-    Material m = material_of({BedTerm::coulomb, BedTerm::cohesion});
+    Material m = material_of({"coulomb", "cohesion"});
     m.friction_coefficient = 0.1;
     m.cohesion = 1000;
     expect_block(m, [](double, double) { return 0.1 * k_normal + 1000 / k_density; });
 }
 
 TEST(BedLaws, SurfacePressure) {
-    Material m = material_of({BedTerm::coulomb, BedTerm::turbulence});
+    Material m = material_of({"coulomb", "turbulence"});
     m.friction_coefficient = 0.1;
     m.turbulence = 300;
     m.surface_pressure = 6000;
@@ -86,7 +92,7 @@ TEST(BedLaws, SurfacePressure) {
 }
 
 TEST(BedLaws, RammsYield) {
-    Material m = material_of({BedTerm::coulomb, BedTerm::ramms_yield});
+    Material m = material_of({"coulomb", "ramms-yield"});
     m.friction_coefficient = 0.1;
     m.ramms_yield_stress = 1500;
     const double normal = k_density * k_normal;
@@ -95,19 +101,19 @@ TEST(BedLaws, RammsYield) {
 }
 
 TEST(BedLaws, Manning) {
-    Material m = material_of({BedTerm::manning});
+    Material m = material_of({"manning"});
     m.manning = 0.1;
     expect_block(m, [](double s, double) { return k_normal * 0.01 * s * s; });
 }
 
 TEST(BedLaws, Chezy) {
-    Material m = material_of({BedTerm::chezy});
+    Material m = material_of({"chezy"});
     m.chezy = 8;
     expect_block(m, [](double s, double) { return k_normal * s * s / 64; });
 }
 
 TEST(BedLaws, OBrienJulien) {
-    Material m = material_of({BedTerm::obrien_julien});
+    Material m = material_of({"obrien-julien"});
     m.yield_stress = 1000;
     m.viscosity = 20;
     m.laminar_resistance = 400;
@@ -118,7 +124,7 @@ TEST(BedLaws, OBrienJulien) {
 }
 
 TEST(BedLaws, BinghamExactAndQuadratic) {
-    Material m = material_of({BedTerm::bingham});
+    Material m = material_of({"bingham"});
     m.yield_stress = 2000;
     m.viscosity = 400;
     const auto a = [](double s) { return 6 * 400 * s / 2000; };
@@ -128,7 +134,7 @@ TEST(BedLaws, BinghamExactAndQuadratic) {
 }
 
 TEST(BedLaws, HerschelBulkley) {
-    Material m = material_of({BedTerm::herschel_bulkley});
+    Material m = material_of({"herschel-bulkley"});
     m.yield_stress = 1000;
     m.consistency = 1500;
     m.flow_index = 0.5;
@@ -145,7 +151,7 @@ TEST(BedLaws, HerschelBulkley) {
 }
 
 TEST(BedLaws, PouliquenForterre) {
-    Material m = material_of({BedTerm::pouliquen_forterre});
+    Material m = material_of({"pouliquen-forterre"});
     m.friction_coefficient = 0.2;
     m.fast_friction_coefficient = 0.6;
     m.friction_length = 0.5;
@@ -155,7 +161,7 @@ TEST(BedLaws, PouliquenForterre) {
 }
 
 TEST(BedLaws, PorePressureThatDissipates) {
-    Material m = material_of({BedTerm::coulomb});
+    Material m = material_of({"coulomb"});
     m.friction_coefficient = 0.3;
     m.pore_pressure_ratio = 0.8;
     m.pore_dissipation_time = 4;
@@ -163,7 +169,7 @@ TEST(BedLaws, PorePressureThatDissipates) {
 }
 
 TEST(BedLaws, SumOfThree) {
-    Material m = material_of({BedTerm::coulomb, BedTerm::turbulence, BedTerm::bingham});
+    Material m = material_of({"coulomb", "turbulence", "bingham"});
     m.friction_coefficient = 0.05;
     m.turbulence = 300;
     m.yield_stress = 500;
@@ -176,7 +182,7 @@ TEST(BedLaws, SumOfThree) {
 // The strips that are looked at lie 6 m from the zones' border, and in 1 s a pressure wave goes 3 m;
 // steps are long, since each one blurs the shear between the zones a little.
 TEST(BedLaws, ZonesGiveEachPlaceItsOwnFriction) {
-    Material m = material_of({BedTerm::coulomb, BedTerm::turbulence});
+    Material m = material_of({"coulomb", "turbulence"});
     m.friction_coefficient = 0.1;
     MaterialZones zones;
     zones.friction_coefficient = Raster(bench::plain_grid(121, 16, 1), k_no_data);
@@ -189,7 +195,7 @@ TEST(BedLaws, ZonesGiveEachPlaceItsOwnFriction) {
 }
 
 TEST(BedLaws, SummedVoellmyIsUniformVoellmy) {
-    Material m = material_of({BedTerm::coulomb, BedTerm::turbulence});
+    Material m = material_of({"coulomb", "turbulence"});
     m.friction_coefficient = 0.15;
     m.turbulence = 200;
     MaterialZones same;
@@ -197,9 +203,38 @@ TEST(BedLaws, SummedVoellmyIsUniformVoellmy) {
     EXPECT_NEAR(slab_speed(m, 3, 10, same), slab_speed(m, 3, 10), 1e-9);
 }
 
+// The table of laws tells the truth of those that are built.
+TEST(BedLaws, OfTheTableAreBuiltAndReadTheZonesThatItSays) {
+    const GridSpec grid = bench::plain_grid(4, 4, 1);
+    const Raster ground(grid), values(grid, 0.5);
+    const NodeGrid nodes(ground);
+    for (const Law& law : laws()) {
+        if (law.kind != LawKind::bed_friction) continue;
+        SCOPED_TRACE(law.word);
+        Scene scene;
+        scene.material = material_of({law.word});
+        scene.material.friction_coefficient = 0.3;
+        scene.material.turbulence = 500;
+        const std::vector<std::string> terms = list_terms(scene);
+        EXPECT_TRUE(std::any_of(terms.begin(), terms.end(),
+                                [&](const std::string& term) { return term.rfind(law.sentence, 0) == 0; }));
+        for (const ZoneRaster& zone : k_zone_rasters) {
+            if (!zone.of_bed_friction) continue;
+            MaterialZones zones;
+            zones.*zone.raster = values;
+            const auto friction = make_friction(scene.material, zones, {}, nodes, k_normal);
+            EXPECT_EQ(friction.sweeps.size(), 1u);
+            const bool said = std::any_of(zone_keys().begin(), zone_keys().end(), [&](const ZoneKey& key) {
+                return key.what == zone.what && law.reads_zone(key.name);
+            });
+            EXPECT_EQ(!friction.node_values.empty(), said) << zone.what;
+        }
+    }
+}
+
 // What yields holds at rest exactly, by its own bound: a cone on a slope, whose driving stress is at most
 // rho g h times the slope of its surface, 0.1 + 0.2: 9 kPa at its middle, less everywhere else.
-class HoldsAtRest : public testing::TestWithParam<BedTerm> {};
+class HoldsAtRest : public testing::TestWithParam<std::string> {};
 
 TEST_P(HoldsAtRest, NotOneBitMoves) {
     Material m = material_of({GetParam()});
@@ -223,9 +258,8 @@ TEST_P(HoldsAtRest, NotOneBitMoves) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, HoldsAtRest,
-                         testing::Values(BedTerm::cohesion, BedTerm::ramms_yield, BedTerm::bingham,
-                                         BedTerm::herschel_bulkley, BedTerm::obrien_julien,
-                                         BedTerm::pouliquen_forterre));
+                         testing::Values("cohesion", "ramms-yield", "bingham", "herschel-bulkley", "obrien-julien",
+                                         "pouliquen-forterre"));
 
 }  // namespace
 }  // namespace frana::test

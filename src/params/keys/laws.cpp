@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/keys/laws.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace frana {
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool contains(const Words& list, const std::string& word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+Words operator+(Words a, const Words& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+/// "cohesion" of "material.cohesion" and of "zones.cohesion".
+std::string quantity_of(const std::string& key) {
+    return key.substr(key.find('.') + 1);
+}
+
+std::vector<Law> table_of_laws() {
+    using enum LawKind;
+    // What several laws read, and what several are about.
+    const Words friction{"material.friction-angle", "material.friction-coefficient"};
+    const Words pore_pressure{"material.pore-pressure-ratio", "material.pore-dissipation-time"};
+    const Words yield{"material.yield-stress"}, viscous{"material.yield-stress", "material.viscosity"};
+    const std::string solid = "friction of the solid", fluid = "resistance of the fluid";
+    return {{.word = "coulomb",
+             .sentence = "Coulomb bed friction",
+             .reads = friction + pore_pressure + Words{"material.surface-pressure"},
+             .resists_alike = {solid},
+             .resists_with_friction = true},
+            {.word = "turbulence", .sentence = "turbulent bed friction", .reads = {"material.turbulence"}},
+            {.word = "cohesion", .sentence = "cohesion at the bed", .needs = {"material.cohesion"}},
+            // Resists with (1 - mu) N_0: the less, the greater mu is.
+            {.word = "ramms-yield",
+             .sentence = "RAMMS yield term",
+             .reads = friction,
+             .needs = {"material.ramms-yield-stress"}},
+            {.word = "bingham",
+             .sentence = "Bingham bed resistance",
+             .reads = yield + Words{"material.yield-ratio"},
+             .needs = {"material.viscosity"},
+             .resists_alike = {fluid}},
+            {.word = "herschel-bulkley",
+             .sentence = "Herschel-Bulkley bed resistance",
+             .reads = viscous,
+             .needs = {"material.consistency", "material.flow-index"},
+             .resists_alike = {fluid}},
+            {.word = "obrien-julien",
+             .sentence = "O'Brien-Julien bed resistance",
+             .reads = viscous + Words{"material.manning", "material.laminar-resistance"},
+             .resists_alike = {fluid}},
+            {.word = "manning", .sentence = "Manning bed resistance", .needs = {"material.manning"}},
+            {.word = "chezy", .sentence = "Chezy bed resistance", .needs = {"material.chezy"}},
+            // mu(I) is nowhere less than its slowest.
+            {.word = "pouliquen-forterre",
+             .sentence = "Pouliquen-Forterre bed friction",
+             .reads = friction + pore_pressure + Words{"material.friction-beta"},
+             .needs = {"material.fast-friction-angle", "material.friction-length"},
+             .resists_alike = {solid, fluid},
+             .resists_with_friction = true},
+            {.word = "bingham",
+             .kind = in_plane_stress,
+             .sentence = "",  // of its two parts
+             .reads = viscous + Words{"material.yield-regularisation", "material.yield-ratio"}},
+            {.word = "earth-pressure",
+             .kind = in_plane_stress,
+             .sentence = "earth pressure",
+             .reads = friction,
+             .needs = {"material.internal-friction-angle"}},
+            {.word = "shear-stress",
+             .kind = erosion,
+             .sentence = "erosion by excess shear stress",
+             .reads = {"entrainment.erosion-rate", "entrainment.critical-shear", "entrainment.potential-depth"},
+             .needs = {"entrainment.erodible-depth"}},
+            {.word = "growth",
+             .kind = erosion,
+             .sentence = "erosion by exponential growth",
+             .needs = {"entrainment.erodible-depth", "entrainment.growth-rate"}},
+            {.word = "mechanical",
+             .kind = erosion,
+             .sentence = "mechanical erosion",
+             .reads = {"entrainment.bed-cohesion", "entrainment.bed-pore-pressure-ratio", "entrainment.velocity-ratio"},
+             .needs = {"entrainment.erodible-depth", "entrainment.bed-friction-angle"}},
+            {.word = "on",
+             .kind = deposition,
+             .sentence = "deposition under a critical shear stress",
+             .needs = {"entrainment.deposition-rate", "entrainment.deposition-shear"}}};
+}
+
+}  // namespace
+
+bool Law::reads_key(const std::string& name) const {
+    return contains(reads, name) || contains(needs, name);
+}
+
+bool Law::reads_zone(const std::string& name) const {
+    const auto same = [&](const std::string& key) { return quantity_of(key) == quantity_of(name); };
+    return kind != LawKind::in_plane_stress &&
+           (std::any_of(reads.begin(), reads.end(), same) || std::any_of(needs.begin(), needs.end(), same));
+}
+
+std::string Law::asked_by() const {
+    static constexpr const char* k_keys[] = {"material.bed-friction", "material.in-plane-stress", "entrainment.erosion",
+                                             "entrainment.deposition"};
+    return std::string(k_keys[static_cast<int>(kind)]) + " = " + word;
+}
+
+const std::vector<Law>& laws() {
+    static const std::vector<Law> table = table_of_laws();
+    return table;
+}
+
+const Law& find_law(LawKind kind, const std::string& word) {
+    const auto found = std::find_if(laws().begin(), laws().end(),
+                                    [&](const Law& law) { return law.kind == kind && law.word == word; });
+    if (found == laws().end()) throw std::out_of_range("no law " + word);
+    return *found;
+}
+
+std::vector<const Law*> laws_of(const SceneSpec& scene) {
+    std::vector<const Law*> some;
+    if (scene.material.model == "structured") return some;
+    const Words terms = bed_friction_terms(scene.material);
+    for (const Law& law : laws()) {
+        const bool asked = (law.kind == LawKind::bed_friction && contains(terms, law.word)) ||
+                           (law.kind == LawKind::in_plane_stress && law.word == in_plane_stress(scene.material)) ||
+                           (law.kind == LawKind::erosion && law.word == scene.entrainment.erosion) ||
+                           (law.kind == LawKind::deposition && scene.entrainment.deposition);
+        if (asked) some.push_back(&law);
+    }
+    return some;
+}
+
+std::vector<const Law*> readers_of(const std::string& key, const std::vector<const Law*>& among) {
+    std::vector<const Law*> some;
+    const bool zone = key.rfind("zones.", 0) == 0;
+    for (const Law* law : among)
+        if (zone ? law->reads_zone(key) : law->reads_key(key)) some.push_back(law);
+    return some;
+}
+
+std::vector<const Law*> readers_of(const std::string& key) {
+    std::vector<const Law*> all;
+    for (const Law& law : laws()) all.push_back(&law);
+    return readers_of(key, all);
+}
+
+std::string asked_by(const std::vector<const Law*>& some) {
+    std::string text;
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        const bool same_key = i > 0 && some[i]->kind == some[i - 1]->kind;
+        text += (i > 0 ? " or " : "") + (same_key ? some[i]->word : some[i]->asked_by());
+    }
+    return text;
+}
+
+Words law_keys() {
+    Words keys;
+    for (const Law& law : laws())
+        for (const std::string& key : law.reads + law.needs)
+            if (!contains(keys, key)) keys.push_back(key);
+    return keys;
+}
+
+Words law_words(const std::string& first, LawKind kind, const Words& last) {
+    Words words{first};
+    for (const Law& law : laws())
+        if (law.kind == kind) words.push_back(law.word);
+    return words + last;
+}
+
+Words bed_friction_terms(const MaterialSpec& material) {
+    Words terms;
+    const auto add = [&](const std::string& word) {
+        if (!contains(terms, word)) terms.push_back(word);
+    };
+    for (const std::string& word : material.bed_friction) {
+        if (word == "voellmy") {
+            add("coulomb");
+            add("turbulence");
+        } else {
+            add(word);
+        }
+    }
+    return terms;
+}
+
+std::string in_plane_stress(const MaterialSpec& material) {
+    if (material.in_plane_stress != "auto") return material.in_plane_stress;
+    if (!(material.viscosity > 0) && !(material.yield_stress > 0)) return "none";
+    for (const std::string& word : bed_friction_terms(material))
+        if (find_law(LawKind::bed_friction, word).reads_key("material.yield-stress")) return "none";
+    return "bingham";
+}
+
+}  // namespace frana
