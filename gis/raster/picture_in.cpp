@@ -5,11 +5,14 @@
 #include <cpl_string.h>
 #include <gdal.h>
 #include <gdal_utils.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "core/error.h"
 #include "core/shortest_text.h"
@@ -56,8 +59,9 @@ GdalDataset opened(const std::string& path, const std::string& crs_wkt, const st
     return dataset;
 }
 
-/// Whether the blocks of a file can be read; of a large one some, among them the first and the last.
-bool can_be_read(GDALDatasetH picture) {
+/// Checksum of the blocks of a file, of a large one of some, among them the first and the last; none: they cannot be
+/// read.
+std::optional<std::uint32_t> content_of(GDALDatasetH picture) {
     constexpr std::int64_t k_most_blocks = 400;
     GDALRasterBandH band = GDALGetRasterBand(picture, 1);
     int width = 0, height = 0;
@@ -66,13 +70,22 @@ bool can_be_read(GDALDatasetH picture) {
     const std::int64_t across = pieces(GDALGetRasterXSize(picture), width),
                        count = across * pieces(GDALGetRasterYSize(picture), height);
     const std::int64_t looked_at = std::min(count, k_most_blocks);
+    const int bands = GDALGetRasterCount(picture);
+    std::vector<std::uint8_t> values;
+    uLong sum = 0;
     for (std::int64_t i = 0; i < looked_at; ++i) {
         const std::int64_t block = looked_at == 1 ? 0 : i * (count - 1) / (looked_at - 1);
         const int column = static_cast<int>(block % across) * width, row = static_cast<int>(block / across) * height;
-        std::uint8_t value = 0;
-        if (GDALRasterIO(band, GF_Read, column, row, 1, 1, &value, 1, 1, GDT_Byte, 0, 0) != CE_None) return false;
+        const int wide = std::min(width, GDALGetRasterXSize(picture) - column),
+                  high = std::min(height, GDALGetRasterYSize(picture) - row);
+        values.resize(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high) *
+                      static_cast<std::size_t>(bands));
+        if (GDALDatasetRasterIO(picture, GF_Read, column, row, wide, high, values.data(), wide, high, GDT_Byte, bands,
+                                nullptr, 0, 0, 0) != CE_None)
+            return std::nullopt;
+        sum = crc32_z(sum, values.data(), values.size());
     }
-    return true;
+    return static_cast<std::uint32_t>(sum);
 }
 
 /// Three or four bands of what has a colour table or a single one, as a view of it.
@@ -110,12 +123,13 @@ GdalDataset in_colours(GDALDatasetH source) {
 
 }  // namespace
 
-void check_picture(const std::string& path, const std::string& crs_wkt, const std::string& where) {
+std::uint32_t check_picture(const std::string& path, const std::string& crs_wkt, const std::string& where) {
     const GdalSession session;
     const ReadingOnly reading;
     const TimeLimit limit(where + ": " + path);
     const GdalDataset picture = opened(path, crs_wkt, where);
-    if (can_be_read(picture.get()) && !session.failed()) return;
+    const std::optional<std::uint32_t> content = content_of(picture.get());
+    if (content && !session.failed()) return *content;
     throw Error(ErrorKind::input, Problem{"the picture is damaged: " + session.last_message(), where + ": " + path, "",
                                           "", "Copy the file again"});
 }

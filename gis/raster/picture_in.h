@@ -11,8 +11,8 @@ namespace frana::gis {
 
 /// Looks whether a file can lie under a map: an orthophoto or a scanned or tiled map in bytes, in one band (grey or
 /// with a colour table) or three and more, with a place on the ground. `crs_wkt` is the map's. `where` names the key.
-/// Throws Error(input).
-void check_picture(const std::string& path, const std::string& crs_wkt, const std::string& where);
+/// Returns a checksum of its content; of a large file that of some hundred blocks. Throws Error(input).
+std::uint32_t check_picture(const std::string& path, const std::string& crs_wkt, const std::string& where);
 
 /// The part of such a file that lies in `box` of the map's CRS, warped by GDAL to so many pixels: red, green, blue
 /// and opacity of each, row by row from the top, colours multiplied by the opacity; 0 where the file has nothing.

@@ -132,7 +132,7 @@ TEST_F(Late, ResumingAFinishedResultDrawsWhatIsMissing) {
     write_dtm([](int, int column) { return 301 - 2.5 * column; });
     const Outcome data = frana(command("result", {"--resume"}));
     EXPECT_EQ(data.exit_code, 2);
-    EXPECT_NE(data.err.find("of another scene: the terrain differs"), std::string::npos) << data.err;
+    EXPECT_NE(data.err.find("of another scene: the content of DTM differs"), std::string::npos) << data.err;
 }
 
 // What was drawn is drawn anew and the ruin kept; what only the run can write, and the list itself, is

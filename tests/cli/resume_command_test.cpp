@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "app/store/checkpoint_file.h"
-#include "app/store/scene_identity.h"
 #include "core/error.h"
 #include "resuming.h"
 
@@ -129,22 +128,6 @@ TEST_F(Stopped, BySignalsItKeepsWhatThereIsAndGoesOn) {
     }
 }
 
-// A raster's content is not in the scene's text: what the structured model has from files counts too.
-TEST(SceneIdentity, DiffersWithWhatIsGivenByPlace) {
-    app::Prepared one;
-    one.scene.grid = {0, 4, 2, 2, 2, ""};
-    one.scene.structured = StructuredMaterial{};
-    one.scene.structured->zones.cohesion = Raster(one.scene.grid, 1000);
-    one.scene.structured->initial_fluid = Raster(one.scene.grid, 0);
-    app::Prepared other = one;
-    EXPECT_EQ(app::scene_identity(one), app::scene_identity(other));
-    other.scene.structured->zones.cohesion->values[3] = 2000;
-    EXPECT_NE(app::scene_identity(one), app::scene_identity(other));
-    other = one;
-    other.scene.structured->initial_fluid->values[0] = 1;
-    EXPECT_NE(app::scene_identity(one), app::scene_identity(other));
-}
-
 class Interrupted : public Resuming {};
 
 TEST_F(Interrupted, ItIsNeitherForgottenNorLost) {
@@ -205,7 +188,7 @@ TEST_F(Interrupted, NothingToGoOnFromIsSaidNotBegunAnew) {
               std::string::npos);
     const std::string dtm = read_text(path("dtm.asc"));
     write_dtm([](int, int column) { return 301 - 2.5 * column; });
-    EXPECT_NE(refusal({}).find("is from another scene: the terrain differs"), std::string::npos);
+    EXPECT_NE(refusal({}).find("is from another scene: the content of DTM differs"), std::string::npos);
     write("dtm.asc", dtm);
 
     fs::remove(both[1]);

@@ -196,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(
                               {"structured.cohesion", "no number in the attribute strength", "alpha, c"}},
                       Refused{"zones_that_nothing_reads",
                               {"structured.zones=zones.geojson"},
-                              {"structured.zones", "no key of the section names a column"}},
+                              {"structured.zones: names a file that nothing of the scene reads"}},
                       Refused{"raster_out_of_range",
                               {"structured.cohesion=raster:negative.asc"},
                               {"structured.cohesion", "least value", "-1 Pa"}},

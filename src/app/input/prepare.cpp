@@ -49,8 +49,8 @@ Numerics numerics_of(const SceneSpec& spec) {
     return numerics;
 }
 
-std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const TerrainInput* ground, RunLog& log,
-                                           Problems& problems) {
+std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const TerrainInput* ground,
+                                           std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
     if (!reading.scene.scar.perimeter) return std::nullopt;
     const std::string where = reading.where("scar.perimeter");
     try {
@@ -61,6 +61,7 @@ std::optional<gis::PolygonLayer> read_scar(const SceneReading& reading, const Te
         gis::PolygonLayer layer =
             gis::read_polygons(*reading.scene.scar.perimeter, crs, where,
                                layer_choice(reading, reading.scene.scar.perimeter_layer, "scar.perimeter"));
+        files.push_back(used_polygons("Scar", *reading.scene.scar.perimeter, layer));
         for (const std::string& warning : layer.warnings) log.warn("scar: " + warning);
         if (ground != nullptr) {
             report_transform("scar", layer.transform, ground->terrain.grid.cell_size, log);
@@ -84,7 +85,7 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     chosen["terrain.crs"] = ground.crs_label;
     chosen["terrain.cell-size"] = shortest_text(grid.cell_size);
     chosen["terrain.bounds"] = extent_text(grid.bounds());
-    chosen["terrain.resampling"] = ground.resampling_used;
+    chosen["terrain.resampling"] = ground.used.resampling;
     if (spec.material.friction_angle || spec.material.friction_coefficient)
         chosen["material.friction-coefficient"] = shortest_text(friction_coefficient(spec.material));
     chosen["material.in-plane-stress"] = in_plane_stress(spec.material);
@@ -97,20 +98,14 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     return chosen;
 }
 
-/// Every file of a scene, in the order of its sections.
-std::vector<UsedFile> used_files(const SceneSpec& spec, const TerrainInput& ground, const ReleaseInput& release,
-                                 const std::vector<UsedFile>& site, const std::optional<gis::PolygonLayer>& scar,
-                                 const std::vector<UsedFile>& extra) {
-    std::vector<UsedFile> files{
-        used_raster("DTM", ground.file, ground.transform, ground.resampling_used, ground.nodata_cells)};
-    if (release.perimeter)
-        files.push_back(used_polygons("Release perimeter", *spec.release.perimeter, *release.perimeter));
-    for (const RasterUse& use : release.thickness_uses)
-        files.push_back(used_raster("Release thickness", use.file, use.transform, use.resampling, use.nodata_cells));
-    files.insert(files.end(), site.begin(), site.end());
-    if (scar) files.push_back(used_polygons("Scar", *spec.scar.perimeter, *scar));
-    files.insert(files.end(), extra.begin(), extra.end());
-    return files;
+/// Every file that a key names is read, or the key says something that nothing of the scene hears.
+void refuse_unread_files(const SceneReading& reading, const std::vector<UsedFile>& files, Problems& problems) {
+    for (const NamedFile& named : named_files(reading.scene)) {
+        const auto same = [&](const UsedFile& used) { return used.path == named.path; };
+        if (std::any_of(files.begin(), files.end(), same)) continue;
+        problems.add({"names a file that nothing of the scene reads", reading.where(named.key), named.path, "",
+                      "Remove the key, or let another key refer to the file"});
+    }
 }
 
 /// What only seeding finds: a wall on the release, a velocity without direction, an inflow over ground without data.
@@ -126,17 +121,21 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     Problems problems = reading.problems;
     std::optional<TerrainInput> ground = prepare_terrain(reading, log, problems);
     const TerrainInput* known_ground = ground ? &*ground : nullptr;
-    std::vector<UsedFile> site;
+    std::vector<UsedFile> files;
+    if (ground) files.push_back(ground->used);
+    std::vector<UsedFile> site;  // listed after the release, but it changes the ground that this lies on
     std::optional<Raster> walls = prepare_obstacles(reading, ground ? &*ground : nullptr, site, log, problems);
-    ReleaseInput release = prepare_release(reading, known_ground, log, problems);
-    std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, site, log, problems);
-    MaterialZones zones = prepare_zones(reading, known_ground, site, log, problems);
+    ReleaseInput release = prepare_release(reading, known_ground, files, log, problems);
+    files.insert(files.end(), site.begin(), site.end());
+    std::vector<Inflow> inflows = prepare_inflow(reading, known_ground, files, log, problems);
+    MaterialZones zones = prepare_zones(reading, known_ground, files, log, problems);
     std::optional<StructuredMaterial> structured =
-        prepare_structured(reading, known_ground, release, walls, site, log, problems);
-    std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, log, problems);
+        prepare_structured(reading, known_ground, release, walls, files, log, problems);
+    std::optional<gis::PolygonLayer> scar = read_scar(reading, known_ground, files, log, problems);
     ExtraInput extra;
-    if (ground) extra = prepare_extra(reading, ground->terrain.grid, log, problems);
+    if (ground) extra = prepare_extra(reading, ground->terrain.grid, files, log, problems);
     problems.throw_if_any();
+    refuse_unread_files(reading, files, problems);
 
     Prepared prepared;
     prepared.spec = reading.scene;
@@ -171,7 +170,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
             grid.crs_wkt, {(grid.west + grid.east()) / 2, (grid.south() + grid.north) / 2});
     }
     prepared.resolved = resolved_choices(reading.scene, *ground, grid);
-    prepared.files = used_files(reading.scene, *ground, release, site, scar, extra.files);
+    prepared.files = std::move(files);
     prepared.ground = std::move(*ground);
     prepared.release = std::move(release);
     prepared.scar = std::move(scar);

@@ -168,13 +168,12 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             const gis::LineInput& feature = layer.features[i];
             Inflow inflow;
             inflow.line = feature.line;
-            UsedFile hydrograph;
-            hydrograph.role = "Hydrograph";
+            std::string hydrograph;
             if (spec.direction) inflow.azimuth = *spec.direction * std::numbers::pi / 180;
             const double length = ground != nullptr ? length_of(feature.line) : 1;
             try {
-                hydrograph.path = hydrograph_file(reading, feature, i + 1);
-                inflow.hydrograph = read_hydrograph(hydrograph.path, reading.where("inflow.hydrograph"),
+                hydrograph = hydrograph_file(reading, feature, i + 1);
+                inflow.hydrograph = read_hydrograph(hydrograph, reading.where("inflow.hydrograph"),
                                                     reading.scene.numerics.gravity, length);
             } catch (const Error& error) {
                 problems.add(error);
@@ -186,9 +185,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             log.note("line " + std::to_string(i + 1) + ": " + figure(length, 4) + " m, from " +
                      shortest_text(inflow.hydrograph.front().time) + " s to " +
                      shortest_text(inflow.hydrograph.back().time) + " s");
-            hydrograph.content = "from " + shortest_text(inflow.hydrograph.front().time) + "\nto " +
-                                 shortest_text(inflow.hydrograph.back().time) + " s";
-            files.push_back(std::move(hydrograph));
+            files.push_back(used_hydrograph(hydrograph, inflow.hydrograph));
             inflows.push_back(std::move(inflow));
         }
     } catch (const Error& error) {

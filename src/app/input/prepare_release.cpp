@@ -37,17 +37,17 @@ Raster sum_of_phases(const Raster& solids, const Raster& fluid, ReleaseInput& re
 /// The thickness raster on the working grid: the file itself, the sum of two, or the positive part of before
 /// less after or of the ground less the slip surface.
 std::optional<Raster> thickness_raster(const SceneReading& reading, const ThicknessSpec& spec,
-                                       const TerrainInput* ground, ReleaseInput& release, RunLog& log,
-                                       Problems& problems) {
+                                       const TerrainInput* ground, ReleaseInput& release, std::vector<UsedFile>& files,
+                                       RunLog& log, Problems& problems) {
     const std::string where = reading.where("release.thickness");
     // A thickness has its own unit; the others hold elevations.
     const bool elevations = spec.kind != Kind::raster && spec.kind != Kind::phases;
     const std::string unit = elevations ? reading.scene.terrain.vertical_unit : "auto";
     const std::optional<double> nodata = elevations ? reading.scene.terrain.nodata_value : std::nullopt;
-    std::vector<std::string> files{spec.raster};
-    if (!spec.post.empty()) files.push_back(spec.post);
+    std::vector<std::string> names{spec.raster};
+    if (!spec.post.empty()) names.push_back(spec.post);
     std::vector<Raster> rasters;
-    for (const std::string& file : files) {
+    for (const std::string& file : names) {
         try {
             gis::RasterInfo info = gis::inspect_raster(file, where);
             if (reading.scene.release.thickness_crs) {
@@ -67,21 +67,22 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
             for (const std::string& warning : read.warnings) log.warn("thickness: " + warning);
             report_transform("thickness " + file, read.transform, ground->terrain.grid.cell_size, log);
             log.note("thickness " + file + ": resampling " + read.resampling_used);
-            release.thickness_uses.push_back({info, read.transform, read.resampling_used, read.nodata_cells});
+            release.rasters.push_back(info);
+            files.push_back(used_raster("Release thickness", info, read));
             rasters.push_back(std::move(read.raster));
         } catch (const Error& error) {
             problems.add(error);
         }
     }
-    if (rasters.size() != files.size()) return std::nullopt;
+    if (rasters.size() != names.size()) return std::nullopt;
     if (spec.kind == Kind::raster) return std::move(rasters.front());
     if (spec.kind == Kind::phases) {
-        for (std::size_t i = 0; i < files.size(); ++i) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
             const double least =
                 *std::min_element(rasters[i].values.begin(), rasters[i].values.end(),
                                   [](double a, double b) { return (std::isnan(a) ? 0 : a) < (std::isnan(b) ? 0 : b); });
             if (!(least < 0)) continue;
-            problems.add({"a depth is negative", where, files[i] + ": " + shortest_text(least) + " m", "0 or more",
+            problems.add({"a depth is negative", where, names[i] + ": " + shortest_text(least) + " m", "0 or more",
                           "Correct the raster"});
             return std::nullopt;
         }
@@ -97,8 +98,8 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
     return thickness;
 }
 
-void read_perimeter(const SceneReading& reading, const TerrainInput* ground, RunLog& log, Problems& problems,
-                    ReleaseInput& release) {
+void read_perimeter(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files, RunLog& log,
+                    Problems& problems, ReleaseInput& release) {
     if (!reading.scene.release.perimeter) return;
     try {
         release.perimeter = gis::read_polygons(
@@ -109,6 +110,7 @@ void read_perimeter(const SceneReading& reading, const TerrainInput* ground, Run
         return;
     }
     const gis::PolygonLayer& layer = *release.perimeter;
+    files.push_back(used_polygons("Release perimeter", *reading.scene.release.perimeter, layer));
     log.note("perimeter " + *reading.scene.release.perimeter + ": " + std::to_string(layer.features.size()) +
              " features in " + (layer.crs_label.empty() ? "plain metres" : layer.crs_label));
     for (const std::string& warning : layer.warnings) log.warn("perimeter: " + warning);
@@ -117,13 +119,14 @@ void read_perimeter(const SceneReading& reading, const TerrainInput* ground, Run
 
 }  // namespace
 
-ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* ground, RunLog& log, Problems& problems) {
+ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files,
+                             RunLog& log, Problems& problems) {
     ReleaseInput release;
-    read_perimeter(reading, ground, log, problems, release);
+    read_perimeter(reading, ground, files, log, problems, release);
     if (!reading.scene.release.thickness) return release;  // reported when the scene was read
     const ThicknessSpec& spec = *reading.scene.release.thickness;
     if (spec.by_raster()) {
-        std::optional<Raster> thickness = thickness_raster(reading, spec, ground, release, log, problems);
+        std::optional<Raster> thickness = thickness_raster(reading, spec, ground, release, files, log, problems);
         if (!thickness || (reading.scene.release.perimeter && !release.perimeter)) return release;
         if (release.perimeter) {
             release.areas = areas_of_raster(reading, *release.perimeter, *thickness, problems);
@@ -149,7 +152,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
         check_release(reading, *ground, release, log, problems);
         // Interpolated at the rim, a raster would lose volume; what the file holds is what is released.
         if (problems.empty() && spec.kind == Kind::raster && !reading.scene.release.volume)
-            match_file_volume(release, ground->terrain.grid);
+            match_file_volume(release, ground->terrain.grid, files.back());
     }
     return release;
 }

@@ -147,12 +147,7 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
     const auto asking =
         std::find_if(list.begin(), list.end(), [](const Property& p) { return has_kind(p, Kind::attribute); });
     try {
-        if (asking != list.end()) {
-            layer = polygons(reading, ground, release, *asking, own, files, log, problems);
-        } else if (spec.zones) {
-            problems.add({"is given, but no key of the section names a column of it", reading.where("structured.zones"),
-                          *spec.zones, "", "Write for example structured.cohesion = attribute:NAME, or remove it"});
-        }
+        if (asking != list.end()) layer = polygons(reading, ground, release, *asking, own, files, log, problems);
     } catch (const Error& error) {
         problems.add(error);
     }

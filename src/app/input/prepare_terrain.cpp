@@ -99,9 +99,8 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
                  " cells hold 0 and stand like walls against their neighbours; they were read as elevations. "
                  "If they are no data, set terrain.nodata-value = 0");
     }
+    input.used = used_raster("DTM", input.file, read);
     input.terrain = std::move(read.raster);
-    input.resampling_used = read.resampling_used;
-    input.transform = read.transform;
     input.nodata_cells = read.nodata_cells;
     if (input.nodata_cells >= grid.cell_count()) {
         throw Error(ErrorKind::input,
@@ -119,12 +118,12 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
     log.note("DTM " + reading.scene.terrain.dtm + " in " +
              (input.file.crs_wkt.empty() ? "plain metres" : gis::crs_name(input.file.crs_wkt)));
     log.note("working grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " cells of " +
-             shortest_text(grid.cell_size) + " m in " + input.crs_label + ", resampling " + input.resampling_used);
+             shortest_text(grid.cell_size) + " m in " + input.crs_label + ", resampling " + input.used.resampling);
     if (reading.scene.terrain.vertical_unit != "auto")
         log.note("elevations taken in the unit asked for: " + reading.scene.terrain.vertical_unit);
     else if (input.file.vertical_scale_to_metres != 1)
         log.note("elevations converted from " + input.file.vertical_unit + " to metres");
-    report_transform("DTM", input.transform, grid.cell_size, log);
+    report_transform("DTM", input.used.transform, grid.cell_size, log);
     if (input.nodata_cells > 0) {
         const std::string cells = grouped(input.nodata_cells) + " cells of the working grid have no elevation";
         if (input.filled_cells > 0)

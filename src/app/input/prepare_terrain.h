@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/input/used_file.h"
 #include "app/text/run_log.h"
 #include "core/raster.h"
 #include "gis/raster/raster_in.h"
@@ -16,8 +17,7 @@ struct TerrainInput {
     gis::RasterInfo file;   ///< as the DTM file says; its CRS replaced by terrain.dtm-crs where that is given
     Raster terrain;         ///< on the working grid, whose CRS it carries; NaN: no data
     std::string crs_label;  ///< of the working CRS; "local" without one
-    std::string resampling_used;
-    gis::TransformInfo transform;
+    UsedFile used;
     std::int64_t nodata_cells = 0;
     std::int64_t filled_cells = 0;
 };

@@ -189,7 +189,7 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic, "metre");
     for (const std::string& warning : read.warnings) log.warn(key + ": " + warning);
     report_transform(key, read.transform, grid.cell_size, log);
-    files.push_back(used_raster("Zones: " + key, info, read.transform, read.resampling_used, read.nodata_cells));
+    files.push_back(used_raster("Zones: " + key, info, read));
     if (read.nodata_cells >= grid.cell_count()) {
         problems.add({"has no value anywhere on the working grid", where, file, "",
                       "Check its place and coordinate reference system"});

@@ -138,16 +138,18 @@ UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::s
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic);
     for (const std::string& warning : read.warnings) log.warn("deposit: " + warning);
     log.note("elevation change brought onto the grid: " + read.resampling_used);
+    UsedFile used = used_raster("Surveyed elevation change", *info, read);
     survey.elevation_change = std::move(read.raster);
-    return used_raster("Surveyed elevation change", *info, read.transform, read.resampling_used, read.nodata_cells);
+    return used;
 }
 
-ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunLog& log, Problems& problems) {
+ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std::vector<UsedFile>& files, RunLog& log,
+                         Problems& problems) {
     const OutputSpec& output = reading.scene.output;
     ExtraInput extra;
     const auto keep = [&](const std::string& what, const std::optional<std::string>& file,
                           const std::optional<gis::Marks>& marks) {
-        if (marks) extra.files.push_back(used_marks(what, *file, *marks));
+        if (marks) files.push_back(used_marks(what, *file, *marks));
     };
     const std::string gauges_key = "output.gauges", sections_key = "output.cross-sections",
                       profiles_key = "output.profiles", front_key = "scar.front", deposit_key = "scar.deposit";
@@ -182,12 +184,16 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunL
         }
     };
     if (const auto& picture = output.map_background) {
-        attempt([&] { gis::check_picture(*picture, grid.crs_wkt, reading.where("output.map-background")); });
+        attempt([&] {
+            files.push_back(
+                used_picture("Map background", *picture,
+                             gis::check_picture(*picture, grid.crs_wkt, reading.where("output.map-background"))));
+        });
     }
     if (const auto& front = reading.scene.scar.front) {
         attempt([&] {
             const gis::Marks marks = gis::read_marks(*front, grid.crs_wkt, reading.where(front_key));
-            extra.files.push_back(used_marks("Surveyed front", *front, marks));
+            files.push_back(used_marks("Surveyed front", *front, marks));
             add_surveyed(*front, grid.crs_wkt, reading.where(front_key), log, extra.survey);
             if (!extra.survey.scar.empty()) {
                 problems.add({"is an area", reading.where(front_key), *front, "open lines or points",
@@ -196,8 +202,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunL
         });
     }
     if (const auto& deposit = reading.scene.scar.deposit)
-        attempt(
-            [&] { extra.files.push_back(add_deposit(*deposit, grid, reading.where(deposit_key), log, extra.survey)); });
+        attempt([&] { files.push_back(add_deposit(*deposit, grid, reading.where(deposit_key), log, extra.survey)); });
     return extra;
 }
 

@@ -52,10 +52,11 @@ struct ExtraInput {
     Recording recording;
     std::vector<gis::NamedLine> profiles;
     Survey survey;  ///< without the scar, which is read with the release
-    std::vector<UsedFile> files;
 };
 
-/// Reads them for a working grid. Adds every fault to `problems`, among them places outside the grid.
-ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, RunLog& log, Problems& problems);
+/// Reads them for a working grid. Adds every fault to `problems`, among them places outside the grid, and what was read
+/// to `files`.
+ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std::vector<UsedFile>& files, RunLog& log,
+                         Problems& problems);
 
 }  // namespace frana::app

@@ -54,14 +54,15 @@ std::optional<GridSpec> own_grid(const gis::RasterInfo& file, const GridSpec& wo
 
 }  // namespace
 
-void match_file_volume(ReleaseInput& release, const GridSpec& working_grid) {
-    if (release.thickness_uses.size() != 1 || release.areas.empty()) return;
+void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, UsedFile& used) {
+    if (release.rasters.size() != 1 || release.areas.empty()) return;
     const ReleaseArea& first = release.areas.front();
     if (!first.thickness_raster || first.normal_to_bed) return;
-    const gis::RasterInfo& file = release.thickness_uses.front().file;
+    const gis::RasterInfo& file = release.rasters.front();
     const std::optional<GridSpec> grid = own_grid(file, working_grid);
     if (!grid) return;
     const Raster own = gis::read_raster_on(file.path, *grid, grid->crs_wkt, gis::Resampling::nearest).raster;
+    used.checksum.add(own);
     double sum = 0;
     for (ReleaseArea& area : release.areas) {
         const double volume = volume_inside(own, area.outline);

@@ -26,15 +26,15 @@ std::string counted(std::size_t count, const std::string& what) {
 
 }  // namespace
 
-UsedFile used_raster(const std::string& role, const gis::RasterInfo& from, const gis::TransformInfo& transform,
-                     const std::string& resampling, std::int64_t nodata_cells) {
-    UsedFile file = positioned(role, from.path, from.crs_wkt, from.crs_label, from.bounds, transform);
+UsedFile used_raster(const std::string& role, const gis::RasterInfo& from, const gis::RasterRead& read) {
+    UsedFile file = positioned(role, from.path, from.crs_wkt, from.crs_label, from.bounds, read.transform);
     file.content = grouped(from.columns) + " x " + grouped(from.rows) + " of\n" + figure(from.cell_x, 6) + " x " +
                    figure(from.cell_y, 6) + (file.degrees ? " degrees" : "") + "\n" + from.data_type + " in " +
                    from.vertical_unit + (from.vertical_unit_stated ? "" : " (assumed)") +
                    (from.rotated ? "\nrotated" : "");
-    file.nodata = grouped(nodata_cells) + "\n" + (from.has_nodata ? figure(from.nodata, 9) : "none declared");
-    file.resampling = resampling;
+    file.nodata = grouped(read.nodata_cells) + "\n" + (from.has_nodata ? figure(from.nodata, 9) : "none declared");
+    file.resampling = read.resampling_used;
+    file.checksum.add(read.raster);
     return file;
 }
 
@@ -44,12 +44,14 @@ UsedFile used_polygons(const std::string& role, const std::string& path, const g
     double area_m2 = 0;
     for (const PolygonFeature& feature : layer.features) area_m2 += area(feature.parts);
     file.content = counted(layer.features.size(), "polygon") + "\n" + grouped(area_m2) + " m2";
+    file.checksum.add(layer.features);
     return file;
 }
 
 UsedFile used_lines(const std::string& role, const std::string& path, const gis::LineInputLayer& layer) {
     UsedFile file = positioned(role, path, layer.crs_wkt, layer.crs_label, layer.own_bounds, layer.transform);
     file.content = counted(layer.features.size(), "line");
+    file.checksum.add(layer.features);
     return file;
 }
 
@@ -57,6 +59,25 @@ UsedFile used_marks(const std::string& role, const std::string& path, const gis:
     UsedFile file = positioned(role, path, marks.crs_wkt, marks.crs_label, marks.own_bounds, marks.transform);
     const std::string lines = counted(marks.lines.size(), "line"), points = counted(marks.points.size(), "point");
     file.content = lines + (lines.empty() || points.empty() ? "" : "\n") + points;
+    file.checksum.add_all(marks.lines, marks.points);
+    return file;
+}
+
+UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPoint>& points) {
+    UsedFile file;
+    file.role = "Hydrograph";
+    file.path = path;
+    file.content = "from " + shortest_text(points.front().time) + "\nto " + shortest_text(points.back().time) + " s";
+    file.checksum.add(points);
+    return file;
+}
+
+UsedFile used_picture(const std::string& role, const std::string& path, std::uint32_t content) {
+    UsedFile file;
+    file.role = role;
+    file.path = path;
+    file.content = "picture";
+    file.checksum.add(content);
     return file;
 }
 

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "app/input/checksum.h"
 #include "gis/raster/raster_in.h"
 #include "gis/vector/lines_in.h"
 #include "gis/vector/marks_in.h"
@@ -11,7 +13,8 @@
 
 namespace frana::app {
 
-/// A file that went into a scene, for the tables of the check and of the report. Texts may hold line breaks.
+/// A file that went into a scene, for the tables of the check and of the report, and for what --resume compares. Made
+/// from what was read of it. Texts may contain line breaks.
 struct UsedFile {
     std::string role;  ///< "Release perimeter"
     std::string path;
@@ -23,13 +26,15 @@ struct UsedFile {
     std::string nodata;     ///< of a raster
     std::string resampling;
     gis::TransformInfo transform;  ///< to the working CRS
+    Checksum checksum;             ///< of everything that was read of it
 };
 
-/// `nodata_cells` of the working grid.
-UsedFile used_raster(const std::string& role, const gis::RasterInfo& file, const gis::TransformInfo& transform,
-                     const std::string& resampling, std::int64_t nodata_cells);
+UsedFile used_raster(const std::string& role, const gis::RasterInfo& file, const gis::RasterRead& read);
 UsedFile used_polygons(const std::string& role, const std::string& path, const gis::PolygonLayer& layer);
 UsedFile used_lines(const std::string& role, const std::string& path, const gis::LineInputLayer& layer);
 UsedFile used_marks(const std::string& role, const std::string& path, const gis::Marks& marks);
+UsedFile used_hydrograph(const std::string& path, const std::vector<HydrographPoint>& points);
+/// `content`: its checksum.
+UsedFile used_picture(const std::string& role, const std::string& path, std::uint32_t content);
 
 }  // namespace frana::app

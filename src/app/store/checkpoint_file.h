@@ -16,7 +16,7 @@ namespace frana::app {
 
 /// Format of checkpoint files: counts up with every change of what any serialise writes or of what a step does with it.
 /// No other is read: what an older frana began, this one would not end with the same bits.
-inline constexpr std::uint32_t k_checkpoint_format = 8;
+inline constexpr std::uint32_t k_checkpoint_format = 9;
 
 /// What a checkpoint tells of the run that it belongs to.
 struct CheckpointHead {

@@ -10,12 +10,12 @@
 namespace frana::app {
 
 /// What makes a run what it is, one fact a line: every resolved key but those that only say when checkpoints are taken,
-/// the working grid, and a checksum of everything that was read from files. Two runs with the same identity give the
-/// same bits.
+/// the working grid, and a checksum of what was read of each file (Prepared::files). Two runs with the same identity
+/// give the same bits.
 std::string scene_identity(const Prepared& prepared);
 
 /// The key in summary.json of what data_identity tells.
-inline constexpr const char* k_data_key = "data_checksums";
+inline constexpr const char* k_data_key = "file_checksums";
 
 /// The part of it that the scene's keys do not tell: of the grid and of what was read from files. summary.json keeps
 /// it.

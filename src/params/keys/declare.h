@@ -141,9 +141,11 @@ Parameter text(const std::string& name, Member member, const std::string& type, 
         [](const std::string& value) { return value; });
     result.meaning = meaning;
     result.absent = absent;
-    if (type == "file") {
+    if (type == "file" || type == "folder") {
         result.map_files = [read = result.read, write = result.write](SceneSpec& scene, const FileMap& map) {
-            if (const auto path = write(scene); path && !path->empty()) read(scene, map(*path));
+            const auto path = write(scene);
+            const bool column = path && path->rfind("attribute:", 0) == 0;  // of a layer, that names the files
+            if (path && !path->empty() && !column) read(scene, map(*path));
         };
     }
     return result;
@@ -174,10 +176,12 @@ Parameter source(const std::string& name, Member member, const std::string& unit
     result.fits = [range](double value) { return range.has(value); };
     result.meaning = meaning;
     result.absent = absent;
-    result.map_files = [member](SceneSpec& scene, const FileMap& map) {
-        auto& target = member(scene);
-        if (target && target->kind == Kind::raster) target->name = map(target->name);
-    };
+    if (allowed(Kind::raster)) {
+        result.map_files = [member](SceneSpec& scene, const FileMap& map) {
+            auto& target = member(scene);
+            if (target && target->kind == Kind::raster) target->name = map(target->name);
+        };
+    }
     return result;
 }
 

@@ -24,7 +24,7 @@ using FileMap = std::function<std::string(const std::string&)>;
 struct Parameter {
     std::string section;
     std::string key;
-    std::string type;     ///< "number", "integer", "on | off", "choice", "file", "text", "list"
+    std::string type;     ///< "number", "integer", "on | off", "choice", "file", "folder", "text", "list"
     std::string unit;     ///< empty: none
     std::string limits;   ///< what is allowed, for people
     std::string absent;   ///< what happens when the key is not given and has no fixed default
@@ -33,7 +33,10 @@ struct Parameter {
     std::function<std::optional<std::string>(const SceneSpec&)> write;  ///< none: not given
     std::function<void(SceneSpec&)> reset;                              ///< back to the default
     std::function<bool(double)> fits;  ///< whether a number is within the limits; empty: not a number
-    std::function<void(SceneSpec&, const FileMap&)> map_files;  ///< each file the value names; empty: none
+    std::function<void(SceneSpec&, const FileMap&)> map_files;  ///< each path the value names; empty: none
+
+    /// Whether it can name files that are read.
+    [[nodiscard]] bool reads_files() const { return map_files && type != "folder"; }
 
     [[nodiscard]] std::string name() const { return section + "." + key; }
     /// The default as text; empty where there is no fixed one (see `absent`).

@@ -101,7 +101,7 @@ void add_rest(std::vector<Parameter>& list) {
                           "Simulated time between frames; each is the first state at or after its time.",
                           "a round number, at most sixty-one frames"));
 
-    list.push_back(text("output.directory", FRANA_MEMBER(output.directory), "file",
+    list.push_back(text("output.directory", FRANA_MEMBER(output.directory), "folder",
                         "Result directory; --out overrides it.",
                         "results/NAME beside the scene, NAME being the scene's"));
     list.push_back(word_list("output.maps", FRANA_MEMBER(output.maps), {"on", "off"}, map_names(),

@@ -176,16 +176,22 @@ Layer command_line_layer(const std::vector<std::string>& overrides, Problems& pr
 
 }  // namespace
 
-std::vector<std::string> input_files(const SceneSpec& scene) {
-    std::vector<std::string> files{scene.file};
+std::vector<NamedFile> named_files(const SceneSpec& scene) {
+    std::vector<NamedFile> files;
     SceneSpec copy = scene;
     for (const Parameter& parameter : scene_parameters()) {
-        if (!parameter.map_files || parameter.name() == "output.directory") continue;
+        if (!parameter.reads_files()) continue;
         parameter.map_files(copy, [&](const std::string& path) {
-            files.push_back(path);
+            files.push_back({parameter.name(), path});
             return path;
         });
     }
+    return files;
+}
+
+std::vector<std::string> input_files(const SceneSpec& scene) {
+    std::vector<std::string> files{scene.file};
+    for (const NamedFile& named : named_files(scene)) files.push_back(named.path);
     return files;
 }
 

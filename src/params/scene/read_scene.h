@@ -30,5 +30,11 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
 
 /// Files of the user's that a run of the scene reads, the scene file first.
 std::vector<std::string> input_files(const SceneSpec& scene);
+/// A file that a key names.
+struct NamedFile {
+    std::string key, path;
+};
+/// In the order of the keys; without the scene's own file.
+std::vector<NamedFile> named_files(const SceneSpec& scene);
 
 }  // namespace frana
