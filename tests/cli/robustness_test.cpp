@@ -85,8 +85,8 @@ TEST_F(RobustnessCommand, RunsBothModels) {
     const auto rows = table("study");
     ASSERT_EQ(rows.size(), 4U);
     EXPECT_EQ(rows[2].back(), "done");
-    EXPECT_EQ(rows[3].back(), "refused");  // too few for the neighbour sums of solids
-    EXPECT_NE(outcome.out.find("too few"), std::string::npos) << outcome.out;
+    EXPECT_EQ(rows[3].back(), "refused");  // too small for the neighbour sums of solids
+    EXPECT_NE(outcome.out.find("too small"), std::string::npos) << outcome.out;
 }
 
 TEST_F(RobustnessCommand, RefusesBeforeAnythingIsComputed) {

@@ -208,7 +208,7 @@ INSTANTIATE_TEST_SUITE_P(
                               {"structured.solid-fraction", "is given twice"}},
                       Refused{"phases_of_fluid_alone",
                               {"release.thickness=phases:ones.asc,ones.asc", "structured.phases=fluid"},
-                              {"release.thickness", "tells solids from fluid"}},
+                              {"release.thickness", "gives solids and fluid separately"}},
                       Refused{"a_perimeter_without_the_column",
                               {"structured.cohesion=attribute:c", "release.thickness=raster:ones.asc"},
                               {"structured.cohesion", "no number in the attribute c"}}),

@@ -150,30 +150,29 @@ TEST_P(StructuredRefuses, ByName) {
 
 INSTANTIATE_TEST_SUITE_P(
     What, StructuredRefuses,
-    ::testing::Values(Refused{"solids_without_strength",
-                              {"structured.phases=solids-and-fluid"},
-                              {"structured.cohesion", "structured.internal-friction-angle", "is missing",
-                               "numerics.particles-per-cell"}},
-                      Refused{"solids_keys_of_fluid_alone",
-                              {"structured.cohesion=1e4"},
-                              {"structured.cohesion", "structured.phases = fluid does not read it"}},
-                      Refused{"stiffness_out_of_bounds",
-                              {"structured.phases=solids-and-fluid", "structured.cohesion=1e4",
-                               "structured.internal-friction-angle=30", "numerics.particles-per-cell=9",
-                               "structured.bulk-modulus=1e6"},
-                              {"structured.young-modulus", "less than 9 times"}},
-                      Refused{"keys_of_the_other_model",
-                              {"material.friction-angle=20", "numerics.scheme=paper", "entrainment.erosion=growth"},
-                              {"3 problems", "material.friction-angle", "numerics.scheme", "entrainment.erosion",
-                               "does not read it"}},
-                      Refused{"its_keys_with_the_other_model",
-                              {"material.model=voellmy-bingham", "material.friction-angle=20"},
-                              {"structured.manning", "material.model = voellmy-bingham does not read it"}},
-                      Refused{"a_preset", {"material.preset=mudflow"}, {"material.preset", "does not read it"}},
-                      Refused{"long_steps", {"numerics.cfl=0.9"}, {"numerics.cfl", "0.9", "at most 0.5"}},
-                      Refused{"surface_form", {"numerics.slope-correction=surface"}, {"numerics.slope-correction"}},
-                      Refused{
-                          "negative_manning", {"structured.manning=-0.1"}, {"structured.manning", "-0.1", "0 to 1"}}),
+    ::testing::Values(
+        Refused{
+            "solids_without_strength",
+            {"structured.phases=solids-and-fluid"},
+            {"structured.cohesion", "structured.internal-friction-angle", "is missing", "numerics.particles-per-cell"}},
+        Refused{"solids_keys_of_fluid_alone",
+                {"structured.cohesion=1e4"},
+                {"structured.cohesion", "structured.phases = fluid does not use it"}},
+        Refused{
+            "stiffness_out_of_bounds",
+            {"structured.phases=solids-and-fluid", "structured.cohesion=1e4", "structured.internal-friction-angle=30",
+             "numerics.particles-per-cell=9", "structured.bulk-modulus=1e6"},
+            {"structured.young-modulus", "less than 9 times"}},
+        Refused{"keys_of_the_other_model",
+                {"material.friction-angle=20", "numerics.scheme=paper", "entrainment.erosion=growth"},
+                {"3 problems", "material.friction-angle", "numerics.scheme", "entrainment.erosion", "does not use it"}},
+        Refused{"its_keys_with_the_other_model",
+                {"material.model=voellmy-bingham", "material.friction-angle=20"},
+                {"structured.manning", "material.model = voellmy-bingham does not use it"}},
+        Refused{"a_preset", {"material.preset=mudflow"}, {"material.preset", "does not use it"}},
+        Refused{"long_steps", {"numerics.cfl=0.9"}, {"numerics.cfl", "0.9", "at most 0.5"}},
+        Refused{"surface_form", {"numerics.slope-correction=surface"}, {"numerics.slope-correction"}},
+        Refused{"negative_manning", {"structured.manning=-0.1"}, {"structured.manning", "-0.1", "0 to 1"}}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST_F(StructuredScene, SaysThatPhasesAreMissing) {

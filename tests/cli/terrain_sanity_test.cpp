@@ -23,7 +23,7 @@ class Terrain : public TinyScene {
 
 TEST_F(Terrain, BeyondAllGroundIsRefused) {
     expect_said(check([](int row, int column) { return row == 20 && column == 40 ? 1e38 : slope(column); }), 2,
-                {"terrain.dtm", "dtm.asc", "an elevation that no ground has", "1e+38 m at 527202.5, 5094047.5",
+                {"terrain.dtm", "dtm.asc", "an impossible elevation", "1e+38 m at 527202.5, 5094047.5",
                  "row 20, column 40", "-100 000 to 100 000 m", "terrain.nodata-value"});
     // Declared, it is no elevation any more.
     EXPECT_EQ(frana({"check", "scene.ini", "--set", "terrain.nodata-value=1e38"}).exit_code, 0);

@@ -34,18 +34,18 @@ TEST_F(ModelKeys, EachModelRefusesTheOthersKeysByName) {
                            "numerics.scheme=paper", "terrain.friction-zones=z.shp", "material.preset=mudflow"});
     for (const char* key : {"material.density", "zones.turbulence", "entrainment.erosion", "numerics.scheme",
                             "terrain.friction-zones", "material.preset"})
-        EXPECT_NE(all.find(std::string(key) + ": is given, but material.model = structured does not read it"),
+        EXPECT_NE(all.find(std::string(key) + ": is given, but material.model = structured does not use it"),
                   std::string::npos)
             << key << " in\n"
             << all;
     EXPECT_EQ(all.find("material.yield-stress"), std::string::npos) << "what the preset brought is not named\n" << all;
     EXPECT_NE(messages(k_least + "[structured]\nmanning = 0.05\n")
-                  .find("structured.manning: is given, but material.model = voellmy-bingham does not read it"),
+                  .find("structured.manning: is given, but material.model = voellmy-bingham does not use it"),
               std::string::npos);
 }
 
 TEST_F(ModelKeys, FluidAloneRefusesWhatIsOfSolids) {
-    EXPECT_NE(messages(k_fluid + "cohesion = 1e4\n").find("structured.phases = fluid does not read it"),
+    EXPECT_NE(messages(k_fluid + "cohesion = 1e4\n").find("structured.phases = fluid does not use it"),
               std::string::npos);
     EXPECT_EQ(messages(k_fluid + "manning = 0.03\nfluid-viscosity = 0.001\ndry-depth = 1e-5\nvelocity-shape = 2\n"),
               "");
@@ -68,8 +68,9 @@ TEST_F(ModelKeys, SolidsTakeTheirMaterialByPlace) {
     EXPECT_NE(messages(k_solids, {"structured.solid-fraction=1.5"}).find("structured.solid-fraction: is out of range"),
               std::string::npos);
     EXPECT_EQ(messages(k_solids, {"release.thickness=phases:solids.tif,fluid.tif"}), "");
-    EXPECT_NE(messages(k_fluid, {"release.thickness=phases:solids.tif,fluid.tif"}).find("tells solids from fluid"),
-              std::string::npos);
+    EXPECT_NE(
+        messages(k_fluid, {"release.thickness=phases:solids.tif,fluid.tif"}).find("gives solids and fluid separately"),
+        std::string::npos);
     EXPECT_NE(messages(k_solids, {"release.thickness=phases:solids.tif"}).find("is not understood"), std::string::npos);
     EXPECT_NE(messages(k_fluid, {"output.formats=particles-gpkg"}).find("fluid alone has no particles"),
               std::string::npos);

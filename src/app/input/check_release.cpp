@@ -80,14 +80,14 @@ void check_thickness_raster(const SceneReading& reading, const Raster& thickness
     const CellList negative = cells_where(cover, [&](std::size_t i) { return thickness.values[i] < 0; });
     if (negative.count > 0) {
         problems.add({"the thickness raster is negative inside the perimeter", where, cells_text(negative), "0 or more",
-                      "A raster of after less before has the wrong sign: use difference:PRE,POST or negate it"});
+                      "A raster of after minus before has the wrong sign: use difference:PRE,POST or negate it"});
         return;
     }
     const CellList empty = cells_where(cover, [&](std::size_t i) { return std::isnan(thickness.values[i]); });
     const CellList filled = cells_where(cover, [&](std::size_t i) { return thickness.values[i] > 0; });
     if (filled.count == 0) {
         problems.add({"nothing is released: the thickness raster is nowhere positive inside the perimeter", where, "",
-                      "", "Check the raster's place and coordinate reference system"});
+                      "", "Check the raster's position and coordinate reference system"});
     } else if (empty.count > 0) {
         log.warn("the thickness raster has no value on part of the perimeter, nothing is released there: " +
                  cells_text(empty));
@@ -116,7 +116,7 @@ void check_greatest(const SceneReading& reading, const ReleaseInput& release, co
             {std::string("the release would be ") + (thick ? "thicker" : "thinner") + " than any landslide",
              reading.where(key), figure(thickness, 6) + " m",
              thick ? "at most " + figure(k_most_thickness) + " m" : "at least " + figure(k_least_thickness) + " m",
-             "Check the unit, the sign and the nodata value of what gives it"});
+             "Check the unit, the sign and the nodata value of its source"});
     };
     double least = k_most_thickness, greatest = 0, mean = 0;
     for (const ReleaseArea* release_area : different_rasters(reading, release)) {
@@ -158,7 +158,7 @@ void check_release(const SceneReading& reading, const TerrainInput& ground, cons
     if (outlines.empty()) {
         if (problems.empty())
             problems.add({"nothing is released", reading.where("release.thickness"), "", "",
-                          "Check the thickness raster and its place"});
+                          "Check the thickness raster and its position"});
         return;
     }
     if (!check_extent(reading, ground, outlines, problems)) return;

@@ -25,8 +25,7 @@ std::string place(const GridSpec& grid, const Spot& spot) {
 }
 
 const char* const k_remedy =
-    "If it is no data, set terrain.nodata-value; if the unit is another, terrain.vertical-unit or convert "
-    "the file";
+    "If it is nodata, set terrain.nodata-value; if the unit differs, set terrain.vertical-unit or convert the file";
 
 }  // namespace
 
@@ -36,11 +35,11 @@ void check_terrain(const SceneReading& reading, const Raster& terrain, RunLog& l
     const TerrainSanity found = terrain_sanity(terrain, needle);
     const Spot& extreme = found.highest.value > -found.lowest.value ? found.highest : found.lowest;
     if (std::abs(extreme.value) > k_impossible) {
-        throw Error(ErrorKind::input,
-                    Problem{"holds an elevation that no ground has",
-                            reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm,
-                            figure(extreme.value, 6) + " m at " + place(grid, extreme),
-                            grouped(-k_impossible) + " to " + grouped(k_impossible) + " m", k_remedy});
+        throw Error(
+            ErrorKind::input,
+            Problem{"contains an impossible elevation", reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm,
+                    figure(extreme.value, 6) + " m at " + place(grid, extreme),
+                    grouped(-k_impossible) + " to " + grouped(k_impossible) + " m", k_remedy});
     }
     if (found.highest.value > k_highest)
         log.warn("DTM: the highest elevation is " + figure(found.highest.value, 6) + " m at " +
@@ -50,18 +49,17 @@ void check_terrain(const SceneReading& reading, const Raster& terrain, RunLog& l
                  place(grid, found.lowest) + ", lower than any dry ground. " + k_remedy);
     if (found.median_slope_deg > k_steepest_median)
         log.warn("DTM: half of the ground is steeper than " + figure(found.median_slope_deg, 3) +
-                 " degrees, as no slope is: elevations and eastings may be in different units. Check "
-                 "terrain.vertical-unit and the coordinate reference system");
+                 " degrees: elevations and eastings may be in different units. Check terrain.vertical-unit and the "
+                 "coordinate reference system");
     if (found.needles == 0) return;
     std::string list;
     for (const Spot& spot : found.first_needles)
         list += (list.empty() ? "" : "; ") + figure(spot.value, 4) + " m at " + place(grid, spot);
     const bool one = found.needles == 1;
     log.warn("DTM: " + grouped(found.needles) + (one ? " single cell stands" : " single cells stand") + " more than " +
-             figure(needle) +
-             " m over or under all eight neighbours, where the flow is thrown aside and its speed is wrong: " + list +
-             (found.needles > static_cast<std::int64_t>(found.first_needles.size()) ? "; ..." : "") +
-             ". Repair the DTM there (a mast, a bird, noise, forgotten no data)");
+             figure(needle) + " m above or below all eight neighbours; they deflect the flow and falsify its speed: " +
+             list + (found.needles > static_cast<std::int64_t>(found.first_needles.size()) ? "; ..." : "") +
+             ". Repair the DTM there (a mast, a bird, noise, undeclared nodata)");
 }
 
 }  // namespace frana::app

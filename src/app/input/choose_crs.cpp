@@ -47,7 +47,7 @@ std::string asked_crs(const SceneReading& reading, const gis::RasterInfo& dtm) {
 void check_local(const SceneReading& reading, const gis::RasterInfo& dtm) {
     if (dtm.crs_wkt.empty() || gis::is_projected_in_metres(dtm.crs_wkt)) return;
     throw Error(ErrorKind::input,
-                Problem{"the DTM's coordinates are not metres, so they cannot be taken as they are",
+                Problem{"the DTM's coordinates are not in metres, so they cannot be used as they are",
                         reading.where("terrain.crs"), "local", "", "Remove the key: frana then chooses a UTM zone"});
 }
 
@@ -81,8 +81,8 @@ std::string choose_working_crs(const SceneReading& reading, const gis::RasterInf
     }
     if (dtm.crs_wkt.empty()) {
         problems.add({"has no coordinate reference system", reading.where("terrain.dtm"), dtm.path, "",
-                      "Say which one it is in with terrain.dtm-crs = EPSG:..., or set terrain.crs = local to take its "
-                      "coordinates, and the perimeter's, as plain metres"});
+                      "State it with terrain.dtm-crs = EPSG:..., or set terrain.crs = local to take its coordinates, "
+                      "and the perimeter's, as plain metres"});
     }
     problems.throw_if_any();
     return crs.empty() ? automatic_crs(dtm, log) : crs;

@@ -61,7 +61,7 @@ void limit_memory(const std::string& text, RunLog& log) {
                                               "Write for example 4GB, 500MB or 2GiB"});
     limit = *bytes;
     if (const MemoryBound there = machine_memory(); limit > there.bytes)
-        log.tell("--memory-limit " + text + " is more than " + bound_text(there) + ": that is what counts");
+        log.tell("--memory-limit " + text + " is more than " + bound_text(there) + ": the lower limit applies");
 }
 
 MemoryBound usable_memory() {
@@ -81,13 +81,13 @@ void refuse_too_much(const SceneReading& reading, const Scene& scene, double rel
     const std::string cell = shortest_text(scene.grid.cell_size) + " m";
     if (const MemoryBound bound = usable_memory(); needed > bound.bytes) {
         throw Error(ErrorKind::input, Problem{"a run with " + grouped(cells) + " cells and " + grouped(particles) +
-                                                  " particles takes at least " + bytes_text(needed) + " of memory",
+                                                  " particles needs at least " + bytes_text(needed) + " of memory",
                                               reading.where("terrain.cell-size"), cell, bound_text(bound),
                                               "Choose larger cells or fewer numerics.particles-per-cell"});
     }
     if (particles > k_most_particles) {
         throw Error(ErrorKind::input,
-                    Problem{"release and inflow would take " + grouped(particles) + " particles",
+                    Problem{"release and inflow would need " + grouped(particles) + " particles",
                             reading.where("terrain.cell-size"), cell, "at most " + grouped(k_most_particles),
                             "Choose larger cells or fewer numerics.particles-per-cell"});
     }

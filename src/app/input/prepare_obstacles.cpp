@@ -44,7 +44,7 @@ void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, co
         problems.add({name + " covers no cell", where, grouped(drawn) + " m2", "", "Choose smaller cells"});
     } else if (footprint > k_widened * drawn) {
         warnings.add("narrow", key + ": " + name + " is narrower than the cells: it covers " + grouped(footprint) +
-                                   " m2 of the working grid, drawn are " + grouped(drawn) +
+                                   " m2 of the working grid, the drawn area is " + grouped(drawn) +
                                    " m2; choose smaller cells");
     }
 }

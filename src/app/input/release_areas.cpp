@@ -97,7 +97,7 @@ std::vector<ReleaseArea> areas_of_raster(const SceneReading& reading, const gis:
     if (layer.overlap) {
         if (by_attribute(spec.start) || by_attribute(spec.velocity) || by_attribute(spec.direction) ||
             by_attribute(spec.volume)) {
-            problems.add({"polygons overlap that share a thickness raster and have attributes of their own",
+            problems.add({"polygons with attributes of their own overlap on one thickness raster",
                           reading.where("release.perimeter"), "", "", "Draw them apart"});
             return areas;
         }

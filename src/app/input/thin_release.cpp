@@ -13,11 +13,11 @@ void warn_of_thin_release(const RunEstimate& expected, const Scene& scene, RunLo
                  " m: " + then);
     };
     warn(expected.thin_share, "numerics.minimum-depth", scene.numerics.minimum_depth,
-         "maps and figures do not show it; set the key to about a hundredth of the flow's usual depth");
+         "maps and results do not include it; set the key to about a hundredth of the usual flow depth");
     if (scene.time.trace_threshold > scene.numerics.minimum_depth)
         warn(expected.untraced_share, "output.trace-threshold", scene.time.trace_threshold,
-             "outlines, covered area and run-out do not count it; set the key to about a tenth of the flow's "
-             "usual depth");
+             "outlines, covered area and run-out do not include it; set the key to about a tenth of the usual flow "
+             "depth");
 }
 
 }  // namespace frana::app

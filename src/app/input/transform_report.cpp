@@ -25,10 +25,10 @@ void report_transform(const std::string& input, const gis::TransformInfo& transf
     if (in_place(transform)) return;
     log.note(input + " transformed by: " + transform_text(transform) + ", accuracy " + accuracy_text(transform));
     if (transform.accuracy_m < 0) {
-        log.warn(input + ": nothing is known of the accuracy of its transformation (" + transform.operation +
-                 "); it may lie metres to hundreds of metres off");
+        log.warn(input + ": the accuracy of its transformation is unknown (" + transform.operation +
+                 "); its position may be wrong by metres to hundreds of metres");
     } else if (transform.accuracy_m > cell_size / 2) {
-        log.warn(input + ": its place is sure to " + accuracy_text(transform) + " only, half a cell is " +
+        log.warn(input + ": its position is accurate to " + accuracy_text(transform) + " only; half a cell is " +
                  figure(cell_size / 2, 3) + " m (" + transform.operation + ")");
     }
     if (!transform.needs_missing_grid) return;

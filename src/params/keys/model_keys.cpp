@@ -40,10 +40,10 @@ void check_solids(const SceneSpec& scene, const std::set<std::string>& given, co
     const auto& thickness = scene.release.thickness;
     if (thickness && thickness->kind == ThicknessSpec::Kind::phases && given.count("structured.solid-fraction") > 0) {
         problems.add({"is given twice", file + ": structured.solid-fraction", "", "",
-                      "Remove it: release.thickness = " + text_of(*thickness) + " tells it"});
+                      "Remove it: release.thickness = " + text_of(*thickness) + " determines it"});
     }
     if (scene.numerics.particles_per_cell < 9) {
-        problems.add({"is too few for the neighbour sums of solids", file + ": numerics.particles-per-cell",
+        problems.add({"is too small for the neighbour sums of solids", file + ": numerics.particles-per-cell",
                       std::to_string(scene.numerics.particles_per_cell), "9, 16", "Set it to 9"});
     }
 }
@@ -51,16 +51,16 @@ void check_solids(const SceneSpec& scene, const std::set<std::string>& given, co
 void check_structured(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                       Problems& problems) {
     if (!scene.structured.phases) {
-        problems.add(
-            {"is missing", file + ": structured.phases", "", "fluid, solids-and-fluid", "Say what the release is"});
+        problems.add({"is missing", file + ": structured.phases", "", "fluid, solids-and-fluid",
+                      "State the content of the release"});
     }
     if (scene.numerics.cfl > 0.5) {
-        problems.add({"is too long a step for material.model = structured", file + ": numerics.cfl",
+        problems.add({"is too large for material.model = structured", file + ": numerics.cfl",
                       shortest_text(scene.numerics.cfl), "greater than 0, at most 0.5", "Choose at most 0.5"});
     }
     if (scene.numerics.slope_correction == "surface") {
-        problems.add({"is not a form of material.model = structured", file + ": numerics.slope-correction", "surface",
-                      "auto, none, normal", "Choose normal or none"});
+        problems.add({"is not available for material.model = structured", file + ": numerics.slope-correction",
+                      "surface", "auto, none, normal", "Choose normal or none"});
     }
     if (has_solids(scene)) check_solids(scene, given, file, problems);
 }
@@ -84,15 +84,15 @@ void check_model(const SceneSpec& scene, const std::set<std::string>& given, con
         const bool solids_key = structured && in_section(name, "structured");
         const std::string reader = solids_key ? "structured.phases = " + scene.structured.phases.value_or("(missing)")
                                               : "material.model = " + scene.material.model;
-        problems.add({"is given, but " + reader + " does not read it", file + ": " + name, "", "",
+        problems.add({"is given, but " + reader + " does not use it", file + ": " + name, "", "",
                       solids_key ? "Remove it, or set structured.phases = solids-and-fluid"
                                  : "Remove it, or choose the other model"});
     }
     if (structured) check_structured(scene, given, file, problems);
     const auto& thickness = scene.release.thickness;
     if (thickness && thickness->kind == ThicknessSpec::Kind::phases && !(structured && has_solids(scene))) {
-        problems.add({"tells solids from fluid, but the scene's material does not", file + ": release.thickness",
-                      text_of(*thickness), "",
+        problems.add({"gives solids and fluid separately, but the scene's material does not",
+                      file + ": release.thickness", text_of(*thickness), "",
                       "Set structured.phases = solids-and-fluid, or give the sum as raster:FILE"});
     }
 }
