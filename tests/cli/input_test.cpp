@@ -89,7 +89,7 @@ TEST_F(Input, TheLogStatesOperationsAndResampling) {
                                                      "accuracy 4 m", "perimeter transformed by:"});
     // Austria's system in Italy: no survey ties them there, and PROJ leaves the datum as it is.
     expect_words(frana({"check", "scene.ini", "--set", "terrain.crs=EPSG:31287"}).err,
-                 {"DTM: nothing is known of the accuracy", "Ballpark", "hundreds of metres"});
+                 {"DTM: the accuracy of its transformation is unknown", "Ballpark", "hundreds of metres"});
     EXPECT_EQ(gis::read_result_raster(path("coarse/dtm.tif")).grid.cell_size, 10) << "the DTM really used is kept";
 }
 
@@ -139,7 +139,7 @@ TEST_F(Input, AFrameOfZerosIsToldAndDeclared) {
     write_dtm([](int row, int column) { return row < 3 ? 0.0 : 300 - 2.5 * column; });
     const Outcome outcome = frana({"check", "scene.ini"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    expect_words(outcome.err, {"180 cells hold 0", "set terrain.nodata-value = 0"});
+    expect_words(outcome.err, {"180 cells are 0", "set terrain.nodata-value = 0"});
     const Outcome declared = frana({"check", "scene.ini", "--set", "terrain.nodata-value=0"});
     EXPECT_EQ(declared.exit_code, 0) << declared.err;
     EXPECT_EQ(declared.err, "");
@@ -155,7 +155,7 @@ TEST_F(Input, LavangsdalenIsFramedByZeros) {
     const Outcome outcome = frana(scene);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     // Counted with gdal_translate -of AAIGrid and a line of awk: 32 300 of 168 873 cells are 0.
-    expect_words(outcome.err, {"32 300 cells hold 0", "terrain.nodata-value = 0"});
+    expect_words(outcome.err, {"32 300 cells are 0", "terrain.nodata-value = 0"});
     std::vector<std::string> declared = scene;
     declared.insert(declared.end(), {"--set", "terrain.nodata-value=0"});
     const Outcome quiet = frana(declared);

@@ -275,9 +275,9 @@ TEST_F(Output, PlacesOutsideTheGridAndLayersOfTheWrongKindAreRefusedTogether) {
     write_scene("[output]\ngauges = gauges.geojson\ncross-sections = points.geojson\nprofiles = twice.geojson\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
     EXPECT_EQ(outcome.exit_code, 2);
-    for (const std::string words :
-         {"output.gauges: lies outside the working grid (value gauge far at 528000",
-          "output.cross-sections: is not a layer of lines", "output.profiles: two features have one name (value a"})
+    for (const std::string words : {"output.gauges: lies outside the working grid (value gauge far at 528000",
+                                    "output.cross-sections: is not a layer of lines",
+                                    "output.profiles: two features have the same name (value a"})
         EXPECT_NE(outcome.err.find(words), std::string::npos) << words << " in\n" << outcome.err;
     EXPECT_FALSE(fs::exists(path("result")));
 }
@@ -325,7 +325,7 @@ TEST_F(Output, HazardKeysThatContradictAreRefused) {
     write_scene("[hazard]\nscheme = custom\n");
     EXPECT_NE(frana({"check", "scene.ini"}).err.find("scheme custom needs limits"), std::string::npos);
     write_scene("[hazard]\nscheme = swiss-flood\ndepth-limits = 1 2\n");
-    EXPECT_NE(frana({"check", "scene.ini"}).err.find("limits belong to scheme custom"), std::string::npos);
+    EXPECT_NE(frana({"check", "scene.ini"}).err.find("limits apply only to scheme custom"), std::string::npos);
     write_scene("[hazard]\nscheme = custom\ndepth-limits = 2 1\n");
     EXPECT_NE(frana({"check", "scene.ini"}).err.find("does not rise from above 0"), std::string::npos);
 }
@@ -375,7 +375,8 @@ TEST_F(Output, FramesAsNetcdfAndZarr) {
             ASSERT_EQ(values[i], std::isnan(frame.values[i]) ? -9999 : static_cast<float>(frame.values[i])) << name;
     }
     write_scene("[output]\nmaps = off\nanimation = off\nframes = off\nformats = geotiff, zarr\n");
-    EXPECT_NE(frana({"check", "scene.ini"}).err.find("hold the frames, but the scene makes none"), std::string::npos);
+    EXPECT_NE(frana({"check", "scene.ini"}).err.find("contain the frames, but the scene writes none"),
+              std::string::npos);
 }
 
 }  // namespace

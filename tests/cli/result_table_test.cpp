@@ -78,7 +78,7 @@ TEST_F(ResultTable, MapsThatNoRasterIsMadeForAreRefused) {
     const Outcome outcome = frana({"check", "scene.ini"});
     EXPECT_EQ(outcome.exit_code, 2);
     for (const std::string name :
-         {"solid_depth comes with the structured model", "hazard comes with `[hazard] scheme`"})
+         {"solid_depth is written with the structured model", "hazard is written with `[hazard] scheme`"})
         EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.err.find("eroded_depth"), std::string::npos) << outcome.err;
 }

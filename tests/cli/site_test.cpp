@@ -85,7 +85,7 @@ TEST_F(Site, OverlapsAndGapsOfZonesAreReported) {
     const std::string said = run_with("[terrain]\nfriction-zones = zones.geojson\n");
     // 10 m x 140 m lie in two zones; a strip of 10 m x 150 m lies in none and is shut in.
     EXPECT_NE(said.find("zones overlap on 1 400 m2"), std::string::npos) << said;
-    EXPECT_NE(said.find("gaps between them on 1 500 m2"), std::string::npos) << said;
+    EXPECT_NE(said.find("gaps between the zones on 1 500 m2"), std::string::npos) << said;
 }
 
 TEST_F(Site, ZonesByRasterHaveTheirDefaultOutside) {

@@ -95,7 +95,7 @@ TEST_F(StructuredScene, CheckTellsWhatWouldRun) {
     write_fluid();
     const Outcome outcome = frana({"check", "scene.ini"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("bytes a cell"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("bytes per cell"), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.out.find("particles"), std::string::npos) << outcome.out;
 }
 

@@ -39,7 +39,7 @@ TEST_F(ThinFlow, ReleasedInPartIsAWarningOfCheckAndRun) {
     std::vector<std::string> check{"check", "scene.ini"}, run{"run", "scene.ini", "--out", "result"};
     for (auto* words : {&check, &run}) words->insert(words->end(), more.begin(), more.end());
     const std::string told =
-        "% of the release is thinner than numerics.minimum-depth = 0.01 m: maps and figures do not show it";
+        "% of the release is thinner than numerics.minimum-depth = 0.01 m: maps and results do not include it";
     for (const auto& words : {check, run}) {
         const Outcome outcome = frana(words);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

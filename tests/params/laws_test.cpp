@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"material.viscosity: must be greater than 0"}},
         LawCase{"two_fluids",
                 "[material]\nbed-friction = bingham, obrien-julien\nviscosity = 50\nyield-stress = 200\n",
-                {"names two laws for one thing"}},
+                {"names two laws for the same effect"}},
         LawCase{"friction_unread",
                 "[material]\nbed-friction = manning\nmanning = 0.05\nfriction-angle = 20\n",
                 {"material.friction-angle: is given, but no law"}},
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
             "solid_twice",
             "[material]\nbed-friction = coulomb, pouliquen-forterre\nfriction-angle = 20\nfast-friction-angle = 30\n"
             "friction-length = 1\n",
-            {"names two laws for one thing, the friction of the solid", "coulomb, pouliquen-forterre"}},
+            {"names two laws for the same effect, the friction of the solid", "coulomb, pouliquen-forterre"}},
         LawCase{"yield_ratio_unread",
                 "[material]\nfriction-angle = 20\nyield-ratio = quadratic\n",
                 {"material.yield-ratio: is given, but no law", "material.bed-friction = bingham"}},

@@ -54,7 +54,7 @@ TEST_F(ModelKeys, FluidAloneRefusesWhatIsOfSolids) {
 TEST_F(ModelKeys, SolidsNeedStrengthAndNeighbours) {
     const std::string all = messages(k_fluid, {"structured.phases=solids-and-fluid"});
     for (const char* words : {"structured.cohesion: is missing", "structured.internal-friction-angle: is missing",
-                              "numerics.particles-per-cell: is too few"})
+                              "numerics.particles-per-cell: is too small"})
         EXPECT_NE(all.find(words), std::string::npos) << words << " in\n" << all;
     EXPECT_NE(messages(k_solids, {"structured.bulk-modulus=1e6"}).find("structured.young-modulus"), std::string::npos);
     EXPECT_NE(messages(k_solids, {"structured.drag-exponent=1.5"}).find("is neither 1 nor 2"), std::string::npos);

@@ -93,7 +93,7 @@ TEST_F(ReadScene, SlopeCorrectionFollowsTheScheme) {
     EXPECT_EQ(
         slope_correction(read(k_least + "[numerics]\nscheme = paper\nslope-correction = surface\n").scene.numerics),
         "surface");
-    EXPECT_NE(messages(k_least + "[numerics]\nscheme = paper\nwell-balanced = on\n").find("belong to scheme default"),
+    EXPECT_NE(messages(k_least + "[numerics]\nscheme = paper\nwell-balanced = on\n").find("are part of scheme default"),
               std::string::npos);
 }
 
@@ -160,10 +160,10 @@ TEST_F(ReadScene, OutputsThatContradictAreRefusedTogether) {
     const std::string all = messages(k_least +
                                      "[output]\nformats = netcdf, ascii\nframes = off\nanimation = off\n"
                                      "sample-interval = 1\n[hazard]\nscheme = custom\n");
-    for (const std::string words :
-         {"output.formats: netcdf and zarr hold the frames, but the scene makes none",
-          "output.formats: ascii is a format of the AvaFrame rasters", "output.sample-interval: has nothing to sample",
-          "hazard.scheme: scheme custom needs limits"})
+    for (const std::string words : {"output.formats: netcdf and zarr contain the frames, but the scene writes none",
+                                    "output.formats: ascii is a format of the AvaFrame rasters",
+                                    "output.sample-interval: has no effect: there are no gauges or cross-sections",
+                                    "hazard.scheme: scheme custom needs limits"})
         EXPECT_NE(all.find(words), std::string::npos) << words << " in\n" << all;
     EXPECT_EQ(messages(k_least + "[output]\nformats = netcdf\n"), "") << "GeoTIFFs need not be asked for";
 }

@@ -136,12 +136,12 @@ std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std:
         if (point.discharge > 0 && !(point.speed > 0)) {
             throw Error(ErrorKind::input, Problem{"the hydrograph has a discharge without velocity", place,
                                                   "at " + shortest_text(point.time) + " s", "greater than 0 m/s",
-                                                  "Correct it, or leave the column out for the critical speed"});
+                                                  "Correct it, or omit the column for the critical speed"});
         }
     }
     if (!flows) {
         throw Error(ErrorKind::input,
-                    Problem{"the hydrograph brings nothing", place, "", "", "Give a discharge above zero"});
+                    Problem{"the hydrograph has no discharge", place, "", "", "Give a discharge above zero"});
     }
     return points;
 }
@@ -159,7 +159,7 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
         files.push_back(used_lines("Inflow line", *spec.line, layer));
         if (ground != nullptr) report_transform("inflow line", layer.transform, ground->terrain.grid.cell_size, log);
         if (layer.features.size() > 1 && spec.hydrograph->rfind("attribute:", 0) != 0) {
-            problems.add({"the layer holds several lines for one hydrograph", reading.where("inflow.line"),
+            problems.add({"the layer contains several lines for one hydrograph", reading.where("inflow.line"),
                           std::to_string(layer.features.size()) + " lines", "1",
                           "Give each line its own: inflow.hydrograph = attribute:NAME"});
             return inflows;

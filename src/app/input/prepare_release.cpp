@@ -59,7 +59,7 @@ std::optional<Raster> thickness_raster(const SceneReading& reading, const Thickn
             const bool local = ground->terrain.grid.crs_wkt.empty();
             if (!local && info.crs_wkt.empty()) {
                 problems.add({"has no coordinate reference system", where, file, "",
-                              "Say which one it is in with release.thickness-crs = EPSG:..."});
+                              "State it with release.thickness-crs = EPSG:..."});
                 continue;
             }
             gis::RasterRead read = gis::read_raster_on(file, ground->terrain.grid, info.crs_wkt,

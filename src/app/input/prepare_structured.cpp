@@ -119,7 +119,7 @@ void check_cover(const SceneReading& reading, const ReleaseInput& release, const
     if (missing == 0) return;
     problems.add({"has no value on part of the release", reading.where(property.key),
                   grouped(missing) + " cells, the first at " + figure(first.x, 9) + ", " + figure(first.y, 9), "",
-                  "Let the polygons or the raster cover all of it"});
+                  "Extend the polygons or the raster to all of it"});
 }
 
 /// Where fluid can lie, and how deep.

@@ -39,11 +39,11 @@ void check_vertical_unit(const SceneReading& reading, const gis::RasterInfo& fil
     if (reading.scene.terrain.vertical_unit != "auto" || file.vertical_unit_stated || std::abs(metres - 1) < 1e-9) {
         return;
     }
-    throw Error(ErrorKind::input,
-                Problem{"does not say in which unit its elevations are, while its eastings are in units of " +
-                            figure(metres, 9) + " m",
-                        reading.where("terrain.dtm"), file.path, "",
-                        "Set terrain.vertical-unit = metre, foot or us-survey-foot"});
+    throw Error(
+        ErrorKind::input,
+        Problem{
+            "does not state the unit of its elevations, while its eastings are in units of " + figure(metres, 9) + " m",
+            reading.where("terrain.dtm"), file.path, "", "Set terrain.vertical-unit = metre, foot or us-survey-foot"});
 }
 
 gis::Resampling resampling_of(const std::string& name) {
@@ -59,7 +59,7 @@ void check_size(const SceneReading& reading, const GridSpec& grid) {
     const double needed = cells * k_bytes_per_cell;
     if (const MemoryBound bound = usable_memory(); needed > bound.bytes) {
         throw Error(ErrorKind::input, Problem{"a run on the working grid of " + grouped(cells) +
-                                                  " cells takes at least " + bytes_text(needed) + " of memory",
+                                                  " cells needs at least " + bytes_text(needed) + " of memory",
                                               reading.where("terrain.cell-size"), shortest_text(grid.cell_size) + " m",
                                               bytes_text(bound.bytes) + ", which " + bound.what,
                                               "Choose larger cells or a part of the DTM with terrain.bounds"});
@@ -85,7 +85,7 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     if (!bounds && static_cast<double>(input.file.columns) * static_cast<double>(input.file.rows) > k_large) {
         bounds = flow_window(reading, input.file, crs);
         if (bounds)
-            log.note("the DTM is large: of it frana takes what the release can reach, " + extent_text(*bounds) +
+            log.note("the DTM is large: frana takes the part that the release can reach, " + extent_text(*bounds) +
                      "; terrain.bounds overrides this");
     }
     const GridSpec grid = gis::working_grid(input.file, crs, bounds, spec.cell_size);
@@ -96,8 +96,8 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     for (const std::string& warning : read.warnings) log.warn("DTM: " + warning);
     if (read.zero_rim_cells > 0) {
         log.warn("DTM: " + grouped(read.zero_rim_cells) +
-                 " cells hold 0 and stand like walls against their neighbours; they were read as elevations. "
-                 "If they are no data, set terrain.nodata-value = 0");
+                 " cells are 0 and stand like walls against their neighbours; they were read as elevations. If they "
+                 "are nodata, set terrain.nodata-value = 0");
     }
     input.used = used_raster("DTM", input.file, read);
     input.terrain = std::move(read.raster);
@@ -120,7 +120,7 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
     log.note("working grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " cells of " +
              shortest_text(grid.cell_size) + " m in " + input.crs_label + ", resampling " + input.used.resampling);
     if (reading.scene.terrain.vertical_unit != "auto")
-        log.note("elevations taken in the unit asked for: " + reading.scene.terrain.vertical_unit);
+        log.note("elevations read in the given unit: " + reading.scene.terrain.vertical_unit);
     else if (input.file.vertical_scale_to_metres != 1)
         log.note("elevations converted from " + input.file.vertical_unit + " to metres");
     report_transform("DTM", input.used.transform, grid.cell_size, log);

@@ -60,13 +60,13 @@ void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, s
         }
     }
     if (!any) {
-        problems.add({"no column of the zones is known to frana", reading.where("terrain.friction-zones"),
+        problems.add({"no column of the zones has a name that frana knows", reading.where("terrain.friction-zones"),
                       known.empty() ? "no numeric column" : known, expected,
                       "Name one, for example zones.friction-angle = attribute:NAME"});
     } else if (list[0].source && list[1].source) {
         problems.add({"the zones have a friction angle and a friction coefficient",
                       reading.where("terrain.friction-zones"), list[0].source->name + ", " + list[1].source->name, "",
-                      "Name the one that counts in zones.friction-angle or zones.friction-coefficient"});
+                      "Name one of them in zones.friction-angle or zones.friction-coefficient"});
     }
 }
 
@@ -117,11 +117,10 @@ void report_cover(const std::vector<int>& times, const GridSpec& grid, RunLog& l
         never += n == 0;
     }
     if (twice > 0)
-        log.warn("zones overlap on " + share_text(twice, grid) +
-                 ": the one that comes later in the layer counts there");
+        log.warn("zones overlap on " + share_text(twice, grid) + ": the later feature of the layer applies there");
     if (const std::int64_t gaps = enclosed_gaps(times, grid); gaps > 0)
-        log.warn("the zones leave gaps between them on " + share_text(gaps, grid) +
-                 ": the material's own values hold there");
+        log.warn("there are gaps between the zones on " + share_text(gaps, grid) +
+                 ": the material's own values apply there");
     if (never > 0) log.note("outside all zones, with the material's own values: " + share_text(never, grid));
 }
 
@@ -192,7 +191,7 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
     files.push_back(used_raster("Zones: " + key, info, read));
     if (read.nodata_cells >= grid.cell_count()) {
         problems.add({"has no value anywhere on the working grid", where, file, "",
-                      "Check its place and coordinate reference system"});
+                      "Check its position and coordinate reference system"});
         return std::nullopt;
     }
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
@@ -222,8 +221,9 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
     for (const Quantity& quantity : list) {
         if (!quantity.source || quantity.source->kind != SourceSpec::Kind::raster) continue;
         try {
-            std::optional<Raster> raster = read_zone_raster(reading, ground, quantity.key->name, quantity.source->name,
-                                                            "the material's own holds there", files, log, problems);
+            std::optional<Raster> raster =
+                read_zone_raster(reading, ground, quantity.key->name, quantity.source->name,
+                                 "the material's own value applies there", files, log, problems);
             if (!raster) continue;
             for (double& value : raster->values) value = converted(value, quantity.key->degrees());
             zones.*quantity.target = std::move(raster);

@@ -74,7 +74,7 @@ void require_different_names(const std::vector<Named>& list, const std::string& 
     std::sort(names.begin(), names.end());
     const auto twice = std::adjacent_find(names.begin(), names.end());
     if (twice != names.end())
-        problems.add({"two features have one name", where, *twice, "", "Give each a name of its own"});
+        problems.add({"two features have the same name", where, *twice, "", "Give each a unique name"});
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::s
     }
     gis::RasterRead read = gis::read_raster_on(file, grid, "", gis::Resampling::automatic);
     for (const std::string& warning : read.warnings) log.warn("deposit: " + warning);
-    log.note("elevation change brought onto the grid: " + read.resampling_used);
+    log.note("elevation change resampled to the grid: " + read.resampling_used);
     UsedFile used = used_raster("Surveyed elevation change", *info, read);
     survey.elevation_change = std::move(read.raster);
     return used;

@@ -75,8 +75,8 @@ void match_file_volume(ReleaseInput& release, const GridSpec& working_grid, Used
 void compare_volumes(std::optional<double> in_file, double released, RunLog& log) {
     if (!in_file || !(*in_file > 0)) return;
     const double difference = released / *in_file - 1;
-    const std::string text = "the thickness raster holds " + grouped(*in_file) +
-                             " m3 inside the perimeter; released are " + grouped(released) + " m3";
+    const std::string text = "the thickness raster contains " + grouped(*in_file) +
+                             " m3 inside the perimeter; the release has " + grouped(released) + " m3";
     if (std::abs(difference) > k_worth_a_warning)
         log.warn(text + " (" + figure(100 * difference, 2) + " %)");
     else

@@ -33,7 +33,7 @@ void check_keys(const SceneSpec& scene, const std::set<std::string>& given, cons
         // Whoever writes down a default asks for nothing.
         const bool is_given = given.count(name) > 0 && (preset.empty() || value != preset);
         if (is_given && readers_of(name, asked).empty()) {
-            problems.add({"is given, but no law of the scene reads it", file + ": " + name, "", "",
+            problems.add({"is given, but no law of the scene uses it", file + ": " + name, "", "",
                           "Remove it, or set " + asked_by(readers_of(name))});
         }
         for (const Law* law : asked) {
@@ -53,21 +53,21 @@ void check_friction(const SceneSpec& scene, const std::set<std::string>& given, 
     if (!has_friction && !readers_of("material.friction-angle", asked).empty()) {
         problems.add({"no bed friction is given", file + ": material.friction-angle", "", "",
                       "Set material.preset (see `frana materials`), material.friction-angle or "
-                      "material.friction-coefficient; 0 is allowed, but must be said"});
+                      "material.friction-coefficient; 0 is allowed, but must be given"});
     }
     std::map<std::string, std::vector<std::string>> alike;
     for (const Law* law : asked)
         for (const std::string& what : law->resists_alike) alike[what].push_back(law->word);
     for (const auto& [what, words] : alike) {
         if (words.size() < 2) continue;
-        problems.add({"names two laws for one thing, the " + what, file + ": material.bed-friction",
+        problems.add({"names two laws for the same effect, the " + what, file + ": material.bed-friction",
                       joined(words, ", "), "one of them", "Keep one of them"});
     }
     if (asks(asked, LawKind::bed_friction, "bingham") && scene.material.yield_ratio == "quadratic" &&
         !(scene.material.yield_stress > 0)) {
         problems.add({"must be greater than 0", file + ": material.yield-stress",
                       shortest_text(scene.material.yield_stress), "",
-                      "yield-ratio = quadratic needs it; exact does without"});
+                      "yield-ratio = quadratic needs it; exact does not"});
     }
 }
 
@@ -105,7 +105,7 @@ void check_rest(const SceneSpec& scene, const std::string& file, Problems& probl
                           (fails_late ? "areas fail later (release.start)" : "material flows in later (inflow.line)"),
                       file + ": material.pore-dissipation-time",
                       shortest_text(*scene.material.pore_dissipation_time) + " s", "",
-                      "Remove it (the pore pressure then stays), or compute each failure in a run of its own"});
+                      "Remove it (the pore pressure then stays constant), or compute each failure in a separate run"});
     }
     if (curvature(scene.numerics) && slope_correction(scene.numerics) == "none") {
         problems.add({"needs a slope correction", file + ": numerics.curvature", "on", "off",

@@ -26,7 +26,8 @@ void check_required(const SceneSpec& scene, const std::set<std::string>& given, 
     }
     const auto& thickness = scene.release.thickness;
     if (missing("release.perimeter") && !(thickness && thickness->by_raster()) && (releases || !flows_in))
-        problems.add({"is missing", file + ": release.perimeter", "", "", "Name the polygon layer of what fails"});
+        problems.add(
+            {"is missing", file + ": release.perimeter", "", "", "Name the polygon layer of the release area"});
 }
 
 /// A key that says nothing without another one.
@@ -55,7 +56,7 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
         {"inflow.line", scene.inflow.line.has_value(), "inflow.hydrograph", scene.inflow.hydrograph.has_value(),
          "Name the CSV with time, discharge or volume, and velocity"},
         {"inflow.hydrograph", scene.inflow.hydrograph.has_value(), "inflow.line", scene.inflow.line.has_value(),
-         "Name the line that it flows through"},
+         "Name the line of the inflow"},
         {"inflow.direction", scene.inflow.direction.has_value(), "inflow.line", scene.inflow.line.has_value(),
          "Name the line, or remove the key"},
         {"release.direction", release.direction.has_value(), "release.velocity", release.velocity.has_value(),
@@ -71,7 +72,7 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
     for (const Pair& pair : pairs)
         if (pair.given && !pair.has) problems.add({"needs " + pair.needs, file + ": " + pair.key, "", "", pair.remedy});
     if (zones.friction_angle && zones.friction_coefficient) {
-        problems.add({"contradicts zones.friction-coefficient: both say how rough the bed is",
+        problems.add({"contradicts zones.friction-coefficient: both give the bed friction",
                       file + ": zones.friction-angle", "", "", "Keep one of the two"});
     }
 }
@@ -95,11 +96,11 @@ void check_thickness(const ReleaseSpec& release, const std::string& file, Proble
                       "slip-surface", "", "Give release.volume or release.slip-depth"});
     }
     if (thickness.fitted() && release.slip_depth && release.volume) {
-        problems.add({"contradicts release.volume: each of them says how deep the slip surface lies",
+        problems.add({"contradicts release.volume: each of them determines the depth of the slip surface",
                       file + ": release.slip-depth", "", "", "Keep one of the two"});
     }
     if (!thickness.fitted() && release.slip_depth) {
-        problems.add({"belongs to a slip surface that is fitted", file + ": release.slip-depth",
+        problems.add({"applies only to a fitted slip surface", file + ": release.slip-depth",
                       text_of(*release.slip_depth), "", "Remove the key, or set release.thickness = slip-surface"});
     }
 }
@@ -112,8 +113,8 @@ void check_numerics(const NumericsSpec& numerics, const std::string& file, Probl
                       file + ": numerics.shape", numerics.shape, "auto, " + own_shape, "Remove the key"});
     }
     if (paper && numerics.well_balanced.value_or(false)) {
-        problems.add({"still levels belong to scheme default, not to paper", file + ": numerics.well-balanced", "on",
-                      "off with scheme paper", "Remove the key or choose numerics.scheme = default"});
+        problems.add({"reference levels are part of scheme default, not of paper", file + ": numerics.well-balanced",
+                      "on", "off with scheme paper", "Remove the key or choose numerics.scheme = default"});
     }
 }
 
@@ -138,8 +139,8 @@ void check_hazard(const HazardSpec& hazard, const std::string& file, Problems& p
                       "Set hazard.depth-limits, velocity-limits, flux-limits or pressure-limits"});
     }
     if (!custom && limits) {
-        problems.add({"limits belong to scheme custom", file + ": hazard.scheme", hazard.scheme.value_or("not given"),
-                      "custom", "Set hazard.scheme = custom or remove them"});
+        problems.add({"limits apply only to scheme custom", file + ": hazard.scheme",
+                      hazard.scheme.value_or("not given"), "custom", "Set hazard.scheme = custom or remove them"});
     }
 }
 
@@ -149,12 +150,12 @@ void check_output(const SceneSpec& scene, const std::string& file, Problems& pro
         return std::find(list.begin(), list.end(), format) != list.end();
     };
     if ((has("netcdf") || has("zarr")) && frame_interval(scene) == 0) {
-        problems.add({"netcdf and zarr hold the frames, but the scene makes none", file + ": output.formats",
+        problems.add({"netcdf and zarr contain the frames, but the scene writes none", file + ": output.formats",
                       joined(scene.output.formats, ", "), "", "Set output.frames = on"});
     }
     const bool particles = has("particles-gpkg") || has("particles-vtp");
     if (particles && !scene.output.frames) {
-        problems.add({"particles are written with the frames, but the scene keeps none", file + ": output.formats",
+        problems.add({"particles are written with the frames, but the scene writes none", file + ": output.formats",
                       joined(scene.output.formats, ", "), "", "Set output.frames = on"});
     }
     if (particles && scene.material.model == "structured" && scene.structured.phases == "fluid") {
@@ -168,12 +169,12 @@ void check_output(const SceneSpec& scene, const std::string& file, Problems& pro
     for (const std::string& map : scene.output.maps) {
         const ResultRaster* const row = find_result_raster(raster_of_map(map));
         if (row != nullptr && row->can_come != nullptr && !row->can_come(scene))
-            problems.add({"names a raster that this scene does not make", file + ": output.maps", map,
-                          row->name + " comes " + row->when,
-                          "Remove it, or set output.maps = on for all that there is"});
+            problems.add({"names a raster that this scene does not produce", file + ": output.maps", map,
+                          row->name + " is written " + row->when,
+                          "Remove it, or set output.maps = on for all maps of the result"});
     }
     if (scene.output.sample_interval && !scene.output.gauges && !scene.output.sections) {
-        problems.add({"has nothing to sample", file + ": output.sample-interval",
+        problems.add({"has no effect: there are no gauges or cross-sections", file + ": output.sample-interval",
                       shortest_text(*scene.output.sample_interval), "",
                       "Set output.gauges or output.cross-sections, or remove the key"});
     }

@@ -97,7 +97,7 @@ Parameter on_off(const std::string& name, Member member, const std::string& mean
         name, "on | off", member,
         [](auto& target, const std::string& text) -> std::optional<Refusal> {
             const auto value = boolean_from_text(text);
-            if (!value) return Refusal{"is neither on nor off", ""};
+            if (!value) return Refusal{"is not on or off", ""};
             target = *value;
             return std::nullopt;
         },
@@ -196,9 +196,10 @@ Parameter word_list(const std::string& name, Member member, const std::vector<st
                 return std::find(list.begin(), list.end(), word) != list.end();
             };
             const std::vector<std::string> given = words_of(value);
-            if (given.empty()) return Refusal{"names nothing", ""};
+            if (given.empty()) return Refusal{"is an empty list", ""};
             for (const std::string& word : given) {
-                if (is_in(alone, word) && given.size() > 1) return Refusal{"'" + word + "' must stand alone", ""};
+                if (is_in(alone, word) && given.size() > 1)
+                    return Refusal{"'" + word + "' cannot be combined with others", ""};
                 if (!is_in(alone, word) && !is_in(words, word)) return Refusal{"'" + word + "' is not known", ""};
             }
             target = given;

@@ -33,7 +33,7 @@ Parameter turbulence_parameter() {
 void add_friction(std::vector<Parameter>& list) {
     list.push_back(word_list("material.bed-friction", FRANA_MEMBER(material.bed_friction), {},
                              law_words("voellmy", LawKind::bed_friction),
-                             "Laws whose sum resists at the bed; voellmy is coulomb and turbulence."));
+                             "Friction laws whose sum resists at the bed; voellmy is coulomb and turbulence."));
     list.push_back(number("material.friction-angle", FRANA_MEMBER(material.friction_angle), "degrees", Range{0, 60},
                           "Bed friction angle phi; this or friction-coefficient.",
                           "required, or friction-coefficient"));
@@ -43,11 +43,11 @@ void add_friction(std::vector<Parameter>& list) {
     list.push_back(turbulence_parameter());
     list.push_back(number("material.surface-pressure", FRANA_MEMBER(material.surface_pressure), "Pa", Range{0, 1e6},
                           "Gauge pressure on the free surface that adds to bed friction; 0 in open air."));
-    list.push_back(number("material.pore-pressure-ratio", FRANA_MEMBER(material.pore_pressure_ratio), "", Range{0, 1},
-                          "Pore pressure over total normal stress at the start, r_u: takes its share off the friction.",
-                          "0"));
+    list.push_back(
+        number("material.pore-pressure-ratio", FRANA_MEMBER(material.pore_pressure_ratio), "", Range{0, 1},
+               "Pore pressure over total normal stress at the start, r_u; reduces friction by this fraction.", "0"));
     list.push_back(number("material.pore-dissipation-time", FRANA_MEMBER(material.pore_dissipation_time), "s",
-                          Range{0, 1e9, true}, "Time in which the pore pressure falls to 1/e.", "it stays"));
+                          Range{0, 1e9, true}, "Time in which the pore pressure decreases to 1/e.", "no dissipation"));
     list.push_back(number("material.cohesion", FRANA_MEMBER(material.cohesion), "Pa", Range{0, 1e6},
                           "Cohesion to the bed (law cohesion).", "required with the law"));
     list.push_back(number("material.ramms-yield-stress", FRANA_MEMBER(material.ramms_yield_stress), "Pa",
@@ -65,7 +65,8 @@ void add_friction(std::vector<Parameter>& list) {
     list.push_back(number("material.flow-index", FRANA_MEMBER(material.flow_index), "", Range{0.1, 2},
                           "Herschel-Bulkley m (law herschel-bulkley).", "required with the law"));
     list.push_back(number("material.fast-friction-angle", FRANA_MEMBER(material.fast_friction_angle), "degrees",
-                          Range{0, 80}, "Angle of fast, thin flow (law pouliquen-forterre).", "required with the law"));
+                          Range{0, 80}, "Friction angle of fast, thin flow (law pouliquen-forterre).",
+                          "required with the law"));
     list.push_back(number("material.friction-length", FRANA_MEMBER(material.friction_length), "m", Range{0, 100, true},
                           "L of the deposit's thickness (law pouliquen-forterre).", "required with the law"));
     list.push_back(number("material.friction-beta", FRANA_MEMBER(material.friction_beta), "", Range{0, 10, true},
@@ -79,43 +80,43 @@ void add_material(std::vector<Parameter>& list) {
     list.push_back(text("material.preset", FRANA_MEMBER(material.preset), "text",
                         "A material of `frana materials` to start from; keys given in the scene override it.", "none"));
     list.push_back(choice("material.model", FRANA_MEMBER(material.model), {"voellmy-bingham", "structured"},
-                          "Model: one phase with laws of friction, or fluid and structured solids ([structured])."));
+                          "Model: one phase with friction laws, or fluid and structured solids ([structured])."));
     list.push_back(number("material.density", FRANA_MEMBER(material.density), "kg/m3", Range{10, 10000},
                           "Bulk density of the flow."));
     add_friction(list);
     list.push_back(number("material.viscosity", FRANA_MEMBER(material.viscosity), "Pa s", Range{0, 1e8},
-                          "Bingham viscosity, in the plane and of the laws bingham and obrien-julien."));
+                          "Bingham viscosity, in the plane and in the laws bingham and obrien-julien."));
     list.push_back(number("material.yield-stress", FRANA_MEMBER(material.yield_stress), "Pa", Range{0, 1e7},
-                          "Yield stress, in the plane and of the laws bingham, herschel-bulkley and obrien-julien."));
-    list.push_back(
-        choice("material.in-plane-stress", FRANA_MEMBER(material.in_plane_stress),
-               law_words("auto", LawKind::in_plane_stress, {"none"}),
-               "Stress in the plane of the flow; auto: bingham where viscosity or yield stress are given and "
-               "no law of bed-friction takes them, otherwise none."));
+                          "Yield stress, in the plane and in the laws bingham, herschel-bulkley and obrien-julien."));
+    list.push_back(choice("material.in-plane-stress", FRANA_MEMBER(material.in_plane_stress),
+                          law_words("auto", LawKind::in_plane_stress, {"none"}),
+                          "Stress in the plane of the flow; auto: bingham if viscosity or yield stress are given and "
+                          "no law of bed-friction uses them, otherwise none."));
     list.push_back(number("material.internal-friction-angle", FRANA_MEMBER(material.internal_friction_angle), "degrees",
                           Range{0, 60, true}, "Internal friction angle of earth pressure, at least that of the bed.",
                           "required with earth-pressure"));
     list.push_back(number("material.yield-regularisation", FRANA_MEMBER(material.yield_regularisation), "1/s",
-                          Range{1e-6, 10}, "Shear rate under which the yield stress in the plane is softened."));
+                          Range{1e-6, 10}, "Shear rate below which the yield stress in the plane is regularised."));
     list.push_back(choice("material.yield-ratio", FRANA_MEMBER(material.yield_ratio), {"exact", "quadratic"},
                           "Ratio of yield stress to bed stress: root of the cubic, or the paper's quadratic."));
 }
 
 void add_entrainment(std::vector<Parameter>& list) {
     list.push_back(choice("entrainment.erosion", FRANA_MEMBER(entrainment.erosion), law_words("off", LawKind::erosion),
-                          "Law by which the flow takes up its bed: excess of shear stress (RAMMS), growth with the way "
-                          "(McDougall and Hungr), or mechanical (jump of stress over momentum)."));
+                          "Law of bed erosion: excess shear stress (RAMMS), volume growth with distance (McDougall and "
+                          "Hungr), or mechanical (stress jump over momentum)."));
     list.push_back(number("entrainment.erodible-depth", FRANA_MEMBER(entrainment.erodible_depth), "m", Range{0, 1000},
-                          "Depth that can be eroded, vertical.", "required with erosion"));
+                          "Erodible depth, vertical.", "required with erosion"));
     list.push_back(number("entrainment.erosion-rate", FRANA_MEMBER(entrainment.erosion_rate), "m/s", Range{0, 10, true},
                           "Erosion rate (shear-stress).", shortest_text(k_erosion_rate)));
     list.push_back(number("entrainment.critical-shear", FRANA_MEMBER(entrainment.critical_shear), "Pa", Range{0, 1e6},
-                          "Shear stress from which the bed erodes (shear-stress).", shortest_text(k_critical_shear)));
+                          "Shear stress above which the bed erodes (shear-stress).", shortest_text(k_critical_shear)));
     list.push_back(number("entrainment.potential-depth", FRANA_MEMBER(entrainment.potential_depth), "m/kPa",
-                          Range{0, 100, true}, "Depth eroded at most for each kPa above that (shear-stress).",
+                          Range{0, 100, true},
+                          "Maximum eroded depth per kPa of shear stress above critical-shear (shear-stress).",
                           shortest_text(k_potential_depth)));
     list.push_back(number("entrainment.growth-rate", FRANA_MEMBER(entrainment.growth_rate), "1/m", Range{0, 1, true},
-                          "Growth of volume with the way (growth).", "required with growth"));
+                          "Volume growth rate per distance (growth).", "required with growth"));
     list.push_back(number("entrainment.bed-friction-angle", FRANA_MEMBER(entrainment.bed_friction_angle), "degrees",
                           Range{0, 60}, "Friction angle of the bed's material (mechanical).",
                           "required with mechanical"));
@@ -127,11 +128,12 @@ void add_entrainment(std::vector<Parameter>& list) {
                           Range{0, 1.5, true}, "Velocity at the base over mean velocity (mechanical).",
                           shortest_text(k_velocity_ratio)));
     list.push_back(on_off("entrainment.deposition", FRANA_MEMBER(entrainment.deposition),
-                          "Lay material down where the shear stress at the bed is below deposition-shear."));
+                          "Deposit material where the bed shear stress is below deposition-shear."));
     list.push_back(number("entrainment.deposition-rate", FRANA_MEMBER(entrainment.deposition_rate), "m/s",
-                          Range{0, 10, true}, "Rate at which still material settles.", "required with deposition"));
+                          Range{0, 10, true}, "Deposition rate at zero shear stress.", "required with deposition"));
     list.push_back(number("entrainment.deposition-shear", FRANA_MEMBER(entrainment.deposition_shear), "Pa",
-                          Range{0, 1e6, true}, "Shear stress from which nothing settles.", "required with deposition"));
+                          Range{0, 1e6, true}, "Shear stress above which there is no deposition.",
+                          "required with deposition"));
 }
 
 }  // namespace frana

@@ -35,90 +35,87 @@ Parameter particles_per_cell_parameter() {
         },
         [](std::int64_t value) { return std::to_string(value); });
     result.limits = "1, 4, 9, 16";
-    result.meaning = "Particles that fill one cell of the release at the start.";
+    result.meaning = "Particles per cell of the release at the start.";
     return result;
 }
 
 void add_numerics(std::vector<Parameter>& list) {
     list.push_back(choice("numerics.scheme", FRANA_MEMBER(numerics.scheme), {"default", "paper"},
-                          "Set of numerical parts: frana's own, or the method as published."));
+                          "Numerical scheme: frana's own, or the method as published."));
     list.push_back(choice("numerics.shape", FRANA_MEMBER(numerics.shape), {"auto", "bilinear", "quadratic"},
                           "Shape functions; auto: the scheme's (default: quadratic, paper: bilinear)."));
     list.push_back(choice("numerics.transfer", FRANA_MEMBER(numerics.transfer), {"auto", "pic", "flip", "apic"},
-                          "How velocities return to the particles; auto: the scheme's (default: apic, paper: pic)."));
+                          "Velocity transfer to the particles; auto: the scheme's (default: apic, paper: pic)."));
     list.push_back(particles_per_cell_parameter());
     list.push_back(number("numerics.cfl", FRANA_MEMBER(numerics.cfl), "", Range{0, 1, true},
-                          "Share of the largest stable time step."));
+                          "Courant number: fraction of the largest stable time step."));
     list.push_back(on_off("numerics.well-balanced", FRANA_MEMBER(numerics.well_balanced),
-                          "Keep still water still by a still level per node (default scheme).",
+                          "Keep still water at rest by a reference level per node (default scheme).",
                           "on for scheme default, off for paper"));
     list.push_back(choice("numerics.slope-correction", FRANA_MEMBER(numerics.slope_correction),
                           {"auto", "none", "normal", "surface"},
                           "Form of the equations on steep ground; auto: normal for scheme default, none for paper."));
     list.push_back(
         on_off("numerics.curvature", FRANA_MEMBER(numerics.curvature),
-               "Motion along a curved bed: speed along the bed kept where its slope changes, more friction in hollows, "
-               "less over edges; off: speed in map view kept. Needs a slope correction.",
-               "on where there is a slope correction"));
-    list.push_back(on_off(
-        "numerics.flight", FRANA_MEMBER(numerics.flight),
-        "Where the bed falls away faster than a free fall, material flies, without friction or pressure, and loses "
-        "on landing the velocity normal to the bed; off: it keeps to its bed. Needs curvature, scheme default and "
-        "transfer apic.",
-        "on where there is curvature, with scheme default and transfer apic"));
+               "Motion along a curved bed: the speed along the bed is kept where the slope changes, with more friction "
+               "in hollows and less over edges; off: the speed in map view is kept. Needs a slope correction.",
+               "on with a slope correction"));
+    list.push_back(on_off("numerics.flight", FRANA_MEMBER(numerics.flight),
+                          "Where the bed falls away faster than a free fall, material flies without friction or "
+                          "pressure and loses the velocity normal to the bed on landing; off: it stays on the bed. "
+                          "Needs curvature, scheme default and transfer apic.",
+                          "on with curvature, scheme default and transfer apic"));
     list.push_back(
         number("numerics.flight-slope", FRANA_MEMBER(numerics.flight_slope), "degrees", Range{0, 89},
-               "Least fall of an edge that throws material off, in the direction of motion; 0: any bump does."));
+               "Smallest slope of an edge at which material takes off, in the direction of motion; 0: any bump."));
     list.push_back(choice("numerics.boundary", FRANA_MEMBER(numerics.boundary), {"open", "wall"},
-                          "Edge of the working grid: material leaves and is counted, or is held."));
+                          "Edge of the working grid: open (outflow is counted) or a wall."));
     list.push_back(number("numerics.gravity", FRANA_MEMBER(numerics.gravity), "m/s2", Range{0.1, 100},
                           "Acceleration of gravity."));
     list.push_back(number("numerics.minimum-depth", FRANA_MEMBER(numerics.minimum_depth), "m", Range{1e-6, 10},
-                          "Depth from which a cell counts as reached in maxima and arrival time."));
+                          "Depth above which a cell counts as reached in maxima and arrival time."));
     list.push_back(choice("numerics.precision", FRANA_MEMBER(numerics.precision), {"double"},
                           "Arithmetic of the engine.", {"single"}));
 }
 
 void add_rest(std::vector<Parameter>& list) {
-    list.push_back(number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Simulated time at most."));
+    list.push_back(number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Longest simulated time."));
     list.push_back(
-        on_off("time.stop-when-still", FRANA_MEMBER(time.stop_when_still), "End as soon as nothing moves any more."));
+        on_off("time.stop-when-still", FRANA_MEMBER(time.stop_when_still), "End as soon as all material is at rest."));
     list.push_back(number("time.stop-energy-share", FRANA_MEMBER(time.stop_energy_share), "", Range{0, 0.5},
-                          "End once kinetic energy is under this share of its peak; 0: never for this reason."));
+                          "End once the kinetic energy is below this fraction of its peak; 0: off."));
     list.push_back(number("time.stop-moving-share", FRANA_MEMBER(time.stop_moving_share), "", Range{0, 0.5},
-                          "End once the moving volume is under this share of its peak; 0: never for this reason."));
+                          "End once the moving volume is below this fraction of its peak; 0: off."));
     list.push_back(number("time.moving-speed", FRANA_MEMBER(time.moving_speed), "m/s", Range{0, 10, true},
-                          "Speed from which volume counts as moving."));
+                          "Speed above which volume counts as moving."));
+    list.push_back(number("time.stop-change", FRANA_MEMBER(time.stop_change), "", Range{0, 0.5},
+                          "End once run-out (or by a cell) and area over output.trace-threshold have changed by no "
+                          "more than this fraction over time.stop-window, and no more than four times this fraction of "
+                          "the volume has changed cell; 0: off."));
     list.push_back(
-        number("time.stop-change", FRANA_MEMBER(time.stop_change), "", Range{0, 0.5},
-               "End once run-out (or by a cell) and area over output.trace-threshold have changed by no more "
-               "than this share over time.stop-window, and no more than four times this share of the volume "
-               "lies in other cells; 0: never for this reason."));
-    list.push_back(number("time.stop-window", FRANA_MEMBER(time.stop_window), "", Range{0.05, 1},
-                          "Window of time.stop-change: share of the time since the last release or inflow, at least "
-                          "10 s."));
+        number("time.stop-window", FRANA_MEMBER(time.stop_window), "", Range{0.05, 1},
+               "Window of time.stop-change: fraction of the time since the last release or inflow, at least 10 s."));
     list.push_back(number("time.frame-interval", FRANA_MEMBER(time.frame_interval), "s", Range{0, 1e6, true},
                           "Simulated time between frames; each is the first state at or after its time.",
                           "a round number, at most sixty-one frames"));
 
     list.push_back(text("output.directory", FRANA_MEMBER(output.directory), "folder",
                         "Result directory; --out overrides it.",
-                        "results/NAME beside the scene, NAME being the scene's"));
+                        "results/NAME beside the scene, with the scene's NAME"));
     list.push_back(word_list("output.maps", FRANA_MEMBER(output.maps), {"on", "off"}, map_names(),
-                             "Maps to draw; on: all that the result has."));
+                             "Maps to draw; on: all of the result."));
     list.push_back(on_off("output.frames", FRANA_MEMBER(output.frames),
                           "Write depth and velocity at the frame interval as GeoTIFFs."));
     list.push_back(on_off("output.animation", FRANA_MEMBER(output.animation), "Write animation.mp4."));
     list.push_back(word_list("output.formats", FRANA_MEMBER(output.formats), {},
                              {"geotiff", "netcdf", "zarr", "ascii", "particles-gpkg", "particles-vtp"},
-                             "Formats: GeoTIFF is always written; netcdf and zarr add the frames as one file "
-                             "each, particles-gpkg and particles-vtp the particles of each frame as GeoPackage "
-                             "points and VTK polydata, ascii writes the AvaFrame rasters as ESRI ASCII grids."));
+                             "Formats: GeoTIFF is always written; netcdf and zarr add the frames as one file each, "
+                             "particles-gpkg and particles-vtp the particles of each frame as GeoPackage points and "
+                             "VTK polydata; ascii writes the AvaFrame rasters as ESRI ASCII grids."));
     list.push_back(number("output.checkpoint-interval", FRANA_MEMBER(output.checkpoint_interval), "s", Range{0, 1e6},
-                          "Wall time between checkpoints, from which --resume goes on; 0: only at the run's last "
-                          "step."));
+                          "Wall time between checkpoints for --resume; 0: only at the run's last step."));
     list.push_back(number("output.trace-threshold", FRANA_MEMBER(output.trace_threshold), "m", Range{1e-6, 100},
-                          "Depth that counts as touched in the outlines, the covered area and the run-out."));
+                          "Depth above which ground counts as covered in outlines, covered area and run-out."));
     add_pictures(list);
     add_extra_output(list);
     add_hazard(list);
@@ -127,7 +124,7 @@ void add_rest(std::vector<Parameter>& list) {
                         "Surveyed outline to compare with: any polygon layer, in its own CRS.", "no comparison"));
     add_survey(list);
     list.push_back(number("scar.threshold", FRANA_MEMBER(scar.threshold), "m", Range{1e-6, 100},
-                          "Depth that counts as touched in the comparison.", "output.trace-threshold"));
+                          "Depth above which ground counts as covered in the comparison.", "output.trace-threshold"));
 }
 
 void add_scene(std::vector<Parameter>& list) {
@@ -178,18 +175,18 @@ std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
 }
 
 std::vector<Section> scene_sections() {
-    return {{"scene", "The file itself."},
-            {"terrain", "The ground and the working grid."},
-            {"release", "What fails, and how thick it is."},
-            {"inflow", "What flows in through a line, over time."},
-            {"material", "What it is made of."},
-            {"structured", "What the structured model is made of (material.model = structured)."},
-            {"zones", "Where the ground differs from what [material] says."},
-            {"entrainment", "What it takes from its bed and leaves on it."},
-            {"numerics", "How it is computed."},
-            {"time", "How long."},
-            {"output", "What is written."},
-            {"hazard", "Classes of intensity."},
+    return {{"scene", "The scene file."},
+            {"terrain", "Terrain and working grid."},
+            {"release", "Release area and thickness."},
+            {"inflow", "Inflow through lines over time."},
+            {"material", "Material of the flow."},
+            {"structured", "Material of the structured model (material.model = structured)."},
+            {"zones", "Material values by place, where they differ from [material]."},
+            {"entrainment", "Erosion and deposition."},
+            {"numerics", "Numerical method."},
+            {"time", "Simulated time, stopping and frames."},
+            {"output", "Output files and pictures."},
+            {"hazard", "Intensity classes."},
             {"scar", "The surveyed outline to compare with."}};
 }
 
