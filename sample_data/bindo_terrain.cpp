@@ -49,8 +49,8 @@ double rise(const std::array<Station, N>& stations, double distance) {
         const Station &a = stations[i], &b = stations[i + 1];
         if (distance <= a.distance) return height;
         const double end = std::min(distance, b.distance);
-        const double share = (end - a.distance) / (b.distance - a.distance);
-        const double steepness = a.steepness + share * (b.steepness - a.steepness);
+        const double fraction = (end - a.distance) / (b.distance - a.distance);
+        const double steepness = a.steepness + fraction * (b.steepness - a.steepness);
         height += 0.5 * (a.steepness + steepness) * (end - a.distance);
     }
     return height + std::max(0.0, distance - stations[N - 1].distance) * stations[N - 1].steepness;

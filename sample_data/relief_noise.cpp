@@ -43,22 +43,22 @@ double noise(double x, double y, unsigned seed) {
     return 1.6 * ((1 - v) * south + v * north);
 }
 
-double fractal(double x, double y, unsigned seed, int octaves, double share) {
+double fractal(double x, double y, unsigned seed, int octaves, double fraction) {
     double sum = 0, height = 1, scale = 1;
     for (int octave = 0; octave < octaves; ++octave) {
         sum += height * noise(x * scale, y * scale, seed + static_cast<unsigned>(octave));
-        height *= share;
+        height *= fraction;
         scale *= 2;
     }
     return sum;
 }
 
-double ridged(double x, double y, unsigned seed, int octaves, double share) {
+double ridged(double x, double y, unsigned seed, int octaves, double fraction) {
     double sum = 0, height = 1, scale = 1, total = 0;
     for (int octave = 0; octave < octaves; ++octave) {
         sum += height * (1 - std::abs(noise(x * scale, y * scale, seed + static_cast<unsigned>(octave))));
         total += height;
-        height *= share;
+        height *= fraction;
         scale *= 2;
     }
     return sum / total;

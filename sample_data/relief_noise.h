@@ -9,10 +9,10 @@ double noise(double x, double y, unsigned seed);
 
 /// Relief of several scales, each half as wide and `share` as high as the one before; the first has
 /// amplitude 1.
-double fractal(double x, double y, unsigned seed, int octaves, double share);
+double fractal(double x, double y, unsigned seed, int octaves, double fraction);
 
 /// The same folded upwards, 0 to about 1: sharp crests between rounded hollows, as weathered rock shows.
-double ridged(double x, double y, unsigned seed, int octaves, double share);
+double ridged(double x, double y, unsigned seed, int octaves, double fraction);
 
 /// 0 at `from` and before, 1 at `to` and beyond, smooth between; `to` may lie below `from`.
 double smooth_step(double from, double to, double value);

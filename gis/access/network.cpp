@@ -73,9 +73,9 @@ CPLHTTPResult* fetch_nothing(const char* url, CSLConstList, GDALProgressFunc, vo
 }
 
 bool names_network(const std::string& path) {
-    const auto holds = [&](const std::string& part) { return path.find(part) != std::string::npos; };
-    if (holds("://") || std::any_of(std::begin(k_file_systems), std::end(k_file_systems),
-                                    [&](const char* name) { return holds(std::string(name) + "/"); }))
+    const auto matches = [&](const std::string& part) { return path.find(part) != std::string::npos; };
+    if (matches("://") || std::any_of(std::begin(k_file_systems), std::end(k_file_systems),
+                                      [&](const char* name) { return matches(std::string(name) + "/"); }))
         return true;
     const std::string driver = path.substr(0, path.find(':'));
     return driver.size() < path.size() &&

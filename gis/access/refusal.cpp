@@ -18,7 +18,7 @@ void note_refusal(Refusal refusal) {
     if (!first) first = std::move(refusal);
 }
 
-std::optional<Refusal> take_refusal() {
+std::optional<Refusal> pop_refusal() {
     const std::lock_guard lock(guard);
     return std::exchange(first, std::nullopt);
 }

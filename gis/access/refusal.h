@@ -17,6 +17,6 @@ struct Refusal {
 void note_refusal(Refusal refusal);
 
 /// The first since the last call, if there was any: the cause of whatever the library says then.
-[[nodiscard]] std::optional<Refusal> take_refusal();
+[[nodiscard]] std::optional<Refusal> pop_refusal();
 
 }  // namespace frana::gis

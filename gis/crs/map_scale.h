@@ -11,7 +11,7 @@ namespace frana::gis {
 struct MapScale {
     double least = 1, greatest = 1;
 
-    /// How far lengths on the map are wrong, as a share of the true ones.
+    /// How far lengths on the map are wrong, as a fraction of the true ones.
     [[nodiscard]] double error() const noexcept;
 };
 

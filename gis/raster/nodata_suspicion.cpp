@@ -21,7 +21,7 @@ std::string undeclared(const std::string& path, std::int64_t cells, double value
 
 }  // namespace
 
-void NodataSuspicion::look_at(const std::vector<double>& values, int columns) {
+void NodataSuspicion::examine(const std::vector<double>& values, int columns) {
     for (std::size_t i = 0; i < k_customary.size(); ++i)
         found_[i] += std::count(values.begin(), values.end(), k_customary[i]);
     const auto width = static_cast<std::size_t>(columns);

@@ -12,7 +12,7 @@ namespace frana::gis {
 class NodataSuspicion {
   public:
     /// `values` as stored, row by row, NaN where the file itself says "no data".
-    void look_at(const std::vector<double>& values, int columns);
+    void examine(const std::vector<double>& values, int columns);
 
     /// Cells read that hold 0 and of whose neighbours most jump by more than `steep` (in the units stored): a
     /// frame of zeros round a terrain model. None where zeros meet their neighbours gently, as the sea does.

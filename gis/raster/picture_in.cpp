@@ -32,10 +32,10 @@ GdalDataset opened(const std::string& path, const std::string& crs_wkt, const st
                             const std::string& remedy) {
         return Error(ErrorKind::input, Problem{what, where + ": " + path, value, limit, remedy});
     };
-    (void)take_refusal();
+    (void)pop_refusal();
     if (const auto remedy = network_remedy(path)) throw refuse("the file is read over the network", "", "", *remedy);
     GdalDataset dataset(GDALOpen(path.c_str(), GA_ReadOnly));
-    if (const auto cause = take_refusal()) throw refuse(cause->what, cause->value, "", cause->remedy);
+    if (const auto cause = pop_refusal()) throw refuse(cause->what, cause->value, "", cause->remedy);
     if (!dataset) {
         throw refuse(
             std::filesystem::exists(path) ? "the file is not a raster that can be read" : "the file does not exist", "",
@@ -115,8 +115,8 @@ GdalDataset in_colours(GDALDatasetH source) {
         }
     }
     GDALTranslateOptions* options = GDALTranslateOptionsNew(words.List(), nullptr);
-    int fault = 0;
-    GdalDataset coloured(GDALTranslate("", source, options, &fault));
+    int error_text = 0;
+    GdalDataset coloured(GDALTranslate("", source, options, &error_text));
     GDALTranslateOptionsFree(options);
     return coloured;
 }
@@ -156,8 +156,8 @@ std::vector<std::uint8_t> warp_picture(const std::string& path, const std::strin
         }
         GDALWarpAppOptions* options = GDALWarpAppOptionsNew(words.List(), nullptr);
         GDALDatasetH from = coloured.get();
-        int fault = 0;
-        warped.reset(GDALWarp("", nullptr, 1, &from, options, &fault));
+        int error_text = 0;
+        warped.reset(GDALWarp("", nullptr, 1, &from, options, &error_text));
         GDALWarpAppOptionsFree(options);
     }
     std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

@@ -30,13 +30,13 @@ namespace {
 
 /// What was refused while the file was read is the cause of all that follows.
 void throw_if_refused(const std::string& where, const std::string& path) {
-    if (const auto cause = take_refusal()) refuse(cause->what + ": " + cause->value, where, path, cause->remedy);
+    if (const auto cause = pop_refusal()) refuse(cause->what + ": " + cause->value, where, path, cause->remedy);
 }
 
 GdalDataset open(const std::string& path, const std::string& where) {
     const GdalSession session;
     const ReadingOnly reading;
-    (void)take_refusal();
+    (void)pop_refusal();
     const TimeLimit limit(where + ": " + path);
     if (const auto remedy = network_remedy(path)) refuse("the file is read over the network", where, path, *remedy);
     GdalDataset dataset(
@@ -193,7 +193,7 @@ std::vector<double> RasterSource::read_stored(const Window& w, int columns, int 
 
 std::vector<double> RasterSource::read(const Window& window, double unit) const {
     std::vector<double> values = read_stored(window, window.columns, window.rows);
-    suspicion_.look_at(values, window.columns);
+    suspicion_.examine(values, window.columns);
     for (double& value : values) value = (value * scale_ + offset_) * unit;
     return values;
 }

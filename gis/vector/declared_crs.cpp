@@ -86,11 +86,11 @@ std::string declared_crs(GDALDataset& dataset, OGRLayer& layer, const VectorSour
         if (at_top && is_link(member.text)) continue;  // GDAL follows it, or was refused
         const auto name = name_in(member.text);
         if (name && is_understood(*name, crs, at_top)) continue;
-        constexpr std::size_t k_told = 200;
-        throw vector_fault(source,
+        constexpr std::size_t k_printed = 200;
+        throw vector_error(source,
                            at_top ? "the file's coordinate reference system is unknown"
                                   : "a coordinate reference system within the file differs from the layer's",
-                           name.value_or(member.text.substr(0, k_told)), crs_remedy(source, key));
+                           name.value_or(member.text.substr(0, k_printed)), crs_remedy(source, key));
     }
     return layer_crs(crs);
 }

@@ -18,14 +18,14 @@ namespace {
 Polyline line_of(const OGRFeature& feature, const VectorSource& source) {
     const std::string name = "feature " + std::to_string(feature.GetFID());
     const OGRGeometry* geometry = feature.GetGeometryRef();
-    if (!geometry || geometry->IsEmpty()) throw vector_fault(source, name + " has no geometry", "", "Draw a line");
+    if (!geometry || geometry->IsEmpty()) throw vector_error(source, name + " has no geometry", "", "Draw a line");
     std::unique_ptr<OGRGeometry> straight(geometry->getLinearGeometry());
     if (wkbFlatten(straight->getGeometryType()) == wkbMultiLineString) {
         straight.reset(OGRGeometryFactory::forceToLineString(straight.release()));
     }
     if (wkbFlatten(straight->getGeometryType()) != wkbLineString) {
         const bool parts = wkbFlatten(straight->getGeometryType()) == wkbMultiLineString;
-        throw vector_fault(source, name + (parts ? " has parts that do not join" : " is not a line"),
+        throw vector_error(source, name + (parts ? " has parts that do not join" : " is not a line"),
                            straight->getGeometryName(), "Draw one line per inflow");
     }
     Polyline line;
@@ -45,7 +45,7 @@ LineInputLayer read_lines(const std::string& path, const std::string& target_crs
         *dataset, source, [](OGRLayer&) { return true; }, "lines");
     const std::string crs = declared_crs(*dataset, layer, source);
     if (crs.empty() && !target_crs_wkt.empty())
-        throw vector_fault(source, "the file names no coordinate reference system", "",
+        throw vector_error(source, "the file names no coordinate reference system", "",
                            crs_remedy(source) + ", or use terrain.crs = local throughout");
     LineInputLayer read;
     read.crs_wkt = crs;
@@ -65,7 +65,7 @@ LineInputLayer read_lines(const std::string& path, const std::string& target_crs
         read.features.push_back(std::move(feature));
     }
     require_sound(session, source);
-    if (read.features.empty()) throw vector_fault(source, "the layer is empty", layer.GetName(), "Draw a line");
+    if (read.features.empty()) throw vector_error(source, "the layer is empty", layer.GetName(), "Draw a line");
     read.own_bounds = bounds(all);
     try {
         const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt, read.own_bounds);
@@ -74,7 +74,7 @@ LineInputLayer read_lines(const std::string& path, const std::string& target_crs
             for (Point& point : feature.line) point = transform(point);
         }
     } catch (const Error& error) {
-        throw vector_fault(source, error.problems().front().what, error.problems().front().value,
+        throw vector_error(source, error.problems().front().what, error.problems().front().value,
                            error.problems().front().remedy);
     }
     return read;

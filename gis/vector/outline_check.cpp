@@ -11,12 +11,12 @@
 namespace frana::gis {
 namespace {
 
-// The words of GEOS for a ring that crosses itself or its hole; every other fault leaves the inside certain.
+// The words of GEOS for a ring that crosses itself or its hole; every other problem leaves the inside certain.
 const std::string k_crossing = "Self-intersection";
 const std::string k_place = " at or near point ";
 
 /// What GEOS has against a geometry; nothing if it is in order.
-std::string fault_of(const OGRGeometry& geometry) {
+std::string geometry_error(const OGRGeometry& geometry) {
     const GdalSession session;
     if (geometry.IsValid()) return {};
     const std::string message = session.last_message();
@@ -30,10 +30,10 @@ std::string place_text(double x, double y) {
     return text.str();
 }
 
-std::string place_in(const std::string& fault) {
-    const std::size_t start = fault.find(k_place);
+std::string place_in(const std::string& error_text) {
+    const std::size_t start = error_text.find(k_place);
     if (start == std::string::npos) return {};
-    std::istringstream numbers(fault.substr(start + k_place.size()));
+    std::istringstream numbers(error_text.substr(start + k_place.size()));
     double x = 0, y = 0;
     if (!(numbers >> x >> y)) return {};
     return place_text(x, y);
@@ -47,15 +47,15 @@ std::string area_text(double area) {
 }
 
 /// GDAL's repair, in which every region counts once.
-void mend(const OGRGeometry& geometry, const std::string& fault, double area_before, OutlineCheck& found) {
+void mend(const OGRGeometry& geometry, const std::string& error_text, double area_before, OutlineCheck& found) {
     const GdalSession session;
     const std::unique_ptr<OGRGeometry> mended(geometry.MakeValid());
     std::vector<std::unique_ptr<OGRPolygon>> polygons;
     if (mended) polygons = polygon_parts(*mended).polygons;
     double area_after = 0;
     for (const auto& polygon : polygons) area_after += polygon->get_Area();
-    found.repairs.push_back("the outline was repaired (" + fault + "): area " + area_text(area_before) + " before, " +
-                            area_text(area_after) + " after, in its own units squared");
+    found.repairs.push_back("the outline was repaired (" + error_text + "): area " + area_text(area_before) +
+                            " before, " + area_text(area_after) + " after, in its own units squared");
     for (auto& polygon : polygons) found.polygons.push_back(std::move(polygon));
 }
 
@@ -81,16 +81,16 @@ OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons) {
             found.crossing = place_text(verdict.crossing->x, verdict.crossing->y);
             return found;
         }
-        const std::string fault = verdict.sound ? std::string() : fault_of(*polygon);
-        if (fault.rfind(k_crossing, 0) == 0) {
+        const std::string error_text = verdict.sound ? std::string() : geometry_error(*polygon);
+        if (error_text.rfind(k_crossing, 0) == 0) {
             found.polygons.clear();
-            found.crossing = place_in(fault);
+            found.crossing = place_in(error_text);
             return found;
         }
-        if (fault.empty()) {
+        if (error_text.empty()) {
             found.polygons.push_back(std::move(polygon));
         } else {
-            mend(*polygon, fault, polygon->get_Area(), found);
+            mend(*polygon, error_text, polygon->get_Area(), found);
         }
     }
     if (found.polygons.size() < 2) return found;
@@ -100,15 +100,15 @@ OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons) {
         together.addGeometry(polygon.get());
         sum += polygon->get_Area();
     }
-    const std::string fault = fault_of(together);
-    if (fault.empty()) return found;
+    const std::string error_text = geometry_error(together);
+    if (error_text.empty()) return found;
     found.polygons.clear();
     const GdalSession session;
     const std::unique_ptr<OGRGeometry> united(together.UnionCascaded());
     if (united) found.polygons = polygon_parts(*united).polygons;
     double area_after = 0;
     for (const auto& polygon : found.polygons) area_after += polygon->get_Area();
-    found.repairs.push_back("parts overlap or touch and were united (" + fault + "): area " + area_text(sum) +
+    found.repairs.push_back("parts overlap or touch and were united (" + error_text + "): area " + area_text(sum) +
                             " before, " + area_text(area_after) + " after, in its own units squared");
     return found;
 }

@@ -22,7 +22,7 @@ ValuedPoints read_valued_points(const std::string& path, const std::vector<std::
     for (const std::string& name : names) {
         fields.push_back(layer.GetLayerDefn()->GetFieldIndex(name.c_str()));
         if (fields.back() < 0)
-            throw vector_fault(source, "the layer has no such attribute", name, "Take a file that frana wrote");
+            throw vector_error(source, "the layer has no such attribute", name, "Take a file that frana wrote");
     }
     ValuedPoints points;
     points.columns.resize(names.size());

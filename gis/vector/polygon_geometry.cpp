@@ -43,7 +43,7 @@ void note_open(const OGRLineString& line, PolygonParts& parts) {
     parts.widest_gap = std::max(parts.widest_gap, gap);
 }
 
-void take_line(const OGRLineString& line, PolygonParts& parts) {
+void add_line(const OGRLineString& line, PolygonParts& parts) {
     if (!on_a_map(line)) {
         ++parts.unbounded;
         return;
@@ -60,7 +60,7 @@ void take_line(const OGRLineString& line, PolygonParts& parts) {
     note_open(line, parts);
 }
 
-void take_polygon(const OGRPolygon& polygon, PolygonParts& parts) {
+void add_polygon(const OGRPolygon& polygon, PolygonParts& parts) {
     for (const OGRLinearRing* ring : polygon) {
         if (!on_a_map(*ring)) {
             ++parts.unbounded;
@@ -79,10 +79,10 @@ void take(const OGRGeometry& geometry, PolygonParts& parts) {
     switch (wkbFlatten(geometry.getGeometryType())) {
         case wkbPolygon:
         case wkbTriangle:
-            take_polygon(*geometry.toPolygon(), parts);
+            add_polygon(*geometry.toPolygon(), parts);
             break;
         case wkbLineString:
-            take_line(*geometry.toLineString(), parts);
+            add_line(*geometry.toLineString(), parts);
             break;
         case wkbMultiPolygon:
         case wkbMultiLineString:

@@ -26,7 +26,7 @@ constexpr double k_bend_tolerance_degrees = 1e-8;  // the same on the ground
 
 constexpr const char* k_crs_key = "perimeter-crs";
 
-constexpr double k_overlap_share = 1e-3;  // less comes from digitising neighbours apart
+constexpr double k_overlap_fraction = 1e-3;  // less comes from digitising neighbours apart
 
 constexpr std::size_t k_most_overlaps = 1'000'000;  // by then the layer is wrong as a whole
 
@@ -38,7 +38,7 @@ bool may_hold_areas(OGRLayer& layer) {
     return type != wkbNone && type != wkbPoint && type != wkbMultiPoint;
 }
 
-void take_attributes(const OGRFeature& from, PolygonFeature& feature) {
+void read_attributes(const OGRFeature& from, PolygonFeature& feature) {
     const OGRFeatureDefn& fields = *from.GetDefnRef();
     for (int i = 0; i < fields.GetFieldCount(); ++i) {
         if (!from.IsFieldSetAndNotNull(i)) continue;
@@ -93,7 +93,7 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
         if (auto part = from_ogr(*polygon); part && area(*part) > 0) feature.parts.push_back(std::move(*part));
     }
     if (feature.parts.empty()) problem("has no area", "", "Redraw it");
-    take_attributes(from, feature);
+    read_attributes(from, feature);
     return feature;
 }
 
@@ -151,10 +151,10 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& s
     if (untold > 0)
         problems.add(Problem{std::to_string(untold) + " more features have problems", source.where, "", "", ""});
     problems.throw_if_any();
-    warnings = counted.told();
-    if (seen == 0) throw vector_fault(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
+    warnings = counted.texts();
+    if (seen == 0) throw vector_error(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
     if (features.empty())
-        throw vector_fault(source, "the layer contains no polygon", layer.GetName(), "Draw at least one");
+        throw vector_error(source, "the layer contains no polygon", layer.GetName(), "Draw at least one");
     return features;
 }
 
@@ -194,7 +194,7 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
             limit.again();
             const MultiPolygon &a = features[one].parts, &b = features[other].parts;
             const double shared = same_vertices(a, b) ? areas[one] : shared_area(a, b);
-            if (shared > k_overlap_share * std::min(areas[one], areas[other])) found.push_back({one, other, shared});
+            if (shared > k_overlap_fraction * std::min(areas[one], areas[other])) found.push_back({one, other, shared});
             if (found.size() >= k_most_overlaps) break;
         }
     }
@@ -207,23 +207,23 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
                                    std::to_string(other + 1) + " overlap by " +
                                    shortest_text(std::round(shared * 10) / 10) + " square units");
     }
-    for (std::string& text : counted.told()) warnings.push_back(std::move(text));
+    for (std::string& text : counted.texts()) warnings.push_back(std::move(text));
     if (found.size() >= k_most_overlaps) warnings.back() += " (further pairs were not checked)";
     return !found.empty();
 }
 
 }  // namespace
 
-bool holds_layer(const std::string& file, const std::string& layer, const std::string& where) {
+bool has_layer(const std::string& file, const std::string& layer, const std::string& where) {
     const GdalSession session;
     const VectorSource source = vector_source(file, where);
     const GDALDatasetUniquePtr dataset = open_vector(source, true);
     OGRLayer* const found = dataset->GetLayerByName(layer.c_str());
-    const bool holds = found != nullptr && found->GetFeatureCount() > 0;
+    const bool keeps_rest = found != nullptr && found->GetFeatureCount() > 0;
     // OGR is silent where it cannot read the list of layers.
     if (session.failed() || dataset->GetLayerCount() == 0)
-        throw vector_fault(source, "cannot be read completely: " + session.last_message(), "", "The file is damaged");
-    return holds;
+        throw vector_error(source, "cannot be read completely: " + session.last_message(), "", "The file is damaged");
+    return keeps_rest;
 }
 
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
@@ -233,7 +233,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     VectorSource source = vector_source(path, where);
     TimeLimit limit(source.where);
     if (!choice.name.empty() && !source.layer.empty() && source.layer != choice.name) {
-        throw vector_fault(source, "two layers are named", source.layer + ", " + choice.name,
+        throw vector_error(source, "two layers are named", source.layer + ", " + choice.name,
                            "Keep \"|layer=\" in the path or the key, not both");
     }
     if (!choice.name.empty()) source.layer = choice.name;
@@ -243,7 +243,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     if (!choice.filter.empty()) filter_features(layer, source, choice.filter);
     const std::string crs = choice.crs.empty() ? declared_crs(*dataset, layer, source, k_crs_key) : choice.crs;
     if (crs.empty() && !target_crs_wkt.empty()) {
-        throw vector_fault(source, "the file names no coordinate reference system", "",
+        throw vector_error(source, "the file names no coordinate reference system", "",
                            crs_remedy(source, k_crs_key) + ", or use terrain.crs = local throughout");
     }
     PolygonLayer read;
@@ -254,12 +254,12 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     require_sound(session, source);
     const Bounds own = bounds_of(read.features);
     if (!target_crs_wkt.empty() && !plausible(crs, own)) {
-        throw vector_fault(source, "the coordinates are not degrees though the file's CRS is in degrees",
+        throw vector_error(source, "the coordinates are not degrees though the file's CRS is in degrees",
                            shortest_text(own.west) + ", " + shortest_text(own.south),
                            "It states " + read.crs_label + ". " + crs_remedy(source, k_crs_key));
     }
     if (const auto place = long_way_round(read.features, target_crs_wkt.empty() ? 0 : longitude_turn(crs))) {
-        throw vector_fault(source, "an edge goes round the Earth the long way", *place,
+        throw vector_error(source, "an edge goes round the Earth the long way", *place,
                            "Split the outline at the antimeridian, or continue its longitudes beyond 180");
     }
     const CrsTransform transform(target_crs_wkt.empty() ? "" : crs, target_crs_wkt, own);
@@ -271,7 +271,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
             for (Polygon& part : feature.parts) part = transformed(part, transform, tolerance);
         }
     } catch (const Error& error) {
-        throw vector_fault(source, error.problems().front().what, error.problems().front().value,
+        throw vector_error(source, error.problems().front().what, error.problems().front().value,
                            error.problems().front().remedy);
     }
     read.bounds = bounds_of(read.features);

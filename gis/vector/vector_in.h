@@ -38,6 +38,6 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
 
 /// Whether a vector file of a result has a layer of this name with something in it. Throws Error(input) where
 /// the file cannot be read whole.
-bool holds_layer(const std::string& file, const std::string& layer, const std::string& where);
+bool has_layer(const std::string& file, const std::string& layer, const std::string& where);
 
 }  // namespace frana::gis

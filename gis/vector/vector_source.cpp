@@ -42,7 +42,7 @@ class PointCounter : public OGRDefaultConstGeometryVisitor {
 };
 
 /// Whether a condition asks the database something of its own, which may never end: SELECT outside quotes.
-bool holds_query(const std::string& condition) {
+bool has_query(const std::string& condition) {
     char quote = 0;
     std::string word;
     for (const char c : condition + " ") {
@@ -75,48 +75,48 @@ VectorSource vector_source(const std::string& path, const std::string& where) {
     return {path.substr(0, mark), path.substr(mark + std::string(k_mark).size()), prefix + path};
 }
 
-Error vector_fault(const VectorSource& source, const std::string& what, const std::string& value,
+Error vector_error(const VectorSource& source, const std::string& what, const std::string& value,
                    const std::string& remedy) {
-    if (const auto cause = take_refusal()) return refused(source, *cause);
+    if (const auto cause = pop_refusal()) return refused(source, *cause);
     return {ErrorKind::input, Problem{what, source.where, value, "", remedy}};
 }
 
 GDALDatasetUniquePtr open_vector(const VectorSource& source, bool is_ours) {
     const GdalSession session;
-    (void)take_refusal();
+    (void)pop_refusal();
     if (const auto remedy = network_remedy(source.file))
-        throw vector_fault(source, "the file is read over the network", "", *remedy);
+        throw vector_error(source, "the file is read over the network", "", *remedy);
     GDALDatasetUniquePtr dataset(
         GDALDataset::Open(source.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
     if (dataset && is_ours && session.failed())
-        throw vector_fault(source, "the file is damaged: " + session.last_message(), "", "");
+        throw vector_error(source, "the file is damaged: " + session.last_message(), "", "");
     if (dataset) return dataset;
     VSIStatBufL status;
     if (VSIStatL(source.file.c_str(), &status) != 0) {
-        throw vector_fault(
+        throw vector_error(
             source, "the file does not exist", "",
             "Check the path: a scene's is relative to the scene file, an option's to the current folder");
     }
-    throw vector_fault(source, "the file is not a vector file that can be read: " + session.last_message(), "",
+    throw vector_error(source, "the file is not a vector file that can be read: " + session.last_message(), "",
                        "Give a shapefile (with its .shx and .dbf), GeoPackage, GeoJSON or another file that OGR reads");
 }
 
 void require_sound(const GdalSession& session, const VectorSource& source, const std::string& remedy) {
-    if (const auto cause = take_refusal()) throw refused(source, *cause);
-    if (session.failed()) throw vector_fault(source, "the file is damaged: " + session.last_message(), "", remedy);
+    if (const auto cause = pop_refusal()) throw refused(source, *cause);
+    if (session.failed()) throw vector_error(source, "the file is damaged: " + session.last_message(), "", remedy);
 }
 
 void VertexCount::add(const OGRGeometry* geometry) {
     constexpr std::int64_t k_most_features = 1'000'000, k_most_vertices = 20'000'000;
     if (++features_ > k_most_features)
-        throw vector_fault(source_, "the layer has too many features", "more than " + std::to_string(k_most_features),
+        throw vector_error(source_, "the layer has too many features", "more than " + std::to_string(k_most_features),
                            "Cut it to the slope");
     if (geometry == nullptr) return;
     PointCounter counter;
     geometry->accept(&counter);
     vertices_ += counter.count;
     if (vertices_ > k_most_vertices)
-        throw vector_fault(source_, "the layer has too many vertices", "more than " + std::to_string(k_most_vertices),
+        throw vector_error(source_, "the layer has too many vertices", "more than " + std::to_string(k_most_vertices),
                            "Simplify it, or cut it to the slope");
 }
 
@@ -124,19 +124,19 @@ OGRLayer& choose_layer(GDALDataset& dataset, const VectorSource& source, const L
                        const std::string& wanted) {
     if (!source.layer.empty()) {
         if (OGRLayer* layer = dataset.GetLayerByName(source.layer.c_str())) return *layer;
-        throw vector_fault(source, "the file has no such layer", source.layer, "Its layers: " + layer_names(dataset));
+        throw vector_error(source, "the file has no such layer", source.layer, "Its layers: " + layer_names(dataset));
     }
     OGRLayer* found = nullptr;
     for (OGRLayer* layer : dataset.GetLayers()) {
         if (!suits(*layer)) continue;
         if (found) {
-            throw vector_fault(source, "the file contains several layers", layer_names(dataset),
+            throw vector_error(source, "the file contains several layers", layer_names(dataset),
                                "Name one: \"" + source.file + "|layer=" + found->GetName() + "\"");
         }
         found = layer;
     }
     if (!found)
-        throw vector_fault(source, "the file contains no layer with " + wanted, layer_names(dataset), "Give " + wanted);
+        throw vector_error(source, "the file contains no layer with " + wanted, layer_names(dataset), "Give " + wanted);
     return *found;
 }
 
@@ -145,26 +145,26 @@ void check_attribute_table(GDALDataset& dataset, OGRLayer& layer, const VectorSo
     const std::string table = CPLResetExtension(source.file.c_str(), "dbf");
     VSIStatBufL status;
     if (VSIStatL(table.c_str(), &status) == 0)
-        throw vector_fault(source, "the attribute table is damaged", table,
+        throw vector_error(source, "the attribute table is damaged", table,
                            "Export the shapefile again, or remove the .dbf");
 }
 
 void filter_features(OGRLayer& layer, const VectorSource& source, const std::string& condition) {
     const GdalSession session;
-    if (holds_query(condition)) {
-        throw vector_fault(source, "the filter contains a query", condition,
+    if (has_query(condition)) {
+        throw vector_error(source, "the filter contains a query", condition,
                            "Give a condition on the attributes: " + attribute_names(layer));
     }
-    // Some drivers see a fault only when the first feature is asked for.
+    // Some drivers see a problem only when the first feature is asked for.
     if (layer.SetAttributeFilter(condition.c_str()) == OGRERR_NONE) {
         const OGRFeatureUniquePtr first(layer.GetNextFeature());
         if (first) return;
     }
     if (session.failed()) {
-        throw vector_fault(source, "the filter is not understood: " + session.last_message(), condition,
+        throw vector_error(source, "the filter is not understood: " + session.last_message(), condition,
                            "A condition as in SQL on its attributes: " + attribute_names(layer));
     }
-    throw vector_fault(source, "no feature satisfies the filter", condition,
+    throw vector_error(source, "no feature satisfies the filter", condition,
                        "Its attributes: " + attribute_names(layer));
 }
 

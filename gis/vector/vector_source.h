@@ -22,14 +22,14 @@ struct VectorSource {
 VectorSource vector_source(const std::string& path, const std::string& where);
 
 /// What is wrong with a source, as Error(input); a refusal while it was read is the cause and stands before.
-Error vector_fault(const VectorSource& source, const std::string& what, const std::string& value,
+Error vector_error(const VectorSource& source, const std::string& what, const std::string& value,
                    const std::string& remedy);
 
 /// Throws Error(input): missing, or nothing that OGR reads; of a file that frana wrote also what OGR opens in
 /// part.
 GDALDatasetUniquePtr open_vector(const VectorSource& source, bool is_ours = false);
 
-/// Throws Error(input) where reading its features met a fault or a refusal.
+/// Throws Error(input) where reading its features met a problem or a refusal.
 void require_sound(const GdalSession& session, const VectorSource& source,
                    const std::string& remedy = "Export it again");
 

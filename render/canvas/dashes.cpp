@@ -18,8 +18,8 @@ std::vector<Polyline> dashed(std::span<const Point> points, const std::vector<do
         const Point to = points[i];
         double length = std::hypot(to.x - from.x, to.y - from.y);
         while (length > left) {
-            const double share = left / length;
-            from = {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+            const double fraction = left / length;
+            from = {from.x + fraction * (to.x - from.x), from.y + fraction * (to.y - from.y)};
             length -= left;
             if (phase % 2 == 0) {
                 stroke.push_back(from);

@@ -92,8 +92,8 @@ std::string convergence_words(double convergence_deg) {
 }
 
 TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, TextStyle style, double width,
-                        double least_share) {
-    const int least = std::max(9, static_cast<int>(std::ceil(least_share * style.size_px)));
+                        double least_fraction) {
+    const int least = std::max(9, static_cast<int>(std::ceil(least_fraction * style.size_px)));
     while (style.size_px > least && lettering.width(words, style) > width) --style.size_px;
     return style;
 }
@@ -101,16 +101,16 @@ TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, Te
 TitleResult draw_titles(Drawing& drawing, const PageStyle& style, const std::string& title, const std::string& subtitle,
                         bool subtitle_later, Point corner, double width) {
     double y = corner.y;
-    constexpr double k_least_share = 0.7;
+    constexpr double k_least_fraction = 0.7;
     if (!title.empty()) {
-        const TextStyle fitting = shrunk_to_fit(drawing.lettering(), title, style.title, width, k_least_share);
+        const TextStyle fitting = shrunk_to_fit(drawing.lettering(), title, style.title, width, k_least_fraction);
         y = drawing.lines(drawing.wrapped(title, fitting, width), {corner.x, y}, fitting, Across::left);
     }
     TitleResult result{y, {corner.x, y}};
     if (subtitle_later) {
         result.bottom = y + Drawing::line_height(style.subtitle);
     } else if (!subtitle.empty()) {
-        const TextStyle fitting = shrunk_to_fit(drawing.lettering(), subtitle, style.subtitle, width, k_least_share);
+        const TextStyle fitting = shrunk_to_fit(drawing.lettering(), subtitle, style.subtitle, width, k_least_fraction);
         result.bottom = drawing.lines(drawing.wrapped(subtitle, fitting, width), {corner.x, y}, fitting, Across::left);
     }
     return result;

@@ -38,9 +38,9 @@ struct TitleResult {
 TitleResult draw_titles(Drawing& drawing, const PageStyle& style, const std::string& title, const std::string& subtitle,
                         bool subtitle_later, Point corner, double width);
 
-/// A style whose letters are shrunk, to `least_share` at most, so that a text fits `width`.
+/// A style whose letters are shrunk, to `least_fraction` at most, so that a text fits `width`.
 TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, TextStyle style, double width,
-                        double least_share);
+                        double least_fraction);
 
 /// Height of draw_foot's small print.
 double foot_height(const Drawing& drawing, const PageStyle& style, const std::vector<std::string>& parts, double width);

@@ -194,12 +194,12 @@ TextBox Lettering::write(Image& page, const std::string& text, Point at, const T
 }
 
 void blend(Image& page, const Glyphs& glyphs, const TextStyle& style) {
-    const auto mix = [&page](int column, int row, Rgb colour, double share) {
+    const auto mix = [&page](int column, int row, Rgb colour, double fraction) {
         if (column < 0 || row < 0 || column >= page.width || row >= page.height) return;
         std::uint8_t* pixel = page.pixel(column, row);
         const std::array<std::uint8_t, 3> ink{colour.r, colour.g, colour.b};
         for (std::size_t k = 0; k < 3; ++k)
-            pixel[k] = static_cast<std::uint8_t>(std::lround(pixel[k] + (ink[k] - pixel[k]) * share));
+            pixel[k] = static_cast<std::uint8_t>(std::lround(pixel[k] + (ink[k] - pixel[k]) * fraction));
     };
     const auto coverage = [&](int column, int row) -> int {
         if (column < 0 || row < 0 || column >= glyphs.width || row >= glyphs.height) return 0;
@@ -210,28 +210,28 @@ void blend(Image& page, const Glyphs& glyphs, const TextStyle& style) {
         const int reach = static_cast<int>(std::ceil(style.halo_px));
         struct Near {
             int dx, dy;
-            double share;
+            double fraction;
         };
         std::vector<Near> nears;
         for (int dy = -reach; dy <= reach; ++dy) {
             for (int dx = -reach; dx <= reach; ++dx) {
-                const double share = std::clamp(style.halo_px + 0.5 - std::hypot(dx, dy), 0.0, 1.0);
-                if (share > 0) nears.push_back({dx, dy, share});
+                const double fraction = std::clamp(style.halo_px + 0.5 - std::hypot(dx, dy), 0.0, 1.0);
+                if (fraction > 0) nears.push_back({dx, dy, fraction});
             }
         }
         for (int row = -reach; row < glyphs.height + reach; ++row) {
             for (int column = -reach; column < glyphs.width + reach; ++column) {
                 double most = 0;
                 for (const Near& one : nears)
-                    most = std::max(most, one.share * coverage(column + one.dx, row + one.dy));
+                    most = std::max(most, one.fraction * coverage(column + one.dx, row + one.dy));
                 if (most > 0) mix(glyphs.left + column, glyphs.top + row, style.halo, most / 255);
             }
         }
     }
     for (int row = 0; row < glyphs.height; ++row) {
         for (int column = 0; column < glyphs.width; ++column) {
-            if (const int share = coverage(column, row); share > 0)
-                mix(glyphs.left + column, glyphs.top + row, style.colour, share / 255.0);
+            if (const int fraction = coverage(column, row); fraction > 0)
+                mix(glyphs.left + column, glyphs.top + row, style.colour, fraction / 255.0);
         }
     }
 }

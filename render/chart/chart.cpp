@@ -180,13 +180,13 @@ ChartLayout draw_on(Drawing& drawing, const Chart& chart, int width, int height)
     if (chart.alike && !chart.panels.empty()) room = draw_common_names(drawing, style, chart, room);
     ChartLayout layout;
     const auto across = static_cast<std::size_t>(std::max(1, chart.across));
-    double shares = 0;
-    for (std::size_t i = 0; i < chart.panels.size(); i += across) shares += chart.panels[i].share;
+    double fractions = 0;
+    for (std::size_t i = 0; i < chart.panels.size(); i += across) fractions += chart.panels[i].fraction;
     double y = room.top;
     for (std::size_t i = 0; i < chart.panels.size(); ++i) {
         const double cell_width = room.width() / static_cast<double>(across);
         const double x = room.left + cell_width * static_cast<double>(i % across);
-        const double cell_height = room.height() * chart.panels[i - i % across].share / shares;
+        const double cell_height = room.height() * chart.panels[i - i % across].fraction / fractions;
         draw_panel(drawing, style, chart, chart.panels[i], {x, y, x + cell_width, y + cell_height}, layout);
         if (i % across + 1 == across) y += cell_height;
     }

@@ -41,7 +41,7 @@ struct ChartPanel {
     bool from_zero = false;  ///< 0 is on the y axis
     Scale x = Scale::linear, y = Scale::linear;
     std::optional<double> mark_x{};  ///< a vertical dashed line
-    double share = 1;                ///< of the page's height, compared with the panels beside it
+    double fraction = 1;             ///< of the page's height, compared with the panels beside it
     std::string note = "no values";  ///< written in the panel where it has no point to show
 };
 

@@ -52,9 +52,9 @@ class Squares {
         const std::int64_t cell = edge / 2, row = cell / raster_.grid.columns, column = cell % raster_.grid.columns;
         const bool down = edge % 2 == 1;
         const double a = raster_.at(row, column), b = down ? raster_.at(row + 1, column) : raster_.at(row, column + 1);
-        const double share = std::clamp((level - a) / (b - a), 0.0, 1.0) * raster_.grid.cell_size;
+        const double fraction = std::clamp((level - a) / (b - a), 0.0, 1.0) * raster_.grid.cell_size;
         const Point centre = raster_.grid.cell_centre(row, column);
-        return down ? Point{centre.x, centre.y - share} : Point{centre.x + share, centre.y};
+        return down ? Point{centre.x, centre.y - fraction} : Point{centre.x + fraction, centre.y};
     }
 
   private:

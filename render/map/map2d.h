@@ -78,7 +78,7 @@ struct MapSpec {
     bool continuous = false;             ///< colours run through between the bounds
     std::vector<ClassLabel> categories;  ///< not empty: the layer's values are classes, exactly these
     std::vector<Outline> outlines;
-    std::vector<std::string> side_notes;  ///< lines of figures beside the map, under the legend
+    std::vector<std::string> side_notes;  ///< lines of values beside the map, under the legend
     double convergence_deg = 0;           ///< true north from grid north, clockwise positive
     std::string crs_label;                ///< "EPSG:32632 (WGS 84 / UTM zone 32N)"
     int width = 1600;                     ///< pixels

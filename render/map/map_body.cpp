@@ -19,9 +19,9 @@ ReliefTones::ReliefTones(const Raster& shade) {
     double gamma = 1;
     if (!values.empty()) gamma = fit(values);
     for (int i = 0; i <= k_steps; ++i) {
-        const double share = std::pow(static_cast<double>(i) / k_steps, gamma);
+        const double fraction = std::pow(static_cast<double>(i) / k_steps, gamma);
         // From a cool mid grey to a warm near-white.
-        const double bright = 138 + 110 * share, warm = 5 * share - 2.5;
+        const double bright = 138 + 110 * fraction, warm = 5 * fraction - 2.5;
         const auto byte = [](double v) { return static_cast<std::uint8_t>(std::lround(v)); };
         tones_[static_cast<std::size_t>(i)] = {byte(bright + warm), byte(bright + 0.4 * warm), byte(bright - warm)};
     }
@@ -29,8 +29,9 @@ ReliefTones::ReliefTones(const Raster& shade) {
 
 double ReliefTones::fit(std::vector<double>& values) {
     // One cell in a hundred may be a cliff or a wall; it must not set the tones of the rest.
-    const auto quantile = [&values](double share) {
-        const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    const auto quantile = [&values](double fraction) {
+        const auto place =
+            values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
         std::nth_element(values.begin(), place, values.end());
         return *place;
     };

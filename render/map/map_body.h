@@ -39,8 +39,8 @@ class ReliefTones {
   public:
     explicit ReliefTones(const Raster& shade);
     [[nodiscard]] Rgb colour(double shade) const {
-        const double share = std::clamp((shade - darkest_) / (brightest_ - darkest_), 0.0, 1.0);
-        return tones_[static_cast<std::size_t>(std::lround(share * k_steps))];
+        const double fraction = std::clamp((shade - darkest_) / (brightest_ - darkest_), 0.0, 1.0);
+        return tones_[static_cast<std::size_t>(std::lround(fraction * k_steps))];
     }
 
   private:

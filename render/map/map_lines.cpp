@@ -90,7 +90,7 @@ class LabelPlaces {
     }
 
   private:
-    /// Round figures of this length, turned; a pixel of grace, since they are not set yet.
+    /// Round values of this length, turned; a pixel of grace, since they are not set yet.
     static PageBox box_of(Point middle, double length, double size, double angle_deg) {
         const double angle = angle_deg * std::numbers::pi / 180, capital = 0.75 * size;
         const double across = (length * std::fabs(std::cos(angle)) + capital * std::fabs(std::sin(angle))) / 2 + 1;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/view/view3d.h"
 
-#include "render/view/view_stage.h"
+#include "render/view/view_session.h"
 
 namespace frana::render {
 
 Image ViewSeries::draw(const ViewSpec& spec, ViewLayout* layout) {
-    ViewStage stage(spec, false, place_);
+    ViewSession stage(spec, false, place_);
     if (layout != nullptr) *layout = stage.layout();
     return stage.draw(spec.layer, spec.dots, "");
 }

@@ -86,10 +86,11 @@ bool ViewGround::hides(const ScenePoint& eye, const ScenePoint& point) const {
     constexpr int k_looks = 64;
     const double margin = 0.01 * (highest_ - lowest_);
     for (int i = 0; i < k_looks; ++i) {
-        const double share = static_cast<double>(i) / k_looks;
-        const Point map{origin_.x + eye.x + share * (point.x - eye.x), origin_.y + eye.y + share * (point.y - eye.y)};
+        const double fraction = static_cast<double>(i) / k_looks;
+        const Point map{origin_.x + eye.x + fraction * (point.x - eye.x),
+                        origin_.y + eye.y + fraction * (point.y - eye.y)};
         const double ground = scene(map, 0).z;  // not a number beyond the terrain, which hides nothing
-        if (eye.z + share * (point.z - eye.z) < ground - margin) return true;
+        if (eye.z + fraction * (point.z - eye.z) < ground - margin) return true;
     }
     return false;
 }

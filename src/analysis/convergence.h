@@ -8,13 +8,13 @@
 
 namespace frana {
 
-/// One figure at one resolution.
+/// One value at one resolution.
 struct Refinement {
     double cell_size = 0;  ///< [m]
     double value = 0;
 };
 
-/// How a figure behaved under refinement.
+/// How a value behaved under refinement.
 enum class Trend {
     converging,   ///< differences of one sign that shrink
     oscillating,  ///< differences change their sign
@@ -27,7 +27,7 @@ struct GridConvergence {
     Trend trend = Trend::settled;
     double observed_order = 0;  ///< NaN unless converging
     double extrapolated = 0;    ///< Richardson; the finest value itself unless converging
-    double error = 0;           ///< estimated |finest - true|, in the figure's unit
+    double error = 0;           ///< estimated |finest - true|, in the value's unit
     double index_percent = 0;   ///< grid convergence index of the finest, percent of its value
 };
 
@@ -37,7 +37,7 @@ struct GridConvergence {
 ///     p = ln(|f3 - f2| / |f2 - f1|) / ln r,   f_exact ~ f1 + (f1 - f2) / (r^p - 1),   f1 the finest
 ///     GCI = F |f1 - f2| / (r^p - 1),   F = 1.25, p held within 0.5 to 2
 ///
-/// F is 3 and p is taken as 1 where the figures do not converge (oscillating, diverging): the index is then a
+/// F is 3 and p is taken as 1 where the values do not converge (oscillating, diverging): the index is then a
 /// caution, not an estimate. Throws Error(input) for fewer than three levels.
 GridConvergence grid_convergence(const std::vector<Refinement>& levels);
 

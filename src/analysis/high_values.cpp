@@ -19,7 +19,7 @@ double percentile(std::vector<double> values, double fraction) {
     return *at + (place - static_cast<double>(below)) * (next - *at);
 }
 
-HighValues high_values(const Raster& raster, const Raster& mask) {
+PeakValues high_values(const Raster& raster, const Raster& mask) {
     std::vector<double> inside;
     for (std::size_t i = 0; i < raster.values.size(); ++i) {
         const double marked = mask.values[i];

@@ -56,7 +56,7 @@ double area_under_roc(const Raster& depth, const Raster& mask, double positives)
 }
 
 /// All but the area under the curve.
-ComparisonFigures figures_at(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
+ComparisonStatistics statistics_at(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
     check_same_cells(simulated_depth, observed_mask);
     double hits = 0, false_alarms = 0, misses = 0;
     for (std::size_t i = 0; i < observed_mask.values.size(); ++i) {
@@ -72,40 +72,40 @@ ComparisonFigures figures_at(const Raster& simulated_depth, const Raster& observ
                                               "Check the outline's position and CRS, or use smaller cells"});
     }
 
-    ComparisonFigures figures;
+    ComparisonStatistics statistics;
     const double cell = observed_mask.grid.cell_area();
-    figures.threshold_m = threshold;
-    figures.observed_area_m2 = positives * cell;
-    figures.simulated_area_m2 = (hits + false_alarms) * cell;
-    figures.area_difference_percent = 100 * std::abs(false_alarms - misses) / positives;
-    figures.hit_m2 = hits * cell;
-    figures.false_alarm_m2 = false_alarms * cell;
-    figures.miss_m2 = misses * cell;
-    figures.jaccard = hits / (hits + false_alarms + misses);
-    figures.csi = figures.jaccard;
-    figures.dice = 2 * hits / (2 * hits + false_alarms + misses);
-    figures.true_positive_rate = hits / positives;
-    figures.false_positive_rate = std::min(1.0, false_alarms / (k_negatives_per_positive * positives));
-    figures.d2pc = std::hypot(1 - figures.true_positive_rate, figures.false_positive_rate);
-    return figures;
+    statistics.threshold_m = threshold;
+    statistics.observed_area_m2 = positives * cell;
+    statistics.simulated_area_m2 = (hits + false_alarms) * cell;
+    statistics.area_difference_percent = 100 * std::abs(false_alarms - misses) / positives;
+    statistics.hit_m2 = hits * cell;
+    statistics.false_alarm_m2 = false_alarms * cell;
+    statistics.miss_m2 = misses * cell;
+    statistics.jaccard = hits / (hits + false_alarms + misses);
+    statistics.csi = statistics.jaccard;
+    statistics.dice = 2 * hits / (2 * hits + false_alarms + misses);
+    statistics.true_positive_rate = hits / positives;
+    statistics.false_positive_rate = std::min(1.0, false_alarms / (k_negatives_per_positive * positives));
+    statistics.d2pc = std::hypot(1 - statistics.true_positive_rate, statistics.false_positive_rate);
+    return statistics;
 }
 
 }  // namespace
 
-ComparisonFigures compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
-    ComparisonFigures figures = figures_at(simulated_depth, observed_mask, threshold);
-    figures.auroc =
-        area_under_roc(simulated_depth, observed_mask, figures.observed_area_m2 / observed_mask.grid.cell_area());
-    return figures;
+ComparisonStatistics compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
+    ComparisonStatistics statistics = statistics_at(simulated_depth, observed_mask, threshold);
+    statistics.auroc =
+        area_under_roc(simulated_depth, observed_mask, statistics.observed_area_m2 / observed_mask.grid.cell_area());
+    return statistics;
 }
 
-std::vector<ComparisonFigures> score_curve(const Raster& simulated_depth, const Raster& observed_mask) {
-    std::vector<ComparisonFigures> curve{compare(simulated_depth, observed_mask, 0)};
+std::vector<ComparisonStatistics> score_curve(const Raster& simulated_depth, const Raster& observed_mask) {
+    std::vector<ComparisonStatistics> curve{compare(simulated_depth, observed_mask, 0)};
     const double deepest = maximum(simulated_depth);
     for (double decade = 0.01; decade < deepest; decade *= 10) {
         for (const double factor : {1.0, 1.5, 2.0, 3.0, 5.0, 7.0}) {
             if (factor * decade >= deepest) break;
-            curve.push_back(figures_at(simulated_depth, observed_mask, factor * decade));
+            curve.push_back(statistics_at(simulated_depth, observed_mask, factor * decade));
             curve.back().auroc = curve.front().auroc;
         }
     }

@@ -10,10 +10,10 @@ namespace frana {
 /// How a simulated trace agrees with an observed one, cell by cell.
 ///
 /// With TP, FP, FN the hit, false alarm and miss areas: jaccard = csi = TP/(TP+FP+FN), dice =
-/// 2TP/(2TP+FP+FN), true positive rate = TP/(TP+FN). The size of the map must not flatter the figures, so the
+/// 2TP/(2TP+FP+FN), true positive rate = TP/(TP+FN). The size of the map must not flatter the values, so the
 /// ground that could have been hit wrongly is not the map but five times the observed area, as r.avaflow
 /// does: TN = 5(TP+FN) - FP, and the false positive rate is FP/(5(TP+FN)), at most 1.
-struct ComparisonFigures {
+struct ComparisonStatistics {
     double threshold_m = 0;  ///< depth over which a cell counts as covered
     double observed_area_m2 = 0;
     double simulated_area_m2 = 0;
@@ -32,11 +32,11 @@ struct ComparisonFigures {
 
 /// Compares a depth [m] (NaN: never reached) with a mask (not 0 and not NaN: observed) on the same cells.
 /// Throws Error(input) when the grids differ or nothing was observed.
-ComparisonFigures compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold);
+ComparisonStatistics compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold);
 
-/// The figures for thresholds [m] of 0 and 1, 1.5, 2, 3, 5, 7 times powers of ten from 0.01 up to the
+/// The values for thresholds [m] of 0 and 1, 1.5, 2, 3, 5, 7 times powers of ten from 0.01 up to the
 /// greatest depth; auroc, which belongs to the whole curve, is the same in each. Throws as compare does.
-std::vector<ComparisonFigures> score_curve(const Raster& simulated_depth, const Raster& observed_mask);
+std::vector<ComparisonStatistics> score_curve(const Raster& simulated_depth, const Raster& observed_mask);
 
 enum class Agreement { hit = 1, false_alarm = 2, miss = 3 };
 

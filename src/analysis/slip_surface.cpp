@@ -78,9 +78,9 @@ Point minus(Point a, Point b) {
 
 // Distances from the centre over that of a ring in the same direction; of a ring seen whole from there, whose
 // vertices come in the order of their directions.
-class RadiusShare {
+class RadiusFraction {
   public:
-    RadiusShare(const Ring& ring, Point centre) : ring_(ring), centre_(centre), turned_(ring.size()) {
+    RadiusFraction(const Ring& ring, Point centre) : ring_(ring), centre_(centre), turned_(ring.size()) {
         const Point first = minus(ring.front(), centre);
         sense_ = cross(first, minus(ring[1], centre)) > 0 ? 1 : -1;
         for (std::size_t i = 1; i < ring.size(); ++i) turned_[i] = turn_to(minus(ring[i], centre));
@@ -97,9 +97,9 @@ class RadiusShare {
         for (std::size_t k = 0; k < count; ++k) near[k] = (after + n + k - k_beside) % n;
         std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count));
         for (std::size_t k = 0; k < count; ++k)
-            if (const double share = across_edge(near[k], d)) return share;
+            if (const double fraction = across_edge(near[k], d)) return fraction;
         for (std::size_t i = 0; i < n; ++i)
-            if (const double share = across_edge(i, d)) return share;
+            if (const double fraction = across_edge(i, d)) return fraction;
         return 0;  // the centre itself
     }
 
@@ -197,11 +197,11 @@ SlipSurface::SlipSurface(const Raster& ground, const MultiPolygon& perimeter, st
     relax(inside, 0, membrane);
     for (const std::size_t c : inside.cells) above_membrane_.values[c] = ground.values[c] - membrane.values[c];
     if (shape_ == SlipShape::ellipsoid) {
-        const RadiusShare radius_share(perimeter.front().outer, centroid(perimeter));
+        const RadiusFraction radius_fraction(perimeter.front().outer, centroid(perimeter));
         for (const std::size_t c : inside.cells) {
             const auto cell = static_cast<std::int64_t>(c);
             const Point p = ground.grid.cell_centre(cell / ground.grid.columns, cell % ground.grid.columns);
-            const double r = radius_share(p);
+            const double r = radius_fraction(p);
             form_.values[c] = std::sqrt(std::max(0.0, 1 - r * r));
         }
     } else {

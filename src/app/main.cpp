@@ -85,10 +85,10 @@ int report(const Error& error) {
     } else {
         std::cerr << "frana: " << problems.size() << " problems:\n";
         // One a feature: ten thousand would push the first, which tell as much, off the screen.
-        constexpr std::size_t k_told = 50;
-        for (std::size_t i = 0; i < std::min(problems.size(), k_told); ++i)
+        constexpr std::size_t k_printed = 50;
+        for (std::size_t i = 0; i < std::min(problems.size(), k_printed); ++i)
             std::cerr << "  - " << describe(problems[i]) << '\n';
-        if (problems.size() > k_told) std::cerr << "  - and " << problems.size() - k_told << " more\n";
+        if (problems.size() > k_printed) std::cerr << "  - and " << problems.size() - k_printed << " more\n";
     }
     switch (error.kind()) {
         case ErrorKind::numerical:

@@ -52,9 +52,9 @@ Rgb colour_at(const Palette& palette, double t) {
     const std::vector<Rgb>& anchors = palette.anchors;
     const double place = std::clamp(std::isnan(t) ? 0.0 : t, 0.0, 1.0) * static_cast<double>(anchors.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
-    const double share = place - static_cast<double>(below);
-    const auto mix = [share](std::uint8_t a, std::uint8_t b) {
-        return static_cast<std::uint8_t>(std::lround(a + share * (b - a)));
+    const double fraction = place - static_cast<double>(below);
+    const auto mix = [fraction](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(std::lround(a + fraction * (b - a)));
     };
     const Rgb &a = anchors[below], &b = anchors[below + 1];
     return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-constexpr std::size_t k_told = 3;
+constexpr std::size_t k_printed = 3;
 
 std::string grouped_digits(std::int64_t count) {
     std::string text = std::to_string(count);
@@ -19,14 +19,14 @@ std::string grouped_digits(std::int64_t count) {
 void CountedTexts::add(const std::string& kind, const std::string& text) {
     auto found = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& k) { return k.name == kind; });
     if (found == kinds_.end()) found = kinds_.insert(kinds_.end(), Kind{kind, {}, 0});
-    if (found->first.size() < k_told) {
+    if (found->first.size() < k_printed) {
         found->first.push_back(text);
     } else {
         ++found->more;
     }
 }
 
-std::vector<std::string> CountedTexts::told() const {
+std::vector<std::string> CountedTexts::texts() const {
     std::vector<std::string> all;
     for (const Kind& kind : kinds_) {
         all.insert(all.end(), kind.first.begin(), kind.first.end());

@@ -13,7 +13,7 @@ class CountedTexts {
     void add(const std::string& kind, const std::string& text);
 
     /// Kinds in the order in which they came: the first texts of each, then "and 497 more like it".
-    [[nodiscard]] std::vector<std::string> told() const;
+    [[nodiscard]] std::vector<std::string> texts() const;
 
   private:
     struct Kind {

@@ -14,7 +14,7 @@ enum class ErrorKind {
     environment,  ///< disk full, unwritable output, missing font (exit code 4)
 };
 
-/// One fault, in the words a user needs: what, where, the value met, the limit it broke, what to do about it.
+/// One problem, in the words a user needs: what, where, the value met, the limit it broke, what to do about it.
 /// Empty parts are left out of the message.
 struct Problem {
     std::string what;    ///< "basal friction coefficient is out of range"
@@ -27,7 +27,7 @@ struct Problem {
 /// One line: "where: what (value V; allowed L). Remedy."
 std::string describe(const Problem& problem);
 
-/// The only exception frana throws for users' and environment's faults; thrown at set-up and I/O, caught in
+/// The only exception frana throws for users' and environment's problems; thrown at set-up and I/O, caught in
 /// main.
 class Error : public std::runtime_error {
   public:

@@ -50,7 +50,7 @@ class AbandonedFiles {
     void remove_those_of(const fs::path& file) {
         const std::lock_guard lock(mutex_);
         const auto [folder, is_new] = folders_.try_emplace(file.parent_path());
-        if (is_new) look_through(folder->first, folder->second);
+        if (is_new) search(folder->first, folder->second);
         const auto [first, last] = folder->second.equal_range(file.filename().string());
         std::error_code ignored;
         for (auto left = first; left != last; ++left) fs::remove(left->second, ignored);
@@ -60,7 +60,7 @@ class AbandonedFiles {
   private:
     using Left = std::multimap<std::string, fs::path>;  // by the name that each was to get
 
-    static void look_through(const fs::path& folder, Left& left) {
+    static void search(const fs::path& folder, Left& left) {
         std::error_code ignored;
         for (auto entry = fs::directory_iterator(folder.empty() ? "." : folder, ignored); entry != fs::end(entry);
              entry.increment(ignored)) {

@@ -19,7 +19,7 @@ struct Bounds {
     [[nodiscard]] double width() const noexcept { return east - west; }
     [[nodiscard]] double height() const noexcept { return north - south; }
     /// Whether a point is inside, the western and southern edges included; not one that is no number.
-    [[nodiscard]] bool holds(double x, double y) const noexcept {
+    [[nodiscard]] bool contains(double x, double y) const noexcept {
         return x >= west && y >= south && x < east && y < north;
     }
 };

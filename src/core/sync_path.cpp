@@ -10,7 +10,7 @@ namespace frana {
 namespace {
 
 // Of a descriptor that is only looked at, or of a file system that knows no such thing, nothing is wanted.
-bool is_disk_trouble(int reason) {
+bool is_disk_problem(int reason) {
     return reason == EIO || reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
 }
 
@@ -20,7 +20,7 @@ int sync_descriptor(int descriptor) {
     int reason = 0;
     do reason = ::fsync(descriptor) == 0 ? 0 : errno;
     while (reason == EINTR);
-    return is_disk_trouble(reason) ? reason : 0;
+    return is_disk_problem(reason) ? reason : 0;
 }
 
 int sync_path(const std::string& path) {

@@ -8,7 +8,7 @@ namespace {
 // therefore look again this many times (some tens of microseconds) before they sleep.
 // Where there are more threads than processors, looking only takes the processor from the thread that is
 // waited for.
-int looks_before_sleep(int threads) {
+int checks_before_sleep(int threads) {
     constexpr int k_looks = 4000;
     return threads <= static_cast<int>(std::thread::hardware_concurrency()) ? k_looks : 0;
 }
@@ -21,7 +21,7 @@ inline void pause() noexcept {
 
 }  // namespace
 
-ThreadPool::ThreadPool(int threads) : looks_(looks_before_sleep(threads)) {
+ThreadPool::ThreadPool(int threads) : looks_(checks_before_sleep(threads)) {
     for (int i = 1; i < threads; ++i) workers_.emplace_back([this] { serve(); });
 }
 

@@ -17,11 +17,11 @@
 namespace frana {
 
 /// The ground under a node that the flow can take up or has laid down, averaged over the cell, vertical.
-struct BedLayer {
+struct ErodibleBed {
     double erodible;   ///< at the start [m]
     double eroded;     ///< so far [m]
     double deposited;  ///< so far [m]
-    double gain;       ///< in this step, as a share of the node's volume [-]
+    double gain;       ///< in this step, as a fraction of the node's volume [-]
     double loss;       ///< the same for deposition [-]
     double change;     ///< of the bed in this step [m]
 };
@@ -48,18 +48,18 @@ void serialise(Archive& archive, ExchangeReport& report) {
 /// Erosion and deposition at a tile's nodes: what is eroded (or, where nothing is, deposited) in this step.
 /// Comes after update_nodes, whose friction says how the bed resists. What lies on the bed can be taken up
 /// again. Deposition leaves a film of the flow, so that particles keep a volume. Reads NodeMotion mass,
-/// velocity, share; BedState; bed; reads and writes BedLayer. Nodes outside the terrain and solid ones do not
+/// velocity, share; BedState; bed; reads and writes ErodibleBed. Nodes outside the terrain and solid ones do not
 /// exchange.
 /// @param density [kg/m3]  @param dt [s]  @param film least depth that deposition leaves [m]
 template <bool Metric, class Erosion, class Deposition>
 void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Deposition& deposition, double density,
-                       double dt, double film, const BedState* states, const NodeGrid& nodes, BedLayer* layers) {
+                       double dt, double film, const BedState* states, const NodeGrid& nodes, ErodibleBed* layers) {
     const double half_inverse_dx = 0.5 / nodes.cell_size(), cell_area = nodes.cell_size() * nodes.cell_size();
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
     const std::uint8_t* solid = nodes.solid();
     range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
         const NodeMotion& node = nodes.motion()[i];
-        BedLayer& layer = layers[i];
+        ErodibleBed& layer = layers[i];
         layer.gain = layer.loss = layer.change = 0;
         if (!(node.mass > 0) || column < k_ghost || row < k_ghost || column >= stride - k_ghost ||
             row >= rows - k_ghost || (solid && solid[i]))
@@ -67,26 +67,26 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
         const double climb = Metric ? climb_at(nodes.bed.data() + i, stride, half_inverse_dx, node.u, node.v) : 0;
         const double speed = speed_along_bed(node.u, node.v, climb);
         const BedState& bed = states[i];
-        const double mass = density * bed.thickness, share = std::min(1.0, node.fraction);
-        const BedContact contact{node.mass / (share * cell_area), speed,        mass * bed.resistance,
-                                 mass * bed.normal_gravity,       layer.eroded, dt};
-        const double to_share = cell_area / node.mass;
+        const double mass = density * bed.thickness, fraction = std::min(1.0, node.fraction);
+        const BedContact contact{node.mass / (fraction * cell_area), speed,        mass * bed.resistance,
+                                 mass * bed.normal_gravity,          layer.eroded, dt};
+        const double to_fraction = cell_area / node.mass;
         if constexpr (Erosion::active) {
             const double left = layer.erodible + layer.deposited - layer.eroded;
-            const double depth = std::min(erosion(contact) * dt * share, left);
+            const double depth = std::min(erosion(contact) * dt * fraction, left);
             if (depth > 0) {
                 layer.eroded += depth;
-                layer.gain = depth * to_share;
+                layer.gain = depth * to_fraction;
                 layer.change = -depth;
                 return;
             }
         }
         if constexpr (Deposition::active) {
-            const double most = node.mass / cell_area - film * share;
-            const double depth = std::min(deposition(contact) * dt * share, most);
+            const double most = node.mass / cell_area - film * fraction;
+            const double depth = std::min(deposition(contact) * dt * fraction, most);
             if (depth > 0) {
                 layer.deposited += depth;
-                layer.loss = depth * to_share;
+                layer.loss = depth * to_fraction;
                 layer.change = depth;
             }
         }
@@ -94,7 +94,7 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
 }
 
 /// The bed after it; apart, since slopes are read across tiles.
-inline void move_bed(const NodeRange& range, const BedLayer* layers, NodeGrid& nodes) {
+inline void move_bed(const NodeRange& range, const ErodibleBed* layers, NodeGrid& nodes) {
     range.for_each(nodes.stride(),
                    [&](std::size_t i, std::int64_t, std::int64_t) { nodes.bed[i] += layers[i].change; });
 }
@@ -102,10 +102,10 @@ inline void move_bed(const NodeRange& range, const BedLayer* layers, NodeGrid& n
 /// Particles take up what their nodes gained and give what they lost, in proportion to their volume, area
 /// unchanged: the sum over particles is the sum over nodes, exactly. What is taken up is at rest, so the
 /// particle's velocity falls and its momentum stays; what is laid down leaves with its momentum. Must come
-/// before particles move. Reads x, y, BedLayer; reads and writes volume; writes the share of their velocity
+/// before particles move. Reads x, y, ErodibleBed; reads and writes volume; writes the fraction of their velocity
 /// that particles keep.
 template <class Shape>
-void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid& nodes, const BedLayer* layers,
+void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid& nodes, const ErodibleBed* layers,
                              ParticleSet& particles, double* kept, double* lost, ExchangeReport& report) {
     const NodeScale grid = nodes.scale();
     double* volume = particles[Field::volume];
@@ -113,7 +113,7 @@ void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid&
         const Stencil<Shape> s(particles[Field::x][p], particles[Field::y][p], grid);
         double gain = 0, loss = 0;
         for (int b = 0; b < Shape::width; ++b) {
-            const BedLayer* row = layers + s.first + b * nodes.stride();
+            const ErodibleBed* row = layers + s.first + b * nodes.stride();
             for (int a = 0; a < Shape::width; ++a) {
                 const double w = s.wx[a] * s.wy[b];
                 gain += w * row[a].gain;

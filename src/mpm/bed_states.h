@@ -21,7 +21,7 @@ void fill_bed_states(const NodeRange& range, const NodeUpdate& k, const NodeGrid
 /// Adds one law to the nodes of a tile.
 template <class Law>
 void add_friction(const NodeRange& range, const NodeUpdate& k, Law law, const NodeGrid& nodes, BedState* states) {
-    if constexpr (requires { law.effective_share; }) law.effective_share = k.effective_share;
+    if constexpr (requires { law.effective_fraction; }) law.effective_fraction = k.effective_fraction;
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t, std::int64_t) {
         if (nodes.mass(i) > 0) law(states[i], i);
     });

@@ -75,7 +75,7 @@ void mirror_velocities(NodeGrid& nodes) {
     });
 }
 
-void mirror_exchange(const NodeGrid& nodes, BedLayer* layers) {
+void mirror_exchange(const NodeGrid& nodes, ErodibleBed* layers) {
     for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool) {
         layers[ghost].gain = layers[inner].gain;
         layers[ghost].loss = layers[inner].loss;

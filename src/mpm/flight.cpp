@@ -80,7 +80,7 @@ double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
         const double climb = jump.climb - rules.gravity * time;
         const double dt = look / std::max({speed, std::abs(climb), std::sqrt(rules.gravity * look)});
         Point next = at(place, velocity, dt);
-        const bool outside = !nodes.bounds().holds(next.x, next.y);
+        const bool outside = !nodes.bounds().contains(next.x, next.y);
         const bool leaves = outside && !rules.wall;
         if (leaves || (!outside && nodes.is_gap(grid.node_of(next.x, next.y)))) {
             jump.left = leaves;
@@ -124,7 +124,7 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
     const double look = k_look * nodes.cell_size();
     double time = 0, before = 0;
     Point last = place, way{};
-    while (nodes.bounds().holds(place.x, place.y)) {
+    while (nodes.bounds().contains(place.x, place.y)) {
         Bed bed = bed_at(nodes, place);
         Point velocity = bed.map_velocity(along);
         if (bed.throws(velocity, rules.gravity)) {
@@ -209,14 +209,14 @@ void Flights::begin(const ParticleRow& particle, const Jump& jump, double time, 
     next_landing_ = std::min(next_landing_, flight.ends);
     flights_.push_back(flight);
 
-    figures_.volume += get(row, Field::volume);
-    figures_.highest = std::max(figures_.highest, jump.height);
+    statistics_.volume += get(row, Field::volume);
+    statistics_.highest = std::max(statistics_.highest, jump.height);
     const double length = std::hypot(jump.to.x - jump.from.x, jump.to.y - jump.from.y);
-    figures_.way += get(row, Field::volume) * length;
-    if (length > figures_.longest) {
-        figures_.longest = length;
-        figures_.from = jump.from;
-        figures_.to = jump.to;
+    statistics_.way += get(row, Field::volume) * length;
+    if (length > statistics_.longest) {
+        statistics_.longest = length;
+        statistics_.from = jump.from;
+        statistics_.to = jump.to;
     }
     for (const Jump::Place& place : jump.over)
         heights_[place.node] = std::max(heights_[place.node], static_cast<float>(place.height));

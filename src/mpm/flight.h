@@ -16,8 +16,8 @@
 
 namespace frana {
 
-/// A jump must clear the ground by the flow's own depth, and by this share of a cell, under which the terrain's cells
-/// tell no edge from roughness.
+/// A jump must clear the ground by the flow's own depth, and by this fraction of a cell, under which the terrain's
+/// cells tell no edge from roughness.
 inline constexpr double k_least_clearance = 0.1;
 
 /// How wide an edge may be, from where it begins to throw to its steepest fall [cells]: the splines make two of a step.
@@ -63,7 +63,7 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
                               double clearance);
 
 /// Jumps so far.
-struct JumpFigures {
+struct JumpStatistics {
     double volume = 0;   ///< sum over all jumps [m3]
     double highest = 0;  ///< above the ground [m]
     double longest = 0;  ///< in map view [m]
@@ -92,7 +92,7 @@ class Flights {
     [[nodiscard]] double volume() const noexcept;
     /// Sum of V v^2 / 2 with the vertical part [m5/s2].
     [[nodiscard]] double kinetic(double time, double gravity) const noexcept;
-    [[nodiscard]] const JumpFigures& figures() const noexcept { return figures_; }
+    [[nodiscard]] const JumpStatistics& statistics() const noexcept { return statistics_; }
     /// Greatest height above the ground at which each padded node's cell was flown over [m]; 0 where it was not.
     [[nodiscard]] const ZeroArray<float>& heights() const noexcept { return heights_; }
 
@@ -112,8 +112,8 @@ class Flights {
 
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [flights, heights, next_landing, figures, edges] = *this;
-        archive(flights, heights, next_landing, figures);  // edges are those of the bed
+        [[maybe_unused]] auto& [flights, heights, next_landing, statistics, edges] = *this;
+        archive(flights, heights, next_landing, statistics);  // edges are those of the bed
     }
 
   private:
@@ -137,7 +137,7 @@ class Flights {
     std::vector<Flight> flights_;
     ZeroArray<float> heights_;
     double next_landing_ = std::numeric_limits<double>::infinity();
-    JumpFigures figures_;
+    JumpStatistics statistics_;
     std::vector<std::uint8_t> edges_;  // by tile: whether its bed is anywhere as steep as an edge
 };
 

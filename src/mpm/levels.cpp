@@ -14,9 +14,9 @@ constexpr double k_level_ratio = 0.2 * 0.2, k_sloping_ratio = 0.5 * 0.5;
 // Squared spread of the bed, in cells, under which it counts as level: both references are then the same.
 constexpr double k_flat = 1e-6;
 
-// Share of a cell to which it is known how much of its ground a level floods: less than that does not make a shore a
+// Fraction of a cell to which it is known how much of its ground a level floods: less than that does not make a shore a
 // front.
-constexpr double k_known_share = 0.06;
+constexpr double k_known_fraction = 0.06;
 
 double smooth_step(double from, double to, double value) {
     const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
@@ -84,7 +84,7 @@ void node_references(const NodeRange& range, NodeGrid& nodes) {
             const NodeForces* row = forces + n + b * stride;
             least = std::min(least, std::min(row[-1].area, std::min(row[0].area, row[1].area)));
         }
-        if (least * inverse_dx2 >= k_filled_share) {  // filled all round, as most nodes are
+        if (least * inverse_dx2 >= k_filled_fraction) {  // filled all round, as most nodes are
             level.support = 1;
             return;
         }
@@ -96,9 +96,9 @@ void node_references(const NodeRange& range, NodeGrid& nodes) {
                 double fillable = 1;
                 if (level.ponding > 0 && i + a > 0 && j + b > 0 && i + a < stride - 1 && j + b < rows - 1)
                     fillable -= level.ponding * (1 - under_level(bed + k, stride, level.level, dx));
-                const double share = forces[k].area * inverse_dx2;
-                const double full = k_filled_share * fillable - k_known_share * level.ponding;
-                const double filled = share < full ? share / full : 1;
+                const double fraction = forces[k].area * inverse_dx2;
+                const double full = k_filled_fraction * fillable - k_known_fraction * level.ponding;
+                const double filled = fraction < full ? fraction / full : 1;
                 support = std::min(support, bed[k] >= level.level ? std::max(filled, level.ponding) : filled);
             }
         }

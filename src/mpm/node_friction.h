@@ -16,7 +16,7 @@ struct NodeUpdate {
     double gravity = 0;                   ///< g_z [m/s2]
     double gravity_x = 0, gravity_y = 0;  ///< tilted gravity for verification [m/s2]
     double minimum_depth = 0;             ///< depth from which a node counts in the maxima [m]
-    double effective_share = 1;           ///< 1 - r_u: what pore pressure leaves of the normal stress [-]
+    double effective_fraction = 1;        ///< 1 - r_u: what pore pressure leaves of the normal stress [-]
     double moving_speed = 0;              ///< speed from which a node's volume counts as moving [m/s]
     bool change_only = false;             ///< particles take the change of the velocity (FLIP), not the velocity
     bool wall = false;                    ///< ghost nodes mirror those inside
@@ -29,7 +29,7 @@ struct UniformFriction {
     const VoellmyFriction& law;
 
     [[nodiscard]] bool active() const noexcept { return law.active(); }
-    [[nodiscard]] bool holds() const noexcept { return law.friction_coefficient > 0; }
+    [[nodiscard]] bool keeps_rest() const noexcept { return law.friction_coefficient > 0; }
     /// Speed that yield takes off in a step [m/s].
     [[nodiscard]] double stopped_in_step(std::size_t, const NodeUpdate& k) const noexcept {
         return k.dt * law.friction_coefficient * k.gravity;
@@ -58,7 +58,7 @@ struct SummedFriction {
     bool yields;       ///< whether any law has a yield part
 
     [[nodiscard]] bool active() const noexcept { return true; }
-    [[nodiscard]] bool holds() const noexcept { return yields; }
+    [[nodiscard]] bool keeps_rest() const noexcept { return yields; }
     [[nodiscard]] double stopped_in_step(std::size_t node, const NodeUpdate& k) const noexcept {
         return k.dt * states[node].yield;
     }

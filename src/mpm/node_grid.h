@@ -24,12 +24,12 @@ struct NodeLevel {
     double support;  ///< 1: filled all round; 0: a free front
 };
 
-/// Share of a cell from which it counts as filled (share/doc/numerics.md, "Reference level").
-inline constexpr double k_filled_share = 0.6;
+/// Fraction of a cell from which it counts as filled (share/doc/numerics.md, "Reference level").
+inline constexpr double k_filled_fraction = 0.6;
 
-/// Share of a cell from which its particles lie on top of each other rather than unevenly side by side: their claims
+/// Fraction of a cell from which its particles lie on top of each other rather than unevenly side by side: their claims
 /// then shrink faster, and they are not shifted.
-inline constexpr double k_crowded_share = 1.1;
+inline constexpr double k_crowded_fraction = 1.1;
 
 /// A terrain, and the elevation that the engine counts from so that sums keep their digits: a run counts from
 /// the ground under its release, since what lies far off must not change a bit of it.

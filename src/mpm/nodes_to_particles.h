@@ -97,13 +97,13 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
                 }
                 if constexpr (FollowsBed) g.climb += w * row[a].climb;
                 if constexpr (Relaxed) {
-                    g.share += w * row[a].fraction;
+                    g.fraction += w * row[a].fraction;
                     g.cell_depth += w * row[a].mass;
                     g.support += w * row[a].support;
                 }
                 if constexpr (shifts) {
-                    g.share_x += gx * row[a].fraction;
-                    g.share_y += gy * row[a].fraction;
+                    g.fraction_x += gx * row[a].fraction;
+                    g.fraction_y += gy * row[a].fraction;
                     g.depth_x += gx * row[a].mass;
                     g.depth_y += gy * row[a].mass;
                     g.least = std::min(g.least, row[a].fraction);

@@ -11,9 +11,9 @@
 namespace frana {
 
 /// Gain per Courant number of the relaxation of areas (share/doc/numerics.md, "Area relaxation"); 0.2 bounds it.
-/// Particles that crowd (k_crowded_share) shrink faster: friction and maps would see a layer thinner than the ground
-/// does. Not from a share of 1 on, where half of all evenly spread irregular particles are: ritter-irregular would be
-/// worse by 1/3.
+/// Particles that crowd (k_crowded_fraction) shrink faster: friction and maps would see a layer thinner than the ground
+/// does. Not from a fraction of 1 on, where half of all evenly spread irregular particles are: ritter-irregular would
+/// be worse by 1/3.
 inline constexpr double k_relaxation_gain = 0.03, k_crowded_gain = 0.2, k_relaxation_limit = 0.2;
 
 /// Least factor by which an area may change in a step; the stable step keeps well clear of it.
@@ -32,9 +32,9 @@ inline constexpr double k_front_shear = 0.7;
 /// A particle this many times deeper than its cells' mean depth is not compressed further.
 inline constexpr double k_tower = 2;
 
-/// Share of a cell from which it counts as full when material converges. Rounding must not decide about a lattice that
-/// fills its cells exactly.
-inline constexpr double k_full_share = 1 - 1e-9;
+/// Fraction of a cell from which it counts as full when material converges. Rounding must not decide about a lattice
+/// that fills its cells exactly.
+inline constexpr double k_full_fraction = 1 - 1e-9;
 
 /// Greatest share by which gravity's work sets the speed of a particle right in a step.
 inline constexpr double k_work_limit = 0.5;
@@ -93,13 +93,13 @@ template <class Number>
 
 /// Where the cells are not full, converging material first fills the gaps: only a full cell gets deeper, and no
 /// particle gets much deeper than the cells round it, however long it is pressed into a corner.
-/// @param growth of its area by the flow  @param share of the cells that particles claim
+/// @param growth of its area by the flow  @param fraction of the cells that particles claim
 /// @param cell_depth volume of the cells' nodes
 template <class Number>
-[[gnu::always_inline]] inline Number filling_growth(Number growth, Number volume, Number area, Number share,
+[[gnu::always_inline]] inline Number filling_growth(Number growth, Number volume, Number area, Number fraction,
                                                     Number cell_depth, double cell_area) {
-    const auto tower = volume * share * cell_area > k_tower * area * cell_depth;
-    return select((growth < 1) & ((share < k_full_share) | tower), Number(1.0), growth);
+    const auto tower = volume * fraction * cell_area > k_tower * area * cell_depth;
+    return select((growth < 1) & ((fraction < k_full_fraction) | tower), Number(1.0), growth);
 }
 
 /// Area relaxation, which ties a particle's depth to the mass on the grid: its area grows or shrinks with what the
@@ -107,15 +107,15 @@ template <class Number>
 /// few cells: beyond that its support would be a fiction.
 /// @param grown area as the flow makes it  @param area before the step  @param courant |v| dt/dx
 template <class Number>
-[[gnu::always_inline]] inline Number relaxed_area(Number grown, Number area, Number share, Number support, Number speed,
-                                                  double courant, double cell_area) {
+[[gnu::always_inline]] inline Number relaxed_area(Number grown, Number area, Number fraction, Number support,
+                                                  Number speed, double courant, double cell_area) {
     using std::max;
     using std::min;
-    const Number gain = select(share > k_crowded_share, Number(k_crowded_gain), Number(k_relaxation_gain));
+    const Number gain = select(fraction > k_crowded_fraction, Number(k_crowded_gain), Number(k_relaxation_gain));
     const Number limit(k_relaxation_limit), largest(k_largest_claim * cell_area);
     const Number beta = min(limit, gain * speed * courant);
-    const Number relaxed = grown * (1 + beta * (1 / share - 1));
-    return min(select((share > 1) | (support > 0.999), relaxed, grown), max(area, largest));
+    const Number relaxed = grown * (1 + beta * (1 / fraction - 1));
+    return min(select((fraction > 1) | (support > 0.999), relaxed, grown), max(area, largest));
 }
 
 }  // namespace frana

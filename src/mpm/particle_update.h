@@ -50,9 +50,9 @@ struct ParticleReport {
 /// What one particle (double) or four (Quad) gather from their nodes.
 template <class Number>
 struct Gathered {
-    Number cell_depth, share, climb, support;
-    Number depth_x, depth_y, share_x, share_y,
-        least;                      // for shifting: gradients of the first two; least share of any node
+    Number cell_depth, fraction, climb, support;
+    Number depth_x, depth_y, fraction_x, fraction_y,
+        least;                      // for shifting: gradients of the first two; least fraction of any node
     Number u, v, back_u, back_v;    // nodal velocity in map view; what the particles take back
     Number u_x, u_y, v_x, v_y;      // gradient of the former
     Number m_xx, m_xy, m_yx, m_yy;  // first moments of the latter (hat functions: its gradient)
@@ -66,7 +66,7 @@ struct Gathered {
                                                      double &py) noexcept {
     const NodeScale grid = nodes.scale();
     const auto wall = [&](double a, double b) {
-        return nodes.bounds().holds(a, b) && nodes.is_wall(grid.node_of(a, b));
+        return nodes.bounds().contains(a, b) && nodes.is_wall(grid.node_of(a, b));
     };
     if (!wall(px, py)) return;
     if (!wall(px, y)) {
@@ -164,7 +164,7 @@ struct ParticleSweep {
         const Mask sound = determinant > k_least_growth;
         L::add(clamped, L::none(sound) & real);
         Number growth = select(sound, determinant, Number(k_least_growth));
-        if constexpr (Relaxed) growth = filling_growth(growth, mass, old_area, g.share, g.cell_depth, cell_area);
+        if constexpr (Relaxed) growth = filling_growth(growth, mass, old_area, g.fraction, g.cell_depth, cell_area);
         Number new_area = old_area * growth;
         if constexpr (Relaxed && Affine) {  // F = I + dt grad v
             const ParticleShape<Number> old{L::load(q_xx + p, n), L::load(q_xy + p, n), L::load(q_yy + p, n)};
@@ -181,7 +181,7 @@ struct ParticleSweep {
         }
         const Number speed2 = g.u * g.u + g.v * g.v, speed = sqrt(speed2);
         if constexpr (Relaxed)
-            new_area = relaxed_area(new_area, old_area, g.share, g.support, speed, courant, cell_area);
+            new_area = relaxed_area(new_area, old_area, g.fraction, g.support, speed, courant, cell_area);
         const Number depth = mass / new_area;
         if constexpr (Stress::active) {
             const auto t = stress(StrainRate<Number>{g.u_x, 0.5 * (g.u_y + g.v_x), g.v_y, g.u, g.v, depth});
@@ -193,7 +193,7 @@ struct ParticleSweep {
         Number px = old_x + k.dt * g.u, py = old_y + k.dt * g.v;
         if constexpr (Shifts) {
             const Shift<Number> shift =
-                shift_of<Number>(k.shift, speed * courant, g.support, g.least, g.share, g.share_x, g.share_y,
+                shift_of<Number>(k.shift, speed * courant, g.support, g.least, g.fraction, g.fraction_x, g.fraction_y,
                                  g.cell_depth, g.depth_x, g.depth_y, grid.dx);
             px += shift.x;
             py += shift.y;

@@ -12,7 +12,7 @@
 
 namespace frana {
 
-/// Linear artificial viscosity under compression, as a share of rho h sqrt(g h) dx (share/doc/numerics.md,
+/// Linear artificial viscosity under compression, as a fraction of rho h sqrt(g h) dx (share/doc/numerics.md,
 /// "Compression").
 inline constexpr double k_shock_viscosity = 0.5;
 

@@ -9,7 +9,7 @@ namespace frana {
 
 /// Particle shifting: a particle in a filled part of the flow drifts from where particles crowd to where they are few,
 ///
-///     x <- x - s dx^2 grad phi,   phi the share of the cell that particles claim,
+///     x <- x - s dx^2 grad phi,   phi the fraction of the cell that particles claim,
 ///
 /// so that a flow's particles become as even as a lattice. Its depth follows the nodes' own depth M / phi:
 /// A <- A (1 - dx . grad h / h). Volume and velocity stay with it, so that volume, momentum and kinetic energy are kept
@@ -23,8 +23,9 @@ inline constexpr int k_shift_steps = 4;
 inline constexpr double k_shift_courant = 30;     ///< s is reduced where |v| dt/dx times this is less than 1
 inline constexpr double k_shift_farthest = 0.1;   ///< along either axis, reduced likewise [cells]
 inline constexpr double k_shift_deepening = 0.2;  ///< greatest relative change of depth by one shift
-inline constexpr double k_shift_from = 0.7, k_shift_full = 0.9;  ///< least share of a stencil's nodes: none, all of it
-inline constexpr double k_shift_until = k_crowded_share, k_shift_none = 1.2;  ///< share: all of it, none
+inline constexpr double k_shift_from = 0.7,
+                        k_shift_full = 0.9;  ///< least fraction of a stencil's nodes: none, all of it
+inline constexpr double k_shift_until = k_crowded_fraction, k_shift_none = 1.2;  ///< share: all of it, none
 
 /// How far particles may shift along an axis in a step [cells].
 /// @param courant greatest |v| dt/dx
@@ -41,22 +42,23 @@ struct Shift {
 /// One formula for one particle (double) and for four (Quad). Always inlined: the fast sweeps, compiled for another
 /// instruction set, must share no function with the rest.
 /// @param s see above  @param courant |v| dt/dx  @param support NodeLevel::support
-/// @param least share of any node of the stencil
-/// @param share, share_x, share_y phi and its gradient  @param mass, mass_x, mass_y the same of the nodes' volume
+/// @param least fraction of any node of the stencil
+/// @param share, fraction_x, fraction_y phi and its gradient  @param mass, mass_x, mass_y the same of the nodes' volume
 template <class Number>
 [[gnu::always_inline]] inline Shift<Number> shift_of(double s, Number courant, Number support, Number least,
-                                                     Number share, Number share_x, Number share_y, Number mass,
+                                                     Number fraction, Number fraction_x, Number fraction_y, Number mass,
                                                      Number mass_x, Number mass_y, double dx) {
     using std::max;
     using std::min;
     const Number none(0.0), all(1.0), deepening(k_shift_deepening), pace = min(all, k_shift_courant * courant);
     const Number farthest = (k_shift_farthest * dx) * pace;
     const Number filled = max(none, min(all, (least - k_shift_from) * (1 / (k_shift_full - k_shift_from))));
-    const Number apart = max(none, min(all, (k_shift_none - share) * (1 / (k_shift_none - k_shift_until))));
+    const Number apart = max(none, min(all, (k_shift_none - fraction) * (1 / (k_shift_none - k_shift_until))));
     const Number inner = max(none, 100 * support - 99);  // 1 away from free fronts
     const Number gain = (-s * dx * dx) * (filled * apart * inner * pace);
-    const Number x = max(-farthest, min(farthest, gain * share_x)), y = max(-farthest, min(farthest, gain * share_y));
-    const Number deeper = (x * mass_x + y * mass_y) / mass - (x * share_x + y * share_y) / share;
+    const Number x = max(-farthest, min(farthest, gain * fraction_x)),
+                 y = max(-farthest, min(farthest, gain * fraction_y));
+    const Number deeper = (x * mass_x + y * mass_y) / mass - (x * fraction_x + y * fraction_y) / fraction;
     return {x, y, 1 - max(-deepening, min(deepening, deeper))};
 }
 

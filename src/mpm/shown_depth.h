@@ -73,7 +73,7 @@ inline double shown_depth(double mass, double area, double support, double crowd
                           double inverse_cell_area) noexcept {
     const double by_volume = mass * inverse_cell_area;
     if (!(area > 0)) return by_volume;
-    const double filled = std::min(1.0, area * inverse_cell_area / k_filled_share);
+    const double filled = std::min(1.0, area * inverse_cell_area / k_filled_fraction);
     return by_volume + support * filled * (crowding * mass / area - by_volume);
 }
 

@@ -88,7 +88,7 @@ inline void momenta_to_map(const NodeRange& range, NodeGrid& nodes) {
     });
 }
 
-/// Least share of g that vertical acceleration may leave as divisor: a layer that its bed throws upwards
+/// Least fraction of g that vertical acceleration may leave as divisor: a layer that its bed throws upwards
 /// weighs at most twice as much.
 inline constexpr double k_least_bearing = 0.5;
 
@@ -137,10 +137,10 @@ NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, st
 /// creep. A node slower than friction can stop in a few steps is therefore judged with its eight neighbours:
 /// it stays where friction on all nine can stop all nine within this step.
 template <class Slope, class Friction>
-void hold_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, NodeGrid& nodes) {
+void find_held_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, NodeGrid& nodes) {
     constexpr double k_slow = 4;
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
-    // What a node would have after the step without friction, and its share in the bound: nine nodes ask for
+    // What a node would have after the step without friction, and its fraction in the bound: nine nodes ask for
     // it.
     struct Pull {
         double px, py, held;
@@ -191,7 +191,7 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
     const double inverse_area = 1 / (nodes.cell_size() * nodes.cell_size());
     const std::uint8_t* solid = nodes.solid();
     const NodeLevel* levels = nodes.levels.size() != 0 ? nodes.levels.data() : nullptr;
-    const bool holds = friction.holds();
+    const bool keeps_rest = friction.keeps_rest();
 
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
         NodeRecord& record = nodes.records[i];
@@ -211,7 +211,7 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         const Point driven{turned.x + k.dt * drive.ax, turned.y + k.dt * drive.ay};
         const double driven_speed = bed.speed(driven);
         Point after = driven;
-        if ((solid && solid[i]) || (holds && node.held != 0)) {
+        if ((solid && solid[i]) || (keeps_rest && node.held != 0)) {
             if constexpr (Friction::remembers) friction.remember(i, driven_speed, k);
             after = {0, 0};
         } else if (driven_speed > 0 && friction.active()) {

@@ -55,7 +55,7 @@ enum class Field : unsigned char {
     push_x,
     push_y,       // acceleration that the grid gives through the present step
     flatness,     // 1 / (1 + |grad b|^2) of the bed
-    submergence,  // share of the pores that free fluid fills
+    submergence,  // fraction of the pores that free fluid fills
     released,     // of the confined fluid, what the present step has set free
     divergence,   // of the velocity, in the last substep
     count

@@ -141,7 +141,7 @@ void TileOrder::list_nodes() {
 }
 
 // Whether a particle is on the grid and all nodes of its stencil are in tiles that its own tile can touch.
-bool TileOrder::holds(const ParticleTile& tile, double x, double y) const noexcept {
+bool TileOrder::contains(const ParticleTile& tile, double x, double y) const noexcept {
     const double dx = grid_.cell_size, reach = 1.5 * dx;
     const auto on = [dx](double place, std::int64_t cells, std::int64_t origin) {
         return place >= -dx * static_cast<double>(origin) && place <= dx * static_cast<double>(cells - origin);
@@ -165,7 +165,7 @@ bool TileOrder::restore(const ParticleSet& particles) {
                             tile.x1 < grid_.tiles_x() && tile.y0 >= 0 && tile.y1 < grid_.tiles_y();
         if (!listed) return false;
         for (std::size_t p = tile.begin; p < tile.end; ++p) {
-            if (!holds(tile, x[p], y[p])) return false;
+            if (!contains(tile, x[p], y[p])) return false;
         }
         // One tile never touches another of its colour.
         const std::int64_t i = tile.tile % grid_.tiles_x(), j = tile.tile / grid_.tiles_x();

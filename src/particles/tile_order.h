@@ -108,7 +108,7 @@ class TileOrder {
     void place_blocks();
     void index_tiles(const ParticleSet& particles, ThreadPool& pool);
     void list_nodes();
-    [[nodiscard]] bool holds(const ParticleTile& tile, double x, double y) const noexcept;
+    [[nodiscard]] bool contains(const ParticleTile& tile, double x, double y) const noexcept;
 
     TileGrid grid_;
     std::vector<ParticleTile> tiles_;

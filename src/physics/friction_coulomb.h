@@ -16,12 +16,12 @@ namespace frana {
 /// 610 (r_u); p_A: Fois, de Falco, Formaggia 2024, equation 2.
 struct CoulombFriction {
     NodeValue friction_coefficient;    ///< tan(phi) [-]
-    double effective_share = 1;        ///< 1 - r_u [-]
+    double effective_fraction = 1;     ///< 1 - r_u [-]
     double pressure_over_density = 0;  ///< p_A / rho [m2/s2]
 
     void operator()(BedState& bed, std::size_t node) const noexcept {
         bed.yield += friction_coefficient.at(node) *
-                     (effective_share * bed.normal_gravity + pressure_over_density / bed.thickness);
+                     (effective_fraction * bed.normal_gravity + pressure_over_density / bed.thickness);
     }
 };
 

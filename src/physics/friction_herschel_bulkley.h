@@ -35,9 +35,9 @@ struct HerschelBulkleyExcess {
     /// Mean speed under a bed stress that exceeds the yield stress by x [Pa].
     [[nodiscard]] double speed(double x, double thickness) const noexcept {
         if (!(x > 0)) return 0;
-        const double p = 1 / flow_index, share = x / (yield_stress + x);
+        const double p = 1 / flow_index, fraction = x / (yield_stress + x);
         const double rate = flow_index == 1 ? x / consistency : std::pow(x / consistency, p);
-        return thickness * rate * share / (1 + p) * (1 - share / (2 + p));
+        return thickness * rate * fraction / (1 + p) * (1 - fraction / (2 + p));
     }
 
     /// Backward Euler: the speed of excess x, plus what all parts take off, is `left`.

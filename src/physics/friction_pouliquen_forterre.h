@@ -24,22 +24,22 @@ struct PouliquenForterreExcess {
     double fast_coefficient = 0.6;  ///< mu_2 [-]
     double beta = 0.136;            ///< [-]
     double length = 1;              ///< L [m]
-    double effective_share = 1;     ///< 1 - r_u [-]
+    double effective_fraction = 1;  ///< 1 - r_u [-]
 
     void operator()(BedState& bed, std::size_t node) const noexcept {
-        bed.yield += effective_share * slow_coefficient.at(node) * bed.normal_gravity;
+        bed.yield += effective_fraction * slow_coefficient.at(node) * bed.normal_gravity;
     }
 
-    /// Backward Euler with the polynomial parts. s / (s + s_c) is the share of mu_2 - mu_1 that acts, s_c =
+    /// Backward Euler with the polynomial parts. s / (s + s_c) is the fraction of mu_2 - mu_1 that acts, s_c =
     /// beta d sqrt(g_n d) / L.
     [[nodiscard]] double speed_after(const BedState& bed, std::size_t node, double left, double dt) const noexcept {
         const double difference = std::max(0.0, fast_coefficient - slow_coefficient.at(node));
-        const double most = dt * effective_share * bed.normal_gravity * difference;
+        const double most = dt * effective_fraction * bed.normal_gravity * difference;
         const double s_c = beta * bed.thickness * std::sqrt(bed.normal_gravity * bed.thickness) / length;
         return increasing_root(
             [&](double s) {
-                const double share = s > 0 ? s / (s + s_c) : 0;
-                return s + most * share + dt * s * (bed.linear + s * bed.square) - left;
+                const double fraction = s > 0 ? s / (s + s_c) : 0;
+                return s + most * fraction + dt * s * (bed.linear + s * bed.square) - left;
             },
             left, left);
     }

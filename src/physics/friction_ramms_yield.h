@@ -21,9 +21,9 @@ struct RammsYield {
 
     void operator()(BedState& bed, std::size_t node) const noexcept {
         const double normal = density * bed.normal_gravity * bed.thickness;
-        const double share = 1 - friction_coefficient.at(node);
-        bed.yield -=
-            (share > 0 ? share : 0) * yield_stress * std::expm1(-normal / yield_stress) / (density * bed.thickness);
+        const double fraction = 1 - friction_coefficient.at(node);
+        bed.yield -= (fraction > 0 ? fraction : 0) * yield_stress * std::expm1(-normal / yield_stress) /
+                     (density * bed.thickness);
     }
 };
 

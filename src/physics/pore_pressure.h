@@ -11,7 +11,7 @@ namespace frana {
 ///     r_u(t) = r_0 exp(-t / T)      [-]
 ///
 /// r_0 pore pressure over total normal stress at the start, t time since the start of the run [s], T
-/// dissipation time [s] (infinite: r_u stays). It takes its share off the normal stress that frictional laws
+/// dissipation time [s] (infinite: r_u stays). It takes its fraction off the normal stress that frictional laws
 /// see. Range: 0 <= r_0 <= 1, T > 0. Limits: t = 0 gives r_0, t -> infinity dry friction; depth and speed do
 /// not enter, so nothing happens at zero of either. Sources: constant r_u, Hungr 1995, Can. Geotech. J. 32,
 /// 610; exponential decay as the leading mode of consolidation, T of the order of d^2 / D with hydraulic

@@ -37,9 +37,9 @@ struct EarthPressureStress {
     }
 
     [[nodiscard]] double coefficient(double divergence) const noexcept {
-        const double share = std::clamp(divergence / transition, -1.0, 1.0);
+        const double fraction = std::clamp(divergence / transition, -1.0, 1.0);
         const double still = std::clamp(1.0, spreading, compressed);
-        return share > 0 ? still + share * (spreading - still) : still - share * (compressed - still);
+        return fraction > 0 ? still + fraction * (spreading - still) : still - fraction * (compressed - still);
     }
 
     [[nodiscard]] PlaneStress<double> operator()(const StrainRate<double>& rate) const noexcept {

@@ -8,7 +8,7 @@
 
 namespace frana {
 
-/// zeta = tau_Y / tau_B, the share of the depth that moves as a plug, for a Bingham fluid in steady simple
+/// zeta = tau_Y / tau_B, the fraction of the depth that moves as a plug, for a Bingham fluid in steady simple
 /// shear:
 ///
 ///     zeta^3 - (3 + a) zeta + 2 = 0,   a = 6 mu |v| / (tau_Y h) >= 0

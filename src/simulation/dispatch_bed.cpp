@@ -23,14 +23,14 @@ namespace {
 template <class Slope>
 void hold_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState*,
                   NodeGrid& nodes) {
-    hold_nodes<Slope>(range, update, UniformFriction{friction.voellmy}, nodes);
+    find_held_nodes<Slope>(range, update, UniformFriction{friction.voellmy}, nodes);
 }
 
 template <class Slope>
 void hold_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState* states,
                  NodeGrid& nodes) {
     const NoExcess none;
-    hold_nodes<Slope>(range, update, SummedFriction<NoExcess>{none, states, friction.yields}, nodes);
+    find_held_nodes<Slope>(range, update, SummedFriction<NoExcess>{none, states, friction.yields}, nodes);
 }
 
 template <class Slope>
@@ -45,7 +45,7 @@ template <class Slope, class Excess>
 NodeReport update_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction,
                          BedState* states, double time, NodeGrid& nodes, Maxima& maxima) {
     Excess excess = std::get<Excess>(friction.excess);
-    if constexpr (requires { excess.effective_share; }) excess.effective_share = update.effective_share;
+    if constexpr (requires { excess.effective_fraction; }) excess.effective_fraction = update.effective_fraction;
     return update_nodes<Slope>(
         range, update, SummedFriction<Excess>{excess, states, friction.yields}, nodes,
         [&](std::size_t node, double depth, double speed) { maxima.see(node, depth, speed, time); });
@@ -55,7 +55,7 @@ NodeReport update_summed(const NodeRange& range, const NodeUpdate& update, const
 template <class Slope>
 void choose_summed(const Material& material, Stages& stages) {
     stages.fill_bed_states = fill_bed_states<Slope>;
-    stages.hold_nodes = hold_summed<Slope>;
+    stages.find_held_nodes = hold_summed<Slope>;
     if (material.has("herschel-bulkley") || (material.has("bingham") && material.exact_yield_ratio)) {
         stages.update_nodes = update_summed<Slope, HerschelBulkleyExcess>;
     } else if (material.has("bingham")) {
@@ -73,7 +73,7 @@ void choose_slope(const Material& material, bool summed, bool curved, Stages& st
         if (curved) return choose_slope<Curved<Slope>>(material, summed, curved, stages);
     }
     if (summed) return choose_summed<Slope>(material, stages);
-    stages.hold_nodes = hold_uniform<Slope>;
+    stages.find_held_nodes = hold_uniform<Slope>;
     stages.update_nodes = update_uniform<Slope>;
 }
 
@@ -94,7 +94,7 @@ Law law_of(const BedExchange& laws) {
 
 template <bool Metric, class Erosion, class Deposition>
 void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double film, const BedState* states,
-                    const NodeGrid& nodes, BedLayer* layers) {
+                    const NodeGrid& nodes, ErodibleBed* layers) {
     exchange_at_nodes<Metric>(range, law_of<Erosion>(laws), law_of<Deposition>(laws), laws.density, dt, film, states,
                               nodes, layers);
 }

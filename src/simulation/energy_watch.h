@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "simulation/step_figures.h"
+#include "simulation/step_statistics.h"
 
 namespace frana {
 
@@ -19,16 +19,16 @@ namespace frana {
 /// it comes before. Steps between which volume came in or went (release, inflow, open edges, erosion) are left out.
 class EnergyWatch {
   public:
-    void see(const StepFigures& figures) {
-        if (std::isnan(figures.energy)) return;
-        const double now = figures.energy, volume = figures.energy_volume;
-        const double half = 0.5 * figures.energy_taken;
+    void see(const StepStatistics& statistics) {
+        if (std::isnan(statistics.energy)) return;
+        const double now = statistics.energy, volume = statistics.energy_volume;
+        const double half = 0.5 * statistics.energy_taken;
         if (known_ && std::abs(volume - volume_) <= k_same_volume * volume_)
             balance_ += now - energy_ + half_taken_ + half;
-        taken_ += figures.energy_taken;
+        taken_ += statistics.energy_taken;
         lowest_ = std::min(lowest_, balance_);
         rise_ = std::max(rise_, balance_ - lowest_);
-        turned_over_ = std::max(turned_over_, figures.energy_moving + taken_);
+        turned_over_ = std::max(turned_over_, statistics.energy_moving + taken_);
         energy_ = now;
         half_taken_ = half;
         volume_ = volume;

@@ -39,7 +39,7 @@ void velocities_along_bed(const NodeGrid& nodes, std::size_t first, ParticleSet&
     const double *x = particles[Field::x], *y = particles[Field::y];
     double *u = particles[Field::u], *v = particles[Field::v];
     for (std::size_t p = first; p < particles.size(); ++p) {
-        if (!nodes.bounds().holds(x[p], y[p])) continue;
+        if (!nodes.bounds().contains(x[p], y[p])) continue;
         const Point w = frame_at(nodes, x[p], y[p]).along_bed(u[p], v[p]);
         u[p] = w.x;
         v[p] = w.y;
@@ -61,7 +61,7 @@ void make_room(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet&
         for (int b = -1; b <= 1; ++b) {
             for (int a = -1; a <= 1; ++a) {
                 const double x = newcomers[Field::x][p] + a * grid.dx, y = newcomers[Field::y][p] + b * grid.dx;
-                if (nodes.bounds().holds(x, y)) near.push_back(grid.node_of(x, y));
+                if (nodes.bounds().contains(x, y)) near.push_back(grid.node_of(x, y));
             }
         }
     }
@@ -92,8 +92,9 @@ voellmy_bingham::State initial_state(const Ground& ground, ParticleSet particles
     return voellmy_bingham::State(std::move(particles), std::move(nodes), std::move(order));
 }
 
-ZeroArray<BedLayer> bed_layers(const Entrainment& entrainment, const MaterialZones& zones, const NodeGrid& nodes) {
-    ZeroArray<BedLayer> layers(nodes.bed.size());
+ZeroArray<ErodibleBed> erodible_beds(const Entrainment& entrainment, const MaterialZones& zones,
+                                     const NodeGrid& nodes) {
+    ZeroArray<ErodibleBed> layers(nodes.bed.size());
     if (!entrainment.erodes()) return layers;
     std::vector<double> depths;
     if (zones.erodible_depth) depths = node_values(*zones.erodible_depth, entrainment.erodible_depth, nodes);
@@ -121,7 +122,7 @@ Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& m
     if (laws_.friction.summed) state_.bed_states = ZeroArray<BedState>(state_.nodes.size());
     if (stages_.flies) state_.flights = Flights(state_.nodes.size());
     if (entrainment.active()) {
-        state_.bed_layers = bed_layers(entrainment, zones, state_.nodes);
+        state_.erodible_beds = erodible_beds(entrainment, zones, state_.nodes);
         state_.nodes.bed_changes = true;
     }
     if (tilt) {
@@ -160,7 +161,7 @@ Point Flow::map_velocity(std::size_t p) const {
     const ParticleSet& particles = state_.particles;
     const double x = particles[Field::x][p], y = particles[Field::y][p];
     const double u = particles[Field::u][p], v = particles[Field::v][p];
-    if (!stages_.follows_bed || !state_.nodes.bounds().holds(x, y)) return {u, v};
+    if (!stages_.follows_bed || !state_.nodes.bounds().contains(x, y)) return {u, v};
     return frame_at(state_.nodes, x, y).in_map(u, v);
 }
 
@@ -186,7 +187,7 @@ std::size_t Flow::bytes_per_node() const noexcept {
     const std::size_t level = state_.nodes.levels.size() != 0 ? sizeof(NodeLevel) : 0;
     const std::size_t solid = state_.nodes.any_solid() ? 1 : 0;
     const std::size_t laws = (state_.bed_states.size() != 0 ? sizeof(BedState) : 0) +
-                             (state_.bed_layers.size() != 0 ? sizeof(BedLayer) : 0) +
+                             (state_.erodible_beds.size() != 0 ? sizeof(ErodibleBed) : 0) +
                              laws_.friction.node_values.size() * sizeof(double);
     return sizeof(double) + sizeof(NodeRecord) + level + solid + Maxima::k_bytes + laws;
 }
@@ -276,7 +277,7 @@ Flow::Snapshot Flow::snapshot() {
     return shot;
 }
 
-void Flow::see_present() {
+void Flow::record_present() {
     const Snapshot shot = snapshot();
     for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t node) {
         const double depth = shot.depth.at(row, column);
@@ -284,12 +285,12 @@ void Flow::see_present() {
     });
 }
 
-Raster Flow::layer_depth(double BedLayer::*depth) const {
+Raster Flow::layer_depth(double ErodibleBed::*depth) const {
     Raster raster(grid_, k_no_data);
-    if (state_.bed_layers.size() == 0) return raster;
+    if (state_.erodible_beds.size() == 0) return raster;
     for (std::int64_t row = 0; row < grid_.rows; ++row) {
         for (std::int64_t column = 0; column < grid_.columns; ++column) {
-            const double value = state_.bed_layers[state_.nodes.index(column, grid_.rows - 1 - row)].*depth;
+            const double value = state_.erodible_beds[state_.nodes.index(column, grid_.rows - 1 - row)].*depth;
             if (value > 0) raster.at(row, column) = value;
         }
     }
@@ -297,11 +298,11 @@ Raster Flow::layer_depth(double BedLayer::*depth) const {
 }
 
 Raster Flow::eroded_depth() const {
-    return layer_depth(&BedLayer::eroded);
+    return layer_depth(&ErodibleBed::eroded);
 }
 
 Raster Flow::deposited_depth() const {
-    return layer_depth(&BedLayer::deposited);
+    return layer_depth(&ErodibleBed::deposited);
 }
 
 template <class Value>

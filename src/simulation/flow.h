@@ -130,7 +130,7 @@ class Flow {
     /// The one that a node's particles had when the last step began [m/s].
     [[nodiscard]] Point brought_velocity(std::size_t node) const { return state_.brought[node]; }
     /// Folds the present depth into the maxima (they are otherwise taken at the start of each step).
-    void see_present();
+    void record_present();
     [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }
     /// A padded node array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the
     /// others.
@@ -146,7 +146,7 @@ class Flow {
 
   private:
     void gather();
-    [[nodiscard]] Raster layer_depth(double BedLayer::*depth) const;
+    [[nodiscard]] Raster layer_depth(double ErodibleBed::*depth) const;
     // Calls visit(row, column, node) for the cells that particles can touch, tile by tile.
     template <class Visit>
     void for_each_reached_cell(const Visit& visit) const;

@@ -9,15 +9,15 @@
 
 #include "simulation/flow.h"
 #include "simulation/particle_table.h"
-#include "simulation/step_figures.h"
+#include "simulation/step_statistics.h"
 #include "simulation/structured_flow.h"
 #include "simulation/terms.h"
 
 namespace frana {
 namespace {
 
-StepFigures figures_of(const voellmy_bingham::StepReport& report) {
-    StepFigures f;
+StepStatistics statistics_of(const voellmy_bingham::StepReport& report) {
+    StepStatistics f;
     f.dt = report.dt;
     f.volume = report.particles.volume + report.aloft;
     f.max_depth = report.nodes.max_depth;
@@ -39,8 +39,8 @@ StepFigures figures_of(const voellmy_bingham::StepReport& report) {
     return f;
 }
 
-StepFigures figures_of(const StepFigures& figures) {
-    return figures;
+StepStatistics statistics_of(const StepStatistics& statistics) {
+    return statistics;
 }
 
 // What came from the bed and went back to it so far [m3].
@@ -57,23 +57,23 @@ BedBudget bed_budget(const StructuredFlow&) {
 }
 
 template <class AnyFlow>
-SeriesRow series_row(const AnyFlow& flow, const StepFigures& figures, double density, const RunResult& so_far) {
+SeriesRow series_row(const AnyFlow& flow, const StepStatistics& statistics, double density, const RunResult& so_far) {
     SeriesRow row;
     row.time = flow.time();
     row.step = flow.steps();
-    row.dt = figures.dt;
-    row.volume = figures.volume;
+    row.dt = statistics.dt;
+    row.volume = statistics.volume;
     row.volume_left = flow.volume_left();
     row.volume_entered = so_far.volume_entered;
     row.volume_inflow = so_far.volume_inflow;
     const BedBudget bed = bed_budget(flow);
     row.volume_eroded = bed.eroded;
     row.volume_deposited = bed.deposited;
-    row.max_depth = figures.max_depth;
-    row.max_speed = figures.max_speed;
-    row.front_distance = figures.front_distance;
-    row.kinetic_energy = density * figures.kinetic;
-    row.covered_area = static_cast<double>(figures.covered) * flow.nodes().cell_size() * flow.nodes().cell_size();
+    row.max_depth = statistics.max_depth;
+    row.max_speed = statistics.max_speed;
+    row.front_distance = statistics.front_distance;
+    row.kinetic_energy = density * statistics.kinetic;
+    row.covered_area = static_cast<double>(statistics.covered) * flow.nodes().cell_size() * flow.nodes().cell_size();
     return row;
 }
 
@@ -104,7 +104,7 @@ bool frames_show_more(const AnyFlow& flow) {
 
 // The flow as its last step left it, which taking a frame does not change: a Flow's velocities are those that moved it.
 template <class AnyFlow>
-Frame take_frame(AnyFlow& flow, int index, bool with_particles) {
+Frame store_frame(AnyFlow& flow, int index, bool with_particles) {
     auto shot = flow.snapshot();
     return {index,
             flow.time(),
@@ -114,7 +114,7 @@ Frame take_frame(AnyFlow& flow, int index, bool with_particles) {
             with_particles ? particle_table(flow) : PointTable{}};
 }
 
-// A wall's cell holds nothing, though the nodes there gather a share of what leans against it.
+// A wall's cell holds nothing, though the nodes there gather a fraction of what leans against it.
 void hide_walls(const Scene& scene, Raster& raster) {
     if (!scene.walls) return;
     for (std::size_t i = 0; i < raster.values.size(); ++i) {
@@ -136,7 +136,7 @@ double density_of(const Scene&, const StructuredFlow& flow) {
     return flow.density();
 }
 
-void give_exchanges(const Scene& scene, const Flow& flow, RunResult& result) {
+void add_exchanges_to(const Scene& scene, const Flow& flow, RunResult& result) {
     result.exchanges = scene.entrainment.active();
     if (!result.exchanges) return;
     result.eroded_depth = flow.eroded_depth();
@@ -147,10 +147,10 @@ void give_exchanges(const Scene& scene, const Flow& flow, RunResult& result) {
         scene.material.density * std::hypot(flow.exchanged().momentum_x, flow.exchanged().momentum_y);
 }
 
-void give_exchanges(const Scene&, const StructuredFlow&, RunResult&) {}  // its bed stays as it is
+void add_exchanges_to(const Scene&, const StructuredFlow&, RunResult&) {}  // its bed stays as it is
 
-void give_jumps(const Scene& scene, const Flow& flow, RunResult& result) {
-    const JumpFigures& jumps = flow.flights().figures();
+void add_jumps_to(const Scene& scene, const Flow& flow, RunResult& result) {
+    const JumpStatistics& jumps = flow.flights().statistics();
     if (!(jumps.volume > 0)) return;
     result.jumps = {jumps.volume,
                     jumps.highest,
@@ -161,7 +161,7 @@ void give_jumps(const Scene& scene, const Flow& flow, RunResult& result) {
     result.jump_height = flow.jump_height();
 }
 
-void give_jumps(const Scene&, const StructuredFlow&, RunResult&) {}  // keeps to its bed
+void add_jumps_to(const Scene&, const StructuredFlow&, RunResult&) {}  // keeps to its bed
 
 double pressure_factor(const Flow& flow) {
     return flow.laws().stress.wave_factor;
@@ -228,18 +228,18 @@ FlowRun<AnyFlow>::FlowRun(const Scene& scene, const RunOptions& options, Release
 
 template <class AnyFlow>
 void FlowRun<AnyFlow>::begin() {
-    give_frame();
+    write_frame_now();
     if (AnyFlow::k_shows_end && !recorder_.idle()) recorder_.see(flow_, 0, 0);
 }
 
 template <class AnyFlow>
-void FlowRun<AnyFlow>::give_frame() {
+void FlowRun<AnyFlow>::write_frame_now() {
     if (!options_.on_frame || scene_.time.frame_interval <= 0) return;
     const double interval = scene_.time.frame_interval;
     next_frame_ = interval * (std::floor(flow_.time() / interval * (1 + 1e-12)) + 1);
     last_frame_ = flow_.time();
     engine_.stop();
-    Frame taken = take_frame(flow_, frames_++, options_.particles_in_frames);
+    Frame taken = store_frame(flow_, frames_++, options_.particles_in_frames);
     hide_walls(scene_, taken.depth);
     hide_walls(scene_, taken.velocity);
     if (result_.hard_events.non_finite > 0) {
@@ -275,34 +275,34 @@ void FlowRun<AnyFlow>::arrive(double target) {
 }
 
 template <class AnyFlow>
-void FlowRun<AnyFlow>::count(const StepFigures& figures) {
-    result_.series.push_back(series_row(flow_, figures, density_of(scene_, flow_), result_));
-    if (figures.volume > 0) {
-        result_.thin_share = std::max(result_.thin_share, figures.thin / figures.volume);
-        result_.moving_share = figures.moving / figures.volume;
+void FlowRun<AnyFlow>::count(const StepStatistics& statistics) {
+    result_.series.push_back(series_row(flow_, statistics, density_of(scene_, flow_), result_));
+    if (statistics.volume > 0) {
+        result_.thin_fraction = std::max(result_.thin_fraction, statistics.thin / statistics.volume);
+        result_.moving_fraction_limit = statistics.moving / statistics.volume;
     }
     result_.particles_peak = std::max(result_.particles_peak, flow_.particle_count());
-    result_.hard_events.depth_clamped += figures.clamped;
-    result_.unsupported += figures.unsupported;
+    result_.hard_events.depth_clamped += statistics.clamped;
+    result_.unsupported += statistics.unsupported;
     const BedBudget bed = bed_budget(flow_);
-    result_.troubles = watch_.look(flow_, figures, result_.volume_entered + bed.eroded - bed.deposited);
-    energy_.see(figures);
-    for (const Trouble& trouble : result_.troubles) {
-        add(trouble, result_.hard_events);
-        if (options_.on_trouble) options_.on_trouble(trouble);
+    result_.run_problems = watch_.look(flow_, statistics, result_.volume_entered + bed.eroded - bed.deposited);
+    energy_.see(statistics);
+    for (const RunProblem& run_problem : result_.run_problems) {
+        add(run_problem, result_.hard_events);
+        if (options_.on_problem) options_.on_problem(run_problem);
     }
 }
 
 template <class AnyFlow>
-std::optional<StopReason> FlowRun<AnyFlow>::reason_to_stop(const StepFigures& figures) {
-    if (!result_.troubles.empty()) return reason_of(result_.troubles.front());
+std::optional<StopReason> FlowRun<AnyFlow>::reason_to_stop(const StepStatistics& statistics) {
+    if (!result_.run_problems.empty()) return reason_of(result_.run_problems.front());
     if (arrivals_.done()) {
         if (flow_.empty()) return StopReason::all_left;
-        if (scene_.time.stop_when_still && still_.still(figures)) return StopReason::still;
-        if (settling_.settled(flow_, figures.kinetic, result_.volume_entered + bed_budget(flow_).eroded))
+        if (scene_.time.stop_when_still && still_.still(statistics)) return StopReason::still;
+        if (settling_.settled(flow_, statistics.kinetic, result_.volume_entered + bed_budget(flow_).eroded))
             return StopReason::settled;
-        if (fade_.energy(figures.kinetic)) return StopReason::energy;
-        if (fade_.moving(figures.moving)) return StopReason::moving_volume;
+        if (fade_.energy(statistics.kinetic)) return StopReason::energy;
+        if (fade_.moving(statistics.moving)) return StopReason::moving_volume;
     }
     if (options_.stop_requested && options_.stop_requested()) return StopReason::requested;
     return std::nullopt;
@@ -310,7 +310,7 @@ std::optional<StopReason> FlowRun<AnyFlow>::reason_to_stop(const StepFigures& fi
 
 template <class AnyFlow>
 Progress FlowRun<AnyFlow>::progress() const {
-    return {flow_.steps(), flow_.time(), scene_.time.end, flow_.particle_count(), !goes_on()};
+    return {flow_.steps(), flow_.time(), scene_.time.end, flow_.particle_count(), !continues()};
 }
 
 template <class AnyFlow>
@@ -322,29 +322,29 @@ void FlowRun<AnyFlow>::step() {
     const double stable = flow_.stable_step();
     const double limit = left <= stable ? left : left < 2 * stable ? 0.5 * left : left;
     const double began = flow_.time();
-    StepFigures figures = figures_of(flow_.advance(limit));
+    StepStatistics statistics = statistics_of(flow_.advance(limit));
     // A step that does not move time comes from no number.
-    if (!(flow_.time() > began)) figures.non_finite = std::max<std::int64_t>(figures.non_finite, 1);
-    if (!recorder_.idle()) recorder_.see(flow_, AnyFlow::k_shows_end ? flow_.time() : began, figures.dt);
-    count(figures);
+    if (!(flow_.time() > began)) statistics.non_finite = std::max<std::int64_t>(statistics.non_finite, 1);
+    if (!recorder_.idle()) recorder_.see(flow_, AnyFlow::k_shows_end ? flow_.time() : began, statistics.dt);
+    count(statistics);
     if (target - flow_.time() <= 1e-9 * target) arrive(target);
     if (options_.on_progress) options_.on_progress(progress());
-    if (const auto reason = reason_to_stop(figures)) {
+    if (const auto reason = reason_to_stop(statistics)) {
         result_.stop_reason = *reason;
         stopped_ = true;
     }
     // What ends here shows its end in finish(); what only pauses is to have the frames of a run that did not.
     const bool pauses = stopped_ && result_.stop_reason == StopReason::requested && flow_.time() < scene_.time.end;
-    if (flow_.time() >= next_frame_ && (goes_on() || pauses)) give_frame();
+    if (flow_.time() >= next_frame_ && (continues() || pauses)) write_frame_now();
 }
 
 template <class AnyFlow>
 RunResult FlowRun<AnyFlow>::finish() {
     RunResult& result = result_;
     const bool finite = result.hard_events.non_finite == 0;
-    if (flow_.time() != last_frame_ || result.stop_reason != StopReason::requested) give_frame();
+    if (flow_.time() != last_frame_ || result.stop_reason != StopReason::requested) write_frame_now();
     if (finite) flow_.synchronise();
-    if (finite) flow_.see_present();
+    if (finite) flow_.record_present();
     const Maxima& maxima = flow_.maxima();
     result.max_depth = flow_.to_raster(maxima.depth);
     result.max_velocity = flow_.to_raster(maxima.speed);
@@ -383,8 +383,8 @@ RunResult FlowRun<AnyFlow>::finish() {
     if constexpr (requires { flow_.phase_budget(); }) result.phases = flow_.phase_budget();
     if (!arrivals_.done())
         result.notes.emplace_back("the run ended before all release areas had failed or all inflow had entered");
-    give_exchanges(scene_, flow_, result);
-    give_jumps(scene_, flow_, result);
+    add_exchanges_to(scene_, flow_, result);
+    add_jumps_to(scene_, flow_, result);
     engine_.stop();
     result.engine_seconds = engine_.seconds();
     return std::move(result);

@@ -8,10 +8,10 @@
 #include "simulation/recorder.h"
 #include "simulation/release.h"
 #include "simulation/result.h"
+#include "simulation/run_check.h"
 #include "simulation/scene.h"
 #include "simulation/settling.h"
 #include "simulation/stopping.h"
-#include "simulation/trouble_watch.h"
 
 namespace frana {
 
@@ -47,7 +47,7 @@ class FlowRun {
     /// What is seen before the first step.
     void begin();
     /// Whether a step is still to be done.
-    [[nodiscard]] bool goes_on() const { return !stopped_ && flow_.time() < scene_.time.end; }
+    [[nodiscard]] bool continues() const { return !stopped_ && flow_.time() < scene_.time.end; }
     void step();
     /// The result; once.
     RunResult finish();
@@ -61,14 +61,14 @@ class FlowRun {
         engine.stop();
         archive(engine, arrivals, flow, frames, next_frame, still, fade, settling, recorder, energy);
         archive(result.series, result.particles_peak, result.hard_events, result.unsupported, result.volume_inflow,
-                result.volume_entered, result.thin_share, result.moving_share);
+                result.volume_entered, result.thin_fraction, result.moving_fraction_limit);
         for (ReleasedArea& area : result.released) archive(area.failed);
         // A run that was stopped goes on; one that came to rest does not.
-        bool ended = stopped && ends_for_good(result.stop_reason);
+        bool ended = stopped && ends_finally(result.stop_reason);
         StopReason reason = result.stop_reason;
         archive(ended, reason);
         if constexpr (Archive::k_reads) {
-            archive.require(frames >= 0 && (!ended || ends_for_good(reason)));
+            archive.require(frames >= 0 && (!ended || ends_finally(reason)));
             stopped = ended;
             if (ended) result.stop_reason = reason;
         }
@@ -81,11 +81,11 @@ class FlowRun {
   private:
     static constexpr std::uint64_t k_end_mark = 0x656e64206f662073;
 
-    void give_frame();
+    void write_frame_now();
     void receive();
     void arrive(double target);
-    void count(const StepFigures& figures);
-    [[nodiscard]] std::optional<StopReason> reason_to_stop(const StepFigures& figures);
+    void count(const StepStatistics& statistics);
+    [[nodiscard]] std::optional<StopReason> reason_to_stop(const StepStatistics& statistics);
 
     const Scene& scene_;
     const RunOptions& options_;
@@ -102,7 +102,7 @@ class FlowRun {
     FadeWatch fade_;
     SettlingWatch settling_;
     Recorder recorder_;
-    TroubleWatch watch_;
+    RunCheck watch_;
     EnergyWatch energy_;
 };
 

@@ -51,7 +51,7 @@ void check_ground(const Scene& scene, Point local) {
     const Point map = grid.map_from_local(local);
     char text[64];
     std::snprintf(text, sizeof text, "(%.1f, %.1f)", map.x, map.y);
-    if (!grid.local_bounds().holds(local.x, local.y))
+    if (!grid.local_bounds().contains(local.x, local.y))
         throw refused("the inflow's line reaches beyond the working grid", "inflow.line", text,
                       "Shorten it or take a larger DTM");
     const Cell cell = cell_of(grid, local);
@@ -119,13 +119,13 @@ InflowSource::InflowSource(const Scene& scene, const Inflow& inflow) : gravity_(
     std::vector<Point> slopes, tangents;
     double towards_left = 0;  // how far the ground falls to the left of the line
     for (std::size_t k = 0; k < count; ++k) {
-        const double share = 1 / static_cast<double>(count);
-        const OnLine on = at_distance(line, (static_cast<double>(k) + 0.5) * share * length);
+        const double fraction = 1 / static_cast<double>(count);
+        const OnLine on = at_distance(line, (static_cast<double>(k) + 0.5) * fraction * length);
         check_ground(scene, on.place);
         slopes.push_back(gradient(scene.terrain, cell_of(scene.grid, on.place)));
         tangents.push_back(on.tangent);
-        towards_left += (slopes.back().x * on.tangent.y - slopes.back().y * on.tangent.x) * share;
-        mouths_.push_back({on.place, {}, 1, share * length, share});
+        towards_left += (slopes.back().x * on.tangent.y - slopes.back().y * on.tangent.x) * fraction;
+        mouths_.push_back({on.place, {}, 1, fraction * length, fraction});
     }
     if (!inflow.azimuth && !(std::abs(towards_left) > 1e-6))
         throw refused("the ground is level across the inflow's line", "inflow.line", "", "Give inflow.direction");
@@ -140,7 +140,7 @@ InflowSource::InflowSource(const Scene& scene, const Inflow& inflow) : gravity_(
             throw refused("the inflow would run along its line", "inflow.direction", "",
                           "Choose a direction across the line, or remove the key");
         mouth.width *= crossing;
-        mouth.map_share = map_share(scene.numerics, slopes[k], mouth.direction);
+        mouth.map_fraction = map_fraction(scene.numerics, slopes[k], mouth.direction);
         check_ground(scene, {mouth.place.x + spacing * mouth.direction.x, mouth.place.y + spacing * mouth.direction.y});
     }
     batches_ = cut_hydrograph(inflow.hydrograph, spacing, scene.time.end);
@@ -148,9 +148,9 @@ InflowSource::InflowSource(const Scene& scene, const Inflow& inflow) : gravity_(
 
 InflowSource::Piece InflowSource::piece_of(const Mouth& mouth, const InflowBatch& batch) const {
     Piece piece{};
-    piece.length = batch.length * mouth.map_share;
+    piece.length = batch.length * mouth.map_fraction;
     piece.area = piece.length * mouth.width;
-    piece.depth = batch.volume * mouth.share / piece.area;
+    piece.depth = batch.volume * mouth.fraction / piece.area;
     // What lies upstream of the line is not computed, but presses on it: the row brings that impulse with it,
     // g h^2 / 2 a second and metre, so that the flux of momentum is h v^2 + g h^2 / 2. Slower than the critical speed a
     // flow finds its depth from downstream, and more than half as fast again would be a jet.
@@ -163,14 +163,14 @@ double InflowSource::take(ParticleSet& particles) {
     double given = 0;
     for (const Mouth& mouth : mouths_) {
         const Piece piece = piece_of(mouth, batch);
-        const double speed = piece.speed * mouth.map_share;
+        const double speed = piece.speed * mouth.map_fraction;
         ParticleRow row = ParticleSet::initial_row();
         get(row, Field::x) = mouth.place.x + 0.5 * piece.length * mouth.direction.x;
         get(row, Field::y) = mouth.place.y + 0.5 * piece.length * mouth.direction.y;
         get(row, Field::u) = speed * mouth.direction.x;
         get(row, Field::v) = speed * mouth.direction.y;
         get(row, Field::area) = piece.area;
-        get(row, Field::volume) = batch.volume * mouth.share;
+        get(row, Field::volume) = batch.volume * mouth.fraction;
         given += get(row, Field::volume);
         particles.push_back(row);
     }
@@ -198,8 +198,8 @@ InflowSource::Extremes InflowSource::extremes() const {
 Point InflowSource::midpoint() const {
     Point sum;
     for (const Mouth& mouth : mouths_) {
-        sum.x += mouth.place.x * mouth.share;
-        sum.y += mouth.place.y * mouth.share;
+        sum.x += mouth.place.x * mouth.fraction;
+        sum.y += mouth.place.y * mouth.fraction;
     }
     return sum;
 }

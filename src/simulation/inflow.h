@@ -53,9 +53,9 @@ class InflowSource {
   private:
     struct Mouth {
         Point place, direction;  ///< local metres; unit vector
-        double map_share;        ///< of lengths and speeds along the bed
+        double map_fraction;     ///< of lengths and speeds along the bed
         double width;            ///< across the direction [m]
-        double share;            ///< of the discharge
+        double fraction;         ///< of the discharge
     };
     // What a mouth brings of a row.
     struct Piece {

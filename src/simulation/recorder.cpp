@@ -96,13 +96,13 @@ SectionRow Recorder::row_of(const AnyFlow& flow, std::size_t section, double tim
     row.section = section;
     for (const Piece& piece : lines_[section].pieces) {
         double flux_x = 0, flux_y = 0, depth = 0, speed = 0;
-        for (const Share& share : piece.shares) {
-            const NodeState state = state_of(flow, share.node);
+        for (const Fraction& fraction : piece.fractions) {
+            const NodeState state = state_of(flow, fraction.node);
             // The volume in the cell, not the depth that is shown, is what passes.
-            flux_x += share.weight * state.held * state.u;
-            flux_y += share.weight * state.held * state.v;
-            depth += share.weight * state.depth;
-            speed += share.weight * state.speed;
+            flux_x += fraction.weight * state.held * state.u;
+            flux_y += fraction.weight * state.held * state.v;
+            depth += fraction.weight * state.depth;
+            speed += fraction.weight * state.speed;
         }
         row.discharge += flux_x * piece.normal_x + flux_y * piece.normal_y;
         if (depth < minimum_depth_) continue;
@@ -117,9 +117,9 @@ template <class AnyFlow>
 double Recorder::passing(const AnyFlow& flow, std::size_t section) const {
     double sum = 0;
     for (const Piece& piece : lines_[section].pieces) {
-        for (const Share& share : piece.shares) {
-            const NodeState state = state_of(flow, share.node);
-            sum += share.weight * (state.moved_x * piece.normal_x + state.moved_y * piece.normal_y);
+        for (const Fraction& fraction : piece.fractions) {
+            const NodeState state = state_of(flow, fraction.node);
+            sum += fraction.weight * (state.moved_x * piece.normal_x + state.moved_y * piece.normal_y);
         }
     }
     return sum;

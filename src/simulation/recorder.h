@@ -41,14 +41,14 @@ class Recorder {
     }
 
   private:
-    /// One node with its share of a sample.
-    struct Share {
+    /// One node with its fraction of a sample.
+    struct Fraction {
         std::size_t node;
         double weight;
     };
     /// A short piece of a line.
     struct Piece {
-        Share shares[4];            ///< the nodes round its middle
+        Fraction fractions[4];      ///< the nodes round its middle
         double normal_x, normal_y;  ///< to the right, times the piece's length [m]
         double length;
     };

@@ -130,7 +130,7 @@ void set_in_motion(const Scene& scene, const ReleaseArea& area, ParticleSet& par
     }
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Point g = slope({particles[Field::x][p], particles[Field::y][p]});
-        const double speed = area.speed * map_share(scene.numerics, g, direction);
+        const double speed = area.speed * map_fraction(scene.numerics, g, direction);
         particles[Field::u][p] = speed * direction.x;
         particles[Field::v][p] = speed * direction.y;
     }
@@ -173,7 +173,7 @@ ReleasedArea fill_area(const Scene& scene, const ReleaseArea& area, ParticleSet&
     return released;
 }
 
-void take_out(const Raster& depth, Raster& bed) {
+void remove(const Raster& depth, Raster& bed) {
     for (std::size_t i = 0; i < bed.values.size(); ++i) {
         if (!std::isnan(depth.values[i])) bed.values[i] -= depth.values[i];
     }
@@ -235,8 +235,8 @@ Release make_release(const Scene& scene) {
     }
     release.bed = release.bed_at_start = scene.terrain;
     if (scene.terrain_contains_release) {
-        take_out(release.depth, release.bed);
-        take_out(cell_depth(release.particles, scene.grid), release.bed_at_start);
+        remove(release.depth, release.bed);
+        remove(cell_depth(release.particles, scene.grid), release.bed_at_start);
     }
     return release;
 }

@@ -63,13 +63,13 @@ struct Progress {
 };
 
 /// What must not happen in a good run and ends any other, at the step at which it appears.
-struct Trouble {
+struct RunProblem {
     enum class Kind { non_finite, impossible_speed, volume_drift, no_data } kind;
     std::int64_t step = 0;
     double time = 0;               ///< [s]
     std::optional<Point> place{};  ///< map coordinates; none: of the flow as a whole
     std::int64_t count = 0;        ///< particles or cells; 0: does not apply
-    double value = 0, limit = 0;   ///< speed [m/s], or error of the volume as a share of all that came in
+    double value = 0, limit = 0;   ///< speed [m/s], or error of the volume as a fraction of all that came in
 };
 
 /// Writes the state of a run as it is now.
@@ -79,9 +79,9 @@ struct RunOptions {
     int threads = 1;
     std::function<void(Frame)> on_frame;  ///< called at time 0, at every frame interval and at the end
     bool particles_in_frames = false;
-    std::function<void(const Progress&)> on_progress;  ///< called every step; must be cheap
-    std::function<bool()> stop_requested;              ///< polled every step
-    std::function<void(const Trouble&)> on_trouble;    ///< called at the step at which it appears, which is the last
+    std::function<void(const Progress&)> on_progress;   ///< called every step; must be cheap
+    std::function<bool()> stop_requested;               ///< polled every step
+    std::function<void(const RunProblem&)> on_problem;  ///< called at the step at which it appears, which is the last
     /// Called after every step, the last one included; must be cheap unless it saves. What it does changes nothing of
     /// the run.
     std::function<void(const Progress&, const SaveState&)> after_step;
@@ -108,12 +108,13 @@ void serialise(Archive& archive, HardEvents& events) {
     archive(non_finite, depth_clamped, entered_no_data, impossible_speed, volume_drift);
 }
 
-/// How much the figures that people use changed over a last window of time.
+/// How much the values that people use changed over a last window of time.
 struct Settling {
-    double window = 0;   ///< [s]
-    double runout = 0;   ///< how much farther the farthest cell of the trace lies [m]
-    double area = 0;     ///< growth of the trace, as a share of it
-    double deposit = 0;  ///< share of all volume that came to lie in other cells; over 1 where it did so several times
+    double window = 0;  ///< [s]
+    double runout = 0;  ///< how much farther the farthest cell of the trace lies [m]
+    double area = 0;    ///< growth of the trace, as a fraction of it
+    double deposit =
+        0;  ///< fraction of all volume that came to lie in other cells; over 1 where it did so several times
 };
 
 enum class StopReason {
@@ -131,7 +132,7 @@ enum class StopReason {
 };
 
 /// Whether a run that stopped for this before its end time has nothing more to compute.
-[[nodiscard]] constexpr bool ends_for_good(StopReason reason) noexcept {
+[[nodiscard]] constexpr bool ends_finally(StopReason reason) noexcept {
     return reason == StopReason::still || reason == StopReason::settled || reason == StopReason::energy ||
            reason == StopReason::moving_volume || reason == StopReason::all_left;
 }
@@ -233,9 +234,9 @@ struct RunResult {
     Raster eroded_depth, deposited_depth;  ///< vertical [m], NaN where none
     double volume_eroded = 0, volume_deposited = 0;  ///< [m3]
     double momentum_deposited = 0;                   ///< that deposits took with them, size of the sum [kg m/s]
-    double thin_share = 0;         ///< greatest share of the volume that was at one time thinner than the minimum depth
-    double moving_share = 0;       ///< of the volume, faster than the scene's moving speed after the last step
-    std::int64_t unsupported = 0;  ///< nodes times steps at which the motion over a convex bed lifted off
+    double thin_fraction = 0;  ///< greatest fraction of the volume that was at one time thinner than the minimum depth
+    double moving_fraction_limit = 0;  ///< of the volume, faster than the scene's moving speed after the last step
+    std::int64_t unsupported = 0;      ///< nodes times steps at which the motion over a convex bed lifted off
     /// What flew over edges.
     struct Jumps {
         double volume = 0;   ///< sum over all jumps [m3]
@@ -249,9 +250,9 @@ struct RunResult {
     /// Greatest rise that neither gravity nor what friction took explains (EnergyWatch); none where it is not known.
     std::optional<double> energy_error;
     HardEvents hard_events;
-    std::vector<Trouble> troubles;   ///< of the run's last step
-    std::vector<std::string> terms;  ///< physics and numerics really computed
-    std::vector<std::string> notes;  ///< for log.txt: choices made, warnings
+    std::vector<RunProblem> run_problems;  ///< of the run's last step
+    std::vector<std::string> terms;        ///< physics and numerics really computed
+    std::vector<std::string> notes;        ///< for log.txt: choices made, warnings
 };
 
 /// What a run of a scene would take, without running it.
@@ -259,8 +260,8 @@ struct RunEstimate {
     std::int64_t particles = 0;
     double volume = 0;              ///< released [m3]
     double inflow = 0;              ///< through lines until the end [m3]
-    double thin_share = 0;          ///< of what is released, in cells thinner than the minimum depth
-    double untraced_share = 0;      ///< of what is released, in cells thinner than the trace's threshold
+    double thin_fraction = 0;       ///< of what is released, in cells thinner than the minimum depth
+    double untraced_fraction = 0;   ///< of what is released, in cells thinner than the trace's threshold
     std::int64_t memory_bytes = 0;  ///< engine and rasters, with the particles of the start
     std::int64_t bytes_per_particle = 0, bytes_per_node = 0;
     /// Their fields, and those few of which there is a second while they are put into order.

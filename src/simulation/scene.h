@@ -68,15 +68,15 @@ struct Material : MaterialValues {
 /// What differs from place to place in the structured model's release: rasters on the working grid, in the
 /// units of StructuredMaterial, whose value holds where one is NaN.
 struct StructuredZones {
-    std::optional<Raster> solid_fraction, confined_share, grain_density, grain_diameter, cohesion, friction,
+    std::optional<Raster> solid_fraction, confined_fraction, grain_density, grain_diameter, cohesion, friction,
         bed_friction;
 
     [[nodiscard]] bool any() const noexcept;
 };
 /// All of them.
 inline constexpr std::optional<Raster> StructuredZones::*k_structured_zones[] = {
-    &StructuredZones::solid_fraction, &StructuredZones::confined_share, &StructuredZones::grain_density,
-    &StructuredZones::grain_diameter, &StructuredZones::cohesion,       &StructuredZones::friction,
+    &StructuredZones::solid_fraction, &StructuredZones::confined_fraction, &StructuredZones::grain_density,
+    &StructuredZones::grain_diameter, &StructuredZones::cohesion,          &StructuredZones::friction,
     &StructuredZones::bed_friction};
 
 inline bool StructuredZones::any() const noexcept {
@@ -89,18 +89,18 @@ struct StructuredMaterial : StructuredValues {
     bool solids = false;            ///< false: the release is fluid, and nothing of solids is read
     bool manning_on_total = false;  ///< by the depth of everything; false: of the free fluid
 
-    double solid_fraction = k_solid_fraction;  ///< of what is released [-]
-    double confined_share = k_confined_share;  ///< f_fc, share of its fluid that is confined [-]
-    double grain_density = k_grain_density;    ///< [kg/m3]
-    double grain_diameter = k_grain_diameter;  ///< [m]
-    double cohesion = 0;                       ///< [Pa]
-    double friction = 0;                       ///< tan(phi) [-]
-    double bed_friction = 0;                   ///< tan(phi_b) [-]
-    double sin_dilatancy = 0;                  ///< sin(psi) [-]
-    bool damage_by_distortion = true;          ///< false: by opening
-    double initial_structured = 1;             ///< f_sc of whole material [-]
-    bool yield_on_own_stress = false;          ///< without the overburden
-    bool broken_is_elastic = false;            ///< false: it carries its earth pressure alone
+    double solid_fraction = k_solid_fraction;     ///< of what is released [-]
+    double confined_fraction = k_confined_share;  ///< f_fc, fraction of its fluid that is confined [-]
+    double grain_density = k_grain_density;       ///< [kg/m3]
+    double grain_diameter = k_grain_diameter;     ///< [m]
+    double cohesion = 0;                          ///< [Pa]
+    double friction = 0;                          ///< tan(phi) [-]
+    double bed_friction = 0;                      ///< tan(phi_b) [-]
+    double sin_dilatancy = 0;                     ///< sin(psi) [-]
+    bool damage_by_distortion = true;             ///< false: by opening
+    double initial_structured = 1;                ///< f_sc of whole material [-]
+    bool yield_on_own_stress = false;             ///< without the overburden
+    bool broken_is_elastic = false;               ///< false: it carries its earth pressure alone
     enum class EarthPressure { hydrostatic, active, passive } earth_pressure = EarthPressure::hydrostatic;
     int drag_exponent = 2;            ///< j: 1 or 2
     bool exponent_by_grains = false;  ///< M from the grains' Reynolds number
@@ -170,8 +170,8 @@ struct Numerics : NumericsValues {
 
 struct TimeControl : TimeValues {
     double end = 0;  ///< [s]; what a scene file leaves out, src/params says
-    /// End once run-out and area over the threshold have changed by no more than this share over the window, and four
-    /// times this share of the volume has changed place; 0: never.
+    /// End once run-out and area over the threshold have changed by no more than this fraction over the window, and
+    /// four times this fraction of the volume has changed place; 0: never.
     double stop_change = 0;
     double trace_threshold = k_trace_threshold;  ///< depth from which a cell belongs to that area [m]
     double frame_interval = 0;                   ///< [s]; 0: no frames

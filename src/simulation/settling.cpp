@@ -13,7 +13,7 @@ namespace {
 constexpr double k_least_window = 10;  // [s]
 constexpr double k_samples = 5;        // in a window
 constexpr double k_of_deposit = 4;     // what of the volume may change place, in shares that the area may change by
-constexpr double k_calm = 0.1;         // share of the kinetic energy's peak under which figures may settle
+constexpr double k_calm = 0.1;         // fraction of the kinetic energy's peak under which values may settle
 
 double depth_on(const Flow& flow, std::size_t node) {
     const double area = flow.grid().cell_area();

@@ -9,18 +9,19 @@
 
 namespace frana {
 
-/// Decides when the figures that people use have stopped changing: how far the flow has come, the area that it has
+/// Decides when the values that people use have stopped changing: how far the flow has come, the area that it has
 /// covered over the trace threshold, and where its volume lies. They are looked at now and then, always after the same
-/// steps, and compared with what they were a window ago: a share of the time since the last release or inflow, since a
-/// flow that slows down changes less and less in the same time, and one that runs on steadily does not. Nothing settles
-/// before its kinetic energy has fallen well below its peak: a mass that only just begins to move changes little.
+/// steps, and compared with what they were a window ago: a fraction of the time since the last release or inflow, since
+/// a flow that slows down changes less and less in the same time, and one that runs on steadily does not. Nothing
+/// settles before its kinetic energy has fallen well below its peak: a mass that only just begins to move changes
+/// little.
 class SettlingWatch {
   public:
     SettlingWatch(const TimeControl& time, const GridSpec& grid, Point origin);
 
     /// Something came in at this time [s]: the window begins anew.
     void restart(double time);
-    /// After a step, in which the flow's nodes hold what they held as it began. Whether the figures have settled.
+    /// After a step, in which the flow's nodes hold what they held as it began. Whether the values have settled.
     /// @param kinetic energy over density [m5/s2]
     /// @param all volume that came in or was eroded so far [m3]
     template <class AnyFlow>

@@ -34,7 +34,7 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
         run.begin();
     }
     const SaveState save = [&](StateWriter& writer) { writer(run); };
-    while (run.goes_on()) {
+    while (run.continues()) {
         run.step();
         if (options.after_step) options.after_step(run.progress(), save);
     }
@@ -134,14 +134,14 @@ RunEstimate estimate(const Scene& scene, int threads) {
     Arrivals arrivals(scene, std::exchange(release.later, {}));
     RunEstimate e;
     e.volume = release.volume;
-    const auto share_below = [&](double limit) {
+    const auto fraction_below = [&](double limit) {
         double thin = 0;
         for (const double depth : release.depth.values)
             if (depth < limit) thin += depth * scene.grid.cell_area();
         return release.volume > 0 ? thin / release.volume : 0;
     };
-    e.thin_share = share_below(scene.numerics.minimum_depth);
-    e.untraced_share = share_below(scene.time.trace_threshold);
+    e.thin_fraction = fraction_below(scene.numerics.minimum_depth);
+    e.untraced_fraction = fraction_below(scene.time.trace_threshold);
     e.terms = list_terms(scene);
     const std::size_t arriving = arrivals.particles_left();
     const Arrivals::Taken rest = arrivals.take(scene.time.end);

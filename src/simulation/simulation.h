@@ -14,7 +14,7 @@ RunResult run(const Scene& scene, const RunOptions& options);
 /// Particles, memory, first step and terms of a scene; seeds but does not run. Throws as run does.
 RunEstimate estimate(const Scene& scene, int threads);
 
-/// How far the mass budget is from closing, as a share of all that came in: rounding in a good run.
+/// How far the mass budget is from closing, as a fraction of all that came in: rounding in a good run.
 double relative_volume_error(const RunResult& result);
 
 /// "end time reached", "everything at rest", ...

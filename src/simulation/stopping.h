@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "simulation/scene.h"
-#include "simulation/step_figures.h"
+#include "simulation/step_statistics.h"
 
 namespace frana {
 
@@ -15,7 +15,7 @@ namespace frana {
 // cell that is deep enough to be shown, nor all that flows, however thin, by the root of its mean squared speed.
 class StillWatch {
   public:
-    bool still(const StepFigures& now) {
+    bool still(const StepStatistics& now) {
         const double mean = now.volume > 0 ? std::sqrt(2 * now.kinetic / now.volume) : 0;
         const double speed = std::max(now.max_speed, mean);
         frozen_ = speed > 0 ? 0 : frozen_ + 1;
@@ -37,22 +37,22 @@ class StillWatch {
 };
 
 // Decides when so little is left of a flow's motion that a scene wants no more of it: kinetic energy or
-// moving volume under a share of its peak. Both grow from zero, so neither ends a flow that has not begun.
+// moving volume under a fraction of its peak. Both grow from zero, so neither ends a flow that has not begun.
 class FadeWatch {
   public:
     explicit FadeWatch(const TimeControl& time) : time_(time) {}
 
-    bool energy(double now) { return under(now, energy_peak_, time_.stop_energy_share); }
-    bool moving(double now) { return under(now, moving_peak_, time_.stop_moving_share); }
+    bool energy(double now) { return under(now, energy_peak_, time_.stop_energy_fraction); }
+    bool moving(double now) { return under(now, moving_peak_, time_.stop_moving_fraction); }
     template <class Archive>
     void serialise(Archive& archive) {
         archive(energy_peak_, moving_peak_);
     }
 
   private:
-    static bool under(double now, double& peak, double share) {
+    static bool under(double now, double& peak, double fraction) {
         peak = std::max(peak, now);
-        return now < share * peak;
+        return now < fraction * peak;
     }
     const TimeControl& time_;
     double energy_peak_ = 0, moving_peak_ = 0;

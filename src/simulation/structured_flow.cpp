@@ -32,7 +32,7 @@ ParticleSet solids_of(const ParticleSet& columns, const StructuredMaterial& mate
     const auto of_place = [&](Point local) { return material_at(material, grid, local); };
     ParticleSet placed = structured::split_phases(columns, of_place);
     if (material.spread_evenly) placed = structured::place_anew(placed, grid, numerics.particles_per_cell);
-    return structured::give_material(placed, fields, of_place);
+    return structured::assign_material(placed, fields, of_place);
 }
 
 structured::State initial_state(NodeGrid nodes, const structured::Laws& laws, const StructuredMaterial& material,
@@ -59,7 +59,7 @@ StructuredFlow::StructuredFlow(const Ground& ground, const std::optional<Raster>
     receive(released, true);
     receive_lying();
     structured::prepare(state_, laws_, pool_);
-    see_present();
+    record_present();
 }
 
 void StructuredFlow::lower_bed(const Raster& depth) {
@@ -69,7 +69,7 @@ void StructuredFlow::lower_bed(const Raster& depth) {
 
 void StructuredFlow::add_fluid(const ParticleSet& particles) {
     receive(particles, false);
-    see_present();
+    record_present();
 }
 
 void StructuredFlow::add_release(const ParticleSet& columns) {
@@ -80,7 +80,7 @@ void StructuredFlow::add_release(const ParticleSet& columns) {
         structured::prepare(state_, laws_, pool_);
     }
     receive(columns, true);
-    see_present();
+    record_present();
 }
 
 // Free fluid that lies on the ground from the start.
@@ -96,7 +96,7 @@ void StructuredFlow::receive_lying() {
     state_.fluid->volume_left += structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
 }
 
-// Takes in particles' fluid: of columns as released the share that is free from the start, else all.
+// Takes in particles' fluid: of columns as released the fraction that is free from the start, else all.
 void StructuredFlow::receive(const ParticleSet& particles, bool columns) {
     const double inverse_area = 1 / grid_.cell_area();
     std::vector<FluidSource> sources;
@@ -109,18 +109,18 @@ void StructuredFlow::receive(const ParticleSet& particles, bool columns) {
             released_mass_ += volume * whole_density(material_, solid);
             released_volume_ += volume;
         }
-        const double share = columns && material_.solids ? solid.free() : 1;
+        const double fraction = columns && material_.solids ? solid.free() : 1;
         if (columns && material_.solids) {
             entered_.solids += volume * solid.solid_fraction;
             entered_.confined += volume * solid.held();
         }
-        entered_.free += share * volume;
-        if (!state_.fluid || !(share > 0)) continue;
-        if (!state_.grid.bounds().holds(place.x, place.y)) {
-            state_.fluid->volume_left += share * volume;
+        entered_.free += fraction * volume;
+        if (!state_.fluid || !(fraction > 0)) continue;
+        if (!state_.grid.bounds().contains(place.x, place.y)) {
+            state_.fluid->volume_left += fraction * volume;
             continue;
         }
-        const double depth = share * volume * inverse_area;
+        const double depth = fraction * volume * inverse_area;
         sources.push_back({state_.grid.scale().node_of(place.x, place.y), depth, depth * particles[Field::u][p],
                            depth * particles[Field::v][p]});
     }
@@ -142,19 +142,19 @@ double StructuredFlow::stable_step() {
     return std::min(structured::stable_step(state_, laws_, pool_), still_step());
 }
 
-StepFigures StructuredFlow::advance(double dt_limit) {
+StepStatistics StructuredFlow::advance(double dt_limit) {
     const double into_gaps = state_.fluid ? state_.fluid->volume_into_gaps : 0;
     const structured::StepReport report = structured::step(state_, laws_, std::min(dt_limit, still_step()), pool_);
     ++steps_;
     particle_steps_ += particle_count() * report.substeps;
-    StepFigures figures = observe();
-    figures.dt = report.dt;
-    figures.kinetic += report.kinetic / density();
-    figures.non_finite = report.fluid.non_finite + report.solids.non_finite;
-    figures.clamped = report.solids.clamped;
-    figures.fastest = std::sqrt(report.solids.speed2);
-    figures.no_data = report.no_data + (state_.fluid && state_.fluid->volume_into_gaps > into_gaps ? 1 : 0);
-    return figures;
+    StepStatistics statistics = observe();
+    statistics.dt = report.dt;
+    statistics.kinetic += report.kinetic / density();
+    statistics.non_finite = report.fluid.non_finite + report.solids.non_finite;
+    statistics.clamped = report.solids.clamped;
+    statistics.fastest = std::sqrt(report.solids.speed2);
+    statistics.no_data = report.no_data + (state_.fluid && state_.fluid->volume_into_gaps > into_gaps ? 1 : 0);
+    return statistics;
 }
 
 double StructuredFlow::volume() {
@@ -222,24 +222,24 @@ std::size_t StructuredFlow::bytes_per_node() const noexcept {
     return bytes;
 }
 
-void StructuredFlow::see_present() {
+void StructuredFlow::record_present() {
     observe();
 }
 
-StepFigures StructuredFlow::observe() {
+StepStatistics StructuredFlow::observe() {
     const std::vector<std::int64_t> tiles = shown_tiles();
-    std::vector<StepFigures> figures(tiles.size());
+    std::vector<StepStatistics> statistics(tiles.size());
     const double area = grid_.cell_area();
-    const double fluid_share = material_.fluid_density / density();
+    const double fluid_fraction = material_.fluid_density / density();
     pool_.for_each(tiles.size(), [&](std::size_t t) {
-        StepFigures& f = figures[t];
+        StepStatistics& f = statistics[t];
         NodeRange(tiles[t], tiles_, state_.grid)
             .for_each(state_.grid.stride(), [&](std::size_t cell, std::int64_t i, std::int64_t j) {
                 const double depth = inside(i, j) ? column(cell).depth : 0;
                 if (depth < numerics_.minimum_depth) f.thin += depth * area;
                 if (!(depth >= laws_.fluid.dry)) return;
                 const double fast = speed(cell), fluid_fast = fluid_speed(cell);
-                f.kinetic += 0.5 * fluid_share * fluid_depth(cell) * area * fluid_fast * fluid_fast;
+                f.kinetic += 0.5 * fluid_fraction * fluid_depth(cell) * area * fluid_fast * fluid_fast;
                 if (fast > moving_speed_) f.moving += depth * area;
                 if (depth < numerics_.minimum_depth) return;
                 ++f.covered;
@@ -251,8 +251,8 @@ StepFigures StructuredFlow::observe() {
                 maxima_.see(cell, depth, fast, state_.time);
             });
     });
-    StepFigures sum;
-    for (const StepFigures& f : figures) {
+    StepStatistics sum;
+    for (const StepStatistics& f : statistics) {
         sum.kinetic += f.kinetic;
         sum.moving += f.moving;
         sum.thin += f.thin;

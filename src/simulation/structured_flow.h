@@ -11,7 +11,7 @@
 #include "particles/particle_set.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
-#include "simulation/step_figures.h"
+#include "simulation/step_statistics.h"
 
 namespace frana {
 
@@ -41,7 +41,7 @@ class StructuredFlow {
     /// Longest step the present state allows [s]; no longer than a wave on the minimum depth would take
     /// through a cell, so that a map at rest is watched too.
     [[nodiscard]] double stable_step();
-    StepFigures advance(double dt_limit);
+    StepStatistics advance(double dt_limit);
     void synchronise() {}  // velocities are never behind
 
     [[nodiscard]] double time() const noexcept { return state_.time; }
@@ -75,7 +75,7 @@ class StructuredFlow {
     /// fluid alone, its velocity.
     [[nodiscard]] std::vector<NamedRaster> phases() const;
     /// Folds the present into the maxima; advance does it after every step.
-    void see_present();
+    void record_present();
     [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }
     /// A padded array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the others.
     [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
@@ -123,7 +123,7 @@ class StructuredFlow {
     [[nodiscard]] double solid_speed(std::size_t cell) const;
     void receive(const ParticleSet& particles, bool columns);
     void receive_lying();
-    StepFigures observe();
+    StepStatistics observe();
     template <class Value>
     [[nodiscard]] Raster raster_of(const Value& value) const;
 

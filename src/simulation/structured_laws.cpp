@@ -32,15 +32,15 @@ structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& nu
 }
 
 structured::SolidMaterial uniform_material(const StructuredMaterial& m) {
-    return {m.solid_fraction, m.confined_share, m.cohesion,      m.friction,
-            m.bed_friction,   m.grain_density,  m.grain_diameter};
+    return {m.solid_fraction, m.confined_fraction, m.cohesion,      m.friction,
+            m.bed_friction,   m.grain_density,     m.grain_diameter};
 }
 
 structured::SolidMaterial material_of_cell(const StructuredMaterial& m, std::size_t cell) {
     structured::SolidMaterial solid = uniform_material(m);
     const StructuredZones& zones = m.zones;
     for (const auto& [raster, value] : {std::pair{&zones.solid_fraction, &solid.solid_fraction},
-                                        {&zones.confined_share, &solid.confined_share},
+                                        {&zones.confined_fraction, &solid.confined_fraction},
                                         {&zones.cohesion, &solid.cohesion},
                                         {&zones.friction, &solid.friction},
                                         {&zones.bed_friction, &solid.bed_friction},
@@ -57,7 +57,8 @@ double coupled_density(const StructuredMaterial& m, const structured::SolidMater
 }
 
 structured::Elasticity elasticity(const StructuredMaterial& m) {
-    return structured::Elasticity::from_young_and_bulk(m.young_modulus / m.softening, m.bulk_modulus / m.softening);
+    return structured::Elasticity::from_young_and_bulk(m.young_modulus / m.modulus_reduction,
+                                                       m.bulk_modulus / m.modulus_reduction);
 }
 
 // Elastic waves are fastest in the lightest.
@@ -148,12 +149,12 @@ structured::Laws structured_laws(const StructuredMaterial& m, const Numerics& nu
     solid.elastic = elasticity(m);
     solid.sin_dilatancy = m.sin_dilatancy;
     solid.earth_pressure = law_of(m.earth_pressure);
-    solid.basal = {numerics.gravity, has_fluid(m) ? m.fluid_density : 0, m.pore_pressure_share};
+    solid.basal = {numerics.gravity, has_fluid(m) ? m.fluid_density : 0, m.pore_pressure_fraction};
     solid.fractures = can_fracture(m);
     solid.initial_structured = m.initial_structured;
     solid.strength_of_particle_stress = m.yield_on_own_stress;
     if (m.broken_is_elastic) solid.broken = structured::BrokenMaterial::elastic;
-    solid.pic_share = m.pic_share;
+    solid.pic_fraction = m.pic_fraction;
     solid.fragmentation.critical_strain = m.critical_strain;
     solid.fragmentation.measure =
         m.damage_by_distortion ? structured::DamageMeasure::equivalent : structured::DamageMeasure::volumetric;

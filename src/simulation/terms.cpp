@@ -63,7 +63,7 @@ void add_solids(const StructuredMaterial& m, bool fluid, Words& words) {
     }
     if (m.cohesion > 0) words.emplace_back("cohesion lost with strain");
     if (!fluid) return;
-    if (m.cohesion > 0 && m.confined_share > 0) words.emplace_back("release of confined fluid");
+    if (m.cohesion > 0 && m.confined_fraction > 0) words.emplace_back("release of confined fluid");
     words.emplace_back("buoyancy");
     words.emplace_back("drag");
     if (m.virtual_mass != StructuredMaterial::VirtualMass::none) words.emplace_back("virtual mass");

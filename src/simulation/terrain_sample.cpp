@@ -26,7 +26,7 @@ Point gradient(const Raster& terrain, Cell cell) {
     return {difference(0, 1), -difference(1, 0)};
 }
 
-double map_share(const Numerics& numerics, Point slope, Point direction) {
+double map_fraction(const Numerics& numerics, Point slope, Point direction) {
     if (numerics.slope_correction == SlopeCorrection::none) return 1;
     const double climb = slope.x * direction.x + slope.y * direction.y;
     return 1 / std::sqrt(1 + climb * climb);

@@ -17,8 +17,8 @@ Cell cell_of(const GridSpec& grid, Point local);
 /// Slope of the terrain at a cell (east, north) [-], from the neighbours that have data.
 Point gradient(const Raster& terrain, Cell cell);
 
-/// Map-view share of a speed along the bed in a direction (a unit vector): 1 / sqrt(1 + climb^2), or 1 where
+/// Map-view fraction of a speed along the bed in a direction (a unit vector): 1 / sqrt(1 + climb^2), or 1 where
 /// the scene's equations do not know the difference.
-double map_share(const Numerics& numerics, Point slope, Point direction);
+double map_fraction(const Numerics& numerics, Point slope, Point direction);
 
 }  // namespace frana

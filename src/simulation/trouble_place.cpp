@@ -35,7 +35,7 @@ std::optional<Point> non_finite_particle(const ParticleSet& particles) {
 std::optional<Point> particle_in_gap(const ParticleSet& particles, const NodeGrid& nodes) {
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Point at = place(particles, p);
-        if (nodes.bounds().holds(at.x, at.y) && nodes.is_gap(nodes.scale().node_of(at.x, at.y))) return at;
+        if (nodes.bounds().contains(at.x, at.y) && nodes.is_gap(nodes.scale().node_of(at.x, at.y))) return at;
     }
     return std::nullopt;
 }

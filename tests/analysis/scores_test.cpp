@@ -28,20 +28,20 @@ TEST(Scores, CountsByHand) {
     // count.
     const Raster depth = row_of({3.0, 2.0, 1.5, 0.5, k_no_data, k_no_data, 0.1, 0.0});
     const Raster observed = row_of({1, 1, 0, 1, 1, 0, 0, k_no_data});
-    const ComparisonFigures figures = compare(depth, observed, 0.5);
-    EXPECT_EQ(figures.hit_m2, 200);
-    EXPECT_EQ(figures.false_alarm_m2, 100);
-    EXPECT_EQ(figures.miss_m2, 200);
-    EXPECT_EQ(figures.observed_area_m2, 400);
-    EXPECT_EQ(figures.simulated_area_m2, 300);
-    EXPECT_EQ(figures.threshold_m, 0.5);
-    EXPECT_NEAR(figures.area_difference_percent, 25, 100 * k_rounding);
-    EXPECT_NEAR(figures.jaccard, 2.0 / 5, k_rounding);
-    EXPECT_NEAR(figures.csi, 2.0 / 5, k_rounding);
-    EXPECT_NEAR(figures.dice, 4.0 / 7, k_rounding);
-    EXPECT_NEAR(figures.true_positive_rate, 0.5, k_rounding);
-    EXPECT_NEAR(figures.false_positive_rate, 1.0 / 20, k_rounding);
-    EXPECT_NEAR(figures.d2pc, std::sqrt(0.25 + 0.0025), k_rounding);
+    const ComparisonStatistics statistics = compare(depth, observed, 0.5);
+    EXPECT_EQ(statistics.hit_m2, 200);
+    EXPECT_EQ(statistics.false_alarm_m2, 100);
+    EXPECT_EQ(statistics.miss_m2, 200);
+    EXPECT_EQ(statistics.observed_area_m2, 400);
+    EXPECT_EQ(statistics.simulated_area_m2, 300);
+    EXPECT_EQ(statistics.threshold_m, 0.5);
+    EXPECT_NEAR(statistics.area_difference_percent, 25, 100 * k_rounding);
+    EXPECT_NEAR(statistics.jaccard, 2.0 / 5, k_rounding);
+    EXPECT_NEAR(statistics.csi, 2.0 / 5, k_rounding);
+    EXPECT_NEAR(statistics.dice, 4.0 / 7, k_rounding);
+    EXPECT_NEAR(statistics.true_positive_rate, 0.5, k_rounding);
+    EXPECT_NEAR(statistics.false_positive_rate, 1.0 / 20, k_rounding);
+    EXPECT_NEAR(statistics.d2pc, std::sqrt(0.25 + 0.0025), k_rounding);
 }
 
 TEST(Scores, RocCurveByHand) {
@@ -59,16 +59,16 @@ TEST(Scores, EqualDepthsPassTheThresholdTogether) {
 
 TEST(Scores, PerfectAgreement) {
     const Raster depth = row_of({1, 2, k_no_data}), observed = row_of({1, 1, 0});
-    const ComparisonFigures figures = compare(depth, observed, 0.1);
-    EXPECT_EQ(figures.jaccard, 1);
-    EXPECT_EQ(figures.d2pc, 0);
-    EXPECT_EQ(figures.auroc, 1);
-    EXPECT_EQ(figures.area_difference_percent, 0);
+    const ComparisonStatistics statistics = compare(depth, observed, 0.1);
+    EXPECT_EQ(statistics.jaccard, 1);
+    EXPECT_EQ(statistics.d2pc, 0);
+    EXPECT_EQ(statistics.auroc, 1);
+    EXPECT_EQ(statistics.area_difference_percent, 0);
 }
 
 TEST(Scores, EmptyMapRoundItDoesNotFlatter) {
-    const ComparisonFigures tight = compare(row_of({1, 1, 1}), row_of({1, 1, 0}), 0.1);
-    const ComparisonFigures wide =
+    const ComparisonStatistics tight = compare(row_of({1, 1, 1}), row_of({1, 1, 0}), 0.1);
+    const ComparisonStatistics wide =
         compare(row_of({1, 1, 1, 0, 0, 0, 0, 0, k_no_data}), row_of({1, 1, 0, 0, 0, 0, 0, 0, 0}), 0.1);
     EXPECT_EQ(tight.d2pc, wide.d2pc);
     EXPECT_EQ(tight.auroc, wide.auroc);
@@ -76,11 +76,11 @@ TEST(Scores, EmptyMapRoundItDoesNotFlatter) {
 }
 
 TEST(Scores, NothingSimulatedIsAMissEverywhere) {
-    const ComparisonFigures figures = compare(row_of({k_no_data, k_no_data}), row_of({1, 0}), 0.1);
-    EXPECT_EQ(figures.hit_m2, 0);
-    EXPECT_EQ(figures.miss_m2, 100);
-    EXPECT_EQ(figures.area_difference_percent, 100);
-    EXPECT_EQ(figures.auroc, 0.5);  // no information
+    const ComparisonStatistics statistics = compare(row_of({k_no_data, k_no_data}), row_of({1, 0}), 0.1);
+    EXPECT_EQ(statistics.hit_m2, 0);
+    EXPECT_EQ(statistics.miss_m2, 100);
+    EXPECT_EQ(statistics.area_difference_percent, 100);
+    EXPECT_EQ(statistics.auroc, 0.5);  // no information
 }
 
 TEST(Scores, NothingObservedIsRefused) {
@@ -103,7 +103,7 @@ TEST(Scores, AgreementClasses) {
 TEST(Scores, TheCurveOverTheThresholdByHand) {
     const Raster depth = row_of({3, 2, 0.012, k_no_data});
     const Raster observed = row_of({1, 0, 1, 1});
-    const std::vector<ComparisonFigures> curve = score_curve(depth, observed);
+    const std::vector<ComparisonStatistics> curve = score_curve(depth, observed);
     // 0; 0.01, 0.015 ... 0.07; 0.1 ... 0.7; 1, 1.5, 2 (3 is not under the greatest depth).
     ASSERT_EQ(curve.size(), 1U + 6 + 6 + 3);
     EXPECT_EQ(curve[0].threshold_m, 0);
@@ -112,7 +112,7 @@ TEST(Scores, TheCurveOverTheThresholdByHand) {
     EXPECT_NEAR(curve[2].jaccard, 1.0 / 4, k_rounding);  // ... but not over 0.015
     EXPECT_NEAR(curve.back().threshold_m, 2, 1e-12);
     EXPECT_NEAR(curve.back().jaccard, 1.0 / 3, k_rounding);
-    for (const ComparisonFigures& figures : curve) EXPECT_EQ(figures.auroc, compare(depth, observed, 1).auroc);
+    for (const ComparisonStatistics& statistics : curve) EXPECT_EQ(statistics.auroc, compare(depth, observed, 1).auroc);
 }
 
 }  // namespace

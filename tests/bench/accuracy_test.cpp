@@ -51,20 +51,20 @@ TEST(Accuracy, RunsBothSchemesAtTwoResolutionsWhenQuick) {
     const auto rows = quick({"granular-slope", "sliding-block"});
     ASSERT_EQ(rows.size(), 8u);
     for (const AccuracyRow& row : rows) {
-        EXPECT_TRUE(row.figures.failure.empty()) << row.case_name;
-        EXPECT_GT(row.figures.particles, 0);
-        EXPECT_GT(row.figures.steps, 0);
-        EXPECT_GT(row.figures.wall_seconds, 0);
-        EXPECT_TRUE(std::isfinite(row.figures.l1_depth) && row.figures.l1_depth >= 0);
-        EXPECT_TRUE(std::isfinite(row.figures.l1_momentum) && row.figures.l1_momentum >= 0);
+        EXPECT_TRUE(row.statistics.failure.empty()) << row.case_name;
+        EXPECT_GT(row.statistics.particles, 0);
+        EXPECT_GT(row.statistics.steps, 0);
+        EXPECT_GT(row.statistics.wall_seconds, 0);
+        EXPECT_TRUE(std::isfinite(row.statistics.l1_depth) && row.statistics.l1_depth >= 0);
+        EXPECT_TRUE(std::isfinite(row.statistics.l1_momentum) && row.statistics.l1_momentum >= 0);
     }
     EXPECT_TRUE(std::isnan(rows[0].observed_order)) << "the coarsest has nothing to be compared with";
-    EXPECT_NEAR(rows[1].observed_order, std::log(rows[0].figures.l1_depth / rows[1].figures.l1_depth) / std::log(2.0),
-                1e-12);
+    EXPECT_NEAR(rows[1].observed_order,
+                std::log(rows[0].statistics.l1_depth / rows[1].statistics.l1_depth) / std::log(2.0), 1e-12);
     // The undisturbed block of the default scheme: the mark of the bench.
-    const auto block = std::find_if(rows[1].figures.own.begin(), rows[1].figures.own.end(),
-                                    [](const OwnFigure& f) { return f.name == "block speed, relative error"; });
-    ASSERT_NE(block, rows[1].figures.own.end());
+    const auto block = std::find_if(rows[1].statistics.own.begin(), rows[1].statistics.own.end(),
+                                    [](const CaseStatistic& f) { return f.name == "block speed, relative error"; });
+    ASSERT_NE(block, rows[1].statistics.own.end());
     EXPECT_TRUE(block->met()) << block->value;
 }
 
@@ -76,9 +76,9 @@ TEST(Accuracy, FreeFluidConvergesWithSecondOrderInSmoothFlow) {
     ASSERT_EQ(rows.size(), 5u);
     for (const AccuracyRow& row : rows) {
         EXPECT_EQ(row.scheme, Scheme::standard);
-        EXPECT_TRUE(row.figures.failure.empty()) << row.case_name;
+        EXPECT_TRUE(row.statistics.failure.empty()) << row.case_name;
         // Minmod clips the crest of the wave: 1.7 rather than 2 in the mean.
-        if (row.figures.cell_size < 1) {
+        if (row.statistics.cell_size < 1) {
             EXPECT_GT(row.observed_order, 1.7);
         }
     }
@@ -95,7 +95,7 @@ TEST(CompareWithExact, MeasuresWhatItSays) {
     setup.numerics = numerics_of(Scheme::standard, SlopeCorrection::none, Boundary::wall);
     TimedFlow run(setup);
     const auto middle = [](Point p) { return std::abs(p.x - 10) < 5; };  // walls take the momentum at the ends
-    const CaseFigures none = compare_with_exact(
+    const CaseStatistics none = compare_with_exact(
         run,
         [](Point) {
             return ExactState{2, 6, 0};
@@ -103,7 +103,7 @@ TEST(CompareWithExact, MeasuresWhatItSays) {
         middle);
     EXPECT_NEAR(none.l1_depth, 0, 1e-14);
     EXPECT_NEAR(none.l1_momentum, 0, 1e-14);
-    const CaseFigures some = compare_with_exact(
+    const CaseStatistics some = compare_with_exact(
         run,
         [](Point) {
             return ExactState{2.5, 6, 8};

@@ -19,9 +19,9 @@ AccuracyRow row(const char* name, Scheme scheme, double cell, double seconds, do
     AccuracyRow r;
     r.case_name = name;
     r.scheme = scheme;
-    r.figures.cell_size = cell;
-    r.figures.wall_seconds = seconds;
-    r.figures.l1_depth = r.figures.l1_momentum = error;
+    r.statistics.cell_size = cell;
+    r.statistics.wall_seconds = seconds;
+    r.statistics.l1_depth = r.statistics.l1_momentum = error;
     r.observed_order = order;
     return r;
 }
@@ -62,18 +62,18 @@ TEST(AccuracyVerdict, NamesTheBetterSchemeWhicheverItIs) {
 
 TEST(AccuracyTable, SaysWhereAnotherCodeIsBetterAndWhereAMarkIsMissed) {
     std::vector<AccuracyRow> rows = paper_wins();
-    rows[1].figures.own = {{"mean depth error [m]", 0.05, 0.015}};  // GeoClaw has 0.0231 with 5 m cells
+    rows[1].statistics.own = {{"mean depth error [m]", 0.05, 0.015}};  // GeoClaw has 0.0231 with 5 m cells
     const std::string table = accuracy_table(rows);
     EXPECT_NE(table.find("MISSED"), std::string::npos);
     EXPECT_NE(table.find("frana's default, 5 m: WORSE, 2.16 times"), std::string::npos) << table;
-    rows[1].figures.own[0].value = 0.002;  // under every published figure, whatever its cells
+    rows[1].statistics.own[0].value = 0.002;  // under every published value, whatever its cells
     EXPECT_EQ(accuracy_table(rows).find("WORSE"), std::string::npos);
 }
 
-TEST(OwnFigure, IsMissedByNoNumber) {
-    EXPECT_FALSE((OwnFigure{"x", k_no_data, 1.0}).met());
-    EXPECT_FALSE((OwnFigure{"x", -2, 1.0}).met());
-    EXPECT_TRUE((OwnFigure{"x", -1, 1.0}).met());
+TEST(CaseStatistic, IsMissedByNoNumber) {
+    EXPECT_FALSE((CaseStatistic{"x", k_no_data, 1.0}).met());
+    EXPECT_FALSE((CaseStatistic{"x", -2, 1.0}).met());
+    EXPECT_TRUE((CaseStatistic{"x", -1, 1.0}).met());
 }
 
 TEST(BenchCommand, WritesCsvAndPicture) {

@@ -82,12 +82,12 @@ TEST(Robustness, TellsChangesAndMarksThoseBeyondFivePercent) {
     ASSERT_EQ(rows.size(), 4U) << "cfl-0.5 is the scene's own";
     EXPECT_EQ(seen.size(), 3U) << "particles-1 is refused";
     EXPECT_EQ(seen[1].numerics.cfl, 0.9);
-    EXPECT_EQ(rows[0].figures.depth.greatest, 2);
-    EXPECT_EQ(rows[0].figures.covered_area, 24 * 16 * 25);
-    EXPECT_NEAR(rows[0].figures.final_depth_fraction, 0.8, 1e-12);
+    EXPECT_EQ(rows[0].statistics.depth.greatest, 2);
+    EXPECT_EQ(rows[0].statistics.covered_area, 24 * 16 * 25);
+    EXPECT_NEAR(rows[0].statistics.final_depth_fraction, 0.8, 1e-12);
     const auto change = [&](std::size_t row, const char* key) -> double {
-        for (const RunFigure& figure : k_run_figures)
-            if (std::string(figure.key) == key) return relative_change(rows, row, figure).value_or(99);
+        for (const RunStatistic& statistic : k_run_statistics)
+            if (std::string(statistic.key) == key) return relative_change(rows, row, statistic).value_or(99);
         return 100;
     };
     EXPECT_NEAR(change(1, "max_depth_m"), 0.04, 1e-12);

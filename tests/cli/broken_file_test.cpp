@@ -52,9 +52,9 @@ class Workshop {
     }
     void remove(const std::string& name) const { fs::remove(folder_ / name); }
     void folder(const std::string& name) const { fs::create_directory(folder_ / name); }
-    void cut(const std::string& name, double share) const {
+    void cut(const std::string& name, double fraction) const {
         const std::string all = bytes(name);
-        write(name, all.substr(0, static_cast<std::size_t>(share * static_cast<double>(all.size()))));
+        write(name, all.substr(0, static_cast<std::size_t>(fraction * static_cast<double>(all.size()))));
     }
     /// Overwrites bytes from a place on (counted from the end if negative).
     void patch(const std::string& name, std::int64_t at, const std::string& with) const {
@@ -255,10 +255,10 @@ std::vector<BrokenFile> broken_vectors(const std::string& key) {
         {"prj_missing", key, "a.shp", shape_with([](W w) { w.remove("a.prj"); }), "coordinate reference system"},
         {"shape_nan", key, "a.shp",
          shape_with([](W w) { w.patch("a.shp", 156, double_bytes(std::numeric_limits<double>::quiet_NaN())); }),
-         "no number"},
+         "non-finite"},
         {"shape_infinite", key, "a.shp",
          shape_with([](W w) { w.patch("a.shp", 156, double_bytes(std::numeric_limits<double>::infinity())); }),
-         "no number"},
+         "non-finite"},
         {"shape_of_many_points", key, "a.shp",
          shape_with([](W w) { w.patch("a.shp", 148, std::string("\xff\xff\xff\x7f", 4)); })},
         {"geopackage_garbage", key, "a.gpkg",

@@ -21,8 +21,8 @@ TEST_F(ConvergeCommand, ReportsLevelsAndTellsLaterRuns) {
     }
     const std::string csv = read_text(path("result-convergence/convergence.csv"));
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);  // a head and three levels
-    for (const char* figure : {"max_depth_m,max_depth_p999_m,", "max_velocity_ms,max_velocity_p999_ms,"})
-        EXPECT_NE(csv.find(figure), std::string::npos) << figure;
+    for (const char* statistic : {"max_depth_m,max_depth_p999_m,", "max_velocity_ms,max_velocity_p999_ms,"})
+        EXPECT_NE(csv.find(statistic), std::string::npos) << statistic;
 
     const Outcome same = frana({"run", "scene.ini", "--out", "result"});
     EXPECT_NE(same.err.find("estimated error"), std::string::npos) << same.err;

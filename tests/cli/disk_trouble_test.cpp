@@ -180,16 +180,16 @@ TEST_F(SmallDisk, ThatCannotBeWrittenIsSaidBeforeAnythingIsComputed) {
     const Outcome outcome = frana(run("disk/result"));
     EXPECT_EQ(outcome.exit_code, 4);
     EXPECT_NE(outcome.err.find("--out: cannot be written: Read-only file system"), std::string::npos) << outcome.err;
-    // With a fault of the scene's both are said, and the scene is to be corrected first.
+    // With a problem of the scene's both are said, and the scene is to be corrected first.
     const Outcome both = frana(run("disk/result", {"--set", "numerics.cfl=9"}));
     EXPECT_EQ(both.exit_code, 2);
     EXPECT_NE(both.err.find("Read-only file system"), std::string::npos) << both.err;
     EXPECT_NE(both.err.find("numerics.cfl"), std::string::npos) << both.err;
 }
 
-class Trouble : public Resuming {};
+class RunProblem : public Resuming {};
 
-TEST_F(Trouble, TheFolderThatGoesAwayIsSaid) {
+TEST_F(RunProblem, TheFolderThatGoesAwayIsSaid) {
     StartedProgram program(folder_.string(), run("result"));
     ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("result"); }));
     program.send(SIGSTOP);
@@ -203,7 +203,7 @@ TEST_F(Trouble, TheFolderThatGoesAwayIsSaid) {
 }
 
 // Inputs are read before the run; what happens to them afterwards does not touch it.
-TEST_F(Trouble, InputsMayGoAwayOnceTheyAreRead) {
+TEST_F(RunProblem, InputsMayGoAwayOnceTheyAreRead) {
     ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
     StartedProgram program(folder_.string(), run("result", {"--quiet"}));
     ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("result"); }));
@@ -218,7 +218,7 @@ int shell(const fs::path& folder, const std::string& line) {
     return WEXITSTATUS(std::system(("cd '" + folder.string() + "' && FRANA='" FRANA_PROGRAM "'; " + line).c_str()));
 }
 
-TEST_F(Trouble, NobodyWhoListensDoesNotCostTheRun) {
+TEST_F(RunProblem, NobodyWhoListensDoesNotCostTheRun) {
     write_scene(k_numbers_only);
     ASSERT_EQ(shell(folder_, "\"$FRANA\" run scene.ini --out whole 2> /dev/null"), 0);
     const std::vector<std::pair<std::string, std::string>> deaf{
@@ -237,7 +237,7 @@ TEST_F(Trouble, NobodyWhoListensDoesNotCostTheRun) {
     EXPECT_NE(read_text(path("err")).find("could not be written to stdout"), std::string::npos);
 }
 
-TEST_F(Trouble, AnOlderResultWithChartsIsReplaced) {
+TEST_F(RunProblem, AnOlderResultWithChartsIsReplaced) {
     write_scene("[output]\nmaps = max_depth\nmap-size = 640x480\nanimation = off\nframes = off\n");
     for (int i = 0; i < 2; ++i) {
         const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet"});

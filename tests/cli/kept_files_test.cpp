@@ -230,7 +230,7 @@ TEST_F(AnotherResult, TakesNoStudy) {
 
 class OwnPictures : public KeptFilesOf {
   protected:
-    static std::vector<std::string> film(const std::string& name) {
+    static std::vector<std::string> animation(const std::string& name) {
         return {"render", "result", "--animation", name, "--size", "640x480"};
     }
 };
@@ -257,16 +257,16 @@ TEST_F(OwnPictures, AreReplacedAndNoOthers) {
 TEST_F(OwnPictures, OfFilmsAreReplacedAndNoOthers) {
     fs::create_directory(path("film"));
     write("film/frame_0000.png", "the user's");
-    expect_refusal(film("film/"), k_foreign);
+    expect_refusal(animation("film/"), k_foreign);
     write("film.gif", "the user's");
-    expect_refusal(film("film.gif"), k_foreign);
+    expect_refusal(animation("film.gif"), k_foreign);
     fs::remove(path("film.gif"));
-    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(film("film.gif")).exit_code, 0);
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(animation("film.gif")).exit_code, 0);
 }
 
-// A shorter film: no frame of the longer one may stay behind it.
+// A shorter animation: no frame of the longer one may stay behind it.
 TEST_F(OwnPictures, OfALongerFilmGo) {
-    ASSERT_EQ(frana(film("film/")).exit_code, 0);
+    ASSERT_EQ(frana(animation("film/")).exit_code, 0);
     const auto frames = [&](const std::string& more) {
         std::vector<std::string> names;
         for (const std::string& name : files())
@@ -278,7 +278,7 @@ TEST_F(OwnPictures, OfALongerFilmGo) {
     write("film/frame_0009.png", "the user's");
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=1"}).exit_code,
               0);
-    ASSERT_EQ(frana(film("film/")).exit_code, 0);
+    ASSERT_EQ(frana(animation("film/")).exit_code, 0);
     const std::vector<std::string> left = frames(".png");
     EXPECT_LT(left.size(), longer + 1);
     EXPECT_FALSE(fs::exists(path("film/frame_000" + std::to_string(longer - 1) + ".png")));

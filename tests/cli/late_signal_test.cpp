@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signals and faults after the last step, while files and pictures are made; and results that --resume completes.
+// Signals and problems after the last step, while files and pictures are made; and results that --resume completes.
 #include <chrono>
 #include <csignal>
 #include <thread>

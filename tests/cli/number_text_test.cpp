@@ -6,11 +6,11 @@
 namespace frana::app {
 namespace {
 
-TEST(NumberText, Figures) {
-    EXPECT_EQ(figure(0), "0");
-    EXPECT_EQ(figure(16.04, 3), "16");
-    EXPECT_EQ(figure(123456.7, 3), "123457");  // no exponents for people
-    EXPECT_EQ(figure(0.01234, 2), "0.012");
+TEST(NumberText, Statistics) {
+    EXPECT_EQ(number_text(0), "0");
+    EXPECT_EQ(number_text(16.04, 3), "16");
+    EXPECT_EQ(number_text(123456.7, 3), "123457");  // no exponents for people
+    EXPECT_EQ(number_text(0.01234, 2), "0.012");
 }
 
 TEST(NumberText, GroupsOfThree) {
@@ -24,11 +24,11 @@ TEST(NumberText, GroupsOfThree) {
 }
 
 TEST(NumberText, FiguresWithoutExponent) {
-    EXPECT_EQ(figure(100, 2), "100");
-    EXPECT_EQ(figure(99.96, 2), "100");
-    EXPECT_EQ(figure(99.4, 2), "99");
-    EXPECT_EQ(figure(9999.7), "10000");
-    EXPECT_EQ(figure(0.9996, 3), "1");
+    EXPECT_EQ(number_text(100, 2), "100");
+    EXPECT_EQ(number_text(99.96, 2), "100");
+    EXPECT_EQ(number_text(99.4, 2), "99");
+    EXPECT_EQ(number_text(9999.7), "10000");
+    EXPECT_EQ(number_text(0.9996, 3), "1");
 }
 
 TEST(NumberText, BytesAndExtents) {

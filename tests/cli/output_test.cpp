@@ -149,7 +149,7 @@ TEST_F(Output, OutlinesCarryTheirFigures) {
         EXPECT_GT(value("runout_m"), 0);
         EXPECT_NEAR(value("reach_angle_deg"), std::atan2(value("drop_m"), value("runout_m")) * 180 / M_PI, 1e-9);
         if (name == "deposit") {
-            // What is deeper than the threshold; the rest is film.
+            // What is deeper than the threshold; the rest is animation.
             EXPECT_LE(value("volume_m3"), 4000 * (1 + 1e-9));
             EXPECT_GT(value("volume_m3"), 0.9 * 4000);
             continue;
@@ -168,9 +168,9 @@ TEST_F(Output, HighValuesAreThoseOfTheRasters) {
     run(k_quiet + "trace-threshold = 0.3\n");
     const std::string summary = text("summary.json"), report = text("report.html");
     const Raster depth = gis::read_result_raster(path("result/max_depth.tif"));
-    const std::array<std::array<std::string, 2>, 3> figures{
+    const std::array<std::array<std::string, 2>, 3> statistics{
         {{"max_depth", "m"}, {"max_velocity", "ms"}, {"max_pressure", "kpa"}}};
-    for (const auto& [name, unit] : figures) {
+    for (const auto& [name, unit] : statistics) {
         const Raster raster = gis::read_result_raster(path("result/" + name + ".tif"));
         std::vector<double> inside;
         for (std::size_t i = 0; i < raster.values.size(); ++i)
@@ -184,7 +184,8 @@ TEST_F(Output, HighValuesAreThoseOfTheRasters) {
             const double expected = inside[place] + beyond * (inside[place + 1] - inside[place]);
             const std::string key = name + (thousandths == 999 ? "_p999_" : "_p99_") + unit;
             EXPECT_NEAR(json_number(summary, key), expected, 1e-6 * expected) << key;
-            EXPECT_NE(report.find(">" + app::figure(json_number(summary, key), 4) + "<"), std::string::npos) << key;
+            EXPECT_NE(report.find(">" + app::number_text(json_number(summary, key), 4) + "<"), std::string::npos)
+                << key;
         }
         EXPECT_NEAR(json_number(summary, name + "_" + unit), inside.back(), 1e-6 * inside.back()) << name;
         EXPECT_LE(json_number(summary, name + "_p99_" + unit), json_number(summary, name + "_p999_" + unit));

@@ -132,9 +132,9 @@ TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
     ASSERT_EQ(::chmod(path("").c_str(), 0755), 0);
     const auto refusal = [&](const std::string& directory) -> std::string {
         Problems problems;
-        const auto fault = app::check_result_directory(path(directory), true, {}, "--out", problems);
+        const auto error_text = app::check_result_directory(path(directory), true, {}, "--out", problems);
         EXPECT_TRUE(problems.empty());
-        return fault ? describe(*fault) : "";
+        return error_text ? describe(*error_text) : "";
     };
     const AsNobody nobody;
     if (!nobody.is()) GTEST_SKIP() << "only root can be somebody else";
@@ -148,7 +148,7 @@ TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
     EXPECT_EQ(refusal("sticky/another"), "");
 }
 
-// A colleague's share, a disk that is mounted for reading: all faults at once, and a remedy that check has
+// A colleague's share, a disk that is mounted for reading: all problems at once, and a remedy that check has
 // too.
 TEST_F(Place, ThatCannotBeWrittenIsToldBesideTheScenesFaults) {
     fs::create_directories(path("disk"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a result holds is what its table of rasters says, and its figures are said once.
+// What a result holds is what its table of rasters says, and its values are said once.
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -55,7 +55,7 @@ TEST_F(ResultTable, EveryResultHasTheRastersOfTheTable) {
     }
 }
 
-// The words on a map are those of summary.json, not figures of their own.
+// The words on a map are those of summary.json, not values of their own.
 TEST_F(ResultTable, MapsShowTheFiguresOfTheSummary) {
     run(k_voellmy + k_numbers_only, "old");
     const auto notes = [&] { return joined(app::ResultReader(path("old")).map_source().notes, "; "); };

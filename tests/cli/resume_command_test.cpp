@@ -44,19 +44,19 @@ class Killed : public Resuming {
         for (int k = 0; survived < kills; ++k) {
             const std::string result = "killed" + std::to_string(k), threads = k % 2 == 0 ? "2" : "1";
             SCOPED_TRACE("seed " + std::to_string(seed) + ", result " + result);
-            for (bool goes_on = true; goes_on;) {
+            for (bool continues = true; continues;) {
                 StartedProgram program(folder_.string(),
                                        run(result, with(more, {"--resume", "--quiet", "--threads", threads})));
-                const double share = std::uniform_real_distribution<double>(0.02, 1.1)(random);
-                std::this_thread::sleep_for(std::chrono::duration_cast<std::chrono::milliseconds>(share * whole));
+                const double fraction = std::uniform_real_distribution<double>(0.02, 1.1)(random);
+                std::this_thread::sleep_for(std::chrono::duration_cast<std::chrono::milliseconds>(fraction * whole));
                 program.send(SIGKILL);
                 const Outcome outcome = program.wait();
                 // Under its name there is a whole result or none.
                 EXPECT_EQ(fs::exists(path(result)), fs::exists(path(result + "/summary.json")));
-                goes_on = outcome.exit_code == -SIGKILL && random() % 2 == 0;
+                continues = outcome.exit_code == -SIGKILL && random() % 2 == 0;
                 if (outcome.exit_code == -SIGKILL) ++survived;
                 EXPECT_TRUE(outcome.exit_code == -SIGKILL || outcome.exit_code == 0) << outcome.err;
-                if (fs::exists(path(result + "/summary.json"))) goes_on = false;
+                if (fs::exists(path(result + "/summary.json"))) continues = false;
             }
             const Outcome resumed = frana(run(result, with(more, {"--resume", "--quiet"})));
             EXPECT_EQ(resumed.exit_code, 0) << resumed.err;

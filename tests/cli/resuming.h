@@ -26,7 +26,7 @@ class Resuming : public TinyScene {
     /// Lets a run begin and kills it once it has taken its second checkpoint.
     void interrupt(const std::string& result, const std::vector<std::string>& more = {}) const;
     /// The same files with the same bytes, but for those that tell the time of day or how long it took; of these the
-    /// summary has the same figures.
+    /// summary has the same values.
     void expect_same_result(const std::string& one, const std::string& other) const;
     /// Nothing half written and nothing left over beside a finished result.
     void expect_tidy(const std::string& result) const;

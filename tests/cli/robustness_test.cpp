@@ -27,7 +27,7 @@ class RobustnessCommand : public TinyScene {
 };
 
 TEST_F(RobustnessCommand, RunsTheSceneUnderEveryDisturbance) {
-    // Gullied, so that no cell is as high as another and figures have one answer.
+    // Gullied, so that no cell is as high as another and values have one answer.
     write_dtm([](int row, int column) {
         const double x = k_cell * column, y = k_cell * row;
         return 400 - 0.5 * x + 0.15 * std::abs(y - 75 - 8 * std::sin(x / 23)) + 0.003 * x * x * (x > 150);

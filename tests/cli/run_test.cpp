@@ -150,7 +150,7 @@ TEST_F(RunCommand, TheResolvedSceneReproducesTheRunWhateverTheThreads) {
     EXPECT_EQ(json_number(read_text(path("b/summary.json")), "simulated_seconds"), 3);
 }
 
-// Bytes of every file, pictures and film too; but for those that tell the time of day or how long it took.
+// Bytes of every file, pictures and animation too; but for those that tell the time of day or how long it took.
 TEST_F(RunCommand, EveryOutputIsTheSameForAnyNumberOfThreadsAndASecondTime) {
     write_scene("frame-interval = 1\n[output]\nmap-size = 640x480\n");
     const std::vector<std::string> runs{"1", "2", "3", "7", "1"};
@@ -289,7 +289,7 @@ TEST_F(RunCommand, ErosionAndOtherLawsAreReportedAndRepeatable) {
                 "[material]\nbed-friction = voellmy, cohesion\ncohesion = 100\npore-pressure-ratio = 0.2\n"
                 "pore-dissipation-time = 30\n[numerics]\ncurvature = on\n"
                 "[entrainment]\nerosion = growth\ngrowth-rate = 0.005\nerodible-depth = 0.5\n"
-                "deposition = on\ndeposition-rate = 0.01\ndeposition-shear = 2000\n");
+                "deposition = on\ndeposition-rate = 0.01\ndeposition-shear-stress = 2000\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));

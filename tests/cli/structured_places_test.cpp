@@ -153,16 +153,16 @@ TEST_F(StructuredPlaces, TheR2SequenceSpreadsTheSameVolume) {
     const Points points = start();
     EXPECT_NEAR(points.sum("volume_m3"), 4000, 1e-6);
     EXPECT_EQ(points.size(), 80U * 9);  // 80 cells, all of one depth
-    const auto share = [](double place) { return place - std::floor(place); };
+    const auto fraction = [](double place) { return place - std::floor(place); };
     for (std::size_t p = 0; p < points.size(); ++p) {
         EXPECT_NEAR(points.columns.at("volume_m3")[p], 4000.0 / 720, 1e-9);
         // Equation 88, in every cell anew.
         double nearest = 1;
         for (int n = 0; n < 9; ++n)
-            nearest = std::min(nearest, std::hypot(share((points.columns.at("x")[p] - k_west) / k_cell) -
-                                                       share(0.5 + n * 0.7548776662466927),
-                                                   share((points.columns.at("y")[p] - k_south) / k_cell) -
-                                                       share(0.5 + n * 0.5698402909980532)));
+            nearest = std::min(nearest, std::hypot(fraction((points.columns.at("x")[p] - k_west) / k_cell) -
+                                                       fraction(0.5 + n * 0.7548776662466927),
+                                                   fraction((points.columns.at("y")[p] - k_south) / k_cell) -
+                                                       fraction(0.5 + n * 0.5698402909980532)));
         EXPECT_LT(nearest, 1e-6);
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What van den Bout et al. (2021) tell of their flume and of their scenarios 2A to 3C, each statement an assertion with
-// its figure, on the scenes in sample_data and coarse cells. What is missed says so, with the reason.
+// its value, on the scenes in sample_data and coarse cells. What is missed says so, with the reason.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,9 +16,9 @@
 namespace frana::test {
 namespace {
 
-struct Figures {
+struct Statistics {
     double lost = 0;          // mean loss of cohesion, by volume
-    double damaged = 0;       // share of the particles that lost any
+    double damaged = 0;       // fraction of the particles that lost any
     double whole_strain = 0;  // greatest of particles that lost none
     double least_strain = 1;  // of those that lost a tenth and more, the least of their greatest strains so far
     double length = 0;        // from the hindmost to the foremost particle, eastward [m]
@@ -33,13 +33,13 @@ class SampleRun {
           release_(make_release(scene_)),
           flow_(release_.bed_at_start, scene_.walls, *scene_.structured, scene_.numerics, release_.particles, 1) {}
 
-    Figures at(double time) {
+    Statistics at(double time) {
         while (flow_.time() < time) {
-            const StepFigures step = flow_.advance(time - flow_.time());
+            const StepStatistics step = flow_.advance(time - flow_.time());
             EXPECT_EQ(step.non_finite + step.clamped, 0);
         }
         const ParticleSet& p = flow_.state().solid->particles;
-        Figures f;
+        Statistics f;
         double volume = 0;
         for (std::size_t i = 0; i < p.size(); ++i) {
             const double ratio = p[Field::cohesion_ratio][i];
@@ -104,7 +104,7 @@ class SampleRun {
 };
 
 // No numerical fracture: what lost nothing has moved as one, and what lost a tenth and more has been strained.
-void breaks_where_it_yields(const Figures& f) {
+void breaks_where_it_yields(const Statistics& f) {
     EXPECT_LT(f.whole_strain, 0.01);
     EXPECT_GT(f.least_strain, 0.002);
 }
@@ -112,7 +112,7 @@ void breaks_where_it_yields(const Figures& f) {
 TEST(FractureSample, TwoAMovesAsOneBlock) {
     SampleRun run("fracture/2a.ini", "20");
     for (const double time : {5.0, 14.0, 24.0}) {
-        const Figures f = run.at(time);
+        const Statistics f = run.at(time);
         EXPECT_EQ(f.damaged, 0);
         EXPECT_NEAR(f.length, 29 * 20 / 3.0, 0.01 * 200);
     }
@@ -120,7 +120,7 @@ TEST(FractureSample, TwoAMovesAsOneBlock) {
 
 TEST(FractureSample, TwoBBreaksAndItsPartsSeparate) {
     SampleRun run("fracture/2b.ini", "20");
-    const Figures soon = run.at(5), late = run.at(24);
+    const Statistics soon = run.at(5), late = run.at(24);
     EXPECT_GT(soon.lost, 0.02);
     EXPECT_LT(late.lost, 0.4);          // parts, not rubble
     EXPECT_GT(late.length, 2.5 * 193);  // 551 m
@@ -130,7 +130,7 @@ TEST(FractureSample, TwoBBreaksAndItsPartsSeparate) {
 TEST(FractureSample, TwoCFlowsApartTogetherWithItsWater) {
     SampleRun run("fracture/2c.ini", "20");
     for (const double time : {2.0, 5.0, 10.0, 14.0, 20.0, 24.0}) EXPECT_LT(run.at(time).apart, 5) << time << " s";
-    const Figures f = run.at(24);
+    const Statistics f = run.at(24);
     EXPECT_GT(f.lost, 0.95);
     EXPECT_GT(f.length, 3 * 193);  // 690 m
 }
@@ -138,7 +138,7 @@ TEST(FractureSample, TwoCFlowsApartTogetherWithItsWater) {
 TEST(FractureSample, ThreeAKeepsItsShape) {
     SampleRun run("fracture/3a.ini", "20");
     for (const double time : {14.0, 24.0}) {
-        const Figures f = run.at(time);
+        const Statistics f = run.at(time);
         EXPECT_EQ(f.damaged, 0);
         EXPECT_NEAR(f.length, 29 * 20 / 3.0, 0.01 * 200);
     }
@@ -149,14 +149,14 @@ TEST(FractureSample, ThreeAKeepsItsShape) {
 TEST(FractureSample, ThreeBBreaksMostlyInTheValley) {
     SampleRun run("fracture/3b.ini", "20");
     EXPECT_LT(run.at(14).lost, 0.05);
-    const Figures f = run.at(24);
+    const Statistics f = run.at(24);
     EXPECT_GT(f.lost, 0.4);
     EXPECT_GT(run.at(40).lost, 0.7);
 }
 
 TEST(FractureSample, ThreeCBreaksAtOnceTogetherWithItsWater) {
     SampleRun run("fracture/3c.ini", "20");
-    const Figures first = run.at(0.5);
+    const Statistics first = run.at(0.5);
     EXPECT_GT(first.damaged, 0.99);  // all of it yields
     EXPECT_GT(run.at(2).lost, 0.15);
     EXPECT_GT(run.at(5).lost, 0.75);
@@ -174,8 +174,8 @@ TEST(FractureSample, HardlyDependsOnTheCells) {
         length.push_back(two_b.at(14).length);
         EXPECT_GT(two_b.at(14).lost, 0.03);
     }
-    for (const std::vector<double>* figures : {&third, &length})
-        for (const double f : *figures) EXPECT_NEAR(f, figures->back(), 0.15 * figures->back());
+    for (const std::vector<double>* statistics : {&third, &length})
+        for (const double f : *statistics) EXPECT_NEAR(f, statistics->back(), 0.15 * statistics->back());
 }
 
 // A quarter of a second after the impact. Along the obstacle's corner the block is broken from its front to about half
@@ -183,7 +183,7 @@ TEST(FractureSample, HardlyDependsOnTheCells) {
 // stopped, on its side of the corner.
 TEST(FlumeSample, ACrackFromTheCornerAlongHalfTheBlock) {
     SampleRun run("flume/material_1.ini", "0.05");
-    const Figures f = run.at(0.9);
+    const Statistics f = run.at(0.9);
     breaks_where_it_yields(f);
     const std::vector<SampleRun::Start> cells = run.by_start();
     std::int64_t front = 0, back = 1000;

@@ -42,7 +42,7 @@ TEST_F(StructuredScene, WritesTheSameFilesAsTheFirstModel) {
     EXPECT_LT(summary_number("result", "relative_error"), 1e-12);
     EXPECT_GT(summary_number("result", "max_velocity_ms"), 3);
 
-    // The map's depths are the volume: final depth times cell area is what is left, but for films under 1 cm.
+    // The map's depths are the volume: final depth times cell area is what is left, but for animations under 1 cm.
     const Raster depth = gis::read_result_raster(path("result/final_depth.tif"));
     double volume = 0;
     for (const double d : depth.values) volume += std::isnan(d) ? 0 : d * k_cell * k_cell;

@@ -9,9 +9,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using TroubledRun = TinyScene;
+using FailingRun = TinyScene;
 
-TEST_F(TroubledRun, NamesPlaceStepAndTimeEverywhere) {
+TEST_F(FailingRun, NamesPlaceStepAndTimeEverywhere) {
     write_dtm([](int, int column) { return column == 16 ? -9999.0 : 300 - 2.5 * column; });
     write_scene("frame-interval = 1\n[output]\nmaps = off\nanimation = off\nframes = on\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result"});
@@ -30,7 +30,7 @@ TEST_F(TroubledRun, NamesPlaceStepAndTimeEverywhere) {
 }
 
 // What ends with another code than 0 says why, however quiet it was to be.
-TEST_F(TroubledRun, IsNotSilentWhereItIsToBeQuiet) {
+TEST_F(FailingRun, IsNotSilentWhereItIsToBeQuiet) {
     write_dtm([](int, int column) { return column == 16 ? -9999.0 : 300 - 2.5 * column; });
     write_scene(k_numbers_only);
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
@@ -42,7 +42,7 @@ TEST_F(TroubledRun, IsNotSilentWhereItIsToBeQuiet) {
     EXPECT_EQ(good.err, "");
 }
 
-TEST_F(TroubledRun, AGoodRunHasNone) {
+TEST_F(FailingRun, AGoodRunHasNone) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     const std::string summary = read_text(path("result/summary.json"));

@@ -56,7 +56,7 @@ TEST_F(BothModels, StrongBlocksCoverLessAndWeakOnesBreak) {
     EXPECT_NEAR(json_number(weak, "initial_m3"), json_number(loose, "initial_m3"), 1);
 }
 
-// With frames, their particles and a film as without.
+// With frames, their particles and a animation as without.
 TEST_F(BothModels, LookingOnChangesNothing) {
     for (const std::string scene : {"coulomb.ini", "structured.ini"}) {
         const std::vector<std::string> brief{"time.end=20", "hazard.scheme=swiss-flood"};
@@ -75,9 +75,9 @@ TEST_F(BothModels, LookingOnChangesNothing) {
             ASSERT_EQ(now.size(), values.size());
             EXPECT_EQ(std::memcmp(now.data(), values.data(), values.size() * sizeof(double)), 0) << name;
         }
-        for (const char* figure :
+        for (const char* statistic :
              {"steps", "max_depth_m", "max_velocity_ms", "covered_area_m2", "horizontal_m", "final_m3"})
-            EXPECT_EQ(json_number(watched, figure), json_number(alone, figure)) << figure;
+            EXPECT_EQ(json_number(watched, statistic), json_number(alone, statistic)) << statistic;
     }
 }
 

@@ -42,8 +42,8 @@ class UnderWay : public TinyScene {
 TEST_F(UnderWay, FilmsAndMapsShowTheFramesSoFar) {
     ASSERT_TRUE(run_->wait_until([&] { return frames() >= 3; })) << run_->wait().err;
     run_->send(SIGSTOP);  // a moment of it
-    const Outcome film = frana({"render", "result", "--animation", "film/", "--size", "640x480"});
-    ASSERT_EQ(film.exit_code, 0) << film.err;
+    const Outcome animation = frana({"render", "result", "--animation", "film/", "--size", "640x480"});
+    ASSERT_EQ(animation.exit_code, 0) << animation.err;
     EXPECT_TRUE(fs::exists(path("film/frame_0002.png")));
     const Outcome view = frana({"render", "result", "--animation", "view.mp4", "--view", "3d", "--size", "640x480"});
     EXPECT_EQ(view.exit_code, 0) << view.err;
@@ -68,8 +68,8 @@ TEST_F(UnderWay, FramesOfAKilledRunCanBeSeen) {
     ASSERT_TRUE(run_->wait_until([&] { return frames() >= 2; })) << run_->wait().err;
     run_->send(SIGKILL);
     run_->wait();
-    const Outcome film = frana({"render", "result", "--animation", "film.gif", "--size", "640x480"});
-    EXPECT_EQ(film.exit_code, 0) << film.err;
+    const Outcome animation = frana({"render", "result", "--animation", "film.gif", "--size", "640x480"});
+    EXPECT_EQ(animation.exit_code, 0) << animation.err;
 }
 
 }  // namespace

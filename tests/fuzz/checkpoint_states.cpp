@@ -50,7 +50,7 @@ Scene eventful_scene() {
     scene.recording.sections = {{"s", {{40, 10}, {40, 50}}}};
     scene.recording.interval = 0.5;
     scene.recording.intensity = true;
-    scene.time.stop_energy_share = 0.01;
+    scene.time.stop_energy_fraction = 0.01;
     return scene;
 }
 
@@ -69,7 +69,7 @@ Scene structured_scene(bool solids) {
     Scene scene = small_scene();
     StructuredMaterial& material = scene.structured.emplace();
     material.solids = solids;
-    material.confined_share = 0.7;
+    material.confined_fraction = 0.7;
     material.cohesion = 2000;
     material.friction = 0.6;
     material.bed_friction = 0.2;

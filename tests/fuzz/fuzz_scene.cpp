@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene files: what can be read without a fault is written and read again to the same scene.
+// Scene files: what can be read without a problem is written and read again to the same scene.
 #include <sys/mman.h>
 #include <unistd.h>
 

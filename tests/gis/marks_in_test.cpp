@@ -32,7 +32,7 @@ TEST(ReadMarks, PointsAndLinesWithTheirNames) {
 }
 
 TEST(ReadMarks, PlacesArriveInTheTargetCrs) {
-    // Monte Mario: 1500000 5000000 in EPSG:3003 is 499970.7 4999981 or so in UTM 32; the exact figures depend
+    // Monte Mario: 1500000 5000000 in EPSG:3003 is 499970.7 4999981 or so in UTM 32; the exact values depend
     // on the operation. Degrees do not: 9 E 45 N is 500000 4982950.400 in EPSG:32632 (on the central
     // meridian; the arc length of the ellipsoid times 0.9996).
     const Folder folder;

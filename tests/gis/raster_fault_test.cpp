@@ -30,7 +30,7 @@ enum class End { written, refused, untouched, not_traced };
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 // Lets another process write the raster, of which the `failing`-th write fails; untouched: it made fewer. It begins
 // anew: GDAL's threads do not outlive a fork.
-End write_with_fault(int failing, const std::string& path) {
+End write_with_error(int failing, const std::string& path) {
     const pid_t child = ::fork();
     if (child == 0) {
         ::setenv(k_asked, path.c_str(), 1);
@@ -67,7 +67,7 @@ End write_with_fault(int failing, const std::string& path) {
     return struck ? End::written : End::untouched;
 }
 #else
-End write_with_fault(int, const std::string&) {
+End write_with_error(int, const std::string&) {
     return End::not_traced;
 }
 #endif
@@ -101,7 +101,7 @@ TEST(ARaster, OfWhichOneWriteFailsIsRefusedOrRight) {
     int refused = 0;
     for (int failing = 1; failing < 100; ++failing) {
         std::filesystem::remove(path);
-        const End end = write_with_fault(failing, path);
+        const End end = write_with_error(failing, path);
         if (end == End::not_traced) GTEST_SKIP() << "no process can be traced here";
         if (end == End::refused) {
             ++refused;

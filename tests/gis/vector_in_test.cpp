@@ -87,7 +87,7 @@ TEST(ReadPolygons, LongEdgesBendWithTheProjection) {
     // Around the curve no vertex may be missed by more than a millimetre; that takes some hundred of them.
     EXPECT_GT(layer.features[0].parts[0].outer.size(), 100U);
     // The ellipsoid's 860.24 km2 (77 393 m by 11 115.2 m at 46.05 N) times UTM's scale squared (0.9996, and
-    // 6e-6 more on the average of half a degree either side), to the 1e-4 of these round figures.
+    // 6e-6 more on the average of half a degree either side), to the 1e-4 of these round values.
     EXPECT_NEAR(total_area(layer) / (77393.0 * 11115.2), 0.9996 * 0.9996 + 1.2e-5, 1e-4);
 }
 

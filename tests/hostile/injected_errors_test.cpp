@@ -10,7 +10,7 @@
 namespace frana::test {
 namespace {
 
-struct Fault {
+struct ErrorToInject {
     Answer answer;
     bool lasting = false;  ///< every later call of the name fails too
 
@@ -38,7 +38,7 @@ class InjectedError : public TrialGround {
         if (!can_watch_calls()) GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
     }
 
-    [[nodiscard]] Fault fault_for(const SystemCall& call) {
+    [[nodiscard]] ErrorToInject error_for(const SystemCall& call) {
         const std::vector<int> errors = errors_of(call.name);
         const bool write = call.name == "write" || call.name == "pwrite64";
         if (write && random_.once_in(4)) return {{Answer::Kind::shorten}, false};
@@ -59,7 +59,8 @@ class InjectedError : public TrialGround {
         return call.name.find("read") != std::string::npos || call.name == "getdents64" || call.name == "openat";
     }
 
-    void attempt(const TriedCommand& command, const SystemCall& where, const Fault& fault, Trials& trials) {
+    void attempt(const TriedCommand& command, const SystemCall& where, const ErrorToInject& error_text,
+                 Trials& trials) {
         restore(command.begins_in);
         bool met = false;
         // GDAL reads an ASCII grid without end where the disk fails for good: frana's own limit ends that.
@@ -69,7 +70,7 @@ class InjectedError : public TrialGround {
         const Ending ending = run(launch, k_watch, [&](const SystemCall& call) {
             const bool here = call == where;
             met = met || here;
-            return here || (fault.lasting && met && call.name == where.name) ? fault.answer : Answer{};
+            return here || (error_text.lasting && met && call.name == where.name) ? error_text.answer : Answer{};
         });
         if (ending.err.find("error while loading shared libraries") != std::string::npos)
             return;  // frana has not begun
@@ -96,12 +97,12 @@ TEST_F(InjectedError, LosesNothingAndChangesNoResult) {
         measure(command, k_watch);
         if (HasFatalFailure()) return;
         const SystemCall call = call_of(command, k);
-        const Fault fault = fault_for(call);
+        const ErrorToInject error_text = error_for(call);
         static constexpr const char* k_kinds[] = {"errors while writing", "errors while reading", "memory refused"};
         trials.begin(k_kinds[group_of(call)]);
         SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " + command.name +
-                     ", " + call.text() + ": " + fault.text());
-        attempt(command, call, fault, trials);
+                     ", " + call.text() + ": " + error_text.text());
+        attempt(command, call, error_text, trials);
     }
 }
 

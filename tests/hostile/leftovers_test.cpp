@@ -111,7 +111,7 @@ TEST_F(Leftovers, AListThatCannotBeReadIsSaidAndTheNextRunTidiesUp) {
         EXPECT_EQ(ending.exit_code, 4) << ending.err;
         EXPECT_NE(ending.err.find("manifest.json: cannot be read"), std::string::npos) << ending.err;
         expect_mended(command, command.again);
-        // Interrupted is no fault.
+        // Interrupted is no problem.
         EXPECT_EQ(disturb(command, {Answer::Kind::fail, EINTR}, read, k).exit_code, 0);
         EXPECT_EQ(in_lines(differences(command.after, state())), "");
     }

@@ -29,7 +29,7 @@ Trials::Trials() : failures_before_(failures_now()) {}
 
 void Trials::settle() {
     const int failures = failures_now();
-    if (!kind_.empty() && failures > failures_before_) ++kinds_[kind_].faulty;
+    if (!kind_.empty() && failures > failures_before_) ++kinds_[kind_].damaged;
     failures_before_ = failures;
 }
 
@@ -41,17 +41,17 @@ void Trials::begin(const std::string& kind) {
 
 Trials::~Trials() {
     settle();
-    int count = 0, faulty = 0;
+    int count = 0, damaged = 0;
     for (const auto& [name, kind] : kinds_) {
         std::cout << "hostile: " << name << ", seed " << trial_seed() << ": " << kind.count << " trials, "
-                  << kind.faulty << " with a fault;";
+                  << kind.damaged << " with a fault;";
         for (const auto& [code, times] : kind.endings) std::cout << " exit code " << code << ": " << times << ';';
         std::cout << '\n';
         count += kind.count;
-        faulty += kind.faulty;
+        damaged += kind.damaged;
     }
     ::testing::Test::RecordProperty("trials", count);
-    ::testing::Test::RecordProperty("faulty", faulty);
+    ::testing::Test::RecordProperty("faulty", damaged);
 }
 
 }  // namespace frana::test

@@ -48,7 +48,7 @@ TEST_P(OverACliff, LandsWhereTheParabolaSays) {
     }
     EXPECT_GT(aloft, 0.9 * volume);  // 12 m long, it is 60 m in the air
     EXPECT_TRUE(flow.flights().empty());
-    const JumpFigures& jumps = flow.flights().figures();
+    const JumpStatistics& jumps = flow.flights().statistics();
     // Waves of the film (0.7 m/s) make its tip faster, by 2 sqrt(g h) at most.
     const double time = std::sqrt(2 * 50 / k_gravity);
     EXPECT_NEAR(jumps.longest, 20 * time, 0.05 * 20 * time + 1.4 * time);
@@ -95,7 +95,7 @@ TEST(Flight, AnEdgeThatIsTooGentleOrTooLowThrowsNothing) {
     for (const Strip& strip : {Strip{2, gentle}, Strip{2, low}}) {
         Flow flow = film_on(strip);
         flow.advance_to(4);
-        EXPECT_EQ(flow.flights().figures().volume, 0);
+        EXPECT_EQ(flow.flights().statistics().volume, 0);
     }
     // What is deeper than the step is high keeps to its bed; a film does not.
     Flow flow = film_on({2, [](double x) { return x < 100 ? 1.0 : 0; }});
@@ -113,7 +113,7 @@ TEST(Flight, AThickFilmIsNoFasterAtTheLipAndShowsItsVolumeAfterwards) {
     double fastest = 0;
     while (flow.time() < 9) fastest = std::max(fastest, flow.advance(9 - flow.time()).nodes.max_speed);
     EXPECT_LT(fastest, 20 + 2 * std::sqrt(k_gravity * 1));  // the tip of a dam break
-    EXPECT_GT(flow.flights().figures().volume, 0.5 * volume);
+    EXPECT_GT(flow.flights().statistics().volume, 0.5 * volume);
     double shown = 0;
     for (const double depth : flow.snapshot().depth.values) shown += std::isnan(depth) ? 0 : depth * 25;
     EXPECT_NEAR(shown, volume, 0.1 * volume);  // without the stretch in the air a third more
@@ -131,7 +131,7 @@ TEST(Flight, OffKeepsToTheBedAndCostsNothing) {
     strip.flight = false;
     Flow flow = film_on(strip);
     flow.advance_to(6);
-    EXPECT_EQ(flow.flights().figures().volume, 0);
+    EXPECT_EQ(flow.flights().statistics().volume, 0);
     EXPECT_EQ(flow.flights().heights().size(), 0U);
 }
 
@@ -155,7 +155,7 @@ TEST(Flight, WhatMeetsAWallFallsDownIt) {
     flow.advance_to(8);
     EXPECT_TRUE(flow.flights().empty());
     EXPECT_NEAR(flow.volume(), volume, 1e-9 * volume);
-    EXPECT_NEAR(flow.flights().figures().to.x, 130, 2);
+    EXPECT_NEAR(flow.flights().statistics().to.x, 130, 2);
 }
 
 TEST(Flight, TheSameBitsForAnyNumberOfThreads) {

@@ -42,8 +42,8 @@ TEST(Shifting, MakesIrregularParticlesEven) {
 // Nothing without motion, at a free front, where a cell of the stencil is far from full or particles lie on each other;
 // and never far.
 TEST(Shifting, IsBounded) {
-    const auto far = [](double courant, double support, double least, double slope, double share = 1) {
-        return shift_of(k_shift, courant, support, least, share, slope, 0.0, 1.0, 0.0, 0.0, 2.0).x;
+    const auto far = [](double courant, double support, double least, double slope, double fraction = 1) {
+        return shift_of(k_shift, courant, support, least, fraction, slope, 0.0, 1.0, 0.0, 0.0, 2.0).x;
     };
     EXPECT_EQ(far(0.3, 1, 1, 0.1, k_shift_none), 0);
     EXPECT_NEAR(far(0.3, 1, 1, 0.1, 0.5 * (k_shift_until + k_shift_none)), 0.5 * far(0.3, 1, 1, 0.1), 1e-15);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double k_cell = 25, k_filled = 1;  // [m2]; supported all round
 
-// A layer whose particles say 2 m, with these shares of the cells (i, j); what its volume is over the ground.
+// A layer whose particles say 2 m, with these fractions of the cells (i, j); what its volume is over the ground.
 struct Layer {
     NodeGrid nodes{Raster(grid(), 0.0)};
     double volume = 0, shown = 0;
@@ -23,13 +23,13 @@ struct Layer {
         g.north = 120;
         return g;
     }
-    explicit Layer(const std::function<double(int, int)>& share) {
+    explicit Layer(const std::function<double(int, int)>& fraction) {
         nodes.phase = NodePhase::forces;
         for (int j = 0; j < 24; ++j)
-            for (int i = 0; i < 24; ++i) nodes.forces()[nodes.index(i, j)].area = k_cell * share(i, j);
+            for (int i = 0; i < 24; ++i) nodes.forces()[nodes.index(i, j)].area = k_cell * fraction(i, j);
         for (int j = 4; j < 20; ++j) {
             for (int i = 4; i < 20; ++i) {
-                volume += 2 * share(i, j);
+                volume += 2 * fraction(i, j);
                 shown += depth(i, j);
             }
         }

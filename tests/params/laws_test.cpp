@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "growth-rate = 0.01\n",
                 {"entrainment.growth-rate: is given, but no law", "entrainment.erosion = growth"}},
         LawCase{"deposition_without_rate",
-                "[material]\nfriction-angle = 20\n[entrainment]\ndeposition = on\ndeposition-shear = 500\n",
+                "[material]\nfriction-angle = 20\n[entrainment]\ndeposition = on\ndeposition-shear-stress = 500\n",
                 {"entrainment.deposition-rate: is missing"}},
         LawCase{"curvature_in_the_gentle_form",
                 "[material]\nfriction-angle = 20\n[numerics]\ncurvature = on\nslope-correction = none\n",

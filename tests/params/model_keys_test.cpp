@@ -47,8 +47,9 @@ TEST_F(ModelKeys, EachModelRefusesTheOthersKeysByName) {
 TEST_F(ModelKeys, FluidAloneRefusesWhatIsOfSolids) {
     EXPECT_NE(messages(k_fluid + "cohesion = 1e4\n").find("structured.phases = fluid does not use it"),
               std::string::npos);
-    EXPECT_EQ(messages(k_fluid + "manning = 0.03\nfluid-viscosity = 0.001\ndry-depth = 1e-5\nvelocity-shape = 2\n"),
-              "");
+    EXPECT_EQ(
+        messages(k_fluid + "manning = 0.03\nfluid-viscosity = 0.001\ndry-depth = 1e-5\nvelocity-profile-factor = 2\n"),
+        "");
 }
 
 TEST_F(ModelKeys, SolidsNeedStrengthAndNeighbours) {

@@ -22,7 +22,7 @@ Scene random_scene(RandomNumbers& random, Made made);
 /// A plane of a random slope that falls to the east and is level across, with a release high on it.
 Scene random_plane(RandomNumbers& random);
 
-/// How many scenes a test tries: its share of the hundred that are always tried, or of FRANA_SCENES.
+/// How many scenes a test tries: its fraction of the hundred that are always tried, or of FRANA_SCENES.
 int scene_count(int of_a_hundred);
 /// FRANA_SEED, or 1.
 std::uint64_t scene_seed();

@@ -17,7 +17,8 @@ inline Made made_of(int scene) {
     return scene % 5 == 4 ? Made::of_solids : scene % 5 == 3 ? Made::of_fluid : Made::of_mass;
 }
 
-/// Calls look(scene, random, number) for a test's share of the random scenes, each with a stream of numbers of its own.
+/// Calls look(scene, random, number) for a test's fraction of the random scenes, each with a stream of numbers of its
+/// own.
 template <class Look>
 void for_scenes(int of_a_hundred, std::uint64_t stream, const Look& look) {
     const int count = scene_count(of_a_hundred);

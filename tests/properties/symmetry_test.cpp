@@ -72,7 +72,7 @@ TEST(Property, MoreTerrainOnAnySideGivesTheSameBits) {
         const RunResult narrow = run(scene, {});
         // The bound of speeds is that of the window's lowest ground: a run that breaks it (scheme = paper can, with a
         // particle next to nothing) ends in the narrower window first.
-        if (!stays_inside(narrow) || !narrow.troubles.empty()) return;
+        if (!stays_inside(narrow) || !narrow.run_problems.empty()) return;
         ++compared;
         const auto more = [&] { return static_cast<std::int64_t>(random.below(60)); };
         const RunResult broad = run(widened(scene, more(), more(), more(), more(), random.between(0, 5)), {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/film/animation.h"
+#include "render/animation/animation.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 namespace frana::render {
 namespace {
 
-/// Depths at a share of the whole tongue.
-Raster part(double share) {
+/// Depths at a fraction of the whole tongue.
+Raster part(double fraction) {
     Raster raster = test::tongue();
-    for (double& value : raster.values) value *= share;
+    for (double& value : raster.values) value *= fraction;
     return raster;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "render/film/animation.h"
+#include "render/animation/animation.h"
 #include "render/map/map2d.h"
 #include "render/view/view3d.h"
 #include "scenes.h"
@@ -261,13 +261,14 @@ TEST(Dots, ShowInViewsAndThoseOfTheFrameBeforeAreGone) {
     const Rgb slow = layout.legend.back().colour, fast = layout.legend.front().colour;
     EXPECT_GT(count(picture, fast), 100);
     EXPECT_EQ(count(picture, slow), 0);
-    ViewAnimator film(spec);
-    film.frame(left, "t = 0 s");
-    const Image second = film.frame(right, "t = 1 s");
+    ViewAnimator animation(spec);
+    animation.frame(left, "t = 0 s");
+    const Image second = animation.frame(right, "t = 1 s");
     EXPECT_EQ(count(second, fast), 0);
-    // The film's scale is open above: its slowest class has the same colour only where both scales begin.
+    // The animation's scale is open above: its slowest class has the same colour only where both scales begin.
     EXPECT_GT(count(second, slow), 100);
-    EXPECT_THROW(film.frame(Dots{{{{527600, 5094500}, 0, -1}}, 1}, ""), Error) << "a speed that the legend has not";
+    EXPECT_THROW(animation.frame(Dots{{{{527600, 5094500}, 0, -1}}, 1}, ""), Error)
+        << "a speed that the legend has not";
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 // No text is cut off or covers another, at any size and with any of the things a map may hold.
 #include <gtest/gtest.h>
 
+#include "render/animation/animation.h"
 #include "render/chart/chart.h"
-#include "render/film/animation.h"
 #include "render/map/map2d.h"
 #include "render/map/plate.h"
 #include "render/view/view3d.h"
@@ -107,7 +107,7 @@ TEST_P(AtSize, ViewsAreTidy) {
     for (const TextBox& text : layout.texts) EXPECT_FALSE(text.box.overlaps(layout.picture)) << text.text;
 }
 
-/// All that a run can put on a map: every kind of outline, all figures, a film's pace, long texts.
+/// All that a run can put on a map: every kind of outline, all values, a animation's pace, long texts.
 MapSpec fullest_map(const Raster& ground, const Raster& layer, int width, int height) {
     MapSpec spec = test::crowded_map(ground, layer, width, height);
     spec.title = std::string(119, 'w') + "\u2026: Maximum energy head";
@@ -123,8 +123,8 @@ MapSpec fullest_map(const Raster& ground, const Raster& layer, int width, int he
     return spec;
 }
 
-// The least and the most oblong pages that output.map-size takes, and the films made of them: what can be asked for can
-// be drawn, at the end of a run of days too.
+// The least and the most oblong pages that output.map-size takes, and the animations made of them: what can be asked
+// for can be drawn, at the end of a run of days too.
 TEST(OnSmallPages, EverythingFits) {
     const Raster ground = test::terrain(), layer = test::tongue();
     for (const auto& [width, height] : {std::pair{640, 480}, {1280, 480}, {8000, 480}, {640, 8000}}) {

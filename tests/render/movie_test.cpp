@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/film/movie.h"
+#include "render/animation/movie.h"
 
 #include <gtest/gtest.h>
 
@@ -20,30 +20,30 @@ extern "C" {
 namespace frana::render {
 namespace {
 
-struct Film {
+struct Animation {
     std::string codec, pixels;
     double rate = 0;
     std::vector<Image> frames;
 };
 
-/// Decodes a film completely, with libav's decoder and not with the writer's code.
-Film decoded(const std::string& path) {
-    Film film;
+/// Decodes a animation completely, with libav's decoder and not with the writer's code.
+Animation decoded(const std::string& path) {
+    Animation animation;
     AVFormatContext* format = nullptr;
-    if (avformat_open_input(&format, path.c_str(), nullptr, nullptr) < 0) return film;
+    if (avformat_open_input(&format, path.c_str(), nullptr, nullptr) < 0) return animation;
     avformat_find_stream_info(format, nullptr);
     AVStream* stream = format->streams[0];
     const AVCodec* decoder = avcodec_find_decoder(stream->codecpar->codec_id);
     AVCodecContext* codec = avcodec_alloc_context3(decoder);
     avcodec_parameters_to_context(codec, stream->codecpar);
     avcodec_open2(codec, decoder, nullptr);
-    film.codec = avcodec_get_name(stream->codecpar->codec_id);
-    film.rate = av_q2d(stream->avg_frame_rate);
+    animation.codec = avcodec_get_name(stream->codecpar->codec_id);
+    animation.rate = av_q2d(stream->avg_frame_rate);
     AVPacket* packet = av_packet_alloc();
     AVFrame* frame = av_frame_alloc();
     const auto receive = [&] {
         while (avcodec_receive_frame(codec, frame) == 0) {
-            film.pixels = std::to_string(frame->format);
+            animation.pixels = std::to_string(frame->format);
             Image image(frame->width, frame->height);
             SwsContext* scaler = sws_getContext(
                 frame->width, frame->height, static_cast<AVPixelFormat>(frame->format), frame->width, frame->height,
@@ -54,7 +54,7 @@ Film decoded(const std::string& path) {
             const int line[1] = {3 * image.width};
             sws_scale(scaler, frame->data, frame->linesize, 0, frame->height, to, line);
             sws_freeContext(scaler);
-            film.frames.push_back(std::move(image));
+            animation.frames.push_back(std::move(image));
         }
     };
     while (av_read_frame(format, packet) >= 0) {
@@ -68,7 +68,7 @@ Film decoded(const std::string& path) {
     av_packet_free(&packet);
     avcodec_free_context(&codec);
     avformat_close_input(&format);
-    return film;
+    return animation;
 }
 
 /// Upper half in one colour that changes with the frame, lower half in another.
@@ -93,13 +93,13 @@ TEST(Movie, Mp4HasItsFramesInOrderWithSizeRateAndColours) {
     movie.finish();
     EXPECT_EQ(folder.count(), 1U);
 
-    const Film film = decoded(folder.file("a.mp4"));
-    EXPECT_EQ(film.codec, "h264");
-    EXPECT_EQ(film.pixels, std::to_string(AV_PIX_FMT_YUV420P));
-    EXPECT_NEAR(film.rate, 12.5, 1e-6);
-    ASSERT_EQ(film.frames.size(), static_cast<std::size_t>(k_frames));
+    const Animation animation = decoded(folder.file("a.mp4"));
+    EXPECT_EQ(animation.codec, "h264");
+    EXPECT_EQ(animation.pixels, std::to_string(AV_PIX_FMT_YUV420P));
+    EXPECT_NEAR(animation.rate, 12.5, 1e-6);
+    ASSERT_EQ(animation.frames.size(), static_cast<std::size_t>(k_frames));
     for (int k = 0; k < k_frames; ++k) {
-        const Image& frame = film.frames[static_cast<std::size_t>(k)];
+        const Image& frame = animation.frames[static_cast<std::size_t>(k)];
         ASSERT_EQ(frame.width, 160);
         ASSERT_EQ(frame.height, 120);
         // The codec loses a little, BT.601 read as BT.709 would lose thirty.
@@ -108,8 +108,8 @@ TEST(Movie, Mp4HasItsFramesInOrderWithSizeRateAndColours) {
     }
 }
 
-/// The bytes of a film made on so many of the processors this process may use.
-std::string film_on(int processors, const std::string& file) {
+/// The bytes of a animation made on so many of the processors this process may use.
+std::string animation_on(int processors, const std::string& file) {
     cpu_set_t all, some;
     CPU_ZERO(&some);
     sched_getaffinity(0, sizeof all, &all);
@@ -127,7 +127,7 @@ std::string film_on(int processors, const std::string& file) {
 TEST(Movie, AnMp4HasTheSameBytesOnAnyNumberOfProcessors) {
     if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "needs two processors";
     const test::Folder folder("processors");
-    EXPECT_EQ(film_on(1, folder.file("one.mp4")), film_on(CPU_SETSIZE, folder.file("all.mp4")));
+    EXPECT_EQ(animation_on(1, folder.file("one.mp4")), animation_on(CPU_SETSIZE, folder.file("all.mp4")));
 }
 
 TEST(Movie, TheIndexOfAnMp4IsInFront) {
@@ -145,10 +145,10 @@ TEST(Movie, OddSizesLoseAColumnOrARow) {
     MovieWriter movie(folder.file("a.mp4"), 101, 75, 10);
     movie.add(picture(101, 75, 3));
     movie.finish();
-    const Film film = decoded(folder.file("a.mp4"));
-    ASSERT_EQ(film.frames.size(), 1U);
-    EXPECT_EQ(film.frames[0].width, 100);
-    EXPECT_EQ(film.frames[0].height, 74);
+    const Animation animation = decoded(folder.file("a.mp4"));
+    ASSERT_EQ(animation.frames.size(), 1U);
+    EXPECT_EQ(animation.frames[0].width, 100);
+    EXPECT_EQ(animation.frames[0].height, 74);
 }
 
 TEST(Movie, GifKeepsFewColoursExactly) {
@@ -156,11 +156,11 @@ TEST(Movie, GifKeepsFewColoursExactly) {
     MovieWriter movie(folder.file("a.gif"), 81, 61, 5);
     for (int k = 0; k < 4; ++k) movie.add(picture(81, 61, k));
     movie.finish();
-    const Film film = decoded(folder.file("a.gif"));
-    EXPECT_EQ(film.codec, "gif");
-    ASSERT_EQ(film.frames.size(), 4U);
+    const Animation animation = decoded(folder.file("a.gif"));
+    EXPECT_EQ(animation.codec, "gif");
+    ASSERT_EQ(animation.frames.size(), 4U);
     for (int k = 0; k < 4; ++k) {
-        const Image& frame = film.frames[static_cast<std::size_t>(k)];
+        const Image& frame = animation.frames[static_cast<std::size_t>(k)];
         EXPECT_EQ(frame.width, 81);
         EXPECT_EQ(frame.colour(40, 10), (Rgb{static_cast<std::uint8_t>(40 + 15 * k), 120, 60})) << k;
         EXPECT_EQ(frame.colour(40, 50), (Rgb{30, 40, 200})) << k;

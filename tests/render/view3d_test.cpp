@@ -31,9 +31,9 @@ TEST(View, TheFlowFillsThePictureAndStaysInIt) {
     const Image image = draw_view(view(ground, layer), &layout);
     EXPECT_EQ(image.width, 800);
     EXPECT_TRUE(layout.flow.inside(layout.picture));
-    const double share =
+    const double fraction =
         std::max(layout.flow.width() / layout.picture.width(), layout.flow.height() / layout.picture.height());
-    EXPECT_NEAR(share, 0.8, 0.01);  // the margin that place_camera leaves
+    EXPECT_NEAR(fraction, 0.8, 0.01);  // the margin that place_camera leaves
 }
 
 TEST(View, AGivenCameraBehindTheSlopeIsRaisedOverIt) {

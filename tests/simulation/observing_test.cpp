@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who looks on changes nothing: with frames or without, at any interval, with gauges, saved often or never, by any
-// number of threads, a run has the same rasters, series and figures, bit for bit.
+// number of threads, a run has the same rasters, series and values, bit for bit.
 #include "played_runs.h"
 
 namespace frana {

@@ -102,7 +102,7 @@ TEST(PlacedScene, GroundLiesWhereTheTurnedOutlineLies) {
                 const Point at = other.grid.cell_centre(row, column);
                 const double x = at.x - to[0].x, y = at.y - to[0].y;
                 const Point old{from[0].x + c * x + s * y, from[0].y - s * x + c * y};
-                const bool is_inside = scene.grid.bounds().holds(old.x, old.y);
+                const bool is_inside = scene.grid.bounds().contains(old.x, old.y);
                 const double to_edge = std::min({old.x - scene.grid.west, scene.grid.east() - old.x,
                                                  old.y - scene.grid.south(), scene.grid.north - old.y});
                 if (std::abs(to_edge) > 0.01) {

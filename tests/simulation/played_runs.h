@@ -61,7 +61,7 @@ inline Scene eventful() {
     scene.recording.sections = {{"s", {{100, 10}, {100, 110}}}};
     scene.recording.interval = 0.7;
     scene.recording.intensity = true;
-    scene.time.stop_energy_share = 0.01;
+    scene.time.stop_energy_fraction = 0.01;
     return scene;
 }
 
@@ -76,7 +76,7 @@ inline Scene resting() {
     return scene;
 }
 
-// Ends when its figures have stopped changing.
+// Ends when its values have stopped changing.
 inline Scene settling() {
     Scene scene = hillside();
     scene.time.end = 300;
@@ -135,7 +135,7 @@ inline Scene breaking() {
     Scene scene = hillside();
     StructuredMaterial& material = scene.structured.emplace();
     material.solids = true;
-    material.confined_share = 0.7;
+    material.confined_fraction = 0.7;
     material.cohesion = 2000;
     material.friction = 0.6;
     material.bed_friction = 0.2;
@@ -160,7 +160,7 @@ inline Scene breaking_later() {
 inline Scene loose_and_dry() {
     Scene scene = breaking();
     scene.structured->cohesion = 0;
-    scene.structured->confined_share = 0;
+    scene.structured->confined_fraction = 0;
     scene.structured->solid_fraction = 1;
     return scene;
 }
@@ -237,8 +237,8 @@ inline void expect_same(const RunResult& a, const RunResult& b) {
     for (double RunResult::*number :
          {&RunResult::simulated_seconds, &RunResult::volume_initial, &RunResult::volume_final, &RunResult::volume_left,
           &RunResult::volume_entered, &RunResult::volume_inflow, &RunResult::volume_eroded,
-          &RunResult::volume_deposited, &RunResult::momentum_deposited, &RunResult::thin_share,
-          &RunResult::moving_share})
+          &RunResult::volume_deposited, &RunResult::momentum_deposited, &RunResult::thin_fraction,
+          &RunResult::moving_fraction_limit})
         EXPECT_EQ(std::bit_cast<std::uint64_t>(a.*number), std::bit_cast<std::uint64_t>(b.*number));
     EXPECT_EQ(a.stop_reason, b.stop_reason);
     ASSERT_EQ(a.settling.has_value(), b.settling.has_value());

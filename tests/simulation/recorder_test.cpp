@@ -38,7 +38,7 @@ class AtTheDam : public ::testing::Test {
             const double dt = flow.advance(k_end - began).dt;
             recorder.see(flow, began, dt);
         }
-        flow.see_present();
+        flow.record_present();
         result_.max_depth = flow.to_raster(flow.maxima().depth);
         recorder.give(flow, result_);
     }

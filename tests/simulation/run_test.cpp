@@ -96,10 +96,10 @@ TEST(Estimate, CountsWithoutRunning) {
     EXPECT_GT(e.first_step_seconds, 0);
 }
 
-// Ends at the first step under the share of the peak, and not before.
+// Ends at the first step under the fraction of the peak, and not before.
 TEST(Run, EndsAtAShareOfThePeakOfKineticEnergy) {
     Scene scene = slide();
-    scene.time.stop_energy_share = 0.05;
+    scene.time.stop_energy_fraction = 0.05;
     const RunResult result = run(scene, {});
     EXPECT_EQ(result.stop_reason, StopReason::energy);
     double peak = 0;
@@ -112,11 +112,11 @@ TEST(Run, EndsAtAShareOfThePeakOfKineticEnergy) {
 
 TEST(Run, EndsAtAShareOfThePeakOfMovingVolume) {
     Scene scene = slide();
-    scene.time.stop_moving_share = 0.2;
+    scene.time.stop_moving_fraction = 0.2;
     scene.time.moving_speed = 1;
     const RunResult result = run(scene, {});
     EXPECT_EQ(result.stop_reason, StopReason::moving_volume);
-    scene.time.stop_moving_share = 0;
+    scene.time.stop_moving_fraction = 0;
     const RunResult whole = run(scene, {});
     EXPECT_EQ(whole.stop_reason, StopReason::still);
     EXPECT_LT(result.simulated_seconds, whole.simulated_seconds);

@@ -68,7 +68,7 @@ TEST_P(ThinFlow, AFlumeIsNotAtRestWhileItFlows) {
     scene.time.end = 10;  // of fluid, what is left after 15 s is thinner than what the solver moves
     const RunResult result = run(scene, {});
     EXPECT_NE(result.stop_reason, StopReason::still) << result.simulated_seconds;
-    EXPECT_GT(result.thin_share, 0.5);
+    EXPECT_GT(result.thin_fraction, 0.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(, ThinFlow, testing::Bool(), [](const auto& fluid) { return fluid.param ? "Fluid" : "Mass"; });

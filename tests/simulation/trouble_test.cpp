@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "simulation/flow.h"
+#include "simulation/run_check.h"
 #include "simulation/simulation.h"
-#include "simulation/trouble_watch.h"
 
 namespace frana {
 namespace {
 
-using Kind = Trouble::Kind;
+using Kind = RunProblem::Kind;
 
 enum class Of { mass, fluid, solids };
 
@@ -54,15 +54,15 @@ class AnyMaterial : public testing::TestWithParam<Of> {};
 
 TEST_P(AnyMaterial, AGoodRunHasNoTrouble) {
     RunOptions options;
-    options.on_trouble = [](const Trouble& trouble) { ADD_FAILURE() << describe(trouble); };
+    options.on_problem = [](const RunProblem& run_problem) { ADD_FAILURE() << describe(run_problem); };
     const RunResult result = run(slope(GetParam()), options);
     EXPECT_TRUE(result.hard_events.none());
-    EXPECT_TRUE(result.troubles.empty());
+    EXPECT_TRUE(result.run_problems.empty());
 }
 
 // A flume of cells of 2 cm and a slope a hundred times as large, with outlines that pass the cells' edges by
 // nothing.
-TEST(Trouble, AnOutlineThatPassesTheCellsByNothingIsNone) {
+TEST(RunProblem, AnOutlineThatPassesTheCellsByNothingIsNone) {
     for (const double scale : {1.0, 100.0}) {
         for (const double over : {1e-10, 1e-9, 3e-9}) {
             Scene scene;
@@ -81,7 +81,7 @@ TEST(Trouble, AnOutlineThatPassesTheCellsByNothingIsNone) {
             scene.material.friction_coefficient = 0.364;
             scene.time.end = 0.3 * std::sqrt(scale);
             const RunResult result = run(scene, {});
-            EXPECT_TRUE(result.troubles.empty()) << describe(result.troubles.front());
+            EXPECT_TRUE(result.run_problems.empty()) << describe(result.run_problems.front());
             for (const SeriesRow& row : result.series) {
                 ASSERT_LT(row.max_speed, 5 * std::sqrt(scale)) << over;  // 3.9 where the outline is on the edges
             }
@@ -90,7 +90,7 @@ TEST(Trouble, AnOutlineThatPassesTheCellsByNothingIsNone) {
 }
 
 // Water that lies there from the start, higher and deeper than what is released, may be as fast as its own fall.
-TEST(Trouble, WaterThatLiesHigherThanTheReleaseIsNone) {
+TEST(RunProblem, WaterThatLiesHigherThanTheReleaseIsNone) {
     Scene scene = slope(Of::fluid);
     scene.release[0].outline = {{{{600100, 5000040}, {600110, 5000040}, {600110, 5000060}, {600100, 5000060}}, {}}};
     scene.release[0].thickness = 0.1;
@@ -98,7 +98,7 @@ TEST(Trouble, WaterThatLiesHigherThanTheReleaseIsNone) {
     for (std::int64_t r = 10; r < 50; ++r)
         for (std::int64_t c = 2; c < 12; ++c) scene.structured->initial_fluid->at(r, c) = 5;
     const RunResult result = run(scene, {});
-    EXPECT_TRUE(result.troubles.empty()) << describe(result.troubles.front());
+    EXPECT_TRUE(result.run_problems.empty()) << describe(result.run_problems.front());
     double fastest = 0;
     for (const double v : result.max_velocity.values) fastest = v > fastest ? v : fastest;  // NaN where it was dry
     EXPECT_GT(fastest, 5);  // the release alone could do sqrt(2 g 0.1) + 2 sqrt(g 0.1) = 3.4 m/s
@@ -108,10 +108,10 @@ TEST(Trouble, WaterThatLiesHigherThanTheReleaseIsNone) {
 TEST_P(AnyMaterial, NumbersThatAreNoneEndTheRunAtTheirStep) {
     Scene scene = slope(GetParam());
     scene.release[0].speed = 1e200;
-    std::vector<Trouble> seen;
+    std::vector<RunProblem> seen;
     int frames = 0;
     RunOptions options;
-    options.on_trouble = [&](const Trouble& trouble) { seen.push_back(trouble); };
+    options.on_problem = [&](const RunProblem& run_problem) { seen.push_back(run_problem); };
     options.on_frame = [&](const Frame& frame) {
         ++frames;
         // The start's own speed squared is already beyond numbers.
@@ -134,7 +134,7 @@ TEST_P(AnyMaterial, NumbersThatAreNoneEndTheRunAtTheirStep) {
 }
 
 double bound_of(const Scene& scene) {
-    return TroubleWatch(scene, make_release(scene), Arrivals(scene, {}), 1).greatest_speed();
+    return RunCheck(scene, make_release(scene), Arrivals(scene, {}), 1).greatest_speed();
 }
 
 TEST_P(AnyMaterial, TheBoundIsWhatTheFallAllows) {
@@ -146,7 +146,7 @@ TEST_P(AnyMaterial, TheBoundIsWhatTheFallAllows) {
 }
 
 // Blocks of 2 MPa that hook on a corner and tear off: 2 T / (rho c) = 2 * 2.4034 MPa / (1700 kg/m3 * 129.845 m/s).
-TEST(Trouble, StrongSolidsMaySpringBack) {
+TEST(RunProblem, StrongSolidsMaySpringBack) {
     Scene scene = slope(Of::solids);
     const double loose = bound_of(scene);
     scene.structured->young_modulus = 12e6;
@@ -158,16 +158,16 @@ TEST(Trouble, StrongSolidsMaySpringBack) {
 }
 
 // One of the grounds that `frana bench stability` fails on: a needle one cell wide and 30 m high in the way.
-TEST(Trouble, ASpeedAboveTheBoundEndsTheRunAtItsStep) {
+TEST(RunProblem, ASpeedAboveTheBoundEndsTheRunAtItsStep) {
     Scene scene = slope(Of::mass);
     scene.material.friction_coefficient = 0.1;
     scene.numerics.curvature = false;  // with it the speed stays under the bound
     scene.terrain.at(30, 25) += 60;
     scene.terrain.at(30, 16) += 60;
     scene.time.end = 10;
-    Trouble seen{};
+    RunProblem seen{};
     RunOptions options;
-    options.on_trouble = [&](const Trouble& trouble) { seen = trouble; };
+    options.on_problem = [&](const RunProblem& run_problem) { seen = run_problem; };
     const RunResult result = run(scene, options);
     ASSERT_EQ(result.stop_reason, StopReason::impossible_speed) << result.simulated_seconds;
     EXPECT_EQ(result.hard_events.impossible_speed, 1);
@@ -177,30 +177,30 @@ TEST(Trouble, ASpeedAboveTheBoundEndsTheRunAtItsStep) {
     ASSERT_TRUE(seen.place);
 }
 
-// The engine loses nothing; figures that do must be seen.
-TEST(Trouble, AVolumeThatDoesNotAddUpIsSeen) {
+// The engine loses nothing; values that do must be seen.
+TEST(RunProblem, AVolumeThatDoesNotAddUpIsSeen) {
     const Scene scene = slope(Of::mass);
     const Release release = make_release(scene);
     Flow flow(release.bed, release.particles, scene.material, scene.numerics, 1);
-    const TroubleWatch watch(scene, release, Arrivals(scene, {}), 1);
-    StepFigures figures;
-    figures.volume = flow.volume();
-    EXPECT_TRUE(watch.look(flow, figures, release.volume).empty());
-    figures.volume *= 1 - 1e-8;
-    const auto troubles = watch.look(flow, figures, release.volume);
-    ASSERT_EQ(troubles.size(), 1u);
-    EXPECT_EQ(troubles[0].kind, Kind::volume_drift);
-    EXPECT_NEAR(troubles[0].value, 1e-8, 1e-12);
-    EXPECT_EQ(reason_of(troubles[0]), StopReason::volume_drift);
+    const RunCheck watch(scene, release, Arrivals(scene, {}), 1);
+    StepStatistics statistics;
+    statistics.volume = flow.volume();
+    EXPECT_TRUE(watch.look(flow, statistics, release.volume).empty());
+    statistics.volume *= 1 - 1e-8;
+    const auto run_problems = watch.look(flow, statistics, release.volume);
+    ASSERT_EQ(run_problems.size(), 1u);
+    EXPECT_EQ(run_problems[0].kind, Kind::volume_drift);
+    EXPECT_NEAR(run_problems[0].value, 1e-8, 1e-12);
+    EXPECT_EQ(reason_of(run_problems[0]), StopReason::volume_drift);
 }
 
 TEST_P(AnyMaterial, GroundWithoutElevationIsLocated) {
     Scene scene = slope(GetParam());
     for (std::int64_t r = 0; r < 60; ++r) scene.terrain.at(r, 21) = k_no_data;  // 2 m beyond the release
     scene.release[0].speed = 8;
-    Trouble seen{};
+    RunProblem seen{};
     RunOptions options;
-    options.on_trouble = [&](const Trouble& trouble) { seen = trouble; };
+    options.on_problem = [&](const RunProblem& run_problem) { seen = run_problem; };
     const RunResult result = run(scene, options);
     ASSERT_EQ(result.stop_reason, StopReason::reached_no_data);
     EXPECT_GT(result.hard_events.entered_no_data, 0);
@@ -209,7 +209,7 @@ TEST_P(AnyMaterial, GroundWithoutElevationIsLocated) {
     EXPECT_EQ(seen.step, result.steps);
 }
 
-INSTANTIATE_TEST_SUITE_P(Trouble, AnyMaterial, testing::Values(Of::mass, Of::fluid, Of::solids),
+INSTANTIATE_TEST_SUITE_P(RunProblem, AnyMaterial, testing::Values(Of::mass, Of::fluid, Of::solids),
                          [](const auto& tested) {
                              return tested.param == Of::mass ? "Mass" : tested.param == Of::fluid ? "Fluid" : "Solids";
                          });

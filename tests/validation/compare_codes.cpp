@@ -4,7 +4,7 @@
 //     compare_codes RESULT_DIR MODELS_DIR THRESHOLD OUT.png TITLE
 //
 // MODELS_DIR holds each code's greatest thickness, normal to the bed, as *_pft.tif or *_h_max.tif. Prints a Markdown
-// row of frana's figures with thickness measured the same way, and draws for every cell how many codes went over the
+// row of frana's values with thickness measured the same way, and draws for every cell how many codes went over the
 // threshold [m] with frana's outline on it.
 #include <algorithm>
 #include <cmath>

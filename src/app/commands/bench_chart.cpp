@@ -30,10 +30,10 @@ render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const
                              : (paper ? render::Stroke::dash_dot : render::Stroke::solid);
     for (const bench::AccuracyRow& row : rows) {
         if (row.case_name != name || row.scheme != scheme) continue;
-        const double error = momentum ? row.figures.l1_momentum : row.figures.l1_depth;
+        const double error = momentum ? row.statistics.l1_momentum : row.statistics.l1_depth;
         // At rest to rounding: would only stretch the axis.
         constexpr double k_nothing = 1e-18;
-        if (error > k_nothing) series.points.push_back({row.figures.wall_seconds, error});
+        if (error > k_nothing) series.points.push_back({row.statistics.wall_seconds, error});
     }
     return series;
 }
@@ -45,8 +45,8 @@ render::ChartSeries geoclaw_of(const std::vector<bench::AccuracyRow>& rows, cons
     series.stroke = render::Stroke::dashed;
     const auto row =
         std::find_if(rows.begin(), rows.end(), [&](const bench::AccuracyRow& one) { return one.case_name == name; });
-    const double mean_depth = row->figures.mean_depth_error / row->figures.l1_depth;
-    for (const bench::PeerFigure& peer : bench::peer_figures())
+    const double mean_depth = row->statistics.mean_depth_error / row->statistics.l1_depth;
+    for (const bench::PeerResult& peer : bench::peer_results())
         if (peer.case_name == name && peer.code == "GeoClaw, order 2")
             series.points.push_back({peer.seconds, peer.value / mean_depth});
     return series;

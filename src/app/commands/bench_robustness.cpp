@@ -54,7 +54,7 @@ int bench_robustness(const std::string& scene, const boost::program_options::var
         out->list();
     }
     const bool whole =
-        std::all_of(rows.begin(), rows.end(), [](const bench::RobustnessRow& row) { return row.trouble.empty(); });
+        std::all_of(rows.begin(), rows.end(), [](const bench::RobustnessRow& row) { return row.run_problem.empty(); });
     return static_cast<int>(whole ? ExitCode::done : ExitCode::numerical);
 }
 

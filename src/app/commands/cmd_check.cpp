@@ -54,12 +54,12 @@ double two_digits(std::int64_t count) {
 /// Trial runs foresee splitting and the speeds to come within a factor of about two.
 std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial) {
     if (!trial)
-        return "at least " + figure(expected.wall_seconds, 2) + " s, more where the flow spreads" +
+        return "at least " + number_text(expected.wall_seconds, 2) + " s, more where the flow spreads" +
                (expected.particles > 0 ? " and particles split" : "");
     const double seconds = trial->engine_seconds;
-    return "about " + figure(seconds, 2) + " s (" + figure(seconds / 2, 2) + " to " + figure(2 * seconds, 2) +
-           " s), from a trial on cells " + std::to_string(trial->coarsening) + " times as large" +
-           (trial->cut_short ? ", which reached " + figure(trial->trial_end, 2) + " s" : "");
+    return "about " + number_text(seconds, 2) + " s (" + number_text(seconds / 2, 2) + " to " +
+           number_text(2 * seconds, 2) + " s), from a trial on cells " + std::to_string(trial->coarsening) +
+           " times as large" + (trial->cut_short ? ", which reached " + number_text(trial->trial_end, 2) + " s" : "");
 }
 
 /// What stands on the ground and where it differs, on the working grid.
@@ -80,7 +80,7 @@ void print_site(const Scene& scene) {
             least = std::min(least, value);
             greatest = std::max(greatest, value);
         }
-        line(zone.what, figure(least, 4) + " to " + figure(greatest, 4) + " " +
+        line(zone.what, number_text(least, 4) + " to " + number_text(greatest, 4) + " " +
                             (key->unit.empty() ? "(coefficient)" : key->unit) + " on " + grouped(cells) + " cells");
     }
     if (scene.walls)
@@ -105,12 +105,12 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
                  (trial ? " at the start, about " + grouped(two_digits(trial->particles_peak)) + " at most" : ""));
         line("fields", std::to_string(expected.bytes_per_particle) + " bytes per particle, " + node_bytes + "node");
     }
-    line("first step", figure(expected.first_step_seconds, 3) + " s, end at " + shortest_text(prepared.scene.time.end) +
-                           " s at most");
+    line("first step", number_text(expected.first_step_seconds, 3) + " s, end at " +
+                           shortest_text(prepared.scene.time.end) + " s at most");
     line("estimated time", time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
     for (std::size_t i = 0; i < expected.terms.size(); ++i) line(i == 0 ? "terms" : "", expected.terms[i]);
     const std::string place = result_path(directory);
-    line("result", place + (holds_files(place) ? ", which contains a result already: --overwrite replaces it" : ""));
+    line("result", place + (has_files(place) ? ", which contains a result already: --overwrite replaces it" : ""));
 }
 
 }  // namespace
@@ -120,15 +120,15 @@ int cmd_check(const Arguments& arguments) {
     if (!values) return static_cast<int>(ExitCode::done);
     const int threads = thread_count(*values);
     RunLog log(false);
-    take_memory_limit(*values, log);
+    apply_memory_limit(*values, log);
     SceneReading reading =
         read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), materials_directory());
     // Whether a result that is there already may be replaced is asked of whoever runs the scene.
     const auto out = text_option(*values, "out");
     const std::string directory = out.value_or(output_directory(reading.scene));
-    const std::optional<Problem> place_fault = check_result_directory(
+    const std::optional<Problem> place_problem = check_result_directory(
         directory, true, {}, out ? "--out" : reading.where("output.directory"), reading.problems);
-    const Prepared prepared = prepare(reading, place_fault, log);
+    const Prepared prepared = prepare(reading, place_problem, log);
     const std::int64_t held = resident_memory();
     const RunEstimate expected = estimate(prepared.scene, threads);
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);

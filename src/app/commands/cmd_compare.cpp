@@ -194,15 +194,15 @@ std::string make_folder(const std::string& folder) {
     return folder;
 }
 
-/// Compares and writes into a folder, which is made only once the figures are there.
+/// Compares and writes into a folder, which is made only once the values are there.
 Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog& log) {
     Comparison comparison = compare_with_survey(simulated.input, log);
     make_folder(folder);
-    begin_own(folder, comparison.figures ? comparison_files(folder)
-                                         : std::vector<std::string>{comparison_files(folder).front()});
-    if (comparison.figures) begin_own(folder, comparison_pictures(simulated.source.style, folder));
+    begin_own(folder, comparison.statistics ? comparison_files(folder)
+                                            : std::vector<std::string>{comparison_files(folder).front()});
+    if (comparison.statistics) begin_own(folder, comparison_pictures(simulated.source.style, folder));
     write_comparison(comparison, simulated.input, folder);
-    if (comparison.figures) {
+    if (comparison.statistics) {
         simulated.source.scar = simulated.input.survey.scar;
         LayerDrawer drawer(simulated.source);
         draw_comparison(comparison, drawer, folder);

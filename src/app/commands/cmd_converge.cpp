@@ -27,7 +27,7 @@
 #include "gis/raster/raster_out.h"
 #include "params/keys/result_rasters.h"
 #include "render/chart/chart.h"
-#include "simulation/run_figures.h"
+#include "simulation/run_statistics.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
@@ -51,20 +51,20 @@ CommandForm converge_form() {
     return form;
 }
 
-/// One resolution's figures and cost.
+/// One resolution's values and cost.
 struct Level {
     double cell_size = 0;
     std::int64_t particles = 0, steps = 0;
     double wall_seconds = 0;
-    RunFigures figures;
+    RunStatistics statistics;
     Raster depth;
 };
 
 Level run_level(const Prepared& prepared, const SceneVariants& variants) {
     RunResult result = variants.run(prepared.scene);
-    if (!result.troubles.empty()) {
+    if (!result.run_problems.empty()) {
         throw Error(ErrorKind::numerical,
-                    Problem{std::string("the run at ") + figure(prepared.scene.grid.cell_size) +
+                    Problem{std::string("the run at ") + number_text(prepared.scene.grid.cell_size) +
                                 " m ended early: " + describe(result.stop_reason),
                             "convergence", "", "", "Correct the scene so that `frana run` completes it"});
     }
@@ -73,37 +73,37 @@ Level run_level(const Prepared& prepared, const SceneVariants& variants) {
     level.particles = result.particles_peak;
     level.steps = result.steps;
     level.wall_seconds = result.engine_seconds;
-    level.figures = run_figures(result, prepared.spec.output.trace_threshold);
+    level.statistics = run_statistics(result, prepared.spec.output.trace_threshold);
     level.depth = std::move(result.max_depth);
     return level;
 }
 
-/// Of all figures those whose error is told: the 99 % figures add nothing.
-bool is_told(const RunFigure& figure) {
-    const std::string_view key = figure.key;
+/// Of all values those whose error is told: the 99 % values add nothing.
+bool is_reported(const RunStatistic& statistic) {
+    const std::string_view key = statistic.key;
     return key.find("_p99_") == key.npos && key != "final_depth_fraction";
 }
 
-std::vector<RunFigure> told_figures() {
-    std::vector<RunFigure> told;
-    std::copy_if(std::begin(k_run_figures), std::end(k_run_figures), std::back_inserter(told), is_told);
+std::vector<RunStatistic> reported_statistics() {
+    std::vector<RunStatistic> told;
+    std::copy_if(std::begin(k_run_statistics), std::end(k_run_statistics), std::back_inserter(told), is_reported);
     return told;
 }
 
-GridConvergence convergence_of(const std::vector<Level>& levels, const RunFigure& figure) {
+GridConvergence convergence_of(const std::vector<Level>& levels, const RunStatistic& statistic) {
     std::vector<Refinement> refinements;
-    for (const Level& level : levels) refinements.push_back({level.cell_size, figure.of(level.figures)});
+    for (const Level& level : levels) refinements.push_back({level.cell_size, statistic.of(level.statistics)});
     return grid_convergence(refinements);
 }
 
 std::string csv_text(const std::vector<Level>& levels) {
     std::string text = "cell_size_m,particles,steps,wall_seconds";
-    for (const RunFigure& name : told_figures()) text += std::string(",") + name.key;
+    for (const RunStatistic& name : reported_statistics()) text += std::string(",") + name.key;
     text += '\n';
     for (const Level& l : levels) {
         text += shortest_text(l.cell_size) + ',' + std::to_string(l.particles) + ',' + std::to_string(l.steps) + ',' +
                 shortest_text(l.wall_seconds);
-        for (const RunFigure& name : told_figures()) text += ',' + shortest_text(name.of(l.figures));
+        for (const RunStatistic& name : reported_statistics()) text += ',' + shortest_text(name.of(l.statistics));
         text += '\n';
     }
     return text;
@@ -114,9 +114,9 @@ std::string study_json(const std::vector<Level>& levels, const SceneSpec& spec) 
               {"version", k_version},
               {"scene", spec.file},
               {"finest_cell_size_m", levels.back().cell_size}};
-    for (const RunFigure& name : told_figures()) {
+    for (const RunStatistic& name : reported_statistics()) {
         const GridConvergence c = convergence_of(levels, name);
-        json["figures"][name.key] = {{"finest", name.of(levels.back().figures)},
+        json["figures"][name.key] = {{"finest", name.of(levels.back().statistics)},
                                      {"trend", describe(c.trend)},
                                      {"observed_order", c.observed_order},
                                      {"extrapolated", c.extrapolated},
@@ -136,8 +136,8 @@ std::string table_text(const std::vector<Level>& levels) {
                       "%6.2f m  %10lld  %6lld  %6.1f s  %5.2f m  %5.2f m  %6.2f m/s %6.2f m/s  %7.0f m2  "
                       "%6.1f m\n",
                       l.cell_size, static_cast<long long>(l.particles), static_cast<long long>(l.steps), l.wall_seconds,
-                      l.figures.depth.greatest, l.figures.depth.p999, l.figures.speed.greatest, l.figures.speed.p999,
-                      l.figures.covered_area, l.figures.run_out);
+                      l.statistics.depth.greatest, l.statistics.depth.p999, l.statistics.speed.greatest,
+                      l.statistics.speed.p999, l.statistics.covered_area, l.statistics.run_out);
         text += line;
     }
     return text;
@@ -145,21 +145,21 @@ std::string table_text(const std::vector<Level>& levels) {
 
 std::string sentences(const std::vector<Level>& levels) {
     std::string text;
-    for (const RunFigure& name : told_figures()) {
+    for (const RunStatistic& name : reported_statistics()) {
         const GridConvergence c = convergence_of(levels, name);
-        text += std::string(name.title) + ' ' + figure(name.of(levels.back().figures)) + ' ' + name.unit +
-                ", estimated error " + figure(c.error, 2) + ' ' + name.unit + " (" + figure(c.index_percent, 2) +
-                " %; " + describe(c.trend);
-        if (c.trend == Trend::converging) text += ", order " + figure(c.observed_order, 2);
+        text += std::string(name.title) + ' ' + number_text(name.of(levels.back().statistics)) + ' ' + name.unit +
+                ", estimated error " + number_text(c.error, 2) + ' ' + name.unit + " (" +
+                number_text(c.index_percent, 2) + " %; " + describe(c.trend);
+        if (c.trend == Trend::converging) text += ", order " + number_text(c.observed_order, 2);
         text += ")\n";
     }
     return text + "from " + std::to_string(levels.size()) + " resolutions, the finest " +
-           figure(levels.back().cell_size) +
+           number_text(levels.back().cell_size) +
            " m; discretisation only: errors of data and material are not included, and where values do not converge "
            "the estimate is a caution\n";
 }
 
-/// Distance of each level's figures from their extrapolated values, over those, against the cell size.
+/// Distance of each level's values from their extrapolated values, over those, against the cell size.
 render::Image chart_of(const std::vector<Level>& levels) {
     render::Chart chart{"Convergence",
                         "distance from the extrapolated value, if a value converges; otherwise from the finest",
@@ -167,12 +167,12 @@ render::Image chart_of(const std::vector<Level>& levels) {
                         3,
                         {},
                         true};
-    for (const RunFigure& name : told_figures()) {
+    for (const RunStatistic& name : reported_statistics()) {
         const double limit = convergence_of(levels, name).extrapolated;
         render::ChartSeries series{"this scene", {0, 90, 181}, {}};
         series.marker = render::Marker::circle;
         for (const Level& level : levels) {
-            const double distance = std::abs(name.of(level.figures) - limit) / std::abs(limit);
+            const double distance = std::abs(name.of(level.statistics) - limit) / std::abs(limit);
             if (distance > 0) series.points.push_back({level.cell_size, distance});
         }
         render::ChartPanel panel{name.title, "cell size [m]", "relative distance [-]", {series}};
@@ -235,7 +235,7 @@ int cmd_converge(const Arguments& arguments) {
     const bool quiet = values->count("quiet") > 0;
     const std::string file = (*values)["operand"].as<std::string>();
 
-    // Every level is read before any is computed: all faults at once, nothing half done.
+    // Every level is read before any is computed: all problems at once, nothing half done.
     SceneVariants variants(file, text_options(*values, "set"), threads, quiet);
     std::vector<Prepared> scenes;
     scenes.push_back(variants.read({}));

@@ -105,9 +105,9 @@ void read_style(const Values& values, MapStyle& style, Problems& problems) {
 /// What is asked for, as far as it does not depend on the files.
 struct Request {
     bool view_3d = false, fly = false, charts = false, plates = false;
-    std::optional<std::string> film, beside, out;
+    std::optional<std::string> animation, beside, out;
     std::vector<std::string> maps;
-    std::string film_of = "depth";
+    std::string animation_of = "depth";
 };
 
 Request read_request(const Values& values, Problems& problems) {
@@ -118,42 +118,43 @@ Request read_request(const Values& values, Problems& problems) {
     request.fly = values.count("fly") > 0;
     request.charts = values.count("charts") > 0;
     request.plates = values.count("plates") > 0;
-    request.film = text_option(values, "animation");
+    request.animation = text_option(values, "animation");
     request.beside = text_option(values, "beside");
     request.out = text_option(values, "out");
     request.maps = text_options(values, "map");
     const bool pages = request.charts || request.plates;
-    if (pages && (request.film || request.view_3d || !request.maps.empty() || (request.charts && request.plates))) {
+    if (pages &&
+        (request.animation || request.view_3d || !request.maps.empty() || (request.charts && request.plates))) {
         problems.add({"cannot be combined with --map, --view or --animation, nor with each other",
                       request.charts ? "--charts" : "--plates", "", "", ""});
     }
-    if (!request.film) {
+    if (!request.animation) {
         if (request.beside || request.fly)
             problems.add({"is for --animation only", request.fly ? "--fly" : "--beside", "", "", ""});
         return request;
     }
-    const std::string ending = fs::path(*request.film).extension().string();
-    if (ending != ".mp4" && ending != ".gif" && !request.film->ends_with('/')) {
+    const std::string ending = fs::path(*request.animation).extension().string();
+    if (ending != ".mp4" && ending != ".gif" && !request.animation->ends_with('/')) {
         problems.add(
-            {"is not the name of an animation", "--animation", *request.film, "FILE.mp4, FILE.gif, FOLDER/", ""});
+            {"is not the name of an animation", "--animation", *request.animation, "FILE.mp4, FILE.gif, FOLDER/", ""});
     }
     if (request.fly && (!request.view_3d || request.beside))
         problems.add({"needs --view 3d and one result", "--fly", "", "", ""});
-    if (!request.maps.empty()) request.film_of = request.maps.front();
+    if (!request.maps.empty()) request.animation_of = request.maps.front();
     if (request.maps.size() > 1 ||
-        (request.film_of != "depth" && request.film_of != "velocity" && request.film_of != "particles"))
+        (request.animation_of != "depth" && request.animation_of != "velocity" && request.animation_of != "particles"))
         problems.add({"is not in the frames", "--map", joined(request.maps, ", "), "depth, velocity, particles", ""});
     return request;
 }
 
-/// Before anything is drawn or written. `film`: 0 where none is asked for.
-void refuse_too_large(const Values& values, const Request& request, Size page, Size film, std::int64_t cells) {
+/// Before anything is drawn or written. `animation`: 0 where none is asked for.
+void refuse_too_large(const Values& values, const Request& request, Size page, Size animation, std::int64_t cells) {
     Drawing drawing;
     drawing.cells = cells;
-    (request.film ? drawing.film : drawing.page) = request.film ? film : page;
+    (request.animation ? drawing.animation : drawing.page) = request.animation ? animation : page;
     drawing.views = request.view_3d || request.plates;
-    drawing.maps = !request.view_3d || request.film;
-    const Size size = request.film ? film : page;
+    drawing.maps = !request.view_3d || request.animation;
+    const Size size = request.animation ? animation : page;
     refuse_pictures_of(memory_of_drawing(drawing), values.count("size") > 0 ? "--size" : "output.map-size",
                        std::to_string(size.width) + "x" + std::to_string(size.height));
 }
@@ -168,12 +169,12 @@ void make_folder(const std::string& folder) {
 }
 
 /// To the user, and to the result that the files lie in.
-void tell_written(const std::vector<std::string>& files) {
+void log_written(const std::vector<std::string>& files) {
     record_files(files);
     for (const std::string& file : files) std::cout << file << '\n';
 }
 
-/// Where pictures or a film go, and what may not go there.
+/// Where pictures or a animation go, and what may not go there.
 struct Place {
     std::string folder;
     std::string option;              ///< that says it
@@ -197,9 +198,10 @@ std::vector<std::string> own_result(const ResultReader& result) {
     return result.under_way() ? std::vector<std::string>{} : std::vector<std::string>{result.directory()};
 }
 
-void render_film(const ResultReader& result, const MapSource& source, const Request& request, Size size,
-                 KeptFiles& kept) {
-    FilmRequest film{film_source(result, source, request.film_of), {}, request.view_3d, request.fly, size};
+void render_animation(const ResultReader& result, const MapSource& source, const Request& request, Size size,
+                      KeptFiles& kept) {
+    AnimationRequest animation{
+        animation_source(result, source, request.animation_of), {}, request.view_3d, request.fly, size};
     if (request.beside) {
         const ResultReader other(*request.beside);
         MapSource second = other.map_source();
@@ -209,18 +211,18 @@ void render_film(const ResultReader& result, const MapSource& source, const Requ
                                                   *request.beside, source.crs_label + ", not " + second.crs_label,
                                                   "Run one of the scenes with the other's terrain.crs"});
         }
-        film.second = film_source(other, second, request.film_of);
+        animation.second = animation_source(other, second, request.animation_of);
         kept.add_result(other.directory());
     }
     Problems problems;
-    const std::vector<std::string> files = film_files(*request.film, film.first.frames.size());
-    const fs::path parent = fs::path(*request.film).parent_path();
+    const std::vector<std::string> files = animation_files(*request.animation, animation.first.frames.size());
+    const fs::path parent = fs::path(*request.animation).parent_path();
     const std::string folder = parent.empty() ? "." : parent.string();
     prepare_place({folder, "--animation", own_result(result)}, files, kept, problems);
-    if (request.film->ends_with('/')) clear_own(folder, files, is_film_picture);
-    write_animation(film, *request.film);
+    if (request.animation->ends_with('/')) clear_own(folder, files, is_animation_picture);
+    write_animation(animation, *request.animation);
     record_files(files);
-    std::cout << *request.film << '\n';
+    std::cout << *request.animation << '\n';
 }
 
 void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool view_3d, const Place& place,
@@ -234,7 +236,7 @@ void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool vie
         for (const std::string& file : picture_files(source.style, stem(layer), !view_3d)) files.push_back(file);
     prepare_place(place, files, kept, problems);
     LayerDrawer drawer(source);
-    for (const MapLayer& layer : layers) tell_written(drawer.draw(layer, view_3d, stem(layer)));
+    for (const MapLayer& layer : layers) log_written(drawer.draw(layer, view_3d, stem(layer)));
 }
 
 /// A picture among a result's rasters would be taken for one of them.
@@ -256,10 +258,10 @@ void check_request_under_way(const ResultReader& result, const Request& request,
     if (request.charts || request.plates) {
         problems.add({"needs a finished run", request.charts ? "--charts" : "--plates", "", "",
                       "This run is under way in " + folder});
-    } else if (!request.film && request.maps.empty()) {
+    } else if (!request.animation && request.maps.empty()) {
         problems.add({"is under way: it has only frames", "RESULT_DIR", folder, "",
                       "Draw --map depth@SECONDS, --map velocity@SECONDS, or --animation FILE"});
-    } else if (!request.film && !request.out) {
+    } else if (!request.animation && !request.out) {
         problems.add({"is under way: nothing is drawn into its folder", "RESULT_DIR", folder, "",
                       "Name another folder with --out"});
     }
@@ -284,7 +286,7 @@ void render_result(const Values& values, const Request& request, Problems& probl
         }
     }
     std::vector<MapLayer> layers;
-    if (!request.film && !request.charts && !request.plates) {
+    if (!request.animation && !request.charts && !request.plates) {
         for (const std::string& name : request.maps.empty() ? result.drawable() : request.maps) {
             try {
                 layers.push_back(result.map_layer(name));
@@ -295,20 +297,20 @@ void render_result(const Values& values, const Request& request, Problems& probl
     }
     check_folder(result, request, source, problems);
     problems.throw_if_any();
-    const Size film = values.count("size") > 0 ? source.style.size : film_size(source.style.size);
-    refuse_too_large(values, request, source.style.size, film, result.grid().cell_count());
+    const Size animation = values.count("size") > 0 ? source.style.size : animation_size(source.style.size);
+    refuse_too_large(values, request, source.style.size, animation, result.grid().cell_count());
     KeptFiles kept;
     kept.add_result(result.directory());
     kept.add(source.style.background);
-    if (request.film) {
-        render_film(result, source, request, film, kept);
+    if (request.animation) {
+        render_animation(result, source, request, animation, kept);
     } else if (request.charts || request.plates) {
         const std::string folder = request.out.value_or(result.path(request.charts ? "charts" : "plates"));
         const std::vector<std::string> files =
             request.charts ? chart_files(result, source, folder) : plate_files(source, folder);
         prepare_place({folder, "--out", own_result(result)}, files, kept, problems);
-        tell_written(request.charts ? draw_charts(result, source, folder, problems)
-                                    : draw_plates(result, source, folder));
+        log_written(request.charts ? draw_charts(result, source, folder, problems)
+                                   : draw_plates(result, source, folder));
         problems.throw_if_any();
     } else {
         draw(source, layers, request.view_3d, {request.out.value_or(result.path("maps")), "--out", own_result(result)},

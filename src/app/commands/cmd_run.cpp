@@ -22,9 +22,9 @@
 #include "app/store/scene_identity.h"
 #include "app/text/number_text.h"
 #include "app/text/version.h"
+#include "simulation/run_check.h"
 #include "simulation/scene_origin.h"
 #include "simulation/simulation.h"
-#include "simulation/trouble_watch.h"
 
 namespace frana::app {
 namespace {
@@ -68,9 +68,9 @@ RunOptions run_options(int threads, FrameWriter* frames, bool with_particles, Pr
     run_with.particles_in_frames = with_particles;
     if (frames != nullptr) run_with.on_frame = [frames](Frame frame) { frames->add(std::move(frame)); };
     run_with.on_progress = [&progress](const Progress& now) { progress.show(now); };
-    run_with.on_trouble = [&progress, &log](const Trouble& trouble) {
+    run_with.on_problem = [&progress, &log](const RunProblem& run_problem) {
         progress.finish();
-        log.warn(describe(trouble) + ": the run stops here");
+        log.warn(describe(run_problem) + ": the run stops here");
     };
     run_with.stop_requested = [frames] { return stop_signal() != 0 || (frames != nullptr && frames->failed()); };
     run_with.after_step = [&checkpoints](const Progress& now, const SaveState& state) {
@@ -86,24 +86,25 @@ void refuse_to_forget(const InterruptedRun& interrupted, const std::string& targ
                   "--resume continues it; --overwrite starts anew and replaces it at the end"});
 }
 
-void tell_of_resuming(const CheckpointFile& from, RunLog& log) {
+void log_resuming(const CheckpointFile& from, RunLog& log) {
     const CheckpointHead& head = from.head();
     log.continue_from(head.log);
-    log.tell("resuming from " + figure(head.time, 6) + " s, step " + std::to_string(head.step) + ": " + from.path());
+    log.info("resuming from " + number_text(head.time, 6) + " s, step " + std::to_string(head.step) + ": " +
+             from.path());
     if (head.build != checkpoint_build()) {
         log.warn("the checkpoint is from another build (" + head.build + "; this is " + checkpoint_build() +
                  "): the result can differ in rounding from that of an uninterrupted run");
     }
 }
 
-// What can be saved of a run that the disk has stopped is said with the fault.
-[[noreturn]] void explain_trouble(const Error& error, const std::string& folder) {
+// What can be saved of a run that the disk has stopped is said with the problem.
+[[noreturn]] void explain_problem(const Error& error, const std::string& folder) {
     if (error.kind() != ErrorKind::environment) throw error;
     std::vector<Problem> problems = error.problems();
     std::error_code failure;
     const auto space = std::filesystem::space(std::filesystem::path(folder).parent_path(), failure);
     if (!failure)
-        problems.push_back({"the disk has " + figure(static_cast<double>(space.available) / 1e6, 2) + " MB free",
+        problems.push_back({"the disk has " + number_text(static_cast<double>(space.available) / 1e6, 2) + " MB free",
                             std::filesystem::path(folder).parent_path().string(), "", "", ""});
     if (!checkpoints_in(folder).empty())
         problems.push_back({"the run up to its last checkpoint is kept", folder, "", "",
@@ -134,28 +135,29 @@ struct Session {
     const Stopwatch& since_start;
 };
 
-void tell_of_run(const RunResult& result, double end, RunLog& log) {
-    log.tell("computed " + figure(result.simulated_seconds, 4) + " s in " + std::to_string(result.steps) +
-             " steps and " + figure(result.engine_seconds, 3) + " s of wall time: " + describe(result.stop_reason));
+void log_run(const RunResult& result, double end, RunLog& log) {
+    log.info("computed " + number_text(result.simulated_seconds, 4) + " s in " + std::to_string(result.steps) +
+             " steps and " + number_text(result.engine_seconds, 3) +
+             " s of wall time: " + describe(result.stop_reason));
     if (result.exchanges) {
-        log.tell("the flow eroded " + figure(result.volume_eroded, 4) + " m3 and deposited " +
-                 figure(result.volume_deposited, 4) + " m3 on its bed");
+        log.info("the flow eroded " + number_text(result.volume_eroded, 4) + " m3 and deposited " +
+                 number_text(result.volume_deposited, 4) + " m3 on its bed");
     }
     if (result.jumps) {
         const RunResult::Jumps& jumps = *result.jumps;
         const auto metres = [](double value) { return std::to_string(std::llround(value)); };
-        log.tell("material flew over edges, " + figure(jumps.volume, 4) + " m3 in all jumps together: up to " +
-                 figure(jumps.highest, 3) + " m above the ground and " + figure(jumps.longest, 3) + " m long, from (" +
-                 metres(jumps.from.x) + ", " + metres(jumps.from.y) + ") to (" + metres(jumps.to.x) + ", " +
-                 metres(jumps.to.y) + "); see jump_height.tif");
+        log.info("material flew over edges, " + number_text(jumps.volume, 4) + " m3 in all jumps together: up to " +
+                 number_text(jumps.highest, 3) + " m above the ground and " + number_text(jumps.longest, 3) +
+                 " m long, from (" + metres(jumps.from.x) + ", " + metres(jumps.from.y) + ") to (" +
+                 metres(jumps.to.x) + ", " + metres(jumps.to.y) + "); see jump_height.tif");
     }
     if (result.unsupported > 0) {
         log.note("over convex ground the motion lifted the flow off its bed at " + std::to_string(result.unsupported) +
                  " node-steps; there it had no friction");
     }
     if (result.stop_reason == StopReason::requested) {
-        log.warn("the run was stopped at " + figure(result.simulated_seconds, 4) + " s of at most " + figure(end, 4) +
-                 " s: the maps are incomplete; the same command with --resume continues it");
+        log.warn("the run was stopped at " + number_text(result.simulated_seconds, 4) + " s of at most " +
+                 number_text(end, 4) + " s: the maps are incomplete; the same command with --resume continues it");
     }
 }
 
@@ -182,7 +184,7 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     progress.finish();
     frames.require_good();
     checkpoints.release();
-    tell_of_run(result, prepared.scene.time.end, log);
+    log_run(result, prepared.scene.time.end, log);
 
     const PictureOutcome pictures = publish(
         {prepared, result, session.threads, session.input_seconds, session.earlier_seconds, session.since_start},
@@ -196,9 +198,9 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
         directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
     if (finished) forget_the_way(directory.target(), !prepared.spec.output.frames, log);
     if (const auto estimate = read_error_estimate(directory.target(), prepared.spec))
-        log.tell("error estimate of `frana converge`:\n" + *estimate);
-    log.tell("result in " + directory.target());
-    if (code != static_cast<int>(ExitCode::done) && !stopped) log.say_why();
+        log.info("error estimate of `frana converge`:\n" + *estimate);
+    log.info("result in " + directory.target());
+    if (code != static_cast<int>(ExitCode::done) && !stopped) log.print_held_warnings();
     if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
     return code;
 }
@@ -213,7 +215,7 @@ int cmd_run(const Arguments& arguments) {
     const bool quiet = values->count("quiet") > 0;
     const bool overwrite = values->count("overwrite") > 0;
     RunLog log(quiet);
-    take_memory_limit(*values, log);
+    apply_memory_limit(*values, log);
 
     SceneReading reading =
         read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), materials_directory());
@@ -222,20 +224,20 @@ int cmd_run(const Arguments& arguments) {
     const bool resume = values->count("resume") > 0;
     const InterruptedRun interrupted(target);
     const bool is_complete = resume && !overwrite && !interrupted.any() && is_finished(target);
-    std::optional<Problem> place_fault;
+    std::optional<Problem> place_problem;
     if (!is_complete)
-        place_fault =
+        place_problem =
             check_result_directory(place, overwrite || (resume && interrupted.in_place()), input_files(reading.scene),
                                    out ? "--out" : reading.where("output.directory"), reading.problems);
     if (!resume && !overwrite) refuse_to_forget(interrupted, target, reading.problems);
     log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
              std::to_string(threads) + " threads");
-    Prepared prepared = prepare(reading, place_fault, log);
+    Prepared prepared = prepare(reading, place_problem, log);
     if (is_complete) {
         catch_stop_signals();
         const bool all_there = complete_result(prepared, target, log);
         if (!all_there && stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
-        if (!all_there) log.say_why();
+        if (!all_there) log.print_held_warnings();
         return static_cast<int>(all_there ? ExitCode::done : ExitCode::environment);
     }
     const std::int64_t held = resident_memory();
@@ -247,9 +249,9 @@ int cmd_run(const Arguments& arguments) {
         resume && interrupted.any() ? interrupted.choose(scene_identity(prepared), log) : nullptr;
     if (from) {
         if (from->head().origin) put_origin(prepared.scene, *from->head().origin);
-        tell_of_resuming(*from, log);
+        log_resuming(*from, log);
     } else if (resume) {
-        log.tell("there is no checkpoint: starting from the beginning");
+        log.info("there is no checkpoint: starting from the beginning");
     }
     const double earlier = from ? from->head().wall_seconds : 0;
 
@@ -260,7 +262,7 @@ int cmd_run(const Arguments& arguments) {
     try {
         return run_into({prepared, threads, quiet, input_seconds, earlier, since_start}, from.get(), directory, log);
     } catch (const Error& error) {
-        explain_trouble(error, directory.folder());
+        explain_problem(error, directory.folder());
     }
 }
 

@@ -66,8 +66,8 @@ double seconds_to_read() {
     return *seconds;
 }
 
-void tell_of_reading(const std::string& where, double seconds) {
-    std::cerr << "frana: reading " + where + ", " + figure(seconds, 2) + " s so far\n";
+void print_reading(const std::string& where, double seconds) {
+    std::cerr << "frana: reading " + where + ", " + number_text(seconds, 2) + " s so far\n";
 }
 
 /// The thread that reads cannot be reached: the program ends here, before anything was computed.
@@ -82,7 +82,7 @@ void guard_process(bool network, bool quiet) {
     // SpatiaLite's functions may then read and write files, from a view in a database that somebody sent.
     ::unsetenv("SPATIALITE_SECURITY");
     if (!network) forbid_internet_sockets();
-    if (!quiet && ::isatty(STDERR_FILENO) == 1) gis::while_reading_takes_long(tell_of_reading);
+    if (!quiet && ::isatty(STDERR_FILENO) == 1) gis::while_reading_takes_long(print_reading);
     gis::when_time_is_up(seconds_to_read(), end_program);
 }
 

@@ -19,8 +19,8 @@ constexpr std::int64_t k_result_cell_bytes = 120;
 // mesh.
 constexpr std::int64_t k_picture_bytes = 85'000'000, k_map_pixel_bytes = 52, k_view_pixel_bytes = 34,
                        k_drawn_cell_bytes = 28;
-// The pictures that an encoder looks back and ahead to; a view's film has two pictures under way.
-constexpr std::int64_t k_film_bytes = 10'000'000, k_film_pixel_bytes = 15;
+// The pictures that an encoder looks back and ahead to; a view's animation has two pictures under way.
+constexpr std::int64_t k_animation_bytes = 10'000'000, k_animation_pixel_bytes = 15;
 // A step's row in memory, while it becomes text, and while charts are drawn of the file's words.
 constexpr std::int64_t k_step_bytes = 180, k_step_text_bytes = 450, k_step_chart_bytes = 1500;
 // Code and tables of what computes and writes.
@@ -50,7 +50,7 @@ Drawing drawing_of(const Prepared& prepared) {
     drawing.maps = prepared.scar || output.charts ||
                    !std::all_of(output.maps.begin(), output.maps.end(),
                                 [](const std::string& name) { return name.ends_with("_3d"); });
-    if (output.animation && prepared.scene.time.frame_interval > 0) drawing.film = film_size(page);
+    if (output.animation && prepared.scene.time.frame_interval > 0) drawing.animation = animation_size(page);
     return drawing;
 }
 
@@ -96,10 +96,11 @@ double most_steps(const Prepared& prepared, const RunEstimate& expected) {
 }  // namespace
 
 std::int64_t memory_of_drawing(const Drawing& drawing) {
-    if (pixels(drawing.page) == 0 && pixels(drawing.film) == 0) return 0;
+    if (pixels(drawing.page) == 0 && pixels(drawing.animation) == 0) return 0;
     const std::int64_t of_pixel = (drawing.maps ? k_map_pixel_bytes : 0) + (drawing.views ? k_view_pixel_bytes : 0);
     std::int64_t bytes = k_picture_bytes + drawing.cells * k_drawn_cell_bytes + pixels(drawing.page) * of_pixel;
-    if (pixels(drawing.film) > 0) bytes += k_film_bytes + pixels(drawing.film) * (of_pixel + k_film_pixel_bytes);
+    if (pixels(drawing.animation) > 0)
+        bytes += k_animation_bytes + pixels(drawing.animation) * (of_pixel + k_animation_pixel_bytes);
     return bytes;
 }
 

@@ -25,7 +25,7 @@ std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t held, con
 struct Drawing {
     Size page{};  ///< of maps, views and charts; 0: none
     bool maps = true, views = false;
-    Size film{};             ///< 0: none
+    Size animation{};        ///< 0: none
     std::int64_t cells = 0;  ///< of a raster
 };
 /// What that takes beside what the process holds [bytes].

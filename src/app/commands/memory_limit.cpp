@@ -10,7 +10,7 @@
 
 namespace frana::app {
 
-void take_memory_limit(const boost::program_options::variables_map& values, RunLog& log) {
+void apply_memory_limit(const boost::program_options::variables_map& values, RunLog& log) {
     if (const auto text = text_option(values, "memory-limit")) limit_memory(*text, log);
 }
 

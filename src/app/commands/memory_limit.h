@@ -13,7 +13,7 @@
 namespace frana::app {
 
 /// --memory-limit, where it was given, holds from now on; see limit_memory.
-void take_memory_limit(const boost::program_options::variables_map& values, RunLog& log);
+void apply_memory_limit(const boost::program_options::variables_map& values, RunLog& log);
 
 /// Throws Error(input) where a run takes more than there is. `held`: what this process held with all inputs
 /// read. A trial run is made only where the run's flow decides.

@@ -66,7 +66,7 @@ void compare_fronts_and_tips(const ComparisonInput& input, RunLog& log, Comparis
     if (survey.fronts.empty() && survey.tips.empty()) return;
     const MultiPolygon trace = gis::polygonise(trace_mask(input.depth, input.threshold));
     if (trace.empty()) {
-        log.warn("nothing is deeper than " + figure(input.threshold) + " m, so there is no front to compare");
+        log.warn("nothing is deeper than " + number_text(input.threshold) + " m, so there is no front to compare");
         return;
     }
     const LineSet outline(trace);
@@ -79,7 +79,7 @@ void compare_fronts_and_tips(const ComparisonInput& input, RunLog& log, Comparis
 
 void compare_area(const ComparisonInput& input, const Raster& depth, RunLog& log, Comparison& comparison) {
     const Raster observed = gis::coverage(input.survey.scar, depth.grid);
-    comparison.figures = compare(depth, observed, input.threshold);
+    comparison.statistics = compare(depth, observed, input.threshold);
     comparison.curve = score_curve(depth, observed);
     comparison.classes = agreement(depth, observed, input.threshold);
     comparison.runout_difference_m = runout_difference(input, observed, log);
@@ -125,18 +125,19 @@ Comparison compare_with_survey(const ComparisonInput& input, RunLog& log) {
 
 std::string comparison_headline(const Comparison& comparison) {
     std::string text;
-    if (comparison.figures) {
-        text = "the area differs from the scar's by " + figure(comparison.figures->area_difference_percent, 3) +
-               " %, Jaccard " + figure(comparison.figures->jaccard, 3);
+    if (comparison.statistics) {
+        text = "the area differs from the scar's by " + number_text(comparison.statistics->area_difference_percent, 3) +
+               " %, Jaccard " + number_text(comparison.statistics->jaccard, 3);
     }
     for (const FrontComparison& front : comparison.fronts)
-        text += (text.empty() ? "" : "; ") + std::string("front ") + front.name + ": " + figure(front.mean_m, 3) +
+        text += (text.empty() ? "" : "; ") + std::string("front ") + front.name + ": " + number_text(front.mean_m, 3) +
                 " m on average";
     for (const TipComparison& tip : comparison.tips)
-        text += (text.empty() ? "" : "; ") + std::string("tip ") + tip.name + ": " + figure(tip.distance_m, 3) + " m";
+        text +=
+            (text.empty() ? "" : "; ") + std::string("tip ") + tip.name + ": " + number_text(tip.distance_m, 3) + " m";
     if (comparison.deposit_overlap)
         text += (text.empty() ? "" : "; ") + std::string("deposit: Jaccard ") +
-                figure(comparison.deposit_overlap->jaccard, 3);
+                number_text(comparison.deposit_overlap->jaccard, 3);
     return text;
 }
 

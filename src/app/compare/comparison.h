@@ -33,7 +33,7 @@ struct FrontComparison {
     std::string name;
     double mean_m = 0;           ///< signed
     LineDistance size;           ///< of the distances without their sign, over the front's length
-    double reached_percent = 0;  ///< share of the front's length inside the simulated trace
+    double reached_percent = 0;  ///< fraction of the front's length inside the simulated trace
 };
 
 /// A surveyed tip: its distance from the simulated outline, signed likewise.
@@ -48,14 +48,14 @@ struct PathRunout {
 };
 
 struct Comparison {
-    std::optional<ComparisonFigures> figures;  ///< none: no area was surveyed
-    std::vector<ComparisonFigures> curve;      ///< over the depth threshold
+    std::optional<ComparisonStatistics> statistics;  ///< none: no area was surveyed
+    std::vector<ComparisonStatistics> curve;         ///< over the depth threshold
     std::optional<LineDistance> outline;
     std::optional<double> runout_difference_m;  ///< simulated less observed
     std::optional<PathRunout> path_runout;
     std::vector<FrontComparison> fronts;
     std::vector<TipComparison> tips;
-    std::optional<ComparisonFigures> deposit_overlap;
+    std::optional<ComparisonStatistics> deposit_overlap;
     std::optional<DepositScores> deposit_depth;
     Raster classes;  ///< values of Agreement; no cells without a surveyed area
 };
@@ -73,7 +73,7 @@ std::string comparison_curve_csv(const Comparison& comparison);
 /// into a folder. Throws Error.
 void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder);
 
-/// The map of hits, false alarms and misses with the figures beside it: comparison.png or .pdf in a folder; as GeoTIFF
+/// The map of hits, false alarms and misses with the values beside it: comparison.png or .pdf in a folder; as GeoTIFF
 /// maps/comparison.tif below it, for comparison.tif is the raster of classes. Throws Error.
 void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& folder);
 

@@ -53,8 +53,8 @@ constexpr ClassText k_classes[] = {{Agreement::hit, "Hit: simulated and observed
                                    {Agreement::false_alarm, "False alarm: simulated only", {240, 180, 50}},
                                    {Agreement::miss, "Miss: observed only", {40, 50, 140}}};
 
-/// The names and values of a comparison's figures, in the order of the file.
-std::vector<std::pair<const char*, double>> named(const ComparisonFigures& f) {
+/// The names and values of a comparison's values, in the order of the file.
+std::vector<std::pair<const char*, double>> named(const ComparisonStatistics& f) {
     return {{"observed_area_m2", f.observed_area_m2},
             {"simulated_area_m2", f.simulated_area_m2},
             {"area_difference_percent", f.area_difference_percent},
@@ -70,9 +70,9 @@ std::vector<std::pair<const char*, double>> named(const ComparisonFigures& f) {
             {"auroc", f.auroc}};
 }
 
-void add_figures(Json& json, const std::optional<ComparisonFigures>& figures) {
-    for (const auto& [name, value] : named(figures.value_or(ComparisonFigures{})))
-        json[name] = figures ? Json(value) : Json();
+void add_statistics(Json& json, const std::optional<ComparisonStatistics>& statistics) {
+    for (const auto& [name, value] : named(statistics.value_or(ComparisonStatistics{})))
+        json[name] = statistics ? Json(value) : Json();
 }
 
 void add_distance(Json& json, const LineDistance& distance) {
@@ -104,7 +104,7 @@ void add_fronts(Json& json, const Comparison& comparison) {
 void add_deposit(Json& json, const Comparison& comparison, const Survey& survey) {
     if (!comparison.deposit_overlap) return;
     Json& deposit = json["deposit"] = {{"observed", survey.deposit_label}};
-    add_figures(deposit, comparison.deposit_overlap);
+    add_statistics(deposit, comparison.deposit_overlap);
     if (const auto& depth = comparison.deposit_depth)
         deposit["depth_error"] = {{"area_m2", depth->area_m2},
                                   {"observed_volume_m3", depth->observed_volume_m3},
@@ -125,7 +125,7 @@ std::string comparison_json(const Comparison& comparison, const ComparisonInput&
               {"observed", survey.scar.empty() ? survey.front_label : survey.scar_label},
               {"cell_size", input.depth.grid.cell_size},
               {"threshold_m", input.threshold}};
-    add_figures(json, comparison.figures);
+    add_statistics(json, comparison.statistics);
     add_runouts(json, comparison);
     if (comparison.outline) add_distance(json["outline_distance"], *comparison.outline);
     add_fronts(json, comparison);
@@ -137,9 +137,9 @@ std::string comparison_json(const Comparison& comparison, const ComparisonInput&
 std::string comparison_curve_csv(const Comparison& comparison) {
     std::string text = "threshold_m";
     for (const auto& [name, value] : named({})) text += std::string(",") + name;
-    for (const ComparisonFigures& figures : comparison.curve) {
-        text += "\n" + shortest_text(figures.threshold_m);
-        for (const auto& [name, value] : named(figures)) text += "," + shortest_text(value);
+    for (const ComparisonStatistics& statistics : comparison.curve) {
+        text += "\n" + shortest_text(statistics.threshold_m);
+        for (const auto& [name, value] : named(statistics)) text += "," + shortest_text(value);
     }
     return text + "\n";
 }
@@ -147,7 +147,7 @@ std::string comparison_curve_csv(const Comparison& comparison) {
 void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder) {
     const fs::path place = folder;
     write_text_file((place / k_comparison_file).string(), comparison_json(comparison, input));
-    if (!comparison.figures) return;
+    if (!comparison.statistics) return;
     write_text_file((place / k_comparison_curve).string(), comparison_curve_csv(comparison));
     std::vector<gis::ClassEntry> classes;
     std::vector<gis::ColourStop> stops;
@@ -174,19 +174,20 @@ std::vector<std::string> comparison_pictures(const MapStyle& style, const std::s
 }
 
 void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& folder) {
-    const ComparisonFigures& f = *comparison.figures;
+    const ComparisonStatistics& f = *comparison.statistics;
     MapLayer layer;
     layer.notes_alone = true;
-    layer.notes = {"Deeper than " + figure(f.threshold_m) + " m counts",
+    layer.notes = {"Deeper than " + number_text(f.threshold_m) + " m counts",
                    "Observed " + grouped(f.observed_area_m2) + " m²",
                    "Simulated " + grouped(f.simulated_area_m2) + " m²",
-                   "Area difference " + figure(f.area_difference_percent, 3) + " %",
+                   "Area difference " + number_text(f.area_difference_percent, 3) + " %",
                    "Hit " + grouped(f.hit_m2) + " m²",
                    "False alarm " + grouped(f.false_alarm_m2) + " m²",
                    "Miss " + grouped(f.miss_m2) + " m²",
-                   "Jaccard " + figure(f.jaccard, 3),
-                   "Dice " + figure(f.dice, 3)};
-    if (comparison.outline) layer.notes.push_back("Outlines " + figure(comparison.outline->mean_m, 3) + " m apart");
+                   "Jaccard " + number_text(f.jaccard, 3),
+                   "Dice " + number_text(f.dice, 3)};
+    if (comparison.outline)
+        layer.notes.push_back("Outlines " + number_text(comparison.outline->mean_m, 3) + " m apart");
     layer.title = "Comparison with the scar";
     layer.values = comparison.classes;
     layer.source = raster_file() + ", band 1";

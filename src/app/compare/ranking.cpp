@@ -23,7 +23,7 @@ double front_distance(const Comparison& comparison) {
 
 /// Less is better; fronts come after every Jaccard index.
 double disagreement(const Comparison& comparison) {
-    if (comparison.figures) return 1 - comparison.figures->jaccard;
+    if (comparison.statistics) return 1 - comparison.statistics->jaccard;
     const double distance = front_distance(comparison);
     return std::isnan(distance) ? std::numeric_limits<double>::infinity() : 2 + distance;
 }
@@ -61,14 +61,14 @@ std::string Ranking::csv() const {
         text += std::to_string(++rank) + "," + csv_cell(entry->folder) + "," + csv_cell(entry->simulated) + "," +
                 csv_cell(entry->observed);
         const auto add = [&text](double value) { text += "," + (std::isnan(value) ? "" : shortest_text(value)); };
-        const auto add_figure = [&](double ComparisonFigures::*member) {
-            add(c.figures ? (*c.figures).*member : k_unknown);
+        const auto add_statistic = [&](double ComparisonStatistics::*member) {
+            add(c.statistics ? (*c.statistics).*member : k_unknown);
         };
         for (const auto member :
-             {&ComparisonFigures::jaccard, &ComparisonFigures::dice, &ComparisonFigures::area_difference_percent,
-              &ComparisonFigures::true_positive_rate, &ComparisonFigures::false_positive_rate, &ComparisonFigures::d2pc,
-              &ComparisonFigures::auroc})
-            add_figure(member);
+             {&ComparisonStatistics::jaccard, &ComparisonStatistics::dice,
+              &ComparisonStatistics::area_difference_percent, &ComparisonStatistics::true_positive_rate,
+              &ComparisonStatistics::false_positive_rate, &ComparisonStatistics::d2pc, &ComparisonStatistics::auroc})
+            add_statistic(member);
         add(c.outline ? c.outline->mean_m : k_unknown);
         add(c.outline ? c.outline->percentile_95_m : k_unknown);
         add(c.outline ? c.outline->hausdorff_m : k_unknown);

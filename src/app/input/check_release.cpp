@@ -35,7 +35,7 @@ CellList cells_where(const Raster& cover, const std::function<bool(std::size_t)>
             if (++list.count > k_cells_named) continue;
             const Point centre = cover.grid.cell_centre(row, column);
             list.text += (list.text.empty() ? "row " : "; row ") + std::to_string(row) + " column " +
-                         std::to_string(column) + " at " + figure(centre.x, 9) + ", " + figure(centre.y, 9);
+                         std::to_string(column) + " at " + number_text(centre.x, 9) + ", " + number_text(centre.y, 9);
         }
     }
     if (list.count > k_cells_named) list.text += "; ...";
@@ -112,11 +112,11 @@ void check_greatest(const SceneReading& reading, const ReleaseInput& release, co
     const auto refuse_beyond = [&](double thickness, const std::string& key) {
         const bool thick = thickness > k_most_thickness;
         if (!thick && !(thickness > 0 && thickness < k_least_thickness)) return;
-        problems.add(
-            {std::string("the release would be ") + (thick ? "thicker" : "thinner") + " than any landslide",
-             reading.where(key), figure(thickness, 6) + " m",
-             thick ? "at most " + figure(k_most_thickness) + " m" : "at least " + figure(k_least_thickness) + " m",
-             "Check the unit, the sign and the nodata value of its source"});
+        problems.add({std::string("the release would be ") + (thick ? "thicker" : "thinner") + " than any landslide",
+                      reading.where(key), number_text(thickness, 6) + " m",
+                      thick ? "at most " + number_text(k_most_thickness) + " m"
+                            : "at least " + number_text(k_least_thickness) + " m",
+                      "Check the unit, the sign and the nodata value of its source"});
     };
     double least = k_most_thickness, greatest = 0, mean = 0;
     for (const ReleaseArea* release_area : different_rasters(reading, release)) {

@@ -20,8 +20,8 @@ constexpr double k_needle = 20, k_needle_cells = 1.5;
 
 std::string place(const GridSpec& grid, const Spot& spot) {
     const Point centre = grid.cell_centre(spot.row, spot.column);
-    return figure(centre.x, 9) + ", " + figure(centre.y, 9) + " (row " + std::to_string(spot.row) + ", column " +
-           std::to_string(spot.column) + ")";
+    return number_text(centre.x, 9) + ", " + number_text(centre.y, 9) + " (row " + std::to_string(spot.row) +
+           ", column " + std::to_string(spot.column) + ")";
 }
 
 const char* const k_remedy =
@@ -38,27 +38,28 @@ void check_terrain(const SceneReading& reading, const Raster& terrain, RunLog& l
         throw Error(
             ErrorKind::input,
             Problem{"contains an impossible elevation", reading.where("terrain.dtm") + ": " + reading.scene.terrain.dtm,
-                    figure(extreme.value, 6) + " m at " + place(grid, extreme),
+                    number_text(extreme.value, 6) + " m at " + place(grid, extreme),
                     grouped(-k_impossible) + " to " + grouped(k_impossible) + " m", k_remedy});
     }
     if (found.highest.value > k_highest)
-        log.warn("DTM: the highest elevation is " + figure(found.highest.value, 6) + " m at " +
+        log.warn("DTM: the highest elevation is " + number_text(found.highest.value, 6) + " m at " +
                  place(grid, found.highest) + ", higher than any mountain. " + k_remedy);
     if (found.lowest.value < k_lowest)
-        log.warn("DTM: the lowest elevation is " + figure(found.lowest.value, 6) + " m at " +
+        log.warn("DTM: the lowest elevation is " + number_text(found.lowest.value, 6) + " m at " +
                  place(grid, found.lowest) + ", lower than any dry ground. " + k_remedy);
     if (found.median_slope_deg > k_steepest_median)
-        log.warn("DTM: half of the ground is steeper than " + figure(found.median_slope_deg, 3) +
+        log.warn("DTM: half of the ground is steeper than " + number_text(found.median_slope_deg, 3) +
                  " degrees: elevations and eastings may be in different units. Check terrain.vertical-unit and the "
                  "coordinate reference system");
     if (found.needles == 0) return;
     std::string list;
     for (const Spot& spot : found.first_needles)
-        list += (list.empty() ? "" : "; ") + figure(spot.value, 4) + " m at " + place(grid, spot);
+        list += (list.empty() ? "" : "; ") + number_text(spot.value, 4) + " m at " + place(grid, spot);
     const bool one = found.needles == 1;
     log.warn("DTM: " + grouped(found.needles) + (one ? " single cell stands" : " single cells stand") + " more than " +
-             figure(needle) + " m above or below all eight neighbours; they deflect the flow and falsify its speed: " +
-             list + (found.needles > static_cast<std::int64_t>(found.first_needles.size()) ? "; ..." : "") +
+             number_text(needle) +
+             " m above or below all eight neighbours; they deflect the flow and falsify its speed: " + list +
+             (found.needles > static_cast<std::int64_t>(found.first_needles.size()) ? "; ..." : "") +
              ". Repair the DTM there (a mast, a bird, noise, undeclared nodata)");
 }
 

@@ -17,8 +17,8 @@ Point centre_of(const Bounds& bounds) {
 
 std::string scale_text(const gis::MapScale& scale) {
     return scale.greatest - scale.least < 1e-4
-               ? figure(scale.least, 5)
-               : figure(scale.least, 5) + " to " + figure(scale.greatest, 5) + " by direction";
+               ? number_text(scale.least, 5)
+               : number_text(scale.least, 5) + " to " + number_text(scale.greatest, 5) + " by direction";
 }
 
 /// The working CRS that terrain.crs names, which must measure the ground in metres where the DTM is.

@@ -28,7 +28,7 @@ Bounds widened(const Bounds& b, double by) {
     return {b.west - by, b.south - by, b.east + by, b.north + by};
 }
 
-bool holds(const Bounds& outer, const Bounds& inner) {
+bool contains(const Bounds& outer, const Bounds& inner) {
     return outer.west < inner.west && outer.south < inner.south && outer.east > inner.east && outer.north > inner.north;
 }
 
@@ -219,7 +219,7 @@ std::optional<Bounds> flow_window(const SceneReading& reading, const gis::Raster
             if (within_reach(s)) reached = united(reached, {s.place.x, s.place.y, s.place.x, s.place.y});
         }
         reached = widened(reached, 2 * step);
-        if (holds(window, reached) || holds(window, whole)) return reached;
+        if (contains(window, reached) || contains(window, whole)) return reached;
         window = widened(window, std::max(window.width(), window.height()) / 2);
     }
 }

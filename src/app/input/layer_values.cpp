@@ -52,8 +52,8 @@ std::optional<double> value_of(const SceneReading& reading, const std::string& k
     return found->second;
 }
 
-bool lies_on_ground(const SceneReading& reading, const std::string& key, const Bounds& box, const TerrainInput& ground,
-                    bool may_reach_beyond, Problems& problems) {
+bool is_on_ground(const SceneReading& reading, const std::string& key, const Bounds& box, const TerrainInput& ground,
+                  bool may_reach_beyond, Problems& problems) {
     const Bounds map = ground.terrain.grid.bounds();
     const bool apart = box.east <= map.west || box.west >= map.east || box.north <= map.south || box.south >= map.north;
     const bool within =

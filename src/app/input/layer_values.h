@@ -24,7 +24,7 @@ bool within_limits(const SceneReading& reading, const std::string& key, double v
 
 /// Tells a problem where a layer lies outside the working grid or, unless `may_reach_beyond`, reaches over its
 /// edge.
-bool lies_on_ground(const SceneReading& reading, const std::string& key, const Bounds& box, const TerrainInput& ground,
-                    bool may_reach_beyond, Problems& problems);
+bool is_on_ground(const SceneReading& reading, const std::string& key, const Bounds& box, const TerrainInput& ground,
+                  bool may_reach_beyond, Problems& problems);
 
 }  // namespace frana::app

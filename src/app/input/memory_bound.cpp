@@ -61,7 +61,7 @@ void limit_memory(const std::string& text, RunLog& log) {
                                               "Write for example 4GB, 500MB or 2GiB"});
     limit = *bytes;
     if (const MemoryBound there = machine_memory(); limit > there.bytes)
-        log.tell("--memory-limit " + text + " is more than " + bound_text(there) + ": the lower limit applies");
+        log.info("--memory-limit " + text + " is more than " + bound_text(there) + ": the lower limit applies");
 }
 
 MemoryBound usable_memory() {

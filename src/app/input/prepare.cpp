@@ -119,6 +119,7 @@ void refuse_what_cannot_start(const Scene& scene) {
 
 Prepared prepare(const SceneReading& reading, RunLog& log) {
     Problems problems = reading.problems;
+    for (const std::string& warning : reading.warnings) log.warn(warning);
     std::optional<TerrainInput> ground = prepare_terrain(reading, log, problems);
     const TerrainInput* known_ground = ground ? &*ground : nullptr;
     std::vector<UsedFile> files;

@@ -27,12 +27,12 @@ struct Prepared {
     std::map<std::string, std::string> resolved;  ///< what frana chose for keys left to it
 };
 
-/// From the words of a scene to the scene itself. Throws Error(input) with every fault found in keys and
+/// From the words of a scene to the scene itself. Throws Error(input) with every problem found in keys and
 /// files.
 Prepared prepare(const SceneReading& reading, RunLog& log);
 
 /// The same where the result's place may not allow it (check_result_directory()): that is told beside all
-/// other faults, and alone it is an Error(environment).
+/// other problems, and alone it is an Error(environment).
 Prepared prepare(const SceneReading& reading, const std::optional<Problem>& place, RunLog& log);
 
 }  // namespace frana::app

@@ -181,8 +181,8 @@ std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInp
             }
             if (ground == nullptr) continue;
             const Bounds box = bounds(MultiPolygon{{feature.line, {}}});
-            if (!lies_on_ground(reading, "inflow.line", box, *ground, false, problems)) continue;
-            log.note("line " + std::to_string(i + 1) + ": " + figure(length, 4) + " m, from " +
+            if (!is_on_ground(reading, "inflow.line", box, *ground, false, problems)) continue;
+            log.note("line " + std::to_string(i + 1) + ": " + number_text(length, 4) + " m, from " +
                      shortest_text(inflow.hydrograph.front().time) + " s to " +
                      shortest_text(inflow.hydrograph.back().time) + " s");
             files.push_back(used_hydrograph(hydrograph, inflow.hydrograph));

@@ -10,7 +10,7 @@
 
 namespace frana::app {
 
-/// What [inflow] says: each line with its hydrograph. Adds every fault to `problems`; without a ground (null)
+/// What [inflow] says: each line with its hydrograph. Adds every problem to `problems`; without a ground (null)
 /// files are only checked. Adds what was read to `files`.
 std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground,
                                    std::vector<UsedFile>& files, RunLog& log, Problems& problems);
@@ -23,7 +23,7 @@ std::string hydrograph_file(const SceneReading& reading, const gis::LineInput& f
 
 /// A hydrograph from a CSV with the columns time, discharge or volume (cumulative), and velocity; names may carry a
 /// unit after an underscore or in brackets (time_s, discharge_m3s). Without a velocity material crosses the line at
-/// the critical speed (g Q / L)^(1/3), L being the line's length. Throws Error(input) with every fault: a missing
+/// the critical speed (g Q / L)^(1/3), L being the line's length. Throws Error(input) with every problem: a missing
 /// column, something that is no number, times that do not rise, a negative discharge or a falling volume, a
 /// discharge that stands still.
 std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std::string& where, double gravity,

@@ -61,7 +61,7 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     m.manning_on_total = s.manning_depth == "total";
     m.spread_evenly = s.placement == "r2";
     set(m.solid_fraction, constant(s.solid_fraction));
-    set(m.confined_share, constant(s.confined_share));
+    set(m.confined_fraction, constant(s.confined_fraction));
     set(m.grain_density, constant(s.grain_density));
     set(m.grain_diameter, constant(s.grain_diameter));
     set(m.cohesion, constant(s.cohesion));
@@ -69,7 +69,7 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     set_tangent(m.bed_friction, constant(s.bed_friction_angle ? s.bed_friction_angle : s.internal_friction_angle));
     m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
     m.damage_by_distortion = s.damage == "equivalent-plastic";
-    m.initial_structured = s.initial_structured_share;
+    m.initial_structured = s.initial_structured_fraction;
     m.yield_on_own_stress = s.yield_check == "particle";
     m.broken_is_elastic = s.broken_material == "elastic";
     m.earth_pressure = s.earth_pressure == "active"           ? StructuredMaterial::EarthPressure::active

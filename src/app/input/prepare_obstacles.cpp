@@ -25,7 +25,7 @@ std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const s
     for (const std::string& warning : layer.warnings) log.warn(key + ": " + warning);
     files.push_back(used_polygons(key == "terrain.walls" ? "Walls" : "Obstacles", file, layer));
     if (ground != nullptr) report_transform(key, layer.transform, ground->terrain.grid.cell_size, log);
-    if (ground == nullptr || !lies_on_ground(reading, key, layer.bounds, *ground, false, problems)) return std::nullopt;
+    if (ground == nullptr || !is_on_ground(reading, key, layer.bounds, *ground, false, problems)) return std::nullopt;
     return layer;
 }
 
@@ -61,7 +61,7 @@ void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector
         const auto metres = value_of(reading, "terrain.obstacle-height", *spec.obstacle_height, *layer, f, problems);
         if (metres) stamp(*layer, f, *metres, key, height, warnings, problems, reading.where(key));
     }
-    for (const std::string& warning : warnings.told()) log.warn(warning);
+    for (const std::string& warning : warnings.texts()) log.warn(warning);
     double most = 0;
     std::int64_t raised = 0;
     for (std::size_t i = 0; i < height.values.size(); ++i) {
@@ -69,7 +69,7 @@ void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector
         most = std::max(most, height.values[i]);
         raised += height.values[i] > 0;
     }
-    log.note("obstacles raise " + grouped(raised) + " cells of the bed by up to " + figure(most, 4) + " m");
+    log.note("obstacles raise " + grouped(raised) + " cells of the bed by up to " + number_text(most, 4) + " m");
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInpu
         CountedTexts warnings;
         for (std::size_t f = 0; f < layer->features.size(); ++f)
             stamp(*layer, f, 1, key, *walls, warnings, problems, reading.where(key));
-        for (const std::string& warning : warnings.told()) log.warn(warning);
+        for (const std::string& warning : warnings.texts()) log.warn(warning);
         log.note("walls stand on " + grouped(std::count(walls->values.begin(), walls->values.end(), 1.0)) + " cells");
     } catch (const Error& error) {
         problems.add(error);

@@ -9,7 +9,7 @@
 namespace frana::app {
 
 /// What people have built: raises the ground by terrain.obstacles, and returns 1 where terrain.walls stand, on the
-/// working grid (none without walls). Adds every fault to `problems`; without a ground (null) files are only
+/// working grid (none without walls). Adds every problem to `problems`; without a ground (null) files are only
 /// checked. Adds what was read to `files`.
 std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInput* ground, std::vector<UsedFile>& files,
                                         RunLog& log, Problems& problems);

@@ -23,14 +23,14 @@ using Kind = ThicknessSpec::Kind;
 /// Depth of solids and fluid together; keeps the solids' share. One that is missing counts as none; callers
 /// have seen to it that none is negative.
 Raster sum_of_phases(const Raster& solids, const Raster& fluid, ReleaseInput& release) {
-    Raster sum(solids.grid, k_no_data), share(solids.grid, k_no_data);
+    Raster sum(solids.grid, k_no_data), fraction(solids.grid, k_no_data);
     for (std::size_t i = 0; i < sum.values.size(); ++i) {
         const double s = solids.values[i] > 0 ? solids.values[i] : 0, f = fluid.values[i] > 0 ? fluid.values[i] : 0;
         if (!(s + f > 0)) continue;
         sum.values[i] = s + f;
-        share.values[i] = s / (s + f);
+        fraction.values[i] = s / (s + f);
     }
-    release.solid_fraction = std::move(share);
+    release.solid_fraction = std::move(fraction);
     return sum;
 }
 
@@ -141,7 +141,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
         }
     } else if (release.perimeter && spec.fitted()) {
         if (ground == nullptr ||
-            !lies_on_ground(reading, "release.perimeter", release.perimeter->bounds, *ground, false, problems))
+            !is_on_ground(reading, "release.perimeter", release.perimeter->bounds, *ground, false, problems))
             return release;
         release.areas = areas_above_slip_surfaces(reading, *release.perimeter, ground->terrain, log, problems);
     } else if (release.perimeter) {

@@ -22,7 +22,7 @@ struct ReleaseInput {
     double area_m2 = 0;                          ///< of the outlines, in map view
 };
 
-/// Reads perimeter and thickness onto the working grid and checks them against the ground. Adds every fault
+/// Reads perimeter and thickness onto the working grid and checks them against the ground. Adds every problem
 /// to `problems` and what was read to `files`. Without a ground (null) only what needs none is checked: that the files
 /// are there and make sense.
 ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files,

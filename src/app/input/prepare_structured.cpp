@@ -35,7 +35,7 @@ std::vector<Property> properties(const StructuredSpec& spec, StructuredMaterial&
     StructuredZones& zones = m.zones;
     const std::vector<Property> of_solids{
         {"structured.solid-fraction", &spec.solid_fraction, &zones.solid_fraction},
-        {"structured.confined-share", &spec.confined_share, &zones.confined_share},
+        {"structured.confined-fraction", &spec.confined_fraction, &zones.confined_fraction},
         {"structured.grain-density", &spec.grain_density, &zones.grain_density},
         {"structured.grain-diameter", &spec.grain_diameter, &zones.grain_diameter},
         {"structured.cohesion", &spec.cohesion, &zones.cohesion},
@@ -98,7 +98,7 @@ const gis::PolygonLayer* polygons(const SceneReading& reading, const TerrainInpu
     files.push_back(used_polygons("Zones", *file, *own));
     if (ground == nullptr) return nullptr;
     report_transform(key, own->transform, ground->terrain.grid.cell_size, log);
-    return lies_on_ground(reading, key, own->bounds, *ground, true, problems) ? &*own : nullptr;
+    return is_on_ground(reading, key, own->bounds, *ground, true, problems) ? &*own : nullptr;
 }
 
 /// A property that is nowhere the same must be known wherever something is released.
@@ -118,8 +118,8 @@ void check_cover(const SceneReading& reading, const ReleaseInput& release, const
     }
     if (missing == 0) return;
     problems.add({"has no value on part of the release", reading.where(property.key),
-                  grouped(missing) + " cells, the first at " + figure(first.x, 9) + ", " + figure(first.y, 9), "",
-                  "Extend the polygons or the raster to all of it"});
+                  grouped(missing) + " cells, the first at " + number_text(first.x, 9) + ", " + number_text(first.y, 9),
+                  "", "Extend the polygons or the raster to all of it"});
 }
 
 /// Where fluid can lie, and how deep.

@@ -39,11 +39,11 @@ void check_vertical_unit(const SceneReading& reading, const gis::RasterInfo& fil
     if (reading.scene.terrain.vertical_unit != "auto" || file.vertical_unit_stated || std::abs(metres - 1) < 1e-9) {
         return;
     }
-    throw Error(
-        ErrorKind::input,
-        Problem{
-            "does not state the unit of its elevations, while its eastings are in units of " + figure(metres, 9) + " m",
-            reading.where("terrain.dtm"), file.path, "", "Set terrain.vertical-unit = metre, foot or us-survey-foot"});
+    throw Error(ErrorKind::input,
+                Problem{"does not state the unit of its elevations, while its eastings are in units of " +
+                            number_text(metres, 9) + " m",
+                        reading.where("terrain.dtm"), file.path, "",
+                        "Set terrain.vertical-unit = metre, foot or us-survey-foot"});
 }
 
 gis::Resampling resampling_of(const std::string& name) {

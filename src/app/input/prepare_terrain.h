@@ -22,7 +22,7 @@ struct TerrainInput {
     std::int64_t filled_cells = 0;
 };
 
-/// Reads the DTM onto the working grid. Adds every fault to `problems`; none is returned when the ground is
+/// Reads the DTM onto the working grid. Adds every problem to `problems`; none is returned when the ground is
 /// not known.
 std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog& log, Problems& problems);
 

@@ -74,9 +74,9 @@ double converted(double value, bool degrees) {
     return degrees ? std::tan(value * std::numbers::pi / 180) : value;
 }
 
-std::string share_text(std::int64_t cells, const GridSpec& grid) {
+std::string fraction_text(std::int64_t cells, const GridSpec& grid) {
     return grouped(static_cast<double>(cells) * grid.cell_area()) + " m2, " +
-           figure(100.0 * static_cast<double>(cells) / static_cast<double>(grid.cell_count()), 3) +
+           number_text(100.0 * static_cast<double>(cells) / static_cast<double>(grid.cell_count()), 3) +
            " % of the working grid";
 }
 
@@ -117,11 +117,11 @@ void report_cover(const std::vector<int>& times, const GridSpec& grid, RunLog& l
         never += n == 0;
     }
     if (twice > 0)
-        log.warn("zones overlap on " + share_text(twice, grid) + ": the later feature of the layer applies there");
+        log.warn("zones overlap on " + fraction_text(twice, grid) + ": the later feature of the layer applies there");
     if (const std::int64_t gaps = enclosed_gaps(times, grid); gaps > 0)
-        log.warn("there are gaps between the zones on " + share_text(gaps, grid) +
+        log.warn("there are gaps between the zones on " + fraction_text(gaps, grid) +
                  ": the material's own values apply there");
-    if (never > 0) log.note("outside all zones, with the material's own values: " + share_text(never, grid));
+    if (never > 0) log.note("outside all zones, with the material's own values: " + fraction_text(never, grid));
 }
 
 void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid,
@@ -156,7 +156,7 @@ void read_polygon_zones(const SceneReading& reading, const TerrainInput* ground,
     name_columns(reading, layer, list, log, problems);
     if (ground == nullptr) return;
     report_transform("zones", layer.transform, ground->terrain.grid.cell_size, log);
-    if (lies_on_ground(reading, key, layer.bounds, *ground, reading.scene.zones.beyond_dtm == "clip", problems))
+    if (is_on_ground(reading, key, layer.bounds, *ground, reading.scene.zones.beyond_dtm == "clip", problems))
         burn(reading, layer, ground->terrain.grid, list, zones, log, problems);
 }
 
@@ -168,7 +168,7 @@ void refuse_large_friction(const SceneReading& reading, const Scene& scene, Prob
         if (value > greatest) greatest = value;
     if (greatest <= 1) return;
     problems.add({"the zones' friction is too large for the law ramms-yield", reading.where("terrain.friction-zones"),
-                  figure(greatest), "0 to 1 (an angle of 45 degrees)", "Its term (1 - mu) N_0 would be negative"});
+                  number_text(greatest), "0 to 1 (an angle of 45 degrees)", "Its term (1 - mu) N_0 would be negative"});
 }
 
 }  // namespace
@@ -204,7 +204,7 @@ std::optional<Raster> read_zone_raster(const SceneReading& reading, const Terrai
         !within_limits(reading, key, greatest, "the raster's greatest value", problems))
         return std::nullopt;
     if (read.nodata_cells > 0 && !elsewhere.empty())
-        log.warn(key + " has no value on " + share_text(read.nodata_cells, grid) + ": " + elsewhere);
+        log.warn(key + " has no value on " + fraction_text(read.nodata_cells, grid) + ": " + elsewhere);
     return std::move(read.raster);
 }
 

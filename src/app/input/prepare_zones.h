@@ -13,7 +13,7 @@ namespace frana::app {
 
 /// Reads what [zones] and terrain.friction-zones say onto the working grid: polygons by their cells' centres,
 /// the later feature where two overlap, then rasters. Reports overlaps, gaps inside the zones and what share
-/// of the grid keeps the material's own value. Adds every fault to `problems`; without a ground (null) files
+/// of the grid keeps the material's own value. Adds every problem to `problems`; without a ground (null) files
 /// are only checked. Adds what was read to `files`.
 MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* ground, std::vector<UsedFile>& files,
                             RunLog& log, Problems& problems);

@@ -148,7 +148,7 @@ std::vector<ReleaseArea> areas_above_slip_surfaces(const SceneReading& reading, 
         area.thickness_raster = surfaces[i].thickness(*depth);
         log.note("slip surface under " + name_of(layer, i) + ": " +
                  (surfaces[i].shape() == SlipShape::ellipsoid ? "ellipsoid" : "sloping local base level") + ", " +
-                 figure(*depth, 4) + " m deep");
+                 number_text(*depth, 4) + " m deep");
         areas.push_back(std::move(area));
     }
     return areas;

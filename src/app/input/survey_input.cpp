@@ -30,7 +30,7 @@ void require_inside(const std::string& name, const Polyline& places, const GridS
     }
 }
 
-/// Reads one key's marks, if it is set; faults go to `problems`.
+/// Reads one key's marks, if it is set; problems go to `problems`.
 std::optional<gis::Marks> marks_of(const std::optional<std::string>& file, const std::string& key,
                                    const SceneReading& reading, const GridSpec& grid, Problems& problems) {
     if (!file) return std::nullopt;

@@ -54,8 +54,8 @@ struct ExtraInput {
     Survey survey;  ///< without the scar, which is read with the release
 };
 
-/// Reads them for a working grid. Adds every fault to `problems`, among them places outside the grid, and what was read
-/// to `files`.
+/// Reads them for a working grid. Adds every problem to `problems`, among them places outside the grid, and what was
+/// read to `files`.
 ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std::vector<UsedFile>& files, RunLog& log,
                          Problems& problems);
 

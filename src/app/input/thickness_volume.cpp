@@ -78,7 +78,7 @@ void compare_volumes(std::optional<double> in_file, double released, RunLog& log
     const std::string text = "the thickness raster contains " + grouped(*in_file) +
                              " m3 inside the perimeter; the release has " + grouped(released) + " m3";
     if (std::abs(difference) > k_worth_a_warning)
-        log.warn(text + " (" + figure(100 * difference, 2) + " %)");
+        log.warn(text + " (" + number_text(100 * difference, 2) + " %)");
     else
         log.note(text);
 }

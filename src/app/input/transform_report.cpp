@@ -14,7 +14,7 @@ bool in_place(const gis::TransformInfo& transform) {
 
 std::string accuracy_text(const gis::TransformInfo& transform) {
     if (transform.accuracy_m < 0) return "unknown";
-    return transform.accuracy_m == 0 ? "exact" : figure(transform.accuracy_m, 3) + " m";
+    return transform.accuracy_m == 0 ? "exact" : number_text(transform.accuracy_m, 3) + " m";
 }
 
 std::string transform_text(const gis::TransformInfo& transform) {
@@ -29,11 +29,11 @@ void report_transform(const std::string& input, const gis::TransformInfo& transf
                  "); its position may be wrong by metres to hundreds of metres");
     } else if (transform.accuracy_m > cell_size / 2) {
         log.warn(input + ": its position is accurate to " + accuracy_text(transform) + " only; half a cell is " +
-                 figure(cell_size / 2, 3) + " m (" + transform.operation + ")");
+                 number_text(cell_size / 2, 3) + " m (" + transform.operation + ")");
     }
     if (!transform.needs_missing_grid) return;
     std::string better = "a more accurate transformation";
-    if (transform.missing_accuracy_m >= 0) better += " (" + figure(transform.missing_accuracy_m, 3) + " m)";
+    if (transform.missing_accuracy_m >= 0) better += " (" + number_text(transform.missing_accuracy_m, 3) + " m)";
     log.warn(input + ": " + better + " needs the grid file" +
              (transform.missing_grid.empty() ? "" : " " + transform.missing_grid + ",") +
              " which is not installed (see Debian's proj-data, or projsync)");

@@ -28,11 +28,11 @@ std::string counted(std::size_t count, const std::string& what) {
 
 UsedFile used_raster(const std::string& role, const gis::RasterInfo& from, const gis::RasterRead& read) {
     UsedFile file = positioned(role, from.path, from.crs_wkt, from.crs_label, from.bounds, read.transform);
-    file.content = grouped(from.columns) + " x " + grouped(from.rows) + " of\n" + figure(from.cell_x, 6) + " x " +
-                   figure(from.cell_y, 6) + (file.degrees ? " degrees" : "") + "\n" + from.data_type + " in " +
+    file.content = grouped(from.columns) + " x " + grouped(from.rows) + " of\n" + number_text(from.cell_x, 6) + " x " +
+                   number_text(from.cell_y, 6) + (file.degrees ? " degrees" : "") + "\n" + from.data_type + " in " +
                    from.vertical_unit + (from.vertical_unit_stated ? "" : " (assumed)") +
                    (from.rotated ? "\nrotated" : "");
-    file.nodata = grouped(read.nodata_cells) + "\n" + (from.has_nodata ? figure(from.nodata, 9) : "none declared");
+    file.nodata = grouped(read.nodata_cells) + "\n" + (from.has_nodata ? number_text(from.nodata, 9) : "none declared");
     file.resampling = read.resampling_used;
     file.checksum.add(read.raster);
     return file;

@@ -16,15 +16,15 @@
 #include "app/pictures/require_cells.h"
 #include "app/text/number_text.h"
 #include "gis/raster/raster_in.h"
+#include "render/animation/animation.h"
+#include "render/animation/movie.h"
 #include "render/canvas/raster_window.h"
-#include "render/film/animation.h"
-#include "render/film/movie.h"
 
 namespace frana::app {
 namespace {
 
-constexpr double k_film_seconds = 8;  // about: neither stutters nor flies
-constexpr double k_playback = 25;     // frames a second
+constexpr double k_animation_seconds = 8;  // about: neither stutters nor flies
+constexpr double k_playback = 25;          // frames a second
 
 /// As many decimals as tell frames apart, at least one.
 int time_decimals(const std::vector<StoredFrame>& frames) {
@@ -45,14 +45,14 @@ std::string picture_name(std::size_t frame) {
     return name.data();
 }
 
-/// A film file, or a folder of pictures.
-class FilmOut {
+/// A animation file, or a folder of pictures.
+class AnimationOut {
   public:
-    FilmOut(const std::string& path, Size size, std::size_t frames) : path_(path) {
+    AnimationOut(const std::string& path, Size size, std::size_t frames) : path_(path) {
         if (path.ends_with('/')) return;
         // A GIF says how long each picture stays; H.264 players want an even pace.
         const bool gif = path.ends_with(".gif");
-        const double pace = std::clamp(static_cast<double>(frames) / k_film_seconds, 4.0, k_playback);
+        const double pace = std::clamp(static_cast<double>(frames) / k_animation_seconds, 4.0, k_playback);
         repeats_ = gif ? 1 : std::max(1, static_cast<int>(std::lround(k_playback / pace)));
         movie_ = std::make_unique<render::MovieWriter>(path, size.width, size.height, gif ? pace : k_playback);
         seconds_ = static_cast<double>(frames) * repeats_ / (gif ? pace : k_playback);
@@ -83,7 +83,7 @@ const std::string& file_of(const StoredFrame& frame, const std::string& quantity
 
 /// The picture of a frame, of its particles or its raster.
 template <class Animator>
-render::Image draw_frame(Animator& animator, const StoredFrame& frame, const FilmSource& of) {
+render::Image draw_frame(Animator& animator, const StoredFrame& frame, const AnimationSource& of) {
     const std::string time = time_text(frame.time, time_decimals(of.frames));
     if (of.quantity == "particles") return animator.frame(read_particle_dots(frame.particle_file), time);
     const std::string& file = file_of(frame, of.quantity);
@@ -99,28 +99,28 @@ const StoredFrame& frame_at(const std::vector<StoredFrame>& frames, double time)
     });
 }
 
-std::string pace_words(const FilmSource& film, double seconds) {
-    const double simulated = film.frames.back().time - film.frames.front().time;
+std::string pace_words(const AnimationSource& animation, double seconds) {
+    const double simulated = animation.frames.back().time - animation.frames.front().time;
     if (!(seconds > 0) || !(simulated > 0)) return {};
-    return "1 s of playback: " + figure(simulated / seconds, 2) + " s";
+    return "1 s of playback: " + number_text(simulated / seconds, 2) + " s";
 }
 
-/// A picture of the film's layer at its size, with its pace: a MapSpec or a ViewSpec.
+/// A picture of the animation's layer at its size, with its pace: a MapSpec or a ViewSpec.
 template <class Spec>
-Spec film_spec(const FilmSource& film, Size size, double seconds) {
+Spec animation_spec(const AnimationSource& animation, Size size, double seconds) {
     Spec spec;
     if constexpr (std::is_same_v<Spec, render::MapSpec>)
-        spec = map_spec(film.source, film.layer);
+        spec = map_spec(animation.source, animation.layer);
     else
-        spec = view_spec(film.source, film.layer);
+        spec = view_spec(animation.source, animation.layer);
     spec.width = size.width;
     spec.height = size.height;
-    if (const std::string words = pace_words(film, seconds); !words.empty()) spec.side_notes.push_back(words);
+    if (const std::string words = pace_words(animation, seconds); !words.empty()) spec.side_notes.push_back(words);
     return spec;
 }
 
 /// One scale and one ground for two results.
-void share(render::MapSpec& a, render::MapSpec& b, const MapLayer& greater) {
+void fraction(render::MapSpec& a, render::MapSpec& b, const MapLayer& greater) {
     a.classes = b.classes = greater.classes;
     const auto left = render::data_bounds(*a.layer), right = render::data_bounds(*b.layer);
     if (!left || !right) return;
@@ -131,7 +131,7 @@ void share(render::MapSpec& a, render::MapSpec& b, const MapLayer& greater) {
     a.window = b.window = both;
 }
 
-void share(render::ViewSpec& a, render::ViewSpec& b, const MapLayer& greater) {
+void fraction(render::ViewSpec& a, render::ViewSpec& b, const MapLayer& greater) {
     a.classes = b.classes = greater.classes;
     render::ViewLayout layout;
     render::draw_view(a, &layout);
@@ -144,16 +144,17 @@ void beside(render::Image& page, const render::Image& part, int left) {
 }
 
 template <class Animator, class Spec>
-bool film(const FilmRequest& request, const std::string& path) {
+bool animation(const AnimationRequest& request, const std::string& path) {
     const std::vector<StoredFrame>& frames = request.first.frames;
-    FilmOut out(path, request.size, frames.size());
+    AnimationOut out(path, request.size, frames.size());
     const Size half{request.second ? request.size.width / 2 : request.size.width, request.size.height};
-    Spec left = film_spec<Spec>(request.first, half, out.seconds());
+    Spec left = animation_spec<Spec>(request.first, half, out.seconds());
     std::optional<Animator> right;
     if (request.second) {
-        Spec other = film_spec<Spec>(*request.second, {request.size.width - half.width, half.height}, out.seconds());
+        Spec other =
+            animation_spec<Spec>(*request.second, {request.size.width - half.width, half.height}, out.seconds());
         const bool first_greater = maximum(request.first.layer.values) >= maximum(request.second->layer.values);
-        share(left, other, first_greater ? request.first.layer : request.second->layer);
+        fraction(left, other, first_greater ? request.first.layer : request.second->layer);
         right.emplace(other);
     }
     Animator animator(left);
@@ -181,36 +182,36 @@ bool film(const FilmRequest& request, const std::string& path) {
 
 }  // namespace
 
-Size film_size(Size map) {
+Size animation_size(Size map) {
     constexpr int k_widest = 1280;
     if (map.width <= k_widest) return map;
     return {k_widest, std::max(480, map.height * k_widest / map.width)};
 }
 
-std::vector<std::string> film_files(const std::string& path, std::size_t frames) {
+std::vector<std::string> animation_files(const std::string& path, std::size_t frames) {
     if (!path.ends_with('/')) return {path};
     std::vector<std::string> files;
     for (std::size_t i = 0; i < frames; ++i) files.push_back(path + picture_name(i));
     return files;
 }
 
-bool is_film_picture(const std::string& name) {
+bool is_animation_picture(const std::string& name) {
     return ::fnmatch("frame_*.png", name.c_str(), 0) == 0;
 }
 
-FilmSource film_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {
+AnimationSource animation_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {
     const bool particles = quantity == "particles";
     const std::string colours = particles ? "velocity" : quantity;
-    FilmSource film{source, result.greatest(colours), result.path("max_" + colours + ".tif"), result.frames(),
-                    quantity};
-    film.layer.title = particles ? "Speed of particles" : quantity == "depth" ? "Flow depth" : "Flow velocity";
-    film.layer.source = "frames/" + quantity + (particles ? "_*.gpkg, speed_ms" : "_*.tif, band 1");
-    return film;
+    AnimationSource animation{source, result.greatest(colours), result.path("max_" + colours + ".tif"), result.frames(),
+                              quantity};
+    animation.layer.title = particles ? "Speed of particles" : quantity == "depth" ? "Flow depth" : "Flow velocity";
+    animation.layer.source = "frames/" + quantity + (particles ? "_*.gpkg, speed_ms" : "_*.tif, band 1");
+    return animation;
 }
 
-bool write_animation(const FilmRequest& request, const std::string& path) {
-    return request.view_3d ? film<render::ViewAnimator, render::ViewSpec>(request, path)
-                           : film<render::MapAnimator, render::MapSpec>(request, path);
+bool write_animation(const AnimationRequest& request, const std::string& path) {
+    return request.view_3d ? animation<render::ViewAnimator, render::ViewSpec>(request, path)
+                           : animation<render::MapAnimator, render::MapSpec>(request, path);
 }
 
 }  // namespace frana::app

@@ -119,7 +119,7 @@ NamedChart profile_chart(const Columns& table, const std::string& line, const st
                      {"initial surface", k_green, surface("release_m"), 2, Stroke::dotted},
                      {"bed plus maximum depth", k_blue, surface("max_depth"), 2, Stroke::dashed},
                      {"bed", k_ground, on_line(bed), 2.4}};
-    relief.share = 1.5;
+    relief.fraction = 1.5;
     render::ChartPanel depths{"Depths, vertical", metres, "depth [m]", {}, true};
     depths.series = {{"maximum", k_blue, on_line(column("max_depth")), 2, Stroke::dashed},
                      {"released", k_green, on_line(column("release_m")), 2, Stroke::dotted},
@@ -178,7 +178,7 @@ NamedChart scores_chart(const Columns& table, const ResultReader& result, const 
         panel->x = render::Scale::logarithmic;
         panel->mark_x = result.scene_number("scar.threshold", result.scene_number("output.trace-threshold", 0.1));
     }
-    scores.share = 1.6;
+    scores.fraction = 1.6;
     render::Chart chart = page(source, "scores over the depth threshold", k_comparison_curve);
     chart.subtitle = "dashed: the threshold of the comparison";
     chart.panels = {scores, areas};

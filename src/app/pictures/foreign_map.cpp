@@ -31,7 +31,7 @@ ForeignMap read_foreign_map(const std::string& file, const std::optional<std::st
     if (above) {
         for (double& value : map.layer.values.values)
             if (!(value > *above)) value = k_no_data;
-        map.layer.notes.push_back("Only above " + figure(*above) + " " + map.layer.unit);
+        map.layer.notes.push_back("Only above " + number_text(*above) + " " + map.layer.unit);
     }
     const GridSpec& grid = map.layer.values.grid;
     MapSource& source = map.source;

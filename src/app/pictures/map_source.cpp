@@ -40,7 +40,7 @@ std::string attribution(const MapSource& source) {
 }
 
 std::string time_words(double seconds) {
-    return "t = " + figure(seconds, 6) + " s";
+    return "t = " + number_text(seconds, 6) + " s";
 }
 
 /// Map and view have the same furniture.
@@ -119,18 +119,18 @@ std::string map_subtitle(const MapFacts& facts) {
     const std::string model = facts.model.empty()           ? "Model unknown"
                               : facts.model == "structured" ? "Structured model"
                                                             : "Voellmy-Bingham, scheme " + facts.scheme;
-    return model + ", " + figure(facts.simulated_seconds, 3) + " s simulated";
+    return model + ", " + number_text(facts.simulated_seconds, 3) + " s simulated";
 }
 
 std::vector<std::string> map_notes(const MapFacts& facts) {
     std::vector<std::string> notes{"Volume " + grouped(facts.volume) + " m³"};
-    if (const auto& figures = facts.figures) {
-        const Runout& run_out = figures->run_out;
-        notes.insert(
-            notes.end(),
-            {"Covered " + grouped(figures->covered_area_m2) + " m²",
-             "(deeper than " + figure(figures->threshold, 3) + " m)", "Run-out " + grouped(run_out.horizontal_m) + " m",
-             "Drop " + grouped(run_out.drop_m) + " m", "Angle of reach " + figure(run_out.reach_angle_deg, 3) + "°"});
+    if (const auto& statistics = facts.statistics) {
+        const Runout& run_out = statistics->run_out;
+        notes.insert(notes.end(),
+                     {"Covered " + grouped(statistics->covered_area_m2) + " m²",
+                      "(deeper than " + number_text(statistics->threshold, 3) + " m)",
+                      "Run-out " + grouped(run_out.horizontal_m) + " m", "Drop " + grouped(run_out.drop_m) + " m",
+                      "Angle of reach " + number_text(run_out.reach_angle_deg, 3) + "°"});
     }
     // A map that is not the whole story says so itself: it travels without its log.
     if (facts.last_speed > k_moving_speed) notes.emplace_back("Still moving at the end");
@@ -165,12 +165,12 @@ render::ViewSpec view_spec(const MapSource& source, const MapLayer& layer) {
     return spec;
 }
 
-std::vector<std::string> picture_files(const MapStyle& style, const std::string& stem, bool lies_on_ground,
+std::vector<std::string> picture_files(const MapStyle& style, const std::string& stem, bool is_on_ground,
                                        const std::string& tif_stem) {
     std::vector<std::string> files;
     for (const std::string& format : style.formats) {
         const bool is_tif = format == "tif";
-        if (lies_on_ground || !is_tif) files.push_back((is_tif && !tif_stem.empty() ? tif_stem : stem) + "." + format);
+        if (is_on_ground || !is_tif) files.push_back((is_tif && !tif_stem.empty() ? tif_stem : stem) + "." + format);
     }
     return files;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/pictures/map_layer.h"
-#include "app/store/main_figures.h"
+#include "app/store/main_statistics.h"
 #include "core/geometry.h"
 #include "core/raster.h"
 #include "params/grammar/picture_text.h"
@@ -16,7 +16,7 @@
 
 namespace frana::app {
 
-/// Figures that stand on every map of a result.
+/// Values that stand on every map of a result.
 struct MapFacts {
     std::string model;  ///< as material.model
     std::string scheme;
@@ -24,7 +24,7 @@ struct MapFacts {
     double volume = 0;       ///< released [m3]
     double volume_left = 0;  ///< that left the computed ground [m3]
     double last_speed = 0;   ///< greatest speed at the end [m/s]
-    std::optional<MainFigures> figures;
+    std::optional<MainStatistics> statistics;
 };
 
 std::string map_subtitle(const MapFacts& facts);
@@ -49,7 +49,7 @@ struct MapStyle {
 struct MapSource {
     std::string title;               ///< the scene's name
     std::string subtitle;            ///< model, scheme, simulated time
-    std::vector<std::string> notes;  ///< figures beside the map
+    std::vector<std::string> notes;  ///< values beside the map
     std::string crs_label;
     double convergence_deg = 0;
     Raster terrain;  ///< no columns: none
@@ -78,7 +78,7 @@ std::function<Point(Point)> longitude_latitude(const std::string& crs_wkt);
 
 /// The files that a picture becomes, as the style asks: STEM.png, STEM.pdf, and STEM.tif of what lies on the ground.
 /// @param tif_stem instead of STEM, where a raster has that name
-std::vector<std::string> picture_files(const MapStyle& style, const std::string& stem, bool lies_on_ground,
+std::vector<std::string> picture_files(const MapStyle& style, const std::string& stem, bool is_on_ground,
                                        const std::string& tif_stem = "");
 
 /// Draws layers of one result, one after the other: what they share is drawn once.

@@ -55,7 +55,7 @@ render::Image lean_view(const MapSource& source, const MapLayer& layer, const st
 std::vector<double> snapshot_times(const std::vector<StoredFrame>& frames) {
     const double last = frames.back().time;
     std::vector<double> times;
-    for (const double share : {0.1, 0.3, 0.6, 1.0}) times.push_back(share * last);
+    for (const double fraction : {0.1, 0.3, 0.6, 1.0}) times.push_back(fraction * last);
     return times;
 }
 
@@ -68,7 +68,7 @@ render::Plate plate_of(const Snapshots& snapshots, const MapSource& source) {
     render::Plate plate{page_title(source, snapshots.title), snapshots.subtitle, source.crs_label, 2, {}};
     for (const MapLayer& layer : snapshots.depths) {
         plate.parts.push_back([&](int width, int height) {
-            return lean_map(source, layer, "t = " + figure(layer.time.value_or(0), 4) + " s", width, height);
+            return lean_map(source, layer, "t = " + number_text(layer.time.value_or(0), 4) + " s", width, height);
         });
     }
     return plate;
@@ -155,8 +155,8 @@ std::vector<std::string> draw_plates(const ResultReader& result, const MapSource
         Snapshots stresses{{},
                            "stresses",
                            "normal stress on the bed",
-                           "hydrostatic: density " + figure(density) + " kg/m\u00B3 times gravity " + figure(gravity) +
-                               " m/s\u00B2 times vertical depth"};
+                           "hydrostatic: density " + number_text(density) + " kg/m\u00B3 times gravity " +
+                               number_text(gravity) + " m/s\u00B2 times vertical depth"};
         for (const MapLayer& layer : depths.depths)
             stresses.depths.push_back(normal_stress(layer, density, gravity, greatest));
         write(k_stresses, plate_of(stresses, source));

@@ -32,12 +32,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The scores that a comparison's map shows, from the file that frana wrote. Throws Error(input) where it is cut off.
-void add_figures(const std::string& path, std::vector<std::string>& notes) {
+void add_statistics(const std::string& path, std::vector<std::string>& notes) {
     const std::optional<Json> json = read_json_file(path);
     if (!json) throw Error(ErrorKind::input, Problem{"is incomplete", path, "", "", "Compare again: frana compare"});
     const auto add = [&](const std::string& key, const std::string& before, const std::string& after) {
         if (const auto value = value_in<double>(*json, "/" + key))
-            notes.push_back(before + " " + figure(*value, 3) + after);
+            notes.push_back(before + " " + number_text(*value, 3) + after);
     };
     add("threshold_m", "Threshold", " m");
     add("area_difference_percent", "Area difference", " %");
@@ -126,13 +126,13 @@ MultiPolygon ResultReader::outline(const std::string& layer, const std::string& 
     MultiPolygon all;
     const std::string file = path(k_outlines_file);
     // A result without a scar has no such layer.
-    if (!has(k_outlines_file) || !gis::holds_layer(file, layer, "RESULT_DIR")) return all;
+    if (!has(k_outlines_file) || !gis::has_layer(file, layer, "RESULT_DIR")) return all;
     for (const PolygonFeature& feature : gis::read_polygons(file + "|layer=" + layer, crs_wkt, "RESULT_DIR").features)
         all.insert(all.end(), feature.parts.begin(), feature.parts.end());
     return all;
 }
 
-MapFacts ResultReader::facts(const std::optional<MainFigures>& figures) const {
+MapFacts ResultReader::facts(const std::optional<MainStatistics>& statistics) const {
     MapFacts facts;
     facts.model = scene_value("material.model").value_or("");
     facts.scheme = scene_value("numerics.scheme").value_or("unknown");
@@ -141,7 +141,7 @@ MapFacts ResultReader::facts(const std::optional<MainFigures>& figures) const {
     facts.volume = ends.volume;
     facts.volume_left = ends.volume_left;
     facts.last_speed = ends.last_speed;
-    facts.figures = figures ? figures : read_main_figures(directory_);
+    facts.statistics = statistics ? statistics : read_main_statistics(directory_);
     return facts;
 }
 
@@ -175,7 +175,7 @@ const MapLayer& ResultReader::greatest(const std::string& quantity) const {
 MapLayer ResultReader::particle_layer(const StoredFrame& frame) const {
     MapLayer layer = greatest("velocity");  // its colours: maps of different times compare
     layer.dots = read_particle_dots(frame.particle_file);
-    layer.name = "particles_t" + figure(frame.time, 6);
+    layer.name = "particles_t" + number_text(frame.time, 6);
     layer.title = "Speed of particles";
     layer.time = frame.time;
     layer.source = "frames/" + fs::path(frame.particle_file).filename().string() + ", speed_ms";
@@ -198,7 +198,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         MapLayer layer = read_map_layer(file);
         require_cells(layer.values.grid, file, grid(), path(grid_raster() + ".tif"));
         layer.source.insert(0, "frames/");
-        layer.name = kind + "_t" + figure(nearest->time, 6);
+        layer.name = kind + "_t" + number_text(nearest->time, 6);
         // The greatest values over time give the colours, so that maps of different times compare.
         if (under_way() || has("max_" + kind + ".tif")) layer.classes = greatest(kind).classes;
         return layer;
@@ -208,7 +208,7 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         // Rasters of a user's own beside a run's may lie as they like.
         if (const ResultRaster* row = find_result_raster(name); row != nullptr && row->in_result())
             require_cells(layer.values.grid, path(name + ".tif"), grid(), path(grid_raster() + ".tif"));
-        if (name == "comparison" && has(k_comparison_file)) add_figures(path(k_comparison_file), layer.notes);
+        if (name == "comparison" && has(k_comparison_file)) add_statistics(path(k_comparison_file), layer.notes);
         return layer;
     }
     const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
@@ -268,7 +268,7 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
     };
     // What the run itself wrote has not moved away.
     const auto written = [&](const std::string& file, const std::string& layer) {
-        return has(file) && gis::holds_layer(path(file), layer, "RESULT_DIR");
+        return has(file) && gis::has_layer(path(file), layer, "RESULT_DIR");
     };
     areas("terrain.friction-zones", "Friction zones", k_zones, true);
     areas("terrain.obstacles", "Obstacles", k_obstacles, false);
@@ -287,7 +287,7 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
     return all;
 }
 
-MapSource ResultReader::map_source(const std::optional<MainFigures>& figures) const {
+MapSource ResultReader::map_source(const std::optional<MainStatistics>& statistics) const {
     MapSource source;
     source.title =
         scene_value("output.title").value_or(fs::absolute(directory_).lexically_normal().filename().string());
@@ -302,14 +302,14 @@ MapSource ResultReader::map_source(const std::optional<MainFigures>& figures) co
     source.style = style();
     source.longitude_latitude = longitude_latitude(grid.crs_wkt);
     if (under_way()) {
-        source.subtitle = "run under way, " + figure(frames().back().time, 3) + " s simulated so far";
+        source.subtitle = "run under way, " + number_text(frames().back().time, 3) + " s simulated so far";
         source.extent = greatest("depth").values;
     }
     if (!has("max_depth.tif") || !has("release.tif")) return source;
     const Raster release = raster_on(grid, "release");
     Raster max_depth = raster_on(grid, "max_depth");
     if (has(k_series_file)) {
-        const MapFacts known = facts(figures);
+        const MapFacts known = facts(statistics);
         source.subtitle = map_subtitle(known);
         source.notes = map_notes(known);
     }

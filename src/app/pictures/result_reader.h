@@ -53,14 +53,14 @@ class ResultReader {
     [[nodiscard]] const GridSpec& grid() const;
 
     /// Everything maps share; terrain and outlines only where the result has them.
-    /// @param figures of a run that is being written; none: those of its summary.json, or no such notes
-    [[nodiscard]] MapSource map_source(const std::optional<MainFigures>& figures = std::nullopt) const;
+    /// @param values of a run that is being written; none: those of its summary.json, or no such notes
+    [[nodiscard]] MapSource map_source(const std::optional<MainStatistics>& statistics = std::nullopt) const;
 
   private:
     [[nodiscard]] MapStyle style() const;
     [[nodiscard]] std::vector<render::Outline> marks(const std::string& crs_wkt) const;
     [[nodiscard]] MultiPolygon outline(const std::string& layer, const std::string& crs_wkt) const;
-    [[nodiscard]] MapFacts facts(const std::optional<MainFigures>& figures) const;
+    [[nodiscard]] MapFacts facts(const std::optional<MainStatistics>& statistics) const;
 
     /// Throws Error(input) where a file is missing.
     void require(const std::string& name) const;

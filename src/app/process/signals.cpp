@@ -14,7 +14,7 @@ namespace {
 // The only variable of the program outside functions: a signal handler can reach nothing else.
 volatile std::sig_atomic_t received = 0;
 
-extern "C" void take_note(int signal_number) {
+extern "C" void read_note(int signal_number) {
     if (received == 0) received = signal_number;
     // Whichever comes next ends the program; what is ignored stays so.
     for (const int each : {SIGINT, SIGTERM, SIGHUP})
@@ -37,10 +37,10 @@ void fill_standard_streams() {
 }
 
 void catch_stop_signals() {
-    std::signal(SIGINT, take_note);
-    std::signal(SIGTERM, take_note);
+    std::signal(SIGINT, read_note);
+    std::signal(SIGTERM, read_note);
     // What was started with nohup outlives its terminal.
-    if (std::signal(SIGHUP, take_note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+    if (std::signal(SIGHUP, read_note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 int stop_signal() noexcept {

@@ -50,7 +50,7 @@ std::optional<Comparison> comparison_of(const Prepared& prepared, const std::str
 std::vector<std::string> missing_files(const Manifest& manifest, const std::string& directory) {
     std::vector<std::string> missing;
     for (const auto& [name, mark] : manifest.files) {
-        const ResultFile* const file = known_file(name);
+        const ResultFile* const file = existing_file(name);
         const bool wanted = file != nullptr && !file->is_drawn() && file->kind != FileKind::working;
         if (wanted && !fs::exists(fs::path(directory) / name)) missing.push_back(name);
     }
@@ -71,7 +71,7 @@ bool is_changed(const std::string& path, const FileMark& listed) {
 std::vector<std::string> changed_files_of(const Manifest& manifest, const std::string& directory, bool drawn) {
     std::vector<std::string> changed;
     for (const auto& [name, mark] : manifest.files) {
-        const ResultFile* const file = known_file(name);
+        const ResultFile* const file = existing_file(name);
         if (file == nullptr || file->kind == FileKind::style || file->kind == FileKind::working) continue;
         const std::string path = (fs::path(directory) / name).string();
         if (file->is_drawn() == drawn && fs::exists(path) && is_changed(path, mark)) changed.push_back(name);
@@ -80,8 +80,8 @@ std::vector<std::string> changed_files_of(const Manifest& manifest, const std::s
 }
 
 std::string told(const std::vector<std::string>& names) {
-    constexpr std::size_t k_told = 20;
-    std::vector<std::string> some(names.begin(), names.begin() + std::min(k_told, names.size()));
+    constexpr std::size_t k_printed = 20;
+    std::vector<std::string> some(names.begin(), names.begin() + std::min(k_printed, names.size()));
     if (names.size() > some.size()) some.push_back("and " + std::to_string(names.size() - some.size()) + " more");
     return joined(some, ", ");
 }
@@ -137,9 +137,9 @@ bool complete_result(const Prepared& prepared, const std::string& directory, Run
         forget_the_way(directory, !prepared.spec.output.frames, log);  // a run was killed while it did
     }
     if (pictures.complete() && pictures.drawn.empty() && missing.empty()) {
-        log.tell("the result is complete: " + directory);
+        log.info("the result is complete: " + directory);
     } else if (!pictures.drawn.empty()) {
-        log.tell("drew what was missing in " + directory + ": " + joined(pictures.drawn, ", "));
+        log.info("drew what was missing in " + directory + ": " + joined(pictures.drawn, ", "));
     }
     require_all(missing, {}, directory);
     if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);

@@ -25,14 +25,14 @@
 #include "app/text/version.h"
 #include "core/shortest_text.h"
 #include "params/keys/scene_parameters.h"
-#include "simulation/run_figures.h"
+#include "simulation/run_statistics.h"
 #include "simulation/simulation.h"
 
 namespace frana::app {
 namespace {
 
-constexpr double k_moving_volume = 0.01;  // that may move when the time is over, however thin, without a word
-constexpr double k_shown_share = 0.05;    // by which a raster's volume may miss the flow's without a word
+constexpr double k_moving_volume = 0.01;   // that may move when the time is over, however thin, without a word
+constexpr double k_shown_fraction = 0.05;  // by which a raster's volume may miss the flow's without a word
 
 ComparisonInput comparison_input(const Finished& run) {
     ComparisonInput input = surveyed(run.prepared);
@@ -65,30 +65,31 @@ void note_volumes(const RunResult& result, RunLog& log) {
     if (result.volume_inflow > 0) log.note("inflow through lines: " + grouped(result.volume_inflow) + " m3");
 }
 
-std::string percent(double share) {
-    return figure(100 * share, 2) + " %";
+std::string percent(double fraction) {
+    return number_text(100 * fraction, 2) + " %";
 }
 
 /// Summed over the window: what moves on and on changes place more than once.
-std::string volume_that_moved(double share) {
-    if (share <= 1) return percent(share) + " of the volume changed cell";
-    return "all of the volume changed cell, " + figure(share, 2) + " times over";
+std::string volume_that_moved(double fraction) {
+    if (fraction <= 1) return percent(fraction) + " of the volume changed cell";
+    return "all of the volume changed cell, " + number_text(fraction, 2) + " times over";
 }
 
-/// Time ran out: what moves, and how fast the figures that people use still grow.
+/// Time ran out: what moves, and how fast the values that people use still grow.
 void warn_of_motion(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
     if (result.stop_reason != StopReason::end_time || result.series.size() < 2) return;
-    const bool moves = result.series.back().max_speed > k_moving_speed || result.moving_share > k_moving_volume;
+    const bool moves =
+        result.series.back().max_speed > k_moving_speed || result.moving_fraction_limit > k_moving_volume;
     if (!moves) return;
-    std::string text = "the flow still moves when time.end is reached: " + percent(result.moving_share) +
-                       " of its volume faster than " + figure(run.prepared.scene.time.moving_speed) + " m/s";
+    std::string text = "the flow still moves when time.end is reached: " + percent(result.moving_fraction_limit) +
+                       " of its volume faster than " + number_text(run.prepared.scene.time.moving_speed) + " m/s";
     // The series tells the speed of what maps show.
     if (const double fastest = result.series.back().max_speed; fastest > 0)
-        text += ", the fastest at " + figure(fastest, 3) + " m/s";
+        text += ", the fastest at " + number_text(fastest, 3) + " m/s";
     if (result.settling) {
         const Settling& s = *result.settling;
-        text += "; in its last " + figure(s.window, 2) + " s the run-out grew by " + figure(s.runout, 3) +
+        text += "; in its last " + number_text(s.window, 2) + " s the run-out grew by " + number_text(s.runout, 3) +
                 " m, the area by " + percent(s.area) + " and " + volume_that_moved(s.deposit);
     }
     log.warn(text + ". Final depth and run-out are not those of the deposit: raise time.end");
@@ -97,11 +98,11 @@ void warn_of_motion(const Finished& run, RunLog& log) {
 /// What maps do not show.
 void warn_of_thin_flow(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
-    if (result.thin_share < k_thin_share) return;
+    if (result.thin_fraction < k_thin_fraction) return;
     const double minimum = run.prepared.scene.numerics.minimum_depth;
     const bool seen = std::any_of(result.max_depth.values.begin(), result.max_depth.values.end(),
                                   [](double depth) { return depth > 0; });
-    log.warn((seen ? "at one time " + percent(result.thin_share) + " of the flow was thinner than"
+    log.warn((seen ? "at one time " + percent(result.thin_fraction) + " of the flow was thinner than"
                    : std::string("the maps are empty: the flow was nowhere as deep as")) +
              " numerics.minimum-depth = " + shortest_text(minimum) +
              " m, and is not included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
@@ -113,12 +114,12 @@ void warn_of_empty_trace(const Finished& run, RunLog& log) {
     const double threshold = run.prepared.spec.output.trace_threshold, deepest = maximum(run.result.max_depth);
     if (!(deepest > 0) || deepest > threshold) return;
     log.warn("the flow was nowhere deeper than output.trace-threshold = " + shortest_text(threshold) + " m, but " +
-             figure(deepest, 3) +
+             number_text(deepest, 3) +
              " m: trace, deposit and covered area are empty, run-out is 0 and a comparison finds nothing. Set "
              "output.trace-threshold to about a tenth of the usual flow depth");
 }
 
-void warn_of_trouble(const Finished& run, RunLog& log) {
+void warn_of_problem(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
     compare_volumes(run.prepared.release.file_volume_m3, released_volume(result), log);
     note_volumes(result, log);
@@ -135,7 +136,7 @@ void warn_of_trouble(const Finished& run, RunLog& log) {
     warn_of_thin_flow(run, log);
     warn_of_empty_trace(run, log);
     const double shown = shown_volume(result);
-    if (std::abs(shown - result.volume_final) > k_shown_share * result.volume_final) {
+    if (std::abs(shown - result.volume_final) > k_shown_fraction * result.volume_final) {
         log.warn("the depths of final_depth.tif add up to " + grouped(shown) + " m3, the flow has " +
                  grouped(result.volume_final) +
                  " m3: where particles are crowded, in gullies narrower than a few cells, the depths shown are too "
@@ -143,7 +144,7 @@ void warn_of_trouble(const Finished& run, RunLog& log) {
     }
     if (result.volume_left > 0) {
         log.warn(grouped(result.volume_left) + " m3 left the computed ground (" +
-                 figure(100 * result.volume_left / result.volume_entered, 2) +
+                 number_text(100 * result.volume_left / result.volume_entered, 2) +
                  " % of all volume that came in): the map does not show its full run-out; use a larger DTM or "
                  "terrain.bounds");
     }
@@ -158,7 +159,7 @@ std::optional<Comparison> publish_comparison(const Finished& run, const ResultDi
         Comparison comparison = compare_with_survey(input, log);
         write_comparison(comparison, input, directory.path(""));
         const std::string headline = comparison_headline(comparison);
-        if (!headline.empty()) log.tell(headline);
+        if (!headline.empty()) log.info(headline);
         return comparison;
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::input) throw;
@@ -173,7 +174,7 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     const Stopwatch output_watch;
     const Prepared& prepared = run.prepared;
     const RunResult& result = run.result;
-    warn_of_trouble(run, log);
+    warn_of_problem(run, log);
 
     const double threshold = prepared.spec.output.trace_threshold;
     const Raster trace = trace_mask(result.max_depth, threshold);
@@ -181,13 +182,13 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     facts.spec = prepared.spec;
     facts.crs_label = prepared.ground.crs_label;
     facts.threads = run.threads;
-    facts.figures = {threshold, masked_area(trace), runout(result.bed, result.release, trace)};
-    facts.high = high_figures(result, trace);
+    facts.statistics = {threshold, masked_area(trace), runout(result.bed, result.release, trace)};
+    facts.high = peak_statistics(result, trace);
 
     publish_rasters(prepared, result, directory);
-    publish_outlines(prepared, result, facts.figures.run_out, directory);
+    publish_outlines(prepared, result, facts.statistics.run_out, directory);
     publish_series(prepared, result, directory);
-    publish_profiles(prepared, result, facts.figures.run_out, directory);
+    publish_profiles(prepared, result, facts.statistics.run_out, directory);
     facts.hazard = publish_hazard(prepared, result, directory);
     publish_avaframe(prepared, result, directory);
     write_text_file(directory.path(k_series_file), timeseries_csv(result.series));
@@ -198,7 +199,7 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
 
     const Stopwatch render_watch;
     const PictureOutcome pictures =
-        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.figures}, log);
+        draw_pictures({prepared.spec, directory.path(""), comparison, false, facts.statistics}, log);
     facts.wall.render = render_watch.seconds();
 
     facts.wall.input = run.input_seconds;

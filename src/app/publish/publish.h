@@ -21,7 +21,7 @@ struct Finished {
 };
 
 /// Writes the files of a result: rasters with styles, outlines, maps, animation, comparison, series, summary,
-/// scene, log; the summary and the log last, as they tell of all the rest. A map or film that cannot be drawn
+/// scene, log; the summary and the log last, as they tell of all the rest. A map or animation that cannot be drawn
 /// does not cost the numbers: it is a warning, and the answer tells of it. Throws Error(environment) when a file
 /// cannot be written.
 PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log);

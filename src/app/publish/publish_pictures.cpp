@@ -27,7 +27,7 @@ std::string title_of(const SceneSpec& spec) {
 
 /// What was written is what is drawn.
 MapSource map_source(const ResultReader& written, const PictureRequest& request) {
-    MapSource source = written.map_source(request.figures);
+    MapSource source = written.map_source(request.statistics);
     source.title = title_of(request.spec);  // the folder has not its name yet
     return source;
 }
@@ -121,13 +121,14 @@ void draw_all_charts(const ResultReader& written, const MapSource& source, Drawi
     });
 }
 
-void draw_film(const ResultReader& written, const MapSource& source, Drawings& drawings) {
-    const std::string path = written.path(k_film_file);
+void draw_animation(const ResultReader& written, const MapSource& source, Drawings& drawings) {
+    const std::string path = written.path(k_animation_file);
     if (!written.has(k_frame_list) || written.frames().empty()) return;
-    drawings.attempt(k_film_file, {path}, [&] {
-        FilmRequest film{film_source(written, source, "depth"), {}, false, false, film_size(source.style.size)};
-        film.stop_requested = [] { return stop_signal() != 0; };
-        return write_animation(film, path);
+    drawings.attempt(k_animation_file, {path}, [&] {
+        AnimationRequest animation{
+            animation_source(written, source, "depth"), {}, false, false, animation_size(source.style.size)};
+        animation.stop_requested = [] { return stop_signal() != 0; };
+        return write_animation(animation, path);
     });
 }
 
@@ -146,14 +147,14 @@ PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log) {
         drawer.draw_for_page_too(folder);
     }
     draw_maps(output.maps, written, drawer, drawings);
-    if (request.comparison && request.comparison->figures) {
+    if (request.comparison && request.comparison->statistics) {
         drawings.attempt("comparison", comparison_pictures(source.style, written.directory()), [&] {
             draw_comparison(*request.comparison, drawer, written.directory());
             return true;
         });
     }
     if (output.charts && output.maps.front() != "off") draw_all_charts(written, source, drawings);
-    if (output.animation) draw_film(written, source, drawings);
+    if (output.animation) draw_animation(written, source, drawings);
     return drawings.outcome();
 }
 

@@ -6,19 +6,19 @@
 #include <vector>
 
 #include "app/compare/comparison.h"
-#include "app/store/main_figures.h"
+#include "app/store/main_statistics.h"
 #include "app/text/run_log.h"
 #include "params/keys/scene_spec.h"
 
 namespace frana::app {
 
-/// The pictures that a scene asks for: maps, comparison, charts, film. They are drawn from the files of a result.
+/// The pictures that a scene asks for: maps, comparison, charts, animation. They are drawn from the files of a result.
 struct PictureRequest {
     const SceneSpec& spec;
     std::string folder;  ///< of the result
     const std::optional<Comparison>& comparison;
-    bool only_missing = false;           ///< what is there already stays as it is
-    std::optional<MainFigures> figures;  ///< of a run whose summary.json is not written yet
+    bool only_missing = false;                 ///< what is there already stays as it is
+    std::optional<MainStatistics> statistics;  ///< of a run whose summary.json is not written yet
 };
 
 /// What came of them.
@@ -31,7 +31,7 @@ struct PictureOutcome {
     [[nodiscard]] bool complete() const noexcept { return failed.empty() && left_out.empty(); }
 };
 
-/// Draws them; a fault is a warning, since the numbers are worth more than a picture. What is not begun when a stop
+/// Draws them; a problem is a warning, since the numbers are worth more than a picture. What is not begun when a stop
 /// signal comes is left out, so that the program ends soon.
 PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log);
 

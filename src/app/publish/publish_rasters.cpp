@@ -45,7 +45,7 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
     for (std::size_t i = 0; i < mask.values.size(); ++i)
         if (mask.values[i] != 0) volume += depth.values[i] * result.bed.grid.cell_area();
     area.numbers["volume_m3"] = volume;
-    const HighValues high = high_values(depth, mask);
+    const PeakValues high = high_values(depth, mask);
     area.numbers["max_depth_m"] = high.greatest;
     area.numbers["max_depth_p999_m"] = high.p999;
     area.numbers["runout_m"] = run_out.horizontal_m;
@@ -91,7 +91,7 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const R
     for (PolygonFeature& trace : layers[1].features) {
         // What passed over the trace is what was released; depths of different moments do not add up.
         trace.numbers["volume_m3"] = result.volume_initial;
-        const HighValues speed = high_values(result.max_velocity, trace_mask(result.max_depth, threshold));
+        const PeakValues speed = high_values(result.max_velocity, trace_mask(result.max_depth, threshold));
         trace.numbers["max_velocity_ms"] = speed.greatest;
         trace.numbers["max_velocity_p999_ms"] = speed.p999;
     }

@@ -48,11 +48,11 @@ class Table {
 };
 
 /// Three rows for each raster of maxima. Where nothing is deeper than the threshold there is no area to speak of.
-void add_high_figures(Table& table, const HighFigures& high) {
+void add_peak_statistics(Table& table, const PeakStatistics& high) {
     for (std::size_t i = 0; i < high.size(); ++i) {
-        const HighFigure& what = k_high_figures[i];
+        const PeakStatistic& what = k_peak_statistics[i];
         const auto row = [&](const std::string& name, double value) {
-            table.number(name + what.title, std::isnan(value) ? "–" : figure(value, 4), what.unit);
+            table.number(name + what.title, std::isnan(value) ? "–" : number_text(value, 4), what.unit);
         };
         row("Greatest ", std::isnan(high[i].greatest) ? 0 : high[i].greatest);
         row("99.9 % of the area do not exceed: ", high[i].p999);
@@ -60,24 +60,24 @@ void add_high_figures(Table& table, const HighFigures& high) {
     }
 }
 
-std::string signed_figure(double value) {
-    return (value > 0 ? "+" : "") + figure(value, 3);
+std::string signed_number_text(double value) {
+    return (value > 0 ? "+" : "") + number_text(value, 3);
 }
 
-void add_figures(Table& table, const ComparisonFigures& f) {
-    table.number("Depth that counts as covered", figure(f.threshold_m), "m")
+void add_statistics(Table& table, const ComparisonStatistics& f) {
+    table.number("Depth that counts as covered", number_text(f.threshold_m), "m")
         .number("Observed area", grouped(f.observed_area_m2), "m²")
         .number("Simulated area", grouped(f.simulated_area_m2), "m²")
-        .number("Area difference |simulated − observed| / observed", figure(f.area_difference_percent, 3), "%")
+        .number("Area difference |simulated − observed| / observed", number_text(f.area_difference_percent, 3), "%")
         .number("Hit", grouped(f.hit_m2), "m²")
         .number("False alarm", grouped(f.false_alarm_m2), "m²")
         .number("Miss", grouped(f.miss_m2), "m²")
-        .number("Jaccard index (critical success index), best 1", figure(f.jaccard, 3), "")
-        .number("Dice coefficient, best 1", figure(f.dice, 3), "")
-        .number("True positive rate, best 1", figure(f.true_positive_rate, 3), "")
-        .number("False positive rate, best 0", figure(f.false_positive_rate, 3), "")
-        .number("Distance to perfect classification, best 0", figure(f.d2pc, 3), "")
-        .number("Area under the ROC curve, best 1", figure(f.auroc, 3), "");
+        .number("Jaccard index (critical success index), best 1", number_text(f.jaccard, 3), "")
+        .number("Dice coefficient, best 1", number_text(f.dice, 3), "")
+        .number("True positive rate, best 1", number_text(f.true_positive_rate, 3), "")
+        .number("False positive rate, best 0", number_text(f.false_positive_rate, 3), "")
+        .number("Distance to perfect classification, best 0", number_text(f.d2pc, 3), "")
+        .number("Area under the ROC curve, best 1", number_text(f.auroc, 3), "");
 }
 
 /// One panel, as wide as the page's text.
@@ -90,11 +90,11 @@ std::string line_chart(const std::string& x_label, const std::string& y_label, s
     return render::chart_svg({"", "", "", 1, {std::move(panel)}}, k_width, k_height);
 }
 
-std::string curve_chart(const std::vector<ComparisonFigures>& curve) {
+std::string curve_chart(const std::vector<ComparisonStatistics>& curve) {
     render::ChartSeries jaccard{"Jaccard", render::k_chart_colours[0], {}},
         hit{"true positive rate", render::k_chart_colours[2], {}},
         alarm{"false positive rate", render::k_chart_colours[1], {}};
-    for (const ComparisonFigures& f : curve) {
+    for (const ComparisonStatistics& f : curve) {
         jaccard.points.push_back({f.threshold_m, f.jaccard});
         hit.points.push_back({f.threshold_m, f.true_positive_rate});
         alarm.points.push_back({f.threshold_m, f.false_positive_rate});
@@ -113,18 +113,19 @@ std::string results_table(const ReportInput& input) {
     const RunResult& r = input.result;
     const SummaryFacts& f = input.facts;
     Table table;
-    add_high_figures(table, f.high);
+    add_peak_statistics(table, f.high);
     table
-        .number("Area deeper than " + figure(input.prepared.spec.output.trace_threshold) + " m at any time",
-                grouped(f.figures.covered_area_m2), "m²")
-        .number("Run-out, straight in map view", grouped(f.figures.run_out.horizontal_m), "m")
-        .number("Drop", grouped(f.figures.run_out.drop_m), "m")
-        .number("Angle of reach", figure(f.figures.run_out.reach_angle_deg, 3), "°")
-        .number("Simulated time (" + std::string(describe(r.stop_reason)) + ")", figure(r.simulated_seconds, 4), "s");
+        .number("Area deeper than " + number_text(input.prepared.spec.output.trace_threshold) + " m at any time",
+                grouped(f.statistics.covered_area_m2), "m²")
+        .number("Run-out, straight in map view", grouped(f.statistics.run_out.horizontal_m), "m")
+        .number("Drop", grouped(f.statistics.run_out.drop_m), "m")
+        .number("Angle of reach", number_text(f.statistics.run_out.reach_angle_deg, 3), "°")
+        .number("Simulated time (" + std::string(describe(r.stop_reason)) + ")", number_text(r.simulated_seconds, 4),
+                "s");
     return table.html() +
            "<p class=\"small\">The greatest value is that of a single cell; the 99.9 % and 99 % values are over the "
            "area deeper than " +
-           escaped_markup(figure(input.prepared.spec.output.trace_threshold)) +
+           escaped_markup(number_text(input.prepared.spec.output.trace_threshold)) +
            " m, with the maximum over time in each cell.</p>\n";
 }
 
@@ -149,10 +150,10 @@ std::string budget_table(const RunResult& r) {
                     grouped(r.phases->entered.free) + ", " + grouped(r.phases->inside.free) + ", " +
                         grouped(r.phases->left.free),
                     "m³")
-            .number("Cohesion left, mean of the solids inside", figure(r.phases->cohesion_left, 3), "of 1");
+            .number("Cohesion left, mean of the solids inside", number_text(r.phases->cohesion_left, 3), "of 1");
     return table.number("Inside at the end", grouped(r.volume_final), "m³")
         .number("Left the computed ground", grouped(r.volume_left), "m³")
-        .number("Budget error", figure(relative_volume_error(r), 2), "of all volume that came in")
+        .number("Budget error", number_text(relative_volume_error(r), 2), "of all volume that came in")
         .html();
 }
 
@@ -164,7 +165,7 @@ std::string numerics_table(const ReportInput& input) {
     for (const std::string& term : r.terms) terms += (terms.empty() ? "" : "; ") + term;
     return Table()
                .number("Cells", grouped(grid.columns) + " × " + grouped(grid.rows),
-                       "of " + figure(grid.cell_size) + " m")
+                       "of " + number_text(grid.cell_size) + " m")
                .number(
                    "Particles: start, end, peak",
                    grouped(r.particles_initial) + ", " + grouped(r.particles_final) + ", " + grouped(r.particles_peak),
@@ -221,36 +222,37 @@ std::string series_charts(const ReportInput& input) {
 
 std::string comparison_tables(const Comparison& c) {
     Table table;
-    if (c.figures) add_figures(table, *c.figures);
+    if (c.statistics) add_statistics(table, *c.statistics);
     if (c.outline) {
-        table.number("Distance of the outlines, mean", figure(c.outline->mean_m, 3), "m")
-            .number("Distance of the outlines, 95 %", figure(c.outline->percentile_95_m, 3), "m")
-            .number("Distance of the outlines, greatest (Hausdorff)", figure(c.outline->hausdorff_m, 3), "m");
+        table.number("Distance of the outlines, mean", number_text(c.outline->mean_m, 3), "m")
+            .number("Distance of the outlines, 95 %", number_text(c.outline->percentile_95_m, 3), "m")
+            .number("Distance of the outlines, greatest (Hausdorff)", number_text(c.outline->hausdorff_m, 3), "m");
     }
     if (c.runout_difference_m)
-        table.number("Run-out, simulated minus observed, straight", signed_figure(*c.runout_difference_m), "m");
+        table.number("Run-out, simulated minus observed, straight", signed_number_text(*c.runout_difference_m), "m");
     if (c.path_runout) {
         table.number("Run-out along the flow path, simulated", grouped(c.path_runout->simulated_m), "m")
             .number("Run-out along the flow path, observed", grouped(c.path_runout->observed_m), "m");
     }
     for (const FrontComparison& front : c.fronts) {
-        table.number("Front " + front.name + ": mean distance, + beyond, − short", signed_figure(front.mean_m), "m")
-            .number("Front " + front.name + ": reached", figure(front.reached_percent, 3), "% of its length");
+        table
+            .number("Front " + front.name + ": mean distance, + beyond, − short", signed_number_text(front.mean_m), "m")
+            .number("Front " + front.name + ": reached", number_text(front.reached_percent, 3), "% of its length");
     }
     for (const TipComparison& tip : c.tips)
-        table.number("Tip " + tip.name + ": distance, + beyond, − short", signed_figure(tip.distance_m), "m");
+        table.number("Tip " + tip.name + ": distance, + beyond, − short", signed_number_text(tip.distance_m), "m");
     std::string html = table.html();
     if (!c.curve.empty()) html += "<h3>Scores over the depth threshold</h3>\n" + curve_chart(c.curve);
     if (c.deposit_overlap) {
         Table deposit;
-        add_figures(deposit, *c.deposit_overlap);
+        add_statistics(deposit, *c.deposit_overlap);
         if (const auto& d = c.deposit_depth) {
             deposit.number("Volume of the deposit, observed", grouped(d->observed_volume_m3), "m³")
                 .number("Volume of the deposit, simulated", grouped(d->simulated_volume_m3), "m³")
-                .number("Mean error of depth", signed_figure(d->bias_m), "m")
-                .number("Mean absolute error of depth", figure(d->mean_absolute_error_m, 3), "m")
-                .number("Root mean square error of depth", figure(d->rmse_m, 3), "m")
-                .number("Correlation of the depths", figure(d->correlation, 3), "");
+                .number("Mean error of depth", signed_number_text(d->bias_m), "m")
+                .number("Mean absolute error of depth", number_text(d->mean_absolute_error_m, 3), "m")
+                .number("Root mean square error of depth", number_text(d->rmse_m, 3), "m")
+                .number("Correlation of the depths", number_text(d->correlation, 3), "");
         }
         html += "<h3>Deposit</h3>\n" + deposit.html();
     }

@@ -9,17 +9,17 @@
 #include "app/store/scene_identity.h"
 #include "app/text/version.h"
 #include "core/json.h"
-#include "simulation/run_figures.h"
+#include "simulation/run_check.h"
+#include "simulation/run_statistics.h"
 #include "simulation/simulation.h"
-#include "simulation/trouble_watch.h"
 
 namespace frana::app {
 namespace {
 
 /// Where nothing ever flowed the greatest value is 0; where nothing is deeper than the threshold the others are null.
-void add_high_figures(Json& json, const HighFigures& high) {
+void add_peak_statistics(Json& json, const PeakStatistics& high) {
     for (std::size_t i = 0; i < high.size(); ++i) {
-        const std::string name = k_high_figures[i].name, unit = std::string("_") + k_high_figures[i].key_unit;
+        const std::string name = k_peak_statistics[i].name, unit = std::string("_") + k_peak_statistics[i].key_unit;
         json[name + unit] = std::isnan(high[i].greatest) ? 0 : high[i].greatest;
         json[name + "_p999" + unit] = high[i].p999;
         json[name + "_p99" + unit] = high[i].p99;
@@ -66,7 +66,7 @@ Json volume_json(const RunResult& result) {
                 {"inflow_m3", result.volume_inflow},
                 {"final_m3", result.volume_final},
                 {"final_depth_raster_m3", shown_volume(result)},
-                {"greatest_thin_fraction", result.thin_share},
+                {"greatest_thin_fraction", result.thin_fraction},
                 {"left_domain_m3", result.volume_left}};
     if (result.exchanges) {
         volume["eroded_m3"] = result.volume_eroded;
@@ -99,10 +99,10 @@ void add_flow(Json& json, const RunResult& result, const SummaryFacts& facts) {
 }
 
 void add_trace(Json& json, const SummaryFacts& facts) {
-    add_high_figures(json, facts.high);
-    const Runout& run_out = facts.figures.run_out;
-    json["covered_area_m2"] = facts.figures.covered_area_m2;
-    json["trace_threshold_m"] = facts.figures.threshold;
+    add_peak_statistics(json, facts.high);
+    const Runout& run_out = facts.statistics.run_out;
+    json["covered_area_m2"] = facts.statistics.covered_area_m2;
+    json["trace_threshold_m"] = facts.statistics.threshold;
     json["runout"] = {{"horizontal_m", run_out.horizontal_m},
                       {"drop_m", run_out.drop_m},
                       {"reach_angle_deg", run_out.reach_angle_deg}};
@@ -117,14 +117,14 @@ void add_troubles(Json& json, const RunResult& result) {
                            {"entered_no_data", events.entered_no_data},
                            {"impossible_speed", events.impossible_speed},
                            {"volume_drift", events.volume_drift}};
-    Json& troubles = json["troubles"] = Json::array();
-    for (const Trouble& trouble : result.troubles) {
-        Json& one = troubles.emplace_back(Json{{"step", trouble.step}, {"time_s", trouble.time}});
-        if (trouble.place) {
-            one["x"] = trouble.place->x;
-            one["y"] = trouble.place->y;
+    Json& run_problems = json["troubles"] = Json::array();
+    for (const RunProblem& run_problem : result.run_problems) {
+        Json& one = run_problems.emplace_back(Json{{"step", run_problem.step}, {"time_s", run_problem.time}});
+        if (run_problem.place) {
+            one["x"] = run_problem.place->x;
+            one["y"] = run_problem.place->y;
         }
-        one["what"] = describe(trouble);
+        one["what"] = describe(run_problem);
     }
 }
 
@@ -178,7 +178,7 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
               {"simulated_seconds", result.simulated_seconds},
               {"stop_reason", stop_word(result.stop_reason)},
               {"stop_reason_text", describe(result.stop_reason)},
-              {"moving_fraction", result.moving_share}};
+              {"moving_fraction", result.moving_fraction_limit}};
     if (result.settling) {
         const Settling& s = *result.settling;
         json["settling"] = {{"window_s", s.window},

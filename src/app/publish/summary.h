@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/publish/high_figures.h"
+#include "app/publish/peak_statistics.h"
 #include "app/publish/publish_hazard.h"
-#include "app/store/main_figures.h"
+#include "app/store/main_statistics.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
 
@@ -24,8 +24,8 @@ struct SummaryFacts {
     int threads = 1;
     WallSeconds wall;
     std::int64_t peak_memory_bytes = 0;
-    MainFigures figures;
-    HighFigures high;                ///< over that trace
+    MainStatistics statistics;
+    PeakStatistics high;             ///< over that trace
     std::vector<HazardArea> hazard;  ///< empty: no scheme
     std::vector<std::string> warnings;
     std::vector<std::string> data_identity;  ///< what --resume knows the scene's data by

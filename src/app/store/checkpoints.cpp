@@ -88,7 +88,7 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
     const Stopwatch watch;
     try {
         make_folder(folder_);
-        log_.note("checkpoint at " + figure(now.time, 6) + " s, step " + std::to_string(now.step));
+        log_.note("checkpoint at " + number_text(now.time, 6) + " s, step " + std::to_string(now.step));
         CheckpointHead described = head(now);
         if (frames_ != nullptr) {
             described.waiting = frames_->settle();
@@ -98,8 +98,8 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
         }
         const std::string path = (fs::path(folder_) / file_name(now.step)).string();
         const std::uint64_t bytes = write_checkpoint(path, std::move(described), state, space_);
-        log_.note("checkpoint of " + figure(static_cast<double>(bytes) / 1e6, 3) + " MB written in " +
-                  figure(watch.seconds(), 2) + " s");
+        log_.note("checkpoint of " + number_text(static_cast<double>(bytes) / 1e6, 3) + " MB written in " +
+                  number_text(watch.seconds(), 2) + " s");
         const std::vector<std::string> all = checkpoints_in(directory_);
         std::error_code ignored;
         for (std::size_t i = k_kept; i < all.size(); ++i) fs::remove(all[i], ignored);
@@ -113,7 +113,7 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
 // Looks come at growing distances: the flow has not grown by half since the last one, and all together take next to
 // nothing.
 void Checkpoints::set_space_aside(const Progress& now, const SaveState& state) {
-    constexpr double k_growth = 1.5, k_share_of_time = 0.2, k_longest = 10, k_times_cost = 50;
+    constexpr double k_growth = 1.5, k_fraction_of_time = 0.2, k_longest = 10, k_times_cost = 50;
     constexpr std::uint64_t k_least = 1'000'000;
     const double begun = session_.seconds();
     try {
@@ -124,13 +124,13 @@ void Checkpoints::set_space_aside(const Progress& now, const SaveState& state) {
         if (space_.bytes() < needed + needed / 4 && !space_.grow(wanted) && !space_.grow(needed))
             throw Error(ErrorKind::environment,
                         Problem{"the disk has not enough free space for a checkpoint of " +
-                                    figure(static_cast<double>(needed) / 1e6, 3) + " MB",
+                                    number_text(static_cast<double>(needed) / 1e6, 3) + " MB",
                                 folder_, std::strerror(errno), "", "Free some space: the run continues meanwhile"});
     } catch (const Error& error) {
         warn_once(error);
     }
     const double ended = session_.seconds();
-    next_look_ = ended + std::max(k_times_cost * (ended - begun), std::min(k_longest, k_share_of_time * ended));
+    next_look_ = ended + std::max(k_times_cost * (ended - begun), std::min(k_longest, k_fraction_of_time * ended));
 }
 
 void Checkpoints::warn_once(const Error& error) {

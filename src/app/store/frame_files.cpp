@@ -23,7 +23,7 @@ std::string frame_name(const FrameFile& file, std::size_t index) {
 }
 
 // Of frames before records were kept.
-std::string fault_without_records(const std::string& folder, std::size_t count) {
+std::string problem_without_records(const std::string& folder, std::size_t count) {
     std::vector<FrameFile> wanted{k_depth_file, k_velocity_file};
     for (const std::string& name : names_of_frames(folder, 1)) {
         const auto place = name.rfind('_');
@@ -96,8 +96,8 @@ std::vector<std::string> names_of_frames(const std::string& folder, std::size_t 
     return names;
 }
 
-std::string frame_fault(const std::string& folder, std::size_t count, const std::vector<FrameRecord>& records) {
-    if (records.empty()) return fault_without_records(folder, count);
+std::string frame_problem(const std::string& folder, std::size_t count, const std::vector<FrameRecord>& records) {
+    if (records.empty()) return problem_without_records(folder, count);
     for (const FrameRecord& record : records) {
         const std::string path = (fs::path(folder) / record.name).string();
         std::error_code failure;

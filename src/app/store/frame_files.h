@@ -52,6 +52,6 @@ std::vector<std::string> names_of_frames(const std::string& folder, std::size_t 
 
 /// What is wrong with the first `count` frames in a folder: one that is not there any more, or not as it was recorded;
 /// empty: nothing. Without records (checkpoints up to format 4) every frame must have what the first one has.
-std::string frame_fault(const std::string& folder, std::size_t count, const std::vector<FrameRecord>& records);
+std::string frame_problem(const std::string& folder, std::size_t count, const std::vector<FrameRecord>& records);
 
 }  // namespace frana::app

@@ -29,8 +29,8 @@ std::string hindrance(const CheckpointFile& checkpoint, const std::string& ident
     if (head.scene != identity)
         return "is from another scene: " + joined(identity_differences(identity, head.scene), "; ");
     const std::string frames = (result_of(checkpoint.path()) / "frames").string();
-    const std::string fault = frame_fault(frames, head.frame_times.size(), head.frame_records);
-    return fault.empty() ? "" : "needs a frame that " + fault;
+    const std::string error_text = frame_problem(frames, head.frame_times.size(), head.frame_records);
+    return error_text.empty() ? "" : "needs a frame that " + error_text;
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::error_code& failure) {
@@ -59,7 +59,7 @@ void remove_unwanted(const fs::path& root, const std::string& folder,
         if (fs::is_directory(entry.symlink_status(failure))) {
             remove_unwanted(root, name, [](const std::string&) { return false; });
             folders.push_back(entry.path());
-        } else if (known_file(name) != nullptr) {
+        } else if (existing_file(name) != nullptr) {
             files.push_back(entry.path());
         }
     }

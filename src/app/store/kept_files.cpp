@@ -24,7 +24,7 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> place_of(const std::strin
 }
 
 bool is_drawn(const fs::path& file, const fs::path& folder) {
-    if (const ResultFile* known = known_file(file.lexically_relative(folder).generic_string()))
+    if (const ResultFile* known = existing_file(file.lexically_relative(folder).generic_string()))
         return known->is_drawn();
     // Drawn into folders of the user's.
     const std::array<std::string, 4> pictures{".png", ".pdf", ".mp4", ".gif"};

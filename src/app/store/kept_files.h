@@ -22,7 +22,7 @@ class KeptFiles {
     /// What a key or an option names: a file, or one that GDAL's spellings lead to ("file|layer=a", "DRIVER:file:part",
     /// "/vsizip/file/part"). What is no file on this disk is left out.
     void add(const std::string& source);
-    /// Everything in a result's folder but the pictures and films that were drawn from it, and the files that its
+    /// Everything in a result's folder but the pictures and animations that were drawn from it, and the files that its
     /// scene names.
     /// @param but files in it that are to be written anew
     void add_result(const std::string& folder, const std::vector<std::string>& but = {});

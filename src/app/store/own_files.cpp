@@ -69,7 +69,8 @@ void check_own(const std::string& folder, const std::vector<std::string>& files,
     for (const std::string& file : files) {
         const fs::path inside = real / fs::path(file).lexically_relative(folder.empty() ? "." : folder);
         const bool known =
-            unlisted && known_file(inside.lexically_normal().lexically_relative(*unlisted).generic_string()) != nullptr;
+            unlisted &&
+            existing_file(inside.lexically_normal().lexically_relative(*unlisted).generic_string()) != nullptr;
         if (!known && fs::exists(fs::symlink_status(file, failure)))
             problems.add({"exists already and was not written by frana", where, file, "", remedy});
     }

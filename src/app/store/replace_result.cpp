@@ -45,10 +45,10 @@ std::error_code move_to_kept(const fs::path& from, const fs::path& stem, const f
 }
 
 /// Whether a program would read the file of this name together with another (NAME.tif.aux.xml with NAME.tif).
-bool goes_with_a_file(const std::string& name) {
+bool belongs_to_file(const std::string& name) {
     for (std::size_t end = name.find_first_of(".-", name.rfind('/') + 1); end != std::string::npos;
          end = name.find_first_of(".-", end + 1)) {
-        const ResultFile* file = known_file(name.substr(0, end));
+        const ResultFile* file = existing_file(name.substr(0, end));
         if (file != nullptr && (file->kind == FileKind::raster || file->kind == FileKind::vector ||
                                 file->kind == FileKind::picture || file->kind == FileKind::stack))
             return true;
@@ -59,7 +59,7 @@ bool goes_with_a_file(const std::string& name) {
 /// A name that means one thing in every result: such a file of the older one must not pass for one of the
 /// new.
 bool is_a_results_own_name(const std::string& name) {
-    const ResultFile* file = known_file(name);
+    const ResultFile* file = existing_file(name);
     return file != nullptr && file->pattern.find('*') == std::string::npos;
 }
 
@@ -89,7 +89,7 @@ class Replacement {
             std::error_code ignored;
             const std::string name = entry.path().lexically_relative(older_).generic_string();
             const fs::file_status status = entry.symlink_status(ignored);
-            if (fs::is_directory(status) && (holds_listed(name) || is_folder(result_ / name))) {
+            if (fs::is_directory(status) && (has_listed(name) || is_folder(result_ / name))) {
                 walk(name);
                 folders_.push_back(name);
             } else if (fs::is_regular_file(status) && is_as_listed(name)) {
@@ -105,7 +105,7 @@ class Replacement {
         return fs::is_directory(fs::symlink_status(path, ignored));
     }
 
-    [[nodiscard]] bool holds_listed(const std::string& folder) const {
+    [[nodiscard]] bool has_listed(const std::string& folder) const {
         const auto next = manifest_.files.lower_bound(folder + "/");
         return next != manifest_.files.end() && next->first.starts_with(folder + "/");
     }
@@ -129,7 +129,7 @@ class Replacement {
         std::error_code failure;
         fs::create_directories(to.parent_path(), failure);
         const bool is_changed = manifest_.files.count(name) > 0;
-        const bool has_own_name = !is_changed && !goes_with_a_file(name) && !is_a_results_own_name(name);
+        const bool has_own_name = !is_changed && !belongs_to_file(name) && !is_a_results_own_name(name);
         failure = has_own_name ? move_to_free(from, to) : std::make_error_code(std::errc::file_exists);
         if (failure == std::errc::file_exists) {
             const fs::path stem = to.parent_path() / to.stem(), extension = to.extension();
@@ -142,7 +142,7 @@ class Replacement {
     }
 
     void remove_listed() {
-        // List and note go after all that they tell of: who comes after a kill or a fault can still end this.
+        // List and note go after all that they tell of: who comes after a kill or a problem can still end this.
         const std::vector<std::string> last{k_manifest_file, k_replaced_file};
         std::erase_if(listed_, [&](const std::string& name) { return name == last.front() || name == last.back(); });
         std::sort(folders_.rbegin(), folders_.rend());  // those inside come first
@@ -170,9 +170,9 @@ class Replacement {
 
     void tell() {
         constexpr std::size_t k_most = 20;
-        for (std::size_t i = 0; i < std::min(k_most, kept_.size()); ++i) log_.tell("older result: " + kept_[i]);
+        for (std::size_t i = 0; i < std::min(k_most, kept_.size()); ++i) log_.info("older result: " + kept_[i]);
         if (kept_.size() > k_most)
-            log_.tell("older result: " + std::to_string(kept_.size() - k_most) +
+            log_.info("older result: " + std::to_string(kept_.size() - k_most) +
                       " more files are kept under such names");
     }
 
@@ -199,7 +199,7 @@ std::vector<Problem> replace_result(const std::string& older, const std::string&
     if (const std::error_code failure = move_to_kept(older, result, "", kept))
         return {{"the older result could not be renamed: " + failure.message(), older, "", "",
                  "It is still there; the new result is complete in " + result}};
-    log.tell("the older result does not list its files: it is kept whole in " + kept.string());
+    log.info("the older result does not list its files: it is kept whole in " + kept.string());
     return {};
 }
 

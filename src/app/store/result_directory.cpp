@@ -44,7 +44,7 @@ void list_files(const fs::path& result, const fs::path& folder, Manifest& manife
         if (fs::is_directory(status)) list_files(result, entry.path(), manifest);
         if (!fs::is_regular_file(status)) continue;
         const std::string name = entry.path().lexically_relative(result).generic_string();
-        if (name != k_manifest_file && name != k_building_file && known_file(name) != nullptr)
+        if (name != k_manifest_file && name != k_building_file && existing_file(name) != nullptr)
             manifest.files[name] = mark_on_disk(entry.path().string());
     }
     sync_path(folder.string());
@@ -125,7 +125,7 @@ void ResultDirectory::make_folder(const std::string& name) const {
 
 std::vector<Problem> ResultDirectory::publish(const ResultFacts& facts, RunLog& log) {
     write_manifest(aside_, manifest_of(aside_, facts));
-    const bool replaces = holds_files(directory_);
+    const bool replaces = has_files(directory_);
     if (replaces && !overwrite_)  // somebody else was faster; what was computed is not thrown away
         keep_beside("another result has appeared there meanwhile", "");
     if (replaces) {
@@ -137,7 +137,7 @@ std::vector<Problem> ResultDirectory::publish(const ResultFacts& facts, RunLog& 
     // The two change places in one go: at no moment is there none.
     const bool exchanged =
         replaces && ::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0;
-    if (!exchanged) take_place_in_steps(replaces);  // a file system that cannot, or nothing there
+    if (!exchanged) replace_in_steps(replaces);  // a file system that cannot, or nothing there
     published_ = true;
     std::error_code ignored;
     fs::remove(fs::path(directory_) / k_building_file, ignored);
@@ -146,7 +146,7 @@ std::vector<Problem> ResultDirectory::publish(const ResultFacts& facts, RunLog& 
     return tidy_up(replaces, log);
 }
 
-void ResultDirectory::take_place_in_steps(bool replaces) {
+void ResultDirectory::replace_in_steps(bool replaces) {
     const std::string waiting = aside_ + ".old";
     std::error_code failure, ignored;
     if (replaces) {
@@ -214,7 +214,7 @@ std::vector<Problem> clear_place_of(const std::string& result, const std::string
     }
     for (const std::string& folder : left_results(result)) {
         if (!remove_unfinished(folder))
-            log.tell("a killed run has left " + folder + "; it contains files that frana did not write, and is kept");
+            log.info("a killed run has left " + folder + "; it contains files that frana did not write, and is kept");
     }
     remove_empty_siblings(result);
     remove_note_of_building(result);

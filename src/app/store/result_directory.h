@@ -45,7 +45,7 @@ class ResultDirectory {
   private:
     void make_sibling();
     [[noreturn]] void refuse();
-    void take_place_in_steps(bool replaces);
+    void replace_in_steps(bool replaces);
     [[noreturn]] void keep_beside(const std::string& what, const std::string& reason);
     std::vector<Problem> tidy_up(bool replaces, RunLog& log);
     [[nodiscard]] std::string final_path(const std::string& name) const;
@@ -64,7 +64,7 @@ class ResultDirectory {
 std::vector<Problem> clear_place_of(const std::string& result, const std::string& replaced, RunLog& log);
 
 /// Removes from a finished result what only a run on its way needs: checkpoints, frames from which a
-/// film was made if so wished, and files that killed programs had in the making. What cannot be removed stays
+/// animation was made if so wished, and files that killed programs had in the making. What cannot be removed stays
 /// listed, with a warning. Throws Error(environment) where the list cannot be read or written.
 void forget_the_way(const std::string& result, bool frames, RunLog& log);
 

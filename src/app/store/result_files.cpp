@@ -71,7 +71,7 @@ std::vector<ResultFile> make_table() {
     table.by("render");
     table.add_picture("maps/*");
     table.add(FileKind::picture, {"charts/*.png", "charts/*.pdf", "plates/*.png", "plates/*.pdf"});
-    table.add(FileKind::film, {k_film_file, "animation.gif"});
+    table.add(FileKind::animation, {k_animation_file, "animation.gif"});
     return table.rows();
 }
 
@@ -93,7 +93,7 @@ const std::vector<ResultFile>& result_files() {
     return k_table;
 }
 
-const ResultFile* known_file(const std::string& path) {
+const ResultFile* existing_file(const std::string& path) {
     if (const ResultFile* row = row_of(path)) return row;
     const auto made = file_in_making(path);
     return made ? row_of(made->name) : nullptr;

@@ -6,7 +6,7 @@
 
 namespace frana::app {
 
-enum class FileKind { text, table, vector, raster, style, picture, page, film, stack, working };
+enum class FileKind { text, table, vector, raster, style, picture, page, animation, stack, working };
 
 /// A file that frana writes into a result directory. The one list: what a result's manifest may name, what may be
 /// replaced, what a folder in the making may hold and what the documents and tests know of.
@@ -18,7 +18,7 @@ struct ResultFile {
     std::string written_by;  ///< the first command that does: "run", "render"
 
     /// Drawn from the result's other files, and can be drawn anew.
-    [[nodiscard]] bool is_drawn() const noexcept { return kind == FileKind::picture || kind == FileKind::film; }
+    [[nodiscard]] bool is_drawn() const noexcept { return kind == FileKind::picture || kind == FileKind::animation; }
 };
 
 /// All of them; rasters are those of the table of rasters (params/keys/result_rasters.h), each drawn one with its
@@ -27,7 +27,7 @@ const std::vector<ResultFile>& result_files();
 
 /// The row of a path inside a result, also while that file is being written ("max_depth.partial123.tif");
 /// null for what frana does not write.
-const ResultFile* known_file(const std::string& path);
+const ResultFile* existing_file(const std::string& path);
 
 /// Whether a path inside a result is that of such a file in the making by a process that was killed.
 bool is_leftover(const std::string& path);
@@ -51,7 +51,7 @@ inline constexpr const char* k_gauge_places = "gauges.gpkg";
 inline constexpr const char* k_hazard_zones_file = "hazard_zones.gpkg";
 inline constexpr const char* k_comparison_file = "comparison.json";
 inline constexpr const char* k_comparison_curve = "comparison_curve.csv";
-inline constexpr const char* k_film_file = "animation.mp4";
+inline constexpr const char* k_animation_file = "animation.mp4";
 inline constexpr const char* k_netcdf_file = "frames.nc";
 inline constexpr const char* k_zarr_folder = "frames.zarr";
 inline constexpr const char* k_frame_list = "frames/frames.csv";

@@ -106,7 +106,7 @@ bool would_be_replaced(const fs::path& input, const fs::path& result, const std:
     if (!is_inside(input, result)) return false;
     const std::string name = input.lexically_relative(result).generic_string();
     if (name == k_scene_file) return false;  // read before anything is written, and written again
-    return !manifest || manifest->files.count(name) > 0 || known_file(name) != nullptr;
+    return !manifest || manifest->files.count(name) > 0 || existing_file(name) != nullptr;
 }
 
 void check_older(const fs::path& path, bool overwrite, const std::vector<std::string>& inputs, const std::string& where,
@@ -147,7 +147,7 @@ std::string result_path(const std::string& directory) {
     return path.string();
 }
 
-bool holds_files(const std::string& folder) {
+bool has_files(const std::string& folder) {
     std::error_code failure;
     if (!fs::is_directory(folder, failure)) return false;
     const bool is_empty = fs::is_empty(folder, failure);
@@ -175,7 +175,7 @@ std::optional<Problem> check_result_directory(const std::string& directory, bool
     if (const long most = longest_name(path); static_cast<long>(path.filename().string().size()) > most)
         problems.add({"has a name that is too long", where, path.filename().string(),
                       "at most " + std::to_string(most) + " bytes here", "Choose a shorter one with --out"});
-    if (holds_files(path.string())) check_older(path, overwrite, inputs, where, problems);
+    if (has_files(path.string())) check_older(path, overwrite, inputs, where, problems);
     const fs::path parent = existing_parent(path);
     if (!fs::is_directory(parent, failure)) {
         problems.add(

@@ -22,6 +22,6 @@ std::string result_path(const std::string& directory);
                                                             const std::string& where, Problems& problems);
 
 /// Whether there is anything in a folder; one that cannot be read has something.
-bool holds_files(const std::string& folder);
+bool has_files(const std::string& folder);
 
 }  // namespace frana::app

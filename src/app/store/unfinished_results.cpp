@@ -154,7 +154,7 @@ bool remove_unfinished(const std::string& folder) {
                 if (fs::is_directory(status)) {
                     folders.push_back(entry.path());
                 } else if (fs::is_regular_file(status) &&
-                           known_file(entry.path().lexically_relative(folder).generic_string()) != nullptr) {
+                           existing_file(entry.path().lexically_relative(folder).generic_string()) != nullptr) {
                     if (entry.path() != note) files.push_back(entry.path());
                 } else {
                     return false;

@@ -6,7 +6,7 @@
 
 namespace frana::app {
 
-std::string figure(double value, int digits) {
+std::string number_text(double value, int digits) {
     if (value == 0) return "0";
     char text[64];
     const double size = std::abs(value);
@@ -30,9 +30,9 @@ std::string grouped(std::int64_t value) {
 }
 
 std::string grouped(double value) {
-    if (std::abs(value) < 10) return figure(value, 2);  // of a flume, not of a hillside
+    if (std::abs(value) < 10) return number_text(value, 2);  // of a flume, not of a hillside
     return std::isfinite(value) && std::abs(value) < 9e18 ? grouped(static_cast<std::int64_t>(std::llround(value)))
-                                                          : figure(value);
+                                                          : number_text(value);
 }
 
 std::string bytes_text(double bytes) {
@@ -42,7 +42,7 @@ std::string bytes_text(double bytes) {
         bytes /= 1000;
         ++unit;
     }
-    return figure(bytes, 3) + " " + units[unit];
+    return number_text(bytes, 3) + " " + units[unit];
 }
 
 std::string extent_text(const Bounds& bounds, bool degrees) {

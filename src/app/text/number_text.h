@@ -9,7 +9,7 @@
 namespace frana::app {
 
 /// For people: `digits` significant digits, no exponent between 1e-4 and 1e15.
-std::string figure(double value, int digits = 4);
+std::string number_text(double value, int digits = 4);
 /// In groups of three, "1 200 000"; under 10 with two significant digits, "0.015".
 std::string grouped(double value);
 std::string grouped(std::int64_t value);

@@ -20,12 +20,12 @@ void RunLog::warn(const std::string& text) {
     if (!quiet_) std::cerr << "frana: warning: " << text << '\n';
 }
 
-void RunLog::tell(const std::string& text) {
+void RunLog::info(const std::string& text) {
     note(text);
     if (!quiet_) std::cerr << "frana: " << text << '\n';
 }
 
-void RunLog::say_why() const {
+void RunLog::print_held_warnings() const {
     if (!quiet_) return;
     for (const std::string& text : warnings_) std::cerr << "frana: warning: " << text << '\n';
 }

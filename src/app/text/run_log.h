@@ -17,10 +17,10 @@ class RunLog {
     /// Something the user must know before trusting the result.
     void warn(const std::string& text);
     /// A line for the terminal as well as the log.
-    void tell(const std::string& text);
+    void info(const std::string& text);
 
     /// The warnings that were held back to be quiet: an exit code other than 0 has its reason on the terminal.
-    void say_why() const;
+    void print_held_warnings() const;
 
     /// Lines of the session that this one continues, to stand before its own.
     void continue_from(const std::vector<std::string>& earlier);

@@ -28,7 +28,7 @@ void append(std::vector<AccuracyCase>& cases, std::vector<AccuracyCase> more) {
     for (AccuracyCase& one : more) cases.push_back(std::move(one));
 }
 
-double order_between(const CaseFigures& coarse, const CaseFigures& fine) {
+double order_between(const CaseStatistics& coarse, const CaseStatistics& fine) {
     // Under this an error is the rounding of sums over a grid, which no refinement makes smaller.
     constexpr double k_rounding = 1e-11;
     if (!(coarse.l1_depth > k_rounding && fine.l1_depth > k_rounding)) return k_no_data;
@@ -65,12 +65,13 @@ std::vector<AccuracyRow> run_accuracy(const AccuracyOptions& options) {
             if (one.one_scheme && scheme != Scheme::standard) continue;
             for (std::size_t level = 0; level < levels; ++level) {
                 AccuracyRow row{one.name, scheme, one.run(one.cell_sizes[level], scheme), k_no_data};
-                if (level > 0 && !one.rounding) row.observed_order = order_between(rows.back().figures, row.figures);
+                if (level > 0 && !one.rounding)
+                    row.observed_order = order_between(rows.back().statistics, row.statistics);
                 if (options.report) {
                     char line[160];
                     std::snprintf(line, sizeof line, "%-18s %-8s %6g m  l1_depth %.3g  %.2f s", one.name.c_str(),
-                                  name_of(scheme), row.figures.cell_size, row.figures.l1_depth,
-                                  row.figures.wall_seconds);
+                                  name_of(scheme), row.statistics.cell_size, row.statistics.l1_depth,
+                                  row.statistics.wall_seconds);
                     options.report(line);
                 }
                 rows.push_back(std::move(row));

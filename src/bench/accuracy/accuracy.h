@@ -16,7 +16,7 @@ inline constexpr Scheme k_schemes[] = {Scheme::standard, Scheme::paper};
 struct AccuracyRow {
     std::string case_name;
     Scheme scheme = Scheme::standard;
-    CaseFigures figures;
+    CaseStatistics statistics;
     /// log(error ratio) / log(cell ratio) of l1_depth against the next coarser row; NaN for the coarsest row
     /// and where the error is rounding.
     double observed_order = k_no_data;

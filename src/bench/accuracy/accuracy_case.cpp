@@ -5,8 +5,8 @@
 
 namespace frana::bench {
 
-CaseFigures compare_fields(const Flow::NodalFields& fields, const std::function<ExactState(Point)>& exact,
-                           const std::function<bool(Point)>& inside) {
+CaseStatistics compare_fields(const Flow::NodalFields& fields, const std::function<ExactState(Point)>& exact,
+                              const std::function<bool(Point)>& inside) {
     const GridSpec& grid = fields.depth.grid;
     double depth = 0, depth2 = 0, exact_depth = 0, exact_depth2 = 0, greatest = 0;
     double momentum = 0, momentum2 = 0, exact_momentum = 0, exact_momentum2 = 0, still = 0, still2 = 0;
@@ -35,25 +35,25 @@ CaseFigures compare_fields(const Flow::NodalFields& fields, const std::function<
             ++cells;
         }
     }
-    CaseFigures figures;
-    figures.cell_size = grid.cell_size;
-    figures.l1_depth = depth / exact_depth;
-    figures.l2_depth = std::sqrt(depth2 / exact_depth2);
-    figures.linf_depth = greatest;
-    figures.l1_momentum = momentum / (exact_momentum > 0 ? exact_momentum : still);
-    figures.l2_momentum = std::sqrt(momentum2 / (exact_momentum2 > 0 ? exact_momentum2 : still2));
-    figures.mean_depth_error = depth / static_cast<double>(cells);
-    return figures;
+    CaseStatistics statistics;
+    statistics.cell_size = grid.cell_size;
+    statistics.l1_depth = depth / exact_depth;
+    statistics.l2_depth = std::sqrt(depth2 / exact_depth2);
+    statistics.linf_depth = greatest;
+    statistics.l1_momentum = momentum / (exact_momentum > 0 ? exact_momentum : still);
+    statistics.l2_momentum = std::sqrt(momentum2 / (exact_momentum2 > 0 ? exact_momentum2 : still2));
+    statistics.mean_depth_error = depth / static_cast<double>(cells);
+    return statistics;
 }
 
-CaseFigures compare_with_exact(TimedFlow& run, const std::function<ExactState(Point)>& exact,
-                               const std::function<bool(Point)>& inside) {
-    CaseFigures figures = compare_fields(run.flow().nodal_fields(), exact, inside);
-    figures.particles = run.peak_particles();
-    figures.steps = run.flow().steps();
-    figures.wall_seconds = run.seconds();
-    if (run.non_finite() > 0) figures.failure = "values became non-finite";
-    return figures;
+CaseStatistics compare_with_exact(TimedFlow& run, const std::function<ExactState(Point)>& exact,
+                                  const std::function<bool(Point)>& inside) {
+    CaseStatistics statistics = compare_fields(run.flow().nodal_fields(), exact, inside);
+    statistics.particles = run.peak_particles();
+    statistics.steps = run.flow().steps();
+    statistics.wall_seconds = run.seconds();
+    if (run.non_finite() > 0) statistics.failure = "values became non-finite";
+    return statistics;
 }
 
 }  // namespace frana::bench

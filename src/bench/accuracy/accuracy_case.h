@@ -13,8 +13,8 @@
 
 namespace frana::bench {
 
-/// A figure of a case beside its errors; met when its size is at most the mark.
-struct OwnFigure {
+/// A value of a case beside its errors; met when its size is at most the mark.
+struct CaseStatistic {
     std::string name;
     double value = 0;
     std::optional<double> mark;
@@ -23,7 +23,7 @@ struct OwnFigure {
 };
 
 /// What one run of a case gives: cost and errors against its exact solution.
-struct CaseFigures {
+struct CaseStatistics {
     double cell_size = 0;        ///< [m]
     std::int64_t particles = 0;  ///< greatest number at any time
     std::int64_t steps = 0;
@@ -34,7 +34,7 @@ struct CaseFigures {
     double l1_momentum = 0;       ///< sum |q - q_exact| / sum |q_exact|; over sum h sqrt(g h) where q_exact is 0
     double l2_momentum = 0;       ///< the same with squares
     double mean_depth_error = 0;  ///< mean |h - h_exact| over the cells compared [m]
-    std::vector<OwnFigure> own;
+    std::vector<CaseStatistic> own;
     std::string failure;  ///< why the run did not reach its end; empty when it did
 };
 
@@ -44,17 +44,17 @@ struct AccuracyCase {
     std::string what;                ///< one line for the printed table
     std::vector<double> cell_sizes;  ///< from coarse to fine [m]
     bool rounding = false;           ///< the exact error is rounding: no order is to be expected
-    std::function<CaseFigures(double cell_size, Scheme scheme)> run;
+    std::function<CaseStatistics(double cell_size, Scheme scheme)> run;
     bool one_scheme = false;  ///< of the structured model, which has no schemes: runs once, as `default`
 };
 
 /// Compares depth and momentum at the nodes with an exact solution at their places (local metres), where `inside` says
 /// so. What the run cost stays zero.
-CaseFigures compare_fields(const Flow::NodalFields& fields, const std::function<ExactState(Point)>& exact,
-                           const std::function<bool(Point)>& inside = {});
+CaseStatistics compare_fields(const Flow::NodalFields& fields, const std::function<ExactState(Point)>& exact,
+                              const std::function<bool(Point)>& inside = {});
 
 /// The same for a flow, with what its run cost.
-CaseFigures compare_with_exact(TimedFlow& run, const std::function<ExactState(Point)>& exact,
-                               const std::function<bool(Point)>& inside = {});
+CaseStatistics compare_with_exact(TimedFlow& run, const std::function<ExactState(Point)>& exact,
+                                  const std::function<bool(Point)>& inside = {});
 
 }  // namespace frana::bench

@@ -31,31 +31,32 @@ std::vector<std::string> case_names(const std::vector<AccuracyRow>& rows) {
     return names;
 }
 
-const OwnFigure* find_figure(const CaseFigures& figures, std::string_view name) {
-    for (const OwnFigure& figure : figures.own)
-        if (figure.name == name) return &figure;
+const CaseStatistic* find_statistic(const CaseStatistics& statistics, std::string_view name) {
+    for (const CaseStatistic& statistic : statistics.own)
+        if (statistic.name == name) return &statistic;
     return nullptr;
 }
 
 // The default scheme's row with a peer's cells or, where there is none, the next coarser ones.
-const AccuracyRow* row_beside(const PeerFigure& peer, const std::vector<AccuracyRow>& rows) {
+const AccuracyRow* row_beside(const PeerResult& peer, const std::vector<AccuracyRow>& rows) {
     const AccuracyRow* best = nullptr;
     for (const AccuracyRow& row : rows) {
-        if (row.case_name != peer.case_name || row.scheme != Scheme::standard || row.figures.cell_size < peer.cell_size)
+        if (row.case_name != peer.case_name || row.scheme != Scheme::standard ||
+            row.statistics.cell_size < peer.cell_size)
             continue;
-        if (best == nullptr || row.figures.cell_size < best->figures.cell_size) best = &row;
+        if (best == nullptr || row.statistics.cell_size < best->statistics.cell_size) best = &row;
     }
     return best;
 }
 
-std::string peer_line(const PeerFigure& peer, const std::vector<AccuracyRow>& rows) {
+std::string peer_line(const PeerResult& peer, const std::vector<AccuracyRow>& rows) {
     std::string line = text("    %-17s %-8g %-42s %-10.4g", std::string(peer.code).c_str(), peer.cell_size,
                             std::string(peer.measure).c_str(), peer.value);
     if (peer.seconds > 0) line += text(" %.3g s on its own machine", peer.seconds);
     const AccuracyRow* row = row_beside(peer, rows);
-    const OwnFigure* own = row == nullptr ? nullptr : find_figure(row->figures, peer.measure);
+    const CaseStatistic* own = row == nullptr ? nullptr : find_statistic(row->statistics, peer.measure);
     if (own == nullptr) return line + "\n";
-    line += text("; frana's default, %g m: ", row->figures.cell_size);
+    line += text("; frana's default, %g m: ", row->statistics.cell_size);
     line += own->value <= peer.value ? text("%.2f of it", own->value / peer.value)
                                      : text("WORSE, %.2f times", own->value / peer.value);
     return line + "\n";
@@ -69,15 +70,15 @@ void add_case(const std::string& name, const std::vector<AccuracyRow>& rows, std
     std::string own;
     for (const AccuracyRow& row : rows) {
         if (row.case_name != name) continue;
-        const CaseFigures& f = row.figures;
+        const CaseStatistics& f = row.statistics;
         out += text("  %-8s %8g %9lld %7lld %9.3g %10.3g %10.3g %10.3g %10.3g %6s%s\n", name_of(row.scheme),
                     f.cell_size, static_cast<long long>(f.particles), static_cast<long long>(f.steps), f.wall_seconds,
                     f.l1_depth, f.l2_depth, f.linf_depth, f.l1_momentum, order_text(row.observed_order).c_str(),
                     f.failure.empty() ? "" : ("  FAILED: " + f.failure).c_str());
-        for (const OwnFigure& figure : f.own) {
-            own += text("    %-8s %8g m  %-42s %11.4g", name_of(row.scheme), f.cell_size, figure.name.c_str(),
-                        figure.value);
-            if (figure.mark) own += text("  target %g: %s", *figure.mark, figure.met() ? "met" : "MISSED");
+        for (const CaseStatistic& statistic : f.own) {
+            own += text("    %-8s %8g m  %-42s %11.4g", name_of(row.scheme), f.cell_size, statistic.name.c_str(),
+                        statistic.value);
+            if (statistic.mark) own += text("  target %g: %s", *statistic.mark, statistic.met() ? "met" : "MISSED");
             own += "\n";
         }
         if (row.scheme != Scheme::standard || std::isnan(row.observed_order)) {
@@ -87,7 +88,7 @@ void add_case(const std::string& name, const std::vector<AccuracyRow>& rows, std
         last = &row;
     }
     if (first != nullptr && last != nullptr) {
-        const CaseFigures &a = first->figures, &b = last->figures;
+        const CaseStatistics &a = first->statistics, &b = last->statistics;
         const auto order = [&](double coarse, double fine) {
             return fine > 0 ? order_text(std::log(coarse / fine) / std::log(a.cell_size / b.cell_size))
                             : std::string("-");
@@ -96,7 +97,7 @@ void add_case(const std::string& name, const std::vector<AccuracyRow>& rows, std
                     order(a.l1_depth, b.l1_depth).c_str(), order(a.l1_momentum, b.l1_momentum).c_str());
     }
     out += own;
-    for (const PeerFigure& peer : peer_figures())
+    for (const PeerResult& peer : peer_results())
         if (peer.case_name == name) out += peer_line(peer, rows);
     out += "\n";
 }
@@ -107,11 +108,11 @@ std::string rotation_text(const std::vector<AccuracyRow>& rows) {
     for (const AccuracyRow& turned : rows) {
         for (const AccuracyRow& aligned : rows) {
             if (turned.case_name != "ritter-rotated" || aligned.case_name != "ritter" ||
-                turned.scheme != aligned.scheme || turned.figures.cell_size != aligned.figures.cell_size)
+                turned.scheme != aligned.scheme || turned.statistics.cell_size != aligned.statistics.cell_size)
                 continue;
-            const double ratio = turned.figures.l1_depth / aligned.figures.l1_depth;
+            const double ratio = turned.statistics.l1_depth / aligned.statistics.l1_depth;
             out += text("ritter-rotated over ritter, %s, %g m cells: %.3f, target 1.2: %s\n", name_of(turned.scheme),
-                        turned.figures.cell_size, ratio, ratio <= 1.2 ? "met" : "MISSED");
+                        turned.statistics.cell_size, ratio, ratio <= 1.2 ? "met" : "MISSED");
         }
     }
     return out.empty() ? out : out + "\n";
@@ -122,8 +123,9 @@ using Curve = std::vector<std::pair<double, double>>;
 Curve curve_of(const std::vector<AccuracyRow>& rows, const std::string& name, Scheme scheme) {
     Curve curve;
     for (const AccuracyRow& row : rows)
-        if (row.case_name == name && row.scheme == scheme && row.figures.failure.empty())
-            curve.emplace_back(row.figures.wall_seconds, std::max(row.figures.l1_depth, row.figures.l1_momentum));
+        if (row.case_name == name && row.scheme == scheme && row.statistics.failure.empty())
+            curve.emplace_back(row.statistics.wall_seconds,
+                               std::max(row.statistics.l1_depth, row.statistics.l1_momentum));
     std::sort(curve.begin(), curve.end());
     return curve;
 }
@@ -144,11 +146,11 @@ std::string peer_verdict(const std::vector<AccuracyRow>& rows) {
         Curve own, peer;
         for (const AccuracyRow& row : rows)
             if (row.case_name == name && row.scheme == Scheme::standard)
-                own.emplace_back(row.figures.wall_seconds, row.figures.mean_depth_error);
+                own.emplace_back(row.statistics.wall_seconds, row.statistics.mean_depth_error);
         std::sort(own.begin(), own.end());
-        for (const PeerFigure& figure : peer_figures())
-            if (figure.case_name == name && figure.code == "GeoClaw, order 2")
-                peer.emplace_back(figure.seconds, figure.value);
+        for (const PeerResult& statistic : peer_results())
+            if (statistic.case_name == name && statistic.code == "GeoClaw, order 2")
+                peer.emplace_back(statistic.seconds, statistic.value);
         for (const auto& [seconds, error] : peer) {
             const double ours = error_in_time(own, seconds);
             if (std::isnan(ours)) continue;
@@ -166,7 +168,7 @@ std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
         "case,scheme,cell_size,particles,steps,wall_seconds,l1_depth,l2_depth,linf_depth,l1_momentum,"
         "observed_order\n";
     for (const AccuracyRow& row : rows) {
-        const CaseFigures& f = row.figures;
+        const CaseStatistics& f = row.statistics;
         out += text("%s,%s,%.9g,%lld,%lld,%.6g,%.9g,%.9g,%.9g,%.9g,", row.case_name.c_str(), name_of(row.scheme),
                     f.cell_size, static_cast<long long>(f.particles), static_cast<long long>(f.steps), f.wall_seconds,
                     f.l1_depth, f.l2_depth, f.linf_depth, f.l1_momentum);

@@ -11,8 +11,8 @@ namespace frana::bench {
 /// accuracy.csv: one line a row; "nan" where there is no observed order.
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows);
 
-/// The table for people: errors, orders, each case's own figures with their marks, and other programs'
-/// figures beside them; says where a mark is missed or another program has less error.
+/// The table for people: errors, orders, each case's own values with their marks, and other programs'
+/// values beside them; says where a mark is missed or another program has less error.
 std::string accuracy_table(const std::vector<AccuracyRow>& rows);
 
 /// Which scheme has the least error for a given time, case by case, in words.

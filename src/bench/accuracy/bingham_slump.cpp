@@ -8,7 +8,7 @@ namespace {
 
 constexpr double k_depth = 5, k_block = 20, k_runout = 40, k_density = 1500, k_time = 600;
 
-CaseFigures run_slump(double cell_size, Scheme scheme) {
+CaseStatistics run_slump(double cell_size, Scheme scheme) {
     const GridSpec grid = plain_grid(std::llround(60 / cell_size), 4, cell_size);
     // 2 T / (rho g) from the volume of a slice.
     const double root = 1.5 * k_depth * k_block / std::pow(k_runout, 1.5), rise = root * root;
@@ -23,15 +23,15 @@ CaseFigures run_slump(double cell_size, Scheme scheme) {
     setup.numerics = numerics_of(scheme, SlopeCorrection::normal, Boundary::wall);
     TimedFlow run(setup);
     run.advance_to(k_time);
-    CaseFigures figures = compare_with_exact(run, [&](Point p) {
+    CaseStatistics statistics = compare_with_exact(run, [&](Point p) {
         return ExactState{std::sqrt(rise * std::max(0.0, k_runout - p.x)), 0, 0};
     });
     double front = 0;
     const ParticleSet& particles = run.flow().particles();
     for (std::size_t p = 0; p < particles.size(); ++p)
         front = std::max(front, particles[Field::x][p] + 0.5 * std::sqrt(particles[Field::area][p]));
-    figures.own = {{"run-out error", front / k_runout - 1, 0.03}, {"l1_depth", figures.l1_depth, 0.03}};
-    return figures;
+    statistics.own = {{"run-out error", front / k_runout - 1, 0.03}, {"l1_depth", statistics.l1_depth, 0.03}};
+    return statistics;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace frana::bench {
 /// fluid). T is such that x_f = 40 m; the whole block yields, since h(0) = 3.75 m. The model has a yield
 /// stress at the bed as p_A tan(phi), with tan(phi) = 1e-6 so that weight adds nothing. The profile holds for
 /// a slow slump: a turbulence of xi = 0.2 m/s2 keeps the Froude number under 0.1, and the run lasts 600 s.
-/// The in-plane yield stress is left out: the exact profile above is without it. Own figure: relative error
+/// The in-plane yield stress is left out: the exact profile above is without it. Own value: relative error
 /// of the run-out x_f, mark 3 %.
 AccuracyCase bingham_slump();
 

@@ -36,7 +36,7 @@ struct Marks {
     double cell_size, mean_depth_error;
 };
 
-CaseFigures run_channel(double cell_size, Scheme scheme, double right, double jitter, std::optional<Marks> marks) {
+CaseStatistics run_channel(double cell_size, Scheme scheme, double right, double jitter, std::optional<Marks> marks) {
     Setup setup;
     const GridSpec grid = plain_grid(std::llround(k_length / cell_size), std::llround(k_width / cell_size), cell_size);
     setup.bed = Raster(grid, 0.0);
@@ -47,20 +47,20 @@ CaseFigures run_channel(double cell_size, Scheme scheme, double right, double ji
     run.advance_to(k_time);
 
     const DamBreak exact(k_left, right, k_gravity);
-    CaseFigures figures = compare_with_exact(run, [&](Point p) {
+    CaseStatistics statistics = compare_with_exact(run, [&](Point p) {
         const WaterState state = exact.at(p.x - k_dam, k_time);
         return ExactState{state.depth, state.depth * state.velocity, 0};
     });
-    OwnFigure mean{"mean depth error [m]", figures.mean_depth_error, {}};
+    CaseStatistic mean{"mean depth error [m]", statistics.mean_depth_error, {}};
     if (marks && marks->cell_size == cell_size) mean.mark = marks->mean_depth_error;
-    figures.own.push_back(mean);
+    statistics.own.push_back(mean);
     if (right == 0) {
         const Raster depth = run.flow().nodal_fields().depth;
-        figures.own.push_back({"front at 0.01 m, error [cells]", (reach(depth) - exact_reach()) / cell_size, 2.0});
-        figures.own.push_back(
+        statistics.own.push_back({"front at 0.01 m, error [cells]", (reach(depth) - exact_reach()) / cell_size, 2.0});
+        statistics.own.push_back(
             {"foremost particle beyond 2 sqrt(g h) t [m]", foremost(run.flow().particles()) - exact.front(k_time), {}});
     }
-    return figures;
+    return statistics;
 }
 
 constexpr double k_jitter = 0.8;  // of the irregular cases, see fill_lattice

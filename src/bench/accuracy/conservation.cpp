@@ -35,7 +35,7 @@ Budget of_nodes(const NodeGrid& nodes) {
     return b;
 }
 
-CaseFigures run_conservation(double cell_size, Scheme scheme) {
+CaseStatistics run_conservation(double cell_size, Scheme scheme) {
     const GridSpec grid = plain_grid(std::llround(k_length / cell_size), std::llround(k_width / cell_size), cell_size);
     Setup setup;
     setup.bed = sample_raster(grid, [](Point p) {
@@ -72,20 +72,20 @@ CaseFigures run_conservation(double cell_size, Scheme scheme) {
         }
     }
     run.advance_to(k_time, check);
-    CaseFigures figures;
-    figures.cell_size = cell_size;
-    figures.particles = run.peak_particles();
-    figures.steps = run.flow().steps();
-    figures.wall_seconds = run.seconds();
-    figures.l1_depth = worst_volume;
-    figures.l2_depth = std::sqrt(sum2 / depth2);
-    figures.linf_depth = greatest;
-    figures.l1_momentum = worst_momentum;
-    figures.own = {{"volume, nodes against the start", worst_volume, 1e-12},
-                   {"momentum, nodes against particles", worst_momentum, 1e-12},
-                   {"asymmetry [m]", greatest, 1e-9}};
-    if (run.non_finite() > 0) figures.failure = "values became non-finite";
-    return figures;
+    CaseStatistics statistics;
+    statistics.cell_size = cell_size;
+    statistics.particles = run.peak_particles();
+    statistics.steps = run.flow().steps();
+    statistics.wall_seconds = run.seconds();
+    statistics.l1_depth = worst_volume;
+    statistics.l2_depth = std::sqrt(sum2 / depth2);
+    statistics.linf_depth = greatest;
+    statistics.l1_momentum = worst_momentum;
+    statistics.own = {{"volume, nodes against the start", worst_volume, 1e-12},
+                      {"momentum, nodes against particles", worst_momentum, 1e-12},
+                      {"asymmetry [m]", greatest, 1e-9}};
+    if (run.non_finite() > 0) statistics.failure = "values became non-finite";
+    return statistics;
 }
 
 }  // namespace

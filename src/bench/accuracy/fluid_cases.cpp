@@ -14,23 +14,24 @@ constexpr double k_pi = 180 * k_degree;
 
 // The same channel as the first model's stoker and ritter: 1000 m, the dam in the middle, 10 m of water, 20
 // s.
-CaseFigures run_channel(double cell_size, double right) {
+CaseStatistics run_channel(double cell_size, double right) {
     constexpr double k_length = 1000, k_dam = 500, k_left = 10, k_time = 20;
     const GridSpec grid = plain_grid(std::llround(k_length / cell_size), 3, cell_size);
     FluidRun run(Raster(grid, 0.0), 1e-6, [&](Point p) { return ExactState{p.x < k_dam ? k_left : right}; });
     run.advance(k_time);
     const DamBreak exact(k_left, right, k_gravity);
-    CaseFigures figures = run.compare([&](Point p) {
+    CaseStatistics statistics = run.compare([&](Point p) {
         const WaterState state = exact.at(p.x - k_dam, k_time);
         return ExactState{state.depth, state.depth * state.velocity, 0};
     });
     // The mark: 2 % at 400 cells; the case's 2.5 m.
-    figures.own = {{"relative depth error", figures.l1_depth, cell_size <= 2.5 ? std::optional(0.02) : std::nullopt}};
-    return figures;
+    statistics.own = {
+        {"relative depth error", statistics.l1_depth, cell_size <= 2.5 ? std::optional(0.02) : std::nullopt}};
+    return statistics;
 }
 
 // A lake round an island on a bed with a step, 10 s.
-CaseFigures run_lake(double cell_size) {
+CaseStatistics run_lake(double cell_size) {
     constexpr double k_side = 10, k_level = 10;
     const auto cells = static_cast<std::int64_t>(std::llround(k_side / cell_size));
     const Raster bed = sample_raster(plain_grid(cells, cells, cell_size), [](Point p) {
@@ -43,14 +44,14 @@ CaseFigures run_lake(double cell_size) {
     };
     FluidRun run(bed, 1e-4, still);
     run.advance(10);
-    CaseFigures figures = run.compare(still);
+    CaseStatistics statistics = run.compare(still);
     const Flow::NodalFields fields = run.fields();
     double momentum = 0;
     for (const Raster* field : {&fields.momentum_x, &fields.momentum_y})
         for (const double q : field->values) momentum = std::max(momentum, std::abs(q));
-    figures.own = {{"greatest |h - h0| [m]", figures.linf_depth, 1e-10},
-                   {"greatest |hu|, |hv| [m2/s]", momentum, 1e-10}};
-    return figures;
+    statistics.own = {{"greatest |h - h0| [m]", statistics.linf_depth, 1e-10},
+                      {"greatest |hu|, |hv| [m2/s]", momentum, 1e-10}};
+    return statistics;
 }
 
 // A simple wave that runs to the right and steepens (Riemann): u = 2 (c - c0), and each c travels with u + c.
@@ -76,20 +77,20 @@ class SimpleWave {
     }
 };
 
-CaseFigures run_wave(double cell_size) {
+CaseStatistics run_wave(double cell_size) {
     constexpr double k_length = 200, k_time = 10;
     const SimpleWave exact;
     FluidRun run(Raster(plain_grid(std::llround(k_length / cell_size), 3, cell_size), 0.0), 1e-6,
                  [&](Point p) { return exact.at(p.x, 0); });
     run.advance(k_time);
     const auto inside = [](Point p) { return p.x > 40 && p.x < 160; };
-    CaseFigures figures = run.compare([&](Point p) { return exact.at(p.x, k_time); }, inside);
-    figures.own = {{"greatest depth error [m]", figures.linf_depth, {}}};
-    return figures;
+    CaseStatistics statistics = run.compare([&](Point p) { return exact.at(p.x, k_time); }, inside);
+    statistics.own = {{"greatest depth error [m]", statistics.linf_depth, {}}};
+    return statistics;
 }
 
 // The planar swing of the first model's thacker, three periods.
-CaseFigures run_thacker(double cell_size) {
+CaseStatistics run_thacker(double cell_size) {
     constexpr double k_deep = 10, k_radius = 100, k_swing = 20, k_side = 400;
     const double w = std::sqrt(2 * k_gravity * k_deep) / k_radius;
     const std::int64_t cells = std::llround(k_side / cell_size);
@@ -106,13 +107,13 @@ CaseFigures run_thacker(double cell_size) {
     };
     FluidRun run(bed, 1e-4, exact);
     run.advance(3 * 2 * k_pi / w);
-    CaseFigures figures = run.compare(exact);
-    const CaseFigures core = run.compare(exact, [&](Point p) { return radius2(p, 0.5 * k_side + k_swing) < 0.5; });
-    figures.own = {{"relative depth error away from the shore", core.l1_depth, {}}};
-    return figures;
+    CaseStatistics statistics = run.compare(exact);
+    const CaseStatistics core = run.compare(exact, [&](Point p) { return radius2(p, 0.5 * k_side + k_swing) < 0.5; });
+    statistics.own = {{"relative depth error away from the shore", core.l1_depth, {}}};
+    return statistics;
 }
 
-AccuracyCase fluid_case(const char* name, const char* what, std::vector<double> cells, CaseFigures (*run)(double)) {
+AccuracyCase fluid_case(const char* name, const char* what, std::vector<double> cells, CaseStatistics (*run)(double)) {
     return {name, what, std::move(cells), false, [run](double dx, Scheme) { return run(dx); }, true};
 }
 

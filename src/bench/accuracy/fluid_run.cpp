@@ -51,14 +51,14 @@ Flow::NodalFields FluidRun::fields() const {
     return fields;
 }
 
-CaseFigures FluidRun::compare(const std::function<ExactState(Point)>& exact,
-                              const std::function<bool(Point)>& inside) const {
-    CaseFigures figures = compare_fields(fields(), exact, inside);
-    figures.particles = grid_.cell_count();
-    figures.steps = steps_;
-    figures.wall_seconds = seconds_;
-    if (non_finite_ > 0) figures.failure = "values became non-finite";
-    return figures;
+CaseStatistics FluidRun::compare(const std::function<ExactState(Point)>& exact,
+                                 const std::function<bool(Point)>& inside) const {
+    CaseStatistics statistics = compare_fields(fields(), exact, inside);
+    statistics.particles = grid_.cell_count();
+    statistics.steps = steps_;
+    statistics.wall_seconds = seconds_;
+    if (non_finite_ > 0) statistics.failure = "values became non-finite";
+    return statistics;
 }
 
 }  // namespace frana::bench

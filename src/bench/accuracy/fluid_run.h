@@ -17,8 +17,8 @@ class FluidRun {
     void advance(double time);
     [[nodiscard]] Flow::NodalFields fields() const;
     /// Errors against an exact solution, with what the run cost; `particles` counts the grid's cells.
-    [[nodiscard]] CaseFigures compare(const std::function<ExactState(Point)>& exact,
-                                      const std::function<bool(Point)>& inside = {}) const;
+    [[nodiscard]] CaseStatistics compare(const std::function<ExactState(Point)>& exact,
+                                         const std::function<bool(Point)>& inside = {}) const;
 
   private:
     GridSpec grid_;

@@ -36,7 +36,7 @@ double block_speed(const Flow& flow, double scale) {
 }
 
 struct Outcome {
-    CaseFigures figures;
+    CaseStatistics statistics;
     double block = 0;
 };
 
@@ -58,7 +58,7 @@ Outcome run_once(double cell_size, Scheme scheme, bool map, double jitter) {
     run.advance_to(k_time);
     const auto along = [&](Point p) { return p.x / scale + k_upper_end; };
     Outcome outcome;
-    outcome.figures = compare_with_exact(
+    outcome.statistics = compare_with_exact(
         run,
         [&](Point p) {
             const ExactState state = exact_at(incline, along(p));
@@ -69,25 +69,25 @@ Outcome run_once(double cell_size, Scheme scheme, bool map, double jitter) {
     return outcome;
 }
 
-CaseFigures run_granular(double cell_size, Scheme scheme, bool map) {
+CaseStatistics run_granular(double cell_size, Scheme scheme, bool map) {
     Outcome lattice = run_once(cell_size, scheme, map, 0);
     const Outcome random = run_once(cell_size, scheme, map, 0.8);
-    CaseFigures& figures = lattice.figures;
-    OwnFigure depth{"relative L2 of depth", figures.l2_depth, {}};
-    OwnFigure momentum{"relative L2 of momentum", figures.l2_momentum, {}};
+    CaseStatistics& statistics = lattice.statistics;
+    CaseStatistic depth{"relative L2 of depth", statistics.l2_depth, {}};
+    CaseStatistic momentum{"relative L2 of momentum", statistics.l2_momentum, {}};
     if (cell_size == 2.5) {
         depth.mark = 0.010;
         momentum.mark = 0.025;
     }
-    figures.own = {depth,
-                   momentum,
-                   {"relative L2 of depth, random particles", random.figures.l2_depth, {}},
-                   {"relative L2 of momentum, random particles", random.figures.l2_momentum, {}},
-                   {"random over lattice, depth", random.figures.l2_depth / figures.l2_depth, 1.1},
-                   {"random over lattice, momentum", random.figures.l2_momentum / figures.l2_momentum, 1.1},
-                   {"block speed, relative error", lattice.block, 0.002},
-                   {"block speed, random particles", random.block, 0.002}};
-    return figures;
+    statistics.own = {depth,
+                      momentum,
+                      {"relative L2 of depth, random particles", random.statistics.l2_depth, {}},
+                      {"relative L2 of momentum, random particles", random.statistics.l2_momentum, {}},
+                      {"random over lattice, depth", random.statistics.l2_depth / statistics.l2_depth, 1.1},
+                      {"random over lattice, momentum", random.statistics.l2_momentum / statistics.l2_momentum, 1.1},
+                      {"block speed, relative error", lattice.block, 0.002},
+                      {"block speed, random particles", random.block, 0.002}};
+    return statistics;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace frana::bench {
 /// Errors are taken over -200 m <= x <= 220 m.
 ///   granular-slope      gravity tilted over a flat bed
 ///   granular-slope-map  a sloping bed in map view, with the slope correction (default scheme)
-/// Own figures: relative L2 errors of depth and momentum; the undisturbed block's speed over m t = 0.9169 m/s
+/// Own values: relative L2 errors of depth and momentum; the undisturbed block's speed over m t = 0.9169 m/s
 /// less one (mark 0.2 %); and the L2 errors over the lattice's with particles placed at random (mark 1.1).
 std::vector<AccuracyCase> granular_slopes();
 

@@ -31,45 +31,45 @@ Raster bed_of(double cell_size, const std::function<double(Point)>& z) {
     return sample_raster(plain_grid(cells, cells, cell_size), z);
 }
 
-double own(const CaseFigures& figures, std::size_t i) {
-    return figures.own.at(i).value;
+double own(const CaseStatistics& statistics, std::size_t i) {
+    return statistics.own.at(i).value;
 }
 
-CaseFigures run_table_1(double cell_size, Scheme scheme, const std::function<double(Point)>& z) {
+CaseStatistics run_table_1(double cell_size, Scheme scheme, const std::function<double(Point)>& z) {
     const Raster bed = bed_of(cell_size, z);
     constexpr double k_mark = 1e-12;
-    CaseFigures figures = run_lake(bed, k_level, paper_material(), scheme, 0, 1);
-    double momentum = own(figures, 1);
+    CaseStatistics statistics = run_lake(bed, k_level, paper_material(), scheme, 0, 1);
+    double momentum = own(statistics, 1);
     for (const auto& [material, jitter] :
          {std::pair{paper_material(), 0.8}, std::pair{water(), 0.0}, std::pair{water(), 0.8}}) {
-        const CaseFigures other = run_lake(bed, k_level, material, scheme, jitter, 1);
+        const CaseStatistics other = run_lake(bed, k_level, material, scheme, jitter, 1);
         momentum = std::max(momentum, own(other, 1));
-        figures.steps += other.steps;
-        figures.wall_seconds += other.wall_seconds;
-        figures.l1_depth = std::max(figures.l1_depth, other.l1_depth);
-        figures.l2_depth = std::max(figures.l2_depth, other.l2_depth);
-        figures.linf_depth = std::max(figures.linf_depth, other.linf_depth);
-        figures.l1_momentum = std::max(figures.l1_momentum, other.l1_momentum);
-        if (!other.failure.empty()) figures.failure = other.failure;
+        statistics.steps += other.steps;
+        statistics.wall_seconds += other.wall_seconds;
+        statistics.l1_depth = std::max(statistics.l1_depth, other.l1_depth);
+        statistics.l2_depth = std::max(statistics.l2_depth, other.l2_depth);
+        statistics.linf_depth = std::max(statistics.linf_depth, other.linf_depth);
+        statistics.l1_momentum = std::max(statistics.l1_momentum, other.l1_momentum);
+        if (!other.failure.empty()) statistics.failure = other.failure;
     }
-    figures.own = {{"greatest |h - h0| [m]", figures.linf_depth, k_mark},
-                   {"greatest |hu|, |hv| [m2/s]", momentum, k_mark}};
-    return figures;
+    statistics.own = {{"greatest |h - h0| [m]", statistics.linf_depth, k_mark},
+                      {"greatest |hu|, |hv| [m2/s]", momentum, k_mark}};
+    return statistics;
 }
 
-CaseFigures run_island(double cell_size, Scheme scheme) {
+CaseStatistics run_island(double cell_size, Scheme scheme) {
     const Raster bed = bed_of(cell_size, [](Point p) { return hill(p, 13); });
-    CaseFigures figures = run_lake(bed, k_level, water(), scheme, 0, 10);
-    const CaseFigures random = run_lake(bed, k_level, water(), scheme, 0.8, 10);
-    for (OwnFigure& figure : figures.own) figure.mark = 1e-10;
-    figures.own.push_back({"greatest speed, random particles [m/s]", own(random, 2), {}});
-    return figures;
+    CaseStatistics statistics = run_lake(bed, k_level, water(), scheme, 0, 10);
+    const CaseStatistics random = run_lake(bed, k_level, water(), scheme, 0.8, 10);
+    for (CaseStatistic& statistic : statistics.own) statistic.mark = 1e-10;
+    statistics.own.push_back({"greatest speed, random particles [m/s]", own(random, 2), {}});
+    return statistics;
 }
 
 }  // namespace
 
-CaseFigures run_lake(const Raster& bed, double level, const Material& material, Scheme scheme, double jitter,
-                     double time) {
+CaseStatistics run_lake(const Raster& bed, double level, const Material& material, Scheme scheme, double jitter,
+                        double time) {
     Setup setup;
     setup.bed = bed;
     setup.material = material;
@@ -80,7 +80,7 @@ CaseFigures run_lake(const Raster& bed, double level, const Material& material, 
     const Raster start = run.flow().nodal_fields().depth;
     run.advance_to(time);
     const GridSpec& grid = bed.grid;
-    CaseFigures figures = compare_with_exact(run, [&](Point p) {
+    CaseStatistics statistics = compare_with_exact(run, [&](Point p) {
         const auto column = static_cast<std::int64_t>(p.x / grid.cell_size);
         const auto row = grid.rows - 1 - static_cast<std::int64_t>(p.y / grid.cell_size);
         return ExactState{start.at(row, column), 0, 0};
@@ -93,10 +93,10 @@ CaseFigures run_lake(const Raster& bed, double level, const Material& material, 
     for (std::size_t p = 0; p < particles.size(); ++p)
         speed = std::max(speed, std::hypot(particles[Field::u][p], particles[Field::v][p]));
     if (run.non_finite() > 0) momentum = speed = k_no_data;
-    figures.own = {{"greatest |h - h0| [m]", figures.linf_depth, {}},
-                   {"greatest |hu|, |hv| [m2/s]", momentum, {}},
-                   {"greatest speed [m/s]", speed, {}}};
-    return figures;
+    statistics.own = {{"greatest |h - h0| [m]", statistics.linf_depth, {}},
+                      {"greatest |hu|, |hv| [m2/s]", momentum, {}},
+                      {"greatest speed [m/s]", speed, {}}};
+    return statistics;
 }
 
 std::vector<AccuracyCase> lakes() {

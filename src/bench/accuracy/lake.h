@@ -17,9 +17,9 @@ namespace frana::bench {
 /// island 1e-10.
 std::vector<AccuracyCase> lakes();
 
-/// A lake over any bed, filled to `level`, run for `time`; `jitter` as in fill_lattice. Own figures: the
+/// A lake over any bed, filled to `level`, run for `time`; `jitter` as in fill_lattice. Own values: the
 /// greatest depth change [m], momentum [m2/s] and particle speed [m/s], marked where a mark is given.
-CaseFigures run_lake(const Raster& bed, double level, const Material& material, Scheme scheme, double jitter,
-                     double time);
+CaseStatistics run_lake(const Raster& bed, double level, const Material& material, Scheme scheme, double jitter,
+                        double time);
 
 }  // namespace frana::bench

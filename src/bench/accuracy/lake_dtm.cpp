@@ -36,9 +36,9 @@ AccuracyCase lake_dtm(const Raster& dtm) {
             true,
             [dtm, level](double cell_size, Scheme scheme) {
                 const Raster bed = thinned(dtm, std::llround(cell_size / dtm.grid.cell_size));
-                CaseFigures figures = run_lake(bed, level, water(), scheme, 0, 60);
-                figures.own.back().mark = 1e-4;
-                return figures;
+                CaseStatistics statistics = run_lake(bed, level, water(), scheme, 0, 60);
+                statistics.own.back().mark = 1e-4;
+                return statistics;
             }};
 }
 

@@ -9,7 +9,7 @@ constexpr std::string_view k_mean = "mean depth error [m]", k_depth = "relative 
                            k_depth_random = "relative L2 of depth, random particles",
                            k_momentum_random = "relative L2 of momentum, random particles";
 
-constexpr PeerFigure k_peers[] = {
+constexpr PeerResult k_peers[] = {
     {"stoker", "GeoClaw, order 2", 5, k_mean, 0.0231, 0.14},
     {"stoker", "GeoClaw, order 2", 2.5, k_mean, 0.0119, 0.85},
     {"stoker", "GeoClaw, order 2", 1.25, k_mean, 0.0061, 6.1},
@@ -40,7 +40,7 @@ constexpr PeerFigure k_peers[] = {
 
 }  // namespace
 
-std::span<const PeerFigure> peer_figures() {
+std::span<const PeerResult> peer_results() {
     return k_peers;
 }
 

@@ -8,7 +8,7 @@ namespace frana::bench {
 
 /// What another program reached on one of the cases, as measured or published. Seconds are those of its own
 /// machine (the compiled ones: 2 cores of 2.4 GHz) and no more than a hint.
-struct PeerFigure {
+struct PeerResult {
     std::string_view case_name, code;
     double cell_size;          ///< [m]
     std::string_view measure;  ///< "mean depth error [m]", "relative L2 of depth", "relative L2 of momentum"
@@ -18,6 +18,6 @@ struct PeerFigure {
 
 /// GeoClaw, D-Claw, TITAN2D and r.avaflow on stoker and ritter; AvaFrame com1DFA on similarity and
 /// granular-slope.
-std::span<const PeerFigure> peer_figures();
+std::span<const PeerResult> peer_results();
 
 }  // namespace frana::bench

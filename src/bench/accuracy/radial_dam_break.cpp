@@ -38,7 +38,7 @@ double reach(const Raster& field, double cosine, double sine, double depth) {
     return 0;
 }
 
-CaseFigures run_radial(double cell_size, Scheme scheme, double outside, double front_depth, double mark) {
+CaseStatistics run_radial(double cell_size, Scheme scheme, double outside, double front_depth, double mark) {
     Setup setup;
     const std::int64_t cells = std::llround(k_side / cell_size);
     const GridSpec grid = plain_grid(cells, cells, cell_size);
@@ -55,7 +55,7 @@ CaseFigures run_radial(double cell_size, Scheme scheme, double outside, double f
     TimedFlow run(setup);
     run.advance_to(k_time);
     const RadialReference reference(k_radius, k_depth, outside, k_reference_extent, k_time, k_reference_cells);
-    CaseFigures figures = compare_with_exact(run, [&](Point p) {
+    CaseStatistics statistics = compare_with_exact(run, [&](Point p) {
         const double x = p.x - k_middle.x, y = p.y - k_middle.y, r = std::hypot(x, y);
         const WaterState state = reference.at(r);
         const double q = r > 0 ? state.depth * state.velocity / r : 0;
@@ -69,12 +69,12 @@ CaseFigures run_radial(double cell_size, Scheme scheme, double outside, double f
         0.25 * (reach(depth, diagonal, diagonal, front_depth) + reach(depth, -diagonal, diagonal, front_depth) +
                 reach(depth, diagonal, -diagonal, front_depth) + reach(depth, -diagonal, -diagonal, front_depth));
     const double exact = reference.reach(front_depth);
-    OwnFigure l1{"l1_depth", figures.l1_depth, {}};
+    CaseStatistic l1{"l1_depth", statistics.l1_depth, {}};
     if (cell_size == 2) l1.mark = mark;
-    figures.own = {l1,
-                   {"front, axes less diagonals", (axes - diagonals) / exact, 0.02},
-                   {"front error along the axes", axes / exact - 1, {}}};
-    return figures;
+    statistics.own = {l1,
+                      {"front, axes less diagonals", (axes - diagonals) / exact, 0.02},
+                      {"front error along the axes", axes / exact - 1, {}}};
+    return statistics;
 }
 
 AccuracyCase radial_case(const char* name, const char* what, double outside, double front_depth, double mark) {

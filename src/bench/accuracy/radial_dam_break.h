@@ -9,7 +9,7 @@ namespace frana::bench {
 /// radial solution (radial_reference.h).
 ///   radial-wet  into 2 m of water
 ///   radial-dry  on dry ground
-/// Own figures: how much farther the front is along the grid's axes than along its diagonals, over the
+/// Own values: how much farther the front is along the grid's axes than along its diagonals, over the
 /// reference's reach (outermost depth of 2.5 m in the wet case, 0.1 m in the dry one); mark 2 %.
 std::vector<AccuracyCase> radial_dam_breaks();
 

@@ -22,7 +22,7 @@ Point from_flow(double front, double side) {
     return {k_dam_middle.x + k_cosine * front - k_sine * side, k_dam_middle.y + k_sine * front + k_cosine * side};
 }
 
-CaseFigures run_rotated(double cell_size, Scheme scheme) {
+CaseStatistics run_rotated(double cell_size, Scheme scheme) {
     Setup setup;
     const GridSpec grid = plain_grid(std::llround(k_side / cell_size), std::llround(k_side / cell_size), cell_size);
     setup.bed = Raster(grid, 0.0);
@@ -37,7 +37,7 @@ CaseFigures run_rotated(double cell_size, Scheme scheme) {
     run.advance_to(k_time);
 
     const DamBreak exact(k_depth, 0, k_gravity);
-    CaseFigures figures = compare_with_exact(
+    CaseStatistics statistics = compare_with_exact(
         run,
         [&](Point p) {
             const WaterState state = exact.at(along_flow(p).x, k_time);
@@ -48,8 +48,8 @@ CaseFigures run_rotated(double cell_size, Scheme scheme) {
             const Point place = along_flow(p);
             return std::abs(place.x) <= k_stretch && std::abs(place.y) <= k_half_strip;
         });
-    figures.own.push_back({"mean depth error [m]", figures.mean_depth_error, {}});
-    return figures;
+    statistics.own.push_back({"mean depth error [m]", statistics.mean_depth_error, {}});
+    return statistics;
 }
 
 }  // namespace

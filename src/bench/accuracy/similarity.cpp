@@ -10,7 +10,7 @@ constexpr double k_slope_deg = 35, k_friction_deg = 25, k_height = 4, k_radius =
 constexpr double k_length = 280, k_width = 220;
 constexpr Point k_middle{110, 110};  // of the cap at the start, in slope coordinates
 
-CaseFigures run_similarity(double cell_size, Scheme scheme, bool map) {
+CaseStatistics run_similarity(double cell_size, Scheme scheme, bool map) {
     const double cosine = std::cos(k_slope_deg * k_degree), sine = std::sin(k_slope_deg * k_degree);
     const double scale = map ? cosine : 1;  // map metres a metre along the slope
     const GridSpec grid =
@@ -29,18 +29,18 @@ CaseFigures run_similarity(double cell_size, Scheme scheme, bool map) {
     TimedFlow run(setup);
     run.advance_to(k_time);
     const SimilaritySolution exact(k_slope_deg, k_friction_deg, k_height, k_radius, k_time);
-    CaseFigures figures = compare_with_exact(run, [&](Point p) {
+    CaseStatistics statistics = compare_with_exact(run, [&](Point p) {
         const ExactState state = exact.at(in_slope(p));
         return ExactState{state.depth / scale, state.qx, state.qy / scale};  // (h / s) (u s), (h / s) v
     });
-    OwnFigure depth{"relative L2 of depth", figures.l2_depth, {}};
-    OwnFigure momentum{"relative L2 of momentum", figures.l2_momentum, {}};
+    CaseStatistic depth{"relative L2 of depth", statistics.l2_depth, {}};
+    CaseStatistic momentum{"relative L2 of momentum", statistics.l2_momentum, {}};
     if (cell_size == 5) {
         depth.mark = 0.015;
         momentum.mark = 0.017;
     }
-    figures.own = {depth, momentum};
-    return figures;
+    statistics.own = {depth, momentum};
+    return statistics;
 }
 
 }  // namespace

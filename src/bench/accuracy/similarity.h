@@ -9,7 +9,7 @@ namespace frana::bench {
 /// with a bed friction angle of 25 degrees, t = 5 s, against the similarity solution (similarity_solution.h).
 ///   similarity      gravity tilted over a flat bed
 ///   similarity-map  a sloping bed in map view, with the slope correction (default scheme)
-/// Own figures: relative L2 errors of depth and momentum, as com1DFA's are published.
+/// Own values: relative L2 errors of depth and momentum, as com1DFA's are published.
 std::vector<AccuracyCase> similarities();
 
 }  // namespace frana::bench

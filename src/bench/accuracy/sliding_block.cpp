@@ -46,19 +46,19 @@ double stopping_error(double cell_size, Scheme scheme) {
     return outcome.distance / distance - 1;
 }
 
-CaseFigures run_sliding(double cell_size, Scheme scheme) {
-    CaseFigures figures;
-    std::vector<OwnFigure> own;
+CaseStatistics run_sliding(double cell_size, Scheme scheme) {
+    CaseStatistics statistics;
+    std::vector<CaseStatistic> own;
     for (const double slope_deg : {25.0, 35.0, 45.0}) {
         const SlabOutcome outcome = slide(cell_size, scheme, slope_deg);
         const double exact = 4 * acceleration(slope_deg, 20);
         own.push_back({"speed error on " + std::to_string(std::lround(slope_deg)) + " degrees",
                        outcome.mean_speed / exact - 1, 1e-3});
-        if (slope_deg == 35) figures = outcome.figures;
+        if (slope_deg == 35) statistics = outcome.statistics;
     }
     own.push_back({"stopping distance error", stopping_error(cell_size, scheme), 1e-3});
-    figures.own = own;
-    return figures;
+    statistics.own = own;
+    return statistics;
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ SlabOutcome run_slab(double cell_size, Scheme scheme, const Slab& slab, const st
     });
     const double middle = k_middle + slab.travel;
     outcome.mean_speed = middle_speed(run.flow(), middle);
-    outcome.figures = compare_with_exact(
+    outcome.statistics = compare_with_exact(
         run,
         [&](Point) {
             return ExactState{1, slab.speed, 0};

@@ -8,7 +8,7 @@ namespace frana::bench {
 /// A wide slab 1 m deep on planes, Coulomb friction, seen in map view: its middle must move as a rigid block,
 ///     du/dt = g cos^2(theta) (tan theta - tan phi)
 /// (share/doc/model.md, "Curvature"; elementary mechanics). Compared are the nodes
-/// within 20 m of where the middle must be, on 35 degrees with phi = 20 degrees after 4 s. Own figures, mark
+/// within 20 m of where the middle must be, on 35 degrees with phi = 20 degrees after 4 s. Own values, mark
 /// 1e-3: the relative speed error of the middle on 25, 35 and 45 degrees, and of the distance to rest when
 /// the slab starts at 10 m/s on 10 degrees with phi = 25 degrees. The paper's scheme has no slope correction,
 /// and is too fast by 1 / cos^2(theta).
@@ -26,7 +26,7 @@ struct Slab {
 };
 
 struct SlabOutcome {
-    CaseFigures figures;
+    CaseStatistics statistics;
     double mean_speed = 0;  ///< of particles within 20 m of the exact middle [m/s]
     double distance = 0;    ///< their mean speed summed over time [m]
 };

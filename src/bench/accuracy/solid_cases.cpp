@@ -18,8 +18,8 @@ using structured::State;
 // Cost and error of a case.
 class Watch {
   public:
-    CaseFigures figures(double cell_size, std::size_t particles, double error) const {
-        CaseFigures f;
+    CaseStatistics statistics(double cell_size, std::size_t particles, double error) const {
+        CaseStatistics f;
         f.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
         f.cell_size = cell_size;
         f.particles = static_cast<std::int64_t>(particles);
@@ -33,7 +33,7 @@ class Watch {
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-CaseFigures run_wave(double cell) {
+CaseStatistics run_wave(double cell) {
     constexpr double k_wave_length = 20, k_middle = 45, k_time = 0.08, k_speed = 0.01;
     Watch watch;
     ThreadPool pool(1);
@@ -63,14 +63,14 @@ CaseFigures run_wave(double cell) {
         sum += u * u;
         moment += u * u * x;
     }
-    CaseFigures f = watch.figures(cell, p.size(), error / size);
+    CaseStatistics f = watch.statistics(cell, p.size(), error / size);
     // The mark: 3 % with twenty particles to the wave length.
     f.own = {{"relative error of the wave's speed", moment / sum / k_time / c - 1,
               cell <= 3 ? std::optional(0.03) : std::nullopt}};
     return f;
 }
 
-CaseFigures run_rotation(double cell) {
+CaseStatistics run_rotation(double cell) {
     constexpr double k_omega = 0.7;
     Watch watch;
     ThreadPool pool(1);
@@ -92,14 +92,14 @@ CaseFigures run_rotation(double cell) {
     constexpr int k_steps = 1000;
     structured::Stress turned{1, 0, 0, 0};
     for (int i = 0; i < k_steps; ++i) turned = rotated(turned, 2 * M_PI / k_steps);
-    CaseFigures f = watch.figures(cell, state.solid->particles.size(), strain / k_omega);
+    CaseStatistics f = watch.statistics(cell, state.solid->particles.size(), strain / k_omega);
     f.own = {{"greatest strain rate over angular velocity", strain / k_omega, 1e-12},
              {"relative error of the angular velocity", spin / k_omega, 1e-12},
              {"stress after one turn in 1000 steps", std::hypot(turned.xx - 1, turned.xy), 1e-10}};
     return f;
 }
 
-CaseFigures run_incline(double cell) {
+CaseStatistics run_incline(double cell) {
     constexpr double k_time = 2, k_slope = 35;
     Watch watch;
     ThreadPool pool(1);
@@ -122,12 +122,12 @@ CaseFigures run_incline(double cell) {
         error = std::max(error, std::abs(p[Field::u][i] / exact - 1));
         moved = std::max(moved, std::abs(resting.solid->particles[Field::u][i]));
     }
-    CaseFigures f = watch.figures(cell, p.size(), error);
+    CaseStatistics f = watch.statistics(cell, p.size(), error);
     f.own = {{"relative speed error on 35 degrees", error, 1e-9}, {"speed on 27.9 degrees [m/s]", moved, 0}};
     return f;
 }
 
-CaseFigures run_drag(double dt) {
+CaseStatistics run_drag(double dt) {
     constexpr double k_time = 10;
     Watch watch;
     double worst = 0;
@@ -152,7 +152,7 @@ CaseFigures run_drag(double dt) {
         const double exact = exponent == 1 ? 2 * std::exp(-lambda * k_time) : 2 / (1 + 2 * lambda * k_time);
         worst = std::max(worst, std::abs((cell.free_velocity.x() - cell.coupled_velocity.x()) / exact - 1));
     }
-    CaseFigures f = watch.figures(dt, 1, worst);
+    CaseStatistics f = watch.statistics(dt, 1, worst);
     f.own = {{"relative error of the relative velocity", worst, 1e-12}};
     return f;
 }
@@ -160,7 +160,7 @@ CaseFigures run_drag(double dt) {
 }  // namespace
 
 std::vector<AccuracyCase> solid_cases() {
-    const auto of = [](CaseFigures (*run)(double)) { return [run](double size, Scheme) { return run(size); }; };
+    const auto of = [](CaseStatistics (*run)(double)) { return [run](double size, Scheme) { return run(size); }; };
     std::vector<AccuracyCase> cases{
         {"p-wave", "pressure wave in structured solids", {12, 6, 3, 1.5}, false, of(run_wave)},
         {"rigid-rotation", "structured solids that turn as a whole", {12, 6, 3, 1.5}, true, of(run_rotation)},

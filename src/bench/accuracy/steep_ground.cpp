@@ -69,8 +69,8 @@ class FilmRun {
         }
         return film;
     }
-    /// Share of the volume at places that are so; what has left is nowhere.
-    [[nodiscard]] double share(const std::function<bool(Point)>& where) {
+    /// Fraction of the volume at places that are so; what has left is nowhere.
+    [[nodiscard]] double fraction(const std::function<bool(Point)>& where) {
         const ParticleSet& particles = run_->flow().particles();
         double there = 0, all = run_->flow().volume_left();
         for (std::size_t p = 0; p < particles.size(); ++p) {
@@ -83,15 +83,15 @@ class FilmRun {
 
     /// By volume, in map view [m].
     [[nodiscard]] double mean_jump() {
-        const JumpFigures& jumps = run_->flow().flights().figures();
+        const JumpStatistics& jumps = run_->flow().flights().statistics();
         return jumps.volume > 0 ? jumps.way / jumps.volume : 0;
     }
 
-    void add_cost_to(CaseFigures& figures) {
-        figures.particles = std::max(figures.particles, run_->peak_particles());
-        figures.steps += run_->flow().steps();
-        figures.wall_seconds += run_->seconds();
-        if (run_->non_finite() > 0) figures.failure = "values became non-finite";
+    void add_cost_to(CaseStatistics& statistics) {
+        statistics.particles = std::max(statistics.particles, run_->peak_particles());
+        statistics.steps += run_->flow().steps();
+        statistics.wall_seconds += run_->seconds();
+        if (run_->non_finite() > 0) statistics.failure = "values became non-finite";
     }
 
   private:
@@ -111,11 +111,11 @@ class FilmRun {
     std::optional<TimedFlow> run_;
 };
 
-CaseFigures figures_of(double cell_size, std::vector<OwnFigure> own, CaseFigures cost) {
+CaseStatistics statistics_of(double cell_size, std::vector<CaseStatistic> own, CaseStatistics cost) {
     cost.cell_size = cell_size;
-    for (const OwnFigure& figure : own) {
-        cost.l1_depth = std::max(cost.l1_depth, std::abs(figure.value));
-        cost.l1_momentum += std::abs(figure.value) / static_cast<double>(own.size());
+    for (const CaseStatistic& statistic : own) {
+        cost.l1_depth = std::max(cost.l1_depth, std::abs(statistic.value));
+        cost.l1_momentum += std::abs(statistic.value) / static_cast<double>(own.size());
     }
     cost.l2_depth = cost.linf_depth = cost.l1_depth;
     cost.l2_momentum = cost.l1_momentum;
@@ -177,7 +177,7 @@ FilmRun along(const Profile& profile, double length, double start, double height
 constexpr double k_angles[] = {0.0, 30.0};
 
 // Height climbed over height fallen.
-double climb(double cell_size, Scheme scheme, double down_deg, double up_deg, double angle_deg, CaseFigures& cost) {
+double climb(double cell_size, Scheme scheme, double down_deg, double up_deg, double angle_deg, CaseStatistics& cost) {
     constexpr double k_fall = 200, k_start = 150;
     const double down = std::tan(down_deg * k_degree), up = std::tan(up_deg * k_degree);
     const double ahead = k_start / down, beyond = k_fall / up;
@@ -196,9 +196,9 @@ double climb(double cell_size, Scheme scheme, double down_deg, double up_deg, do
     return climbing.energy() / k_fall;
 }
 
-CaseFigures run_valley(double cell_size, Scheme scheme) {
-    CaseFigures cost;
-    std::vector<OwnFigure> own;
+CaseStatistics run_valley(double cell_size, Scheme scheme) {
+    CaseStatistics cost;
+    std::vector<CaseStatistic> own;
     constexpr double k_pairs[][2] = {{30, 45}, {20, 50}, {30, 60}, {45, 70}, {60, 20}};
     for (const double angle : k_angles) {
         for (const auto& [down, up] : k_pairs) {
@@ -206,12 +206,12 @@ CaseFigures run_valley(double cell_size, Scheme scheme) {
                            climb(cell_size, scheme, down, up, angle, cost) - 1, 0.02});
         }
     }
-    return figures_of(cell_size, own, cost);
+    return statistics_of(cell_size, own, cost);
 }
 
 // What a film on a profile gains of its energy at most, over its fall.
 double gain(const Profile& profile, double length, double height, double end, double angle, double cell_size,
-            Scheme scheme, CaseFigures& cost) {
+            Scheme scheme, CaseStatistics& cost) {
     FilmRun run = along(profile, length, 40, height, angle, cell_size, scheme);
     double worst = 0, lowest = height;
     run.advance_to(end, [&](const Film& now) {
@@ -222,9 +222,9 @@ double gain(const Profile& profile, double length, double height, double end, do
     return worst / (height - lowest);
 }
 
-CaseFigures run_profile(double cell_size, Scheme scheme) {
-    CaseFigures cost;
-    std::vector<OwnFigure> own;
+CaseStatistics run_profile(double cell_size, Scheme scheme) {
+    CaseStatistics cost;
+    std::vector<CaseStatistic> own;
     // Falls by 180 m over waves of 90 m, which are steeper than 45 degrees in places, and rises again at its end.
     const auto profile = [](double s) {
         return 200 * std::exp(-square(s / 260)) + 9 * std::sin(s / 14.3) * std::exp(-square((s - 300) / 200)) +
@@ -233,21 +233,21 @@ CaseFigures run_profile(double cell_size, Scheme scheme) {
     for (const double angle : k_angles)
         own.push_back({text_of("energy gained over fall, turned by %g%.0s%.0s", angle, 0, 0),
                        gain(profile, 640, 230, 13, angle, cell_size, scheme, cost), 0.01});
-    return figures_of(cell_size, own, cost);
+    return statistics_of(cell_size, own, cost);
 }
 
-CaseFigures run_slope_step(double cell_size, Scheme scheme) {
-    CaseFigures cost;
-    std::vector<OwnFigure> own;
+CaseStatistics run_slope_step(double cell_size, Scheme scheme) {
+    CaseStatistics cost;
+    std::vector<CaseStatistic> own;
     const double steep = std::tan(40 * k_degree), gentle = std::tan(10 * k_degree);
     const auto profile = [=](double s) { return 200 + (s < 150 ? (150 - s) * steep : (150 - s) * gentle); };
     for (const double angle : k_angles)
         own.push_back({text_of("energy gained over fall, turned by %g%.0s%.0s", angle, 0, 0),
                        gain(profile, 500, profile(0), 9, angle, cell_size, scheme, cost), 0.01});
-    return figures_of(cell_size, own, cost);
+    return statistics_of(cell_size, own, cost);
 }
 
-CaseFigures run_bowl(double cell_size, Scheme scheme) {
+CaseStatistics run_bowl(double cell_size, Scheme scheme) {
     constexpr double k_side = 600, k_curve = 200, k_away = 180;  // Z = r^2 / (2 k_curve): 42 degrees at the start
     const Point middle{k_side / 2, k_side / 2};
     FilmRun run(
@@ -265,15 +265,15 @@ CaseFigures run_bowl(double cell_size, Scheme scheme) {
         if (std::abs(now.energy() - start.energy()) > std::abs(energy)) energy = now.energy() - start.energy();
         if (std::abs(now.spin - start.spin) > std::abs(spin)) spin = now.spin - start.spin;
     });
-    CaseFigures cost;
+    CaseStatistics cost;
     run.add_cost_to(cost);
-    return figures_of(
+    return statistics_of(
         cell_size,
         {{"energy gained", energy / start.energy(), 0.02}, {"angular momentum gained", spin / start.spin, 0.02}}, cost);
 }
 
 // A half-pipe of parabolic section whose axis falls by 35 degrees along a quarter circle between two straights.
-CaseFigures run_gully_bend(double cell_size, Scheme scheme) {
+CaseStatistics run_gully_bend(double cell_size, Scheme scheme) {
     constexpr double k_bend = 150, k_straight = 120, k_slope = 0.7, k_section = 60, k_height = 400;
     constexpr double k_quarter = 1.5707963267948966 * k_bend;
     const Point centre{60 + k_straight, 100 + k_bend};
@@ -301,15 +301,15 @@ CaseFigures run_gully_bend(double cell_size, Scheme scheme) {
     });
     run.advance_to(11, [](const Film&) {});
     const Film end = run.film();
-    CaseFigures cost;
+    CaseStatistics cost;
     run.add_cost_to(cost);
-    return figures_of(cell_size, {{"energy gained over fall", (end.energy() - height) / (height - end.height), 0.02}},
-                      cost);
+    return statistics_of(cell_size,
+                         {{"energy gained over fall", (end.energy() - height) / (height - end.height), 0.02}}, cost);
 }
 
 // Down 35 degrees and up a ridge of 45 degrees, rounded over 40 m: the height of rest from which a half of the film
 // passes.
-double passing_height(double crest, double cell_size, Scheme scheme, double angle, CaseFigures& cost) {
+double passing_height(double crest, double cell_size, Scheme scheme, double angle, CaseStatistics& cost) {
     constexpr double k_round = 20;
     const double down = std::tan(35 * k_degree), start = 0.6 * crest, ahead = start / down;
     const auto profile = [=](double s) {
@@ -323,29 +323,30 @@ double passing_height(double crest, double cell_size, Scheme scheme, double angl
         const double height = 0.5 * (low + high);
         FilmRun run = along(profile, ahead + 2.5 * crest, 0, height, angle, cell_size, scheme);
         run.advance_to(16, [](const Film&) {});
-        (run.share([&](Point p) { return frame.in(p).x < ahead + crest + 0.5 * k_round; }) > 0.5 ? low : high) = height;
+        (run.fraction([&](Point p) { return frame.in(p).x < ahead + crest + 0.5 * k_round; }) > 0.5 ? low : high) =
+            height;
         run.add_cost_to(cost);
     }
     return 0.5 * (low + high);
 }
 
-CaseFigures run_ridge(double cell_size, Scheme scheme) {
+CaseStatistics run_ridge(double cell_size, Scheme scheme) {
     constexpr double k_crest = 100;
-    CaseFigures cost;
-    std::vector<OwnFigure> own;
+    CaseStatistics cost;
+    std::vector<CaseStatistic> own;
     for (const double angle : k_angles)
         own.push_back({text_of("height that passes over the ridge's - 1, turned by %g%.0s%.0s", angle, 0, 0),
                        passing_height(k_crest, cell_size, scheme, angle, cost) / k_crest - 1, 0.02});
-    return figures_of(cell_size, own, cost);
+    return statistics_of(cell_size, own, cost);
 }
 
 // At 20 m/s over an edge of 50 m: a parabola, then on at 20 m/s.
 template <int Centimetres>
-CaseFigures run_cliff_jump(double cell_size, Scheme scheme) {
+CaseStatistics run_cliff_jump(double cell_size, Scheme scheme) {
     constexpr double k_speed = 20, k_edge = 100, k_drop = 50;
     const double flies = std::sqrt(2 * k_drop / k_gravity);
-    CaseFigures cost;
-    std::vector<OwnFigure> own;
+    CaseStatistics cost;
+    std::vector<CaseStatistic> own;
     for (const double angle : k_angles) {
         const Turned frame({k_margin, k_margin}, angle);
         const auto profile = [=](double s) { return s < k_edge ? k_drop : 0; };
@@ -358,7 +359,7 @@ CaseFigures run_cliff_jump(double cell_size, Scheme scheme) {
                        std::sqrt(2 * k_gravity * run.film().kinetic) / k_speed - 1, 0.02});
         run.add_cost_to(cost);
     }
-    return figures_of(cell_size, own, cost);
+    return statistics_of(cell_size, own, cost);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace frana::bench {
 /// Classical Mechanics). All of a film has the same energy, so that nothing in it overtakes. Each case along the grid
 /// and at 30 degrees to it, where it has a direction.
 ///
-///   valley      down one side of a V and up the other; own figures: height that it climbs over height fallen (200 m),
+///   valley      down one side of a V and up the other; own values: height that it climbs over height fallen (200 m),
 ///               less 1, for five pairs of slopes; told half-way up, before the foremost turn and meet those behind
 ///   profile     down and up a smooth profile; greatest change of the energy over the greatest fall
 ///   bowl        round a paraboloid; the same for energy and for angular momentum about its axis
@@ -20,7 +20,7 @@ namespace frana::bench {
 ///   gully-bend  down a half-pipe that turns by 90 degrees; the same
 ///   ridge       against a ridge: height of rest from which half of it passes over the ridge's, less 1
 ///
-/// l1_depth of these cases is the largest of their own figures, l1_momentum the mean.
+/// l1_depth of these cases is the largest of their own values, l1_momentum the mean.
 std::vector<AccuracyCase> steep_ground();
 
 }  // namespace frana::bench

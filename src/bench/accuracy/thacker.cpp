@@ -61,7 +61,7 @@ double shoreline_error(const ParticleSet& particles, const Disc& disc) {
     return worst;
 }
 
-CaseFigures run_thacker(double cell_size, Scheme scheme, const Disc& disc) {
+CaseStatistics run_thacker(double cell_size, Scheme scheme, const Disc& disc) {
     const std::int64_t cells = std::llround(k_side / cell_size);
     const GridSpec grid = plain_grid(cells, cells, cell_size);
     Setup setup;
@@ -84,14 +84,14 @@ CaseFigures run_thacker(double cell_size, Scheme scheme, const Disc& disc) {
         k_gravity * ((rest_deep - k_deep) * volume - 0.5 * k_pi * rest_radius2 * rest_deep * rest_deep / 3);
     TimedFlow run(setup);
     run.advance_to(3 * disc.period);
-    CaseFigures figures = compare_with_exact(run, [&](Point p) {
+    CaseStatistics statistics = compare_with_exact(run, [&](Point p) {
         const double depth = disc.depth(p);
         return ExactState{depth, 0, depth * disc.v};
     });
     const ParticleSet& particles = run.flow().particles();
-    figures.own = {{"shoreline error [cells]", shoreline_error(particles, disc) / cell_size, 1},
-                   {"energy lost", (start - energy(particles, bed)) / (start - rest), 0.05}};
-    return figures;
+    statistics.own = {{"shoreline error [cells]", shoreline_error(particles, disc) / cell_size, 1},
+                      {"energy lost", (start - energy(particles, bed)) / (start - rest), 0.05}};
+    return statistics;
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace frana::bench {
 ///   thacker-radial  the surface stays a paraboloid: w = sqrt(8 g D) / a, A = 0.5, b = 1 - A cos wt,
 ///                   h = D (sqrt(1 - A^2) / b - (1 - A^2) r^2 / (a^2 b^2)), v = w r A sin wt / (2 b)
 /// These are solutions of the equations without a slope correction, which is therefore off.
-/// Own figures: the shoreline's error in cells (the farthest particle of 32 sectors against the exact circle;
-/// mark 1), the share of the energy over rest that is lost (mark 5 %).
+/// Own values: the shoreline's error in cells (the farthest particle of 32 sectors against the exact circle;
+/// mark 1), the fraction of the energy over rest that is lost (mark 5 %).
 std::vector<AccuracyCase> thackers();
 
 }  // namespace frana::bench

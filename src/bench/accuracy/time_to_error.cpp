@@ -23,7 +23,7 @@ double time_to_error(const std::vector<std::pair<double, double>>& time_and_erro
 std::string time_to_error_table(const std::vector<AccuracyRow>& rows) {
     std::map<std::string, std::vector<std::pair<double, double>>> curves;
     for (const AccuracyRow& row : rows) {
-        const CaseFigures& f = row.figures;
+        const CaseStatistics& f = row.statistics;
         const double error = std::max(f.l1_depth, f.l1_momentum);
         if (row.scheme == Scheme::standard && f.failure.empty() && error > 0)
             curves[row.case_name].emplace_back(f.wall_seconds, error);

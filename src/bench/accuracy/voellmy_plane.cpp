@@ -8,7 +8,7 @@ namespace {
 
 constexpr double k_slope_deg = 30, k_friction_deg = 15, k_turbulence = 300, k_time = 20;
 
-CaseFigures run_voellmy(double cell_size, Scheme scheme) {
+CaseStatistics run_voellmy(double cell_size, Scheme scheme) {
     const double cosine = std::cos(k_slope_deg * k_degree), sine = std::sin(k_slope_deg * k_degree);
     const double a = k_gravity * (sine - cosine * std::tan(k_friction_deg * k_degree));
     const double terminal = std::sqrt(a * k_turbulence * cosine / k_gravity);  // thickness is the cosine
@@ -23,8 +23,8 @@ CaseFigures run_voellmy(double cell_size, Scheme scheme) {
     slab.travel = travel(k_time);
     slab.speed = cosine * terminal * std::tanh(a * k_time / terminal);
     SlabOutcome outcome = run_slab(cell_size, scheme, slab, travel);
-    outcome.figures.own = {{"terminal speed error", outcome.mean_speed / slab.speed - 1, 1e-3}};
-    return outcome.figures;
+    outcome.statistics.own = {{"terminal speed error", outcome.mean_speed / slab.speed - 1, 1e-3}};
+    return outcome.statistics;
 }
 
 }  // namespace

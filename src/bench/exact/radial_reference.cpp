@@ -44,8 +44,8 @@ RadialReference::RadialReference(double radius, double inside, double outside, d
     : dr_(extent / cells), cells_(static_cast<std::size_t>(cells)) {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         const double r0 = dr_ * static_cast<double>(i), r1 = r0 + dr_, cut = std::clamp(radius, r0, r1);
-        const double share = (cut * cut - r0 * r0) / (r1 * r1 - r0 * r0);  // of the ring inside the cylinder
-        cells_[i].h = inside * share + outside * (1 - share);
+        const double fraction = (cut * cut - r0 * r0) / (r1 * r1 - r0 * r0);  // of the ring inside the cylinder
+        cells_[i].h = inside * fraction + outside * (1 - fraction);
     }
     std::vector<Cell> first(cells_.size()), second(cells_.size()), middle(cells_.size());
     for (double t = 0; t < time;) {

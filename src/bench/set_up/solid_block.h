@@ -61,7 +61,7 @@ struct SolidBlock {
             stages.fields = stages.fields | structured::k_passive_fields;
         const auto of_place = [this](Point) { return material; };
         const ParticleSet solids =
-            structured::give_material(structured::split_phases(columns, of_place), stages.fields, of_place);
+            structured::assign_material(structured::split_phases(columns, of_place), stages.fields, of_place);
         structured::State state(NodeGrid(bed), laws, solids, stages, wet);
         structured::prepare(state, laws, pool);
         return state;

@@ -70,7 +70,7 @@ struct SpeedOptions {
 SpeedResult run_speed(const SpeedOptions& options);
 
 std::string speed_csv(const SpeedResult& result);
-/// case, particles, threads, stage, nanoseconds a particle-step, share of the time, bytes a particle-step.
+/// case, particles, threads, stage, nanoseconds a particle-step, fraction of the time, bytes a particle-step.
 std::string speed_stages_csv(const SpeedResult& result);
 /// term, nanoseconds a particle-step, bytes a particle.
 std::string speed_terms_csv(const SpeedResult& result);

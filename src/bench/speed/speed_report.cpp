@@ -24,7 +24,7 @@ double nanoseconds_of(const SpeedRow& row, std::size_t stage) {
     return all > 0 ? 1e9 / row.particle_steps_per_second * row.stages[stage] / all : 0;
 }
 
-double share_of(const SpeedRow& row, std::size_t stage) {
+double fraction_of(const SpeedRow& row, std::size_t stage) {
     return nanoseconds_of(row, stage) * row.particle_steps_per_second * 1e-9;
 }
 
@@ -56,15 +56,16 @@ double bytes_moved(Stage stage, bool stress) {
 }
 
 std::string speed_line(const SpeedRow& row) {
-    char line[200], share[16] = "    -";  // not counted for every case
+    char line[200], fraction[16] = "    -";  // not counted for every case
     if (row.fraction_of_memory_bandwidth > 0)
-        std::snprintf(share, sizeof share, "%5.1f", 100 * row.fraction_of_memory_bandwidth);
+        std::snprintf(fraction, sizeof fraction, "%5.1f", 100 * row.fraction_of_memory_bandwidth);
     std::snprintf(line, sizeof line,
                   "%-6s %9lld particles %3d threads  %8.3g M particle-steps/s  %4.0f bytes  "
                   "%s %% of memory bandwidth  %lld steps in %.2f s%s",
                   row.case_name.c_str(), static_cast<long long>(row.particles), row.threads,
-                  row.particle_steps_per_second / 1e6, row.bytes_per_particle, share, static_cast<long long>(row.steps),
-                  row.seconds, row.same_bits ? "" : "  NOT THE SAME BITS AS ONE THREAD");
+                  row.particle_steps_per_second / 1e6, row.bytes_per_particle, fraction,
+                  static_cast<long long>(row.steps), row.seconds,
+                  row.same_bits ? "" : "  NOT THE SAME BITS AS ONE THREAD");
     return line;
 }
 
@@ -89,7 +90,7 @@ std::string speed_stages_csv(const SpeedResult& result) {
             char line[160];
             std::snprintf(line, sizeof line, "%s,%lld,%d,%s,%.4g,%.4f,%g\n", row.case_name.c_str(),
                           static_cast<long long>(row.particles), row.threads, k_stage_names[s], nanoseconds_of(row, s),
-                          share_of(row, s), bytes_moved(static_cast<Stage>(s), row.case_name == "mud"));
+                          fraction_of(row, s), bytes_moved(static_cast<Stage>(s), row.case_name == "mud"));
             out += line;
         }
     }
@@ -127,7 +128,7 @@ std::string speed_table(const SpeedResult& result) {
         out += line;
         for (std::size_t s = 0; s < k_stages; ++s) {
             std::snprintf(line, sizeof line, " %s %.1f (%.0f %%)%s", k_stage_names[s], nanoseconds_of(row, s),
-                          100 * share_of(row, s), s + 1 < k_stages ? "," : "");
+                          100 * fraction_of(row, s), s + 1 < k_stages ? "," : "");
             out += line;
         }
         std::snprintf(line, sizeof line, "; %.0f bytes\n", row.bytes_moved);

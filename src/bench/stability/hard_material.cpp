@@ -34,7 +34,7 @@ Setup on_plane(double friction_deg) {
 }
 
 // Farthest that any particle is from where it was; the order of particles at rest does not change.
-HardFigure displacement(const Setup& setup, Flow& flow) {
+StabilityStatistic displacement(const Setup& setup, Flow& flow) {
     TimedFlow fresh(setup);
     const ParticleSet &now = flow.particles(), &start = fresh.flow().particles();
     double farthest = now.size() == start.size() ? 0 : std::numeric_limits<double>::infinity();
@@ -54,7 +54,7 @@ Setup slab() {
     return setup;
 }
 
-HardFigure slab_speed(const Setup&, Flow& flow) {
+StabilityStatistic slab_speed(const Setup&, Flow& flow) {
     double sum = 0, n = 0;
     const ParticleSet& particles = flow.particles();
     for (std::size_t p = 0; p < particles.size(); ++p) {
@@ -69,7 +69,7 @@ HardFigure slab_speed(const Setup&, Flow& flow) {
 }
 
 // Coulomb friction alone does not know the density: ten of them must flow alike, bit for bit.
-HardFigure ten_densities(int threads, Soundness& sound) {
+StabilityStatistic ten_densities(int threads, Soundness& sound) {
     DepthAgreement agreement;
     for (const double density : {1.0, 100.0, 500.0, 1000.0, 1200.0, 1500.0, 2000.0, 2700.0, 5000.0, 20000.0}) {
         Setup setup = usual_slide();
@@ -78,7 +78,7 @@ HardFigure ten_densities(int threads, Soundness& sound) {
         merge(sound, watch(run, setup, 8));
         agreement.see(run);
     }
-    return agreement.figure();
+    return agreement.statistic();
 }
 
 }  // namespace

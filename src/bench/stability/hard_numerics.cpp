@@ -67,7 +67,7 @@ Scene scene_at(double west, double north) {
 
 // The engine works in metres from the grid's corner, and all coordinates here are whole numbers, so a scene
 // far from the origin must give the same bits.
-HardFigure far_coordinates(int threads, Soundness& sound) {
+StabilityStatistic far_coordinates(int threads, Soundness& sound) {
     RunOptions options;
     options.threads = threads;
     const RunResult near = run(scene_at(0, 80), options), far = run(scene_at(600000, 5000000), options);
@@ -91,7 +91,7 @@ HardFigure far_coordinates(int threads, Soundness& sound) {
 }
 
 // A second thread must not change a bit.
-HardFigure threads_alike(int threads, Soundness& sound) {
+StabilityStatistic threads_alike(int threads, Soundness& sound) {
     DepthAgreement agreement;
     for (const int n : {1, 2, 5, std::max(1, threads)}) {
         const Setup setup = usual_slide();
@@ -99,7 +99,7 @@ HardFigure threads_alike(int threads, Soundness& sound) {
         merge(sound, watch(run, setup, 8));
         agreement.see(run);
     }
-    return agreement.figure();
+    return agreement.statistic();
 }
 
 }  // namespace

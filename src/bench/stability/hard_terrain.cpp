@@ -36,7 +36,7 @@ Setup with_gaps(const std::function<bool(Point)>& gap) {
 // How far into a gap the farthest particle is, in cells: the distance to the nearest cell with ground. The
 // wall lies on the gap's outermost nodes, half a cell inside its edge, and velocities between a wall's node
 // and a free one are not zero, so up to one cell is to be expected.
-HardFigure into_gaps(const Setup& setup, Flow& flow) {
+StabilityStatistic into_gaps(const Setup& setup, Flow& flow) {
     const ParticleSet& particles = flow.particles();
     const GridSpec& grid = setup.bed.grid;
     double farthest = 0;
@@ -57,7 +57,7 @@ HardFigure into_gaps(const Setup& setup, Flow& flow) {
     return {"farthest inside a gap [cells]", farthest, 1};
 }
 
-HardFigure what_stays(const Setup& setup, Flow& flow) {
+StabilityStatistic what_stays(const Setup& setup, Flow& flow) {
     double start = 0;
     for (std::size_t p = 0; p < setup.seeds.size(); ++p) start += setup.seeds[Field::volume][p];
     return {"fraction that has not left", flow.volume() / start, 0.01};

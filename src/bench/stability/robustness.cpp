@@ -69,8 +69,8 @@ bool run_row(const RobustnessOptions& options, const Scene& scene, const Numeric
     const PlacedScene placed = disturbed(scene, row.disturbance, numerics, options.seed);
     const RunResult result = options.run(placed.scene);
     if (result.stop_reason == StopReason::requested) return false;
-    if (!result.troubles.empty()) row.trouble = describe(result.stop_reason);
-    row.figures = run_figures(result, options.threshold, placed.inside);
+    if (!result.run_problems.empty()) row.run_problem = describe(result.stop_reason);
+    row.statistics = run_statistics(result, options.threshold, placed.inside);
     row.simulated_seconds = result.simulated_seconds;
     row.steps = result.steps;
     row.particles = result.particles_peak;

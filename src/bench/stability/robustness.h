@@ -9,11 +9,11 @@
 
 #include "simulation/placed_scene.h"
 #include "simulation/result.h"
-#include "simulation/run_figures.h"
+#include "simulation/run_statistics.h"
 
 namespace frana::bench {
 
-/// Something that should change no figure of a scene by more than its discretisation error.
+/// Something that should change no value of a scene by more than its discretisation error.
 struct Disturbance {
     std::string name;                    ///< "turned-90"
     std::string what;                    ///< for people
@@ -26,12 +26,12 @@ struct Disturbance {
 /// As it is, then everything that is tried. Noise is white from cell to cell.
 std::vector<Disturbance> disturbances();
 
-/// A scene's figures under one disturbance.
+/// A scene's values under one disturbance.
 struct RobustnessRow {
     Disturbance disturbance;
-    std::string refusal;  ///< why it was not run; empty: it was
-    std::string trouble;  ///< what ended the run early; empty: nothing did
-    RunFigures figures;
+    std::string refusal;      ///< why it was not run; empty: it was
+    std::string run_problem;  ///< what ended the run early; empty: nothing did
+    RunStatistics statistics;
     double simulated_seconds = 0;
     std::int64_t steps = 0, particles = 0;
     double wall_seconds = 0;
@@ -52,13 +52,14 @@ struct RobustnessOptions {
 /// and for unknown names.
 std::vector<RobustnessRow> run_robustness(const RobustnessOptions& options);
 
-/// Change of a figure against the scene as it is, relative to that (the first row); none where one of them
+/// Change of a value against the scene as it is, relative to that (the first row); none where one of them
 /// has none.
-std::optional<double> relative_change(const std::vector<RobustnessRow>& rows, std::size_t row, const RunFigure& figure);
+std::optional<double> relative_change(const std::vector<RobustnessRow>& rows, std::size_t row,
+                                      const RunStatistic& statistic);
 /// Changes beyond this are marked.
 inline constexpr double k_robust_change = 0.05;
 
-/// One row for each run; each figure is followed by its change (key_change).
+/// One row for each run; each value is followed by its change (key_change).
 std::string robustness_csv(const std::vector<RobustnessRow>& rows);
 std::string robustness_json(const std::vector<RobustnessRow>& rows, const RobustnessOptions& options,
                             const std::string& scene);

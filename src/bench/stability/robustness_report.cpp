@@ -15,15 +15,15 @@ bool marked(std::optional<double> change) {
 }
 
 // "12.34  +1.2 %  ", with a star behind a change that is marked.
-std::string cell(const std::vector<RobustnessRow>& rows, std::size_t row, const RunFigure& figure) {
+std::string cell(const std::vector<RobustnessRow>& rows, std::size_t row, const RunStatistic& statistic) {
     char text[64];
-    const double value = figure.of(rows[row].figures);
+    const double value = statistic.of(rows[row].statistics);
     if (std::isnan(value)) return "        -           ";
     if (row == 0) {
         std::snprintf(text, sizeof text, "%9.4g           ", value);
         return text;
     }
-    const auto change = relative_change(rows, row, figure);
+    const auto change = relative_change(rows, row, statistic);
     if (!change) {
         std::snprintf(text, sizeof text, "%9.4g      -    ", value);
     } else if (rows[row].disturbance.only_rounding && std::abs(*change) < 5e-4) {
@@ -36,14 +36,14 @@ std::string cell(const std::vector<RobustnessRow>& rows, std::size_t row, const 
 
 const char* k_heads[] = {"depth [m]", "99.9 %",    "99 %",        "speed [m/s]",   "99.9 %",
                          "99 %",      "area [m2]", "run-out [m]", "in final_depth"};
-static_assert(std::size(k_heads) == std::size(k_run_figures));
+static_assert(std::size(k_heads) == std::size(k_run_statistics));
 
 }  // namespace
 
 std::optional<double> relative_change(const std::vector<RobustnessRow>& rows, std::size_t row,
-                                      const RunFigure& figure) {
+                                      const RunStatistic& statistic) {
     if (!rows[row].refusal.empty()) return {};
-    const double base = figure.of(rows.front().figures), value = figure.of(rows[row].figures);
+    const double base = statistic.of(rows.front().statistics), value = statistic.of(rows[row].statistics);
     const double change = value == base ? 0 : (value - base) / base;
     if (!std::isfinite(change)) return {};
     return change;
@@ -55,12 +55,12 @@ std::string robustness_line(const std::vector<RobustnessRow>& rows, std::size_t 
     std::snprintf(name, sizeof name, "%-13s", one.disturbance.name.c_str());
     if (!one.refusal.empty()) return name + std::string("not run: ") + one.refusal;
     std::string line = name;
-    for (const RunFigure& figure : k_run_figures) line += cell(rows, row, figure);
+    for (const RunStatistic& statistic : k_run_statistics) line += cell(rows, row, statistic);
     char cost[96];
     std::snprintf(cost, sizeof cost, "%7.1f s %7lld steps %6.1f s", one.simulated_seconds,
                   static_cast<long long>(one.steps), one.wall_seconds);
     line += cost;
-    if (!one.trouble.empty()) line += "  ended early: " + one.trouble;
+    if (!one.run_problem.empty()) line += "  ended early: " + one.run_problem;
     return line;
 }
 
@@ -75,12 +75,12 @@ std::string robustness_table(const std::vector<RobustnessRow>& rows) {
     table += "simulated    steps  engine\n";
     for (std::size_t row = 0; row < rows.size(); ++row) table += robustness_line(rows, row) + "\n";
     table += "\nchanges against the first row; * more than 5 %\n";
-    for (const RunFigure& figure : k_run_figures) {
+    for (const RunStatistic& statistic : k_run_statistics) {
         double most = 0;
         std::string where;
         int count = 0;
         for (std::size_t row = 1; row < rows.size(); ++row) {
-            const auto change = relative_change(rows, row, figure);
+            const auto change = relative_change(rows, row, statistic);
             count += marked(change) ? 1 : 0;
             if (!change || std::abs(*change) <= std::abs(most)) continue;
             most = *change;
@@ -88,7 +88,7 @@ std::string robustness_table(const std::vector<RobustnessRow>& rows) {
         }
         char text[160];
         std::snprintf(text, sizeof text, "%-22s changes by %+.2g %% at most%s; more than 5 %% in %d of %zu\n",
-                      figure.title, 100 * most, where.c_str(), count, rows.size() - 1);
+                      statistic.title, 100 * most, where.c_str(), count, rows.size() - 1);
         table += text;
     }
     return table;
@@ -96,15 +96,16 @@ std::string robustness_table(const std::vector<RobustnessRow>& rows) {
 
 std::string robustness_csv(const std::vector<RobustnessRow>& rows) {
     std::string text = "disturbance";
-    for (const RunFigure& figure : k_run_figures) text += std::string(",") + figure.key + "," + figure.key + "_change";
+    for (const RunStatistic& statistic : k_run_statistics)
+        text += std::string(",") + statistic.key + "," + statistic.key + "_change";
     text += ",simulated_seconds,steps,particles,wall_seconds,state\n";
     for (std::size_t row = 0; row < rows.size(); ++row) {
         const RobustnessRow& one = rows[row];
         const bool run = one.refusal.empty();
         text += one.disturbance.name;
-        for (const RunFigure& figure : k_run_figures) {
-            const double value = figure.of(one.figures);
-            const auto change = relative_change(rows, row, figure);
+        for (const RunStatistic& statistic : k_run_statistics) {
+            const double value = statistic.of(one.statistics);
+            const auto change = relative_change(rows, row, statistic);
             text += "," + (run && !std::isnan(value) ? shortest_text(value) : "") + "," +
                     (change ? shortest_text(*change) : "");
         }
@@ -114,7 +115,7 @@ std::string robustness_csv(const std::vector<RobustnessRow>& rows) {
         } else {
             text += ",,,,";
         }
-        text += std::string(",") + (!run ? "refused" : one.trouble.empty() ? "done" : "ended early") + "\n";
+        text += std::string(",") + (!run ? "refused" : one.run_problem.empty() ? "done" : "ended early") + "\n";
     }
     return text;
 }
@@ -134,9 +135,9 @@ std::string robustness_json(const std::vector<RobustnessRow>& rows, const Robust
             run["refused"] = one.refusal;
             continue;
         }
-        for (const RunFigure& figure : k_run_figures) {
-            const auto change = relative_change(rows, row, figure);
-            Json& value = run[figure.key] = {{"value", figure.of(one.figures)}};
+        for (const RunStatistic& statistic : k_run_statistics) {
+            const auto change = relative_change(rows, row, statistic);
+            Json& value = run[statistic.key] = {{"value", statistic.of(one.statistics)}};
             if (!change) continue;
             value["relative_change"] = *change;
             value["marked"] = marked(change);
@@ -144,7 +145,7 @@ std::string robustness_json(const std::vector<RobustnessRow>& rows, const Robust
         run["simulated_seconds"] = one.simulated_seconds;
         run["steps"] = one.steps;
         run["particles"] = one.particles;
-        if (!one.trouble.empty()) run["ended_early"] = one.trouble;
+        if (!one.run_problem.empty()) run["ended_early"] = one.run_problem;
     }
     return json_text(json);
 }

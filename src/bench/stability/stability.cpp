@@ -14,16 +14,17 @@ constexpr double k_volume_limit = 1e-12;  // rounding of sums over some 1e5 part
 StabilityRow run_case(const HardCase& one, int threads) {
     StabilityRow row{one.name, one.what, false, {}, {}};
     if (one.compare) {
-        row.figure = one.compare(threads, row.sound);
+        row.statistic = one.compare(threads, row.sound);
     } else {
         const Setup setup = one.make();
         TimedFlow run(setup, threads);
         row.sound = watch(run, setup, one.end);
-        row.figure = one.figure ? one.figure(setup, run.flow())
-                                : HardFigure{"speed over the highest possible speed", row.sound.speed_ratio, 1};
+        row.statistic = one.statistic
+                            ? one.statistic(setup, run.flow())
+                            : StabilityStatistic{"speed over the highest possible speed", row.sound.speed_ratio, 1};
     }
     row.passed = row.sound.non_finite == 0 && row.sound.volume_error <= k_volume_limit && row.sound.speed_ratio <= 1 &&
-                 row.figure.value <= row.figure.limit;
+                 row.statistic.value <= row.statistic.limit;
     return row;
 }
 
@@ -32,8 +33,8 @@ std::string line_of(const StabilityRow& row) {
     std::snprintf(line, sizeof line,
                   "%-18s %-6s %-48s %10.3g of %-6g  speed %.3f, volume %.1e, non-finite %lld, clamped %lld, "
                   "%lld particles, %lld steps, %.2f s",
-                  row.case_name.c_str(), row.passed ? "passed" : "FAILED", row.figure.name.c_str(), row.figure.value,
-                  row.figure.limit, row.sound.speed_ratio, row.sound.volume_error,
+                  row.case_name.c_str(), row.passed ? "passed" : "FAILED", row.statistic.name.c_str(),
+                  row.statistic.value, row.statistic.limit, row.sound.speed_ratio, row.sound.volume_error,
                   static_cast<long long>(row.sound.non_finite), static_cast<long long>(row.sound.clamped),
                   static_cast<long long>(row.sound.particles), static_cast<long long>(row.sound.steps),
                   row.sound.wall_seconds);
@@ -63,7 +64,7 @@ std::string stability_csv(const std::vector<StabilityRow>& rows) {
     for (const StabilityRow& row : rows) {
         char line[160];
         std::snprintf(line, sizeof line, "%s,%s,%.6g,%g\n", row.case_name.c_str(), row.passed ? "true" : "false",
-                      row.figure.value, row.figure.limit);
+                      row.statistic.value, row.statistic.limit);
         out += line;
     }
     return out;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "simulation/trouble_watch.h"
+#include "simulation/run_check.h"
 
 namespace frana::bench {
 namespace {

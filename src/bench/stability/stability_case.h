@@ -21,23 +21,23 @@ struct Soundness {
     double wall_seconds = 0;
 };
 
-/// The case's own figure with its limit; passed when it is at most the limit.
-struct HardFigure {
+/// The case's own value with its limit; passed when it is at most the limit.
+struct StabilityStatistic {
     std::string name;
     double value = 0;
     double limit = 0;
 };
 
-/// One hard case: what it starts from, how long it runs, what of its end is looked at. Cases without a figure
+/// One hard case: what it starts from, how long it runs, what of its end is looked at. Cases without a value
 /// of their own are judged by their speed ratio.
 struct HardCase {
     std::string name;
     std::string what;
     double end = 0;  ///< [s]
     std::function<Setup()> make;
-    std::function<HardFigure(const Setup&, Flow&)> figure = {};
+    std::function<StabilityStatistic(const Setup&, Flow&)> statistic = {};
     /// For cases that are not one flow (several runs compared): does everything itself.
-    std::function<HardFigure(int threads, Soundness&)> compare = {};
+    std::function<StabilityStatistic(int threads, Soundness&)> compare = {};
 };
 
 /// Runs one flow to its end and watches it.
@@ -46,7 +46,7 @@ Soundness watch(TimedFlow& run, const Setup& setup, double end);
 class DepthAgreement {
   public:
     void see(TimedFlow& run);
-    [[nodiscard]] HardFigure figure() const { return {"greatest difference of depth [m]", greatest_, 0}; }
+    [[nodiscard]] StabilityStatistic statistic() const { return {"greatest difference of depth [m]", greatest_, 0}; }
 
   private:
     std::optional<Raster> first_;

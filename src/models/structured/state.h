@@ -17,7 +17,7 @@ struct Laws {
     SolidLaws solid;
     CouplingLaws coupling;
     FluidLaws fluid;
-    double move_cfl = 0.25;  ///< share of a cell that solids and their thrust's waves may cross in a step
+    double move_cfl = 0.25;  ///< fraction of a cell that solids and their thrust's waves may cross in a step
     bool gaps_are_walls = false;
 };
 
@@ -51,6 +51,6 @@ void add_solids(State& state, const ParticleSet& solids);
 void prepare(State& state, const Laws& laws, ThreadPool& pool);
 
 /// What the fluid sees of the solids; null pointers without them.
-SolidLayer solid_layer(const State& state);
+SolidsOnGrid solids_on_grid(const State& state);
 
 }  // namespace frana::structured

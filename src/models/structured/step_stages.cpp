@@ -22,7 +22,7 @@ void over_box_rows(const NodeBox& box, ThreadPool& pool, const Task& task) {
 void gather(State& state, const Laws& laws, ThreadPool& pool) {
     gather_solids(*state.solid, state.stages, laws.solid, state.grid, pool);
     over_box_rows(state.solid->nodes.box, pool,
-                  [&](std::int64_t j) { show_solids(j, state.grid, state.fluid.get(), state.solid->nodes); });
+                  [&](std::int64_t j) { solids_to_fluid(j, state.grid, state.fluid.get(), state.solid->nodes); });
 }
 
 // Sums over particles at the end of a step, row by row.
@@ -50,7 +50,7 @@ void observe_particles(const State& state, const Laws& laws, StepReport& report,
             rows[r].deepest = std::max(rows[r].deepest, (solids + confined) / solid.particles[Field::area][p]);
             if (cohesion != nullptr) rows[r].elastic |= cohesion[p] * solid.particles[Field::cohesion_ratio][p] > 0;
             const double x = solid.particles[Field::x][p], y = solid.particles[Field::y][p];
-            if (!state.grid.bounds().holds(x, y)) {
+            if (!state.grid.bounds().contains(x, y)) {
                 ++rows[r].outside;
             } else if (state.grid.any_solid()) {
                 rows[r].no_data += state.grid.is_gap(state.grid.scale().node_of(x, y));
@@ -94,7 +94,7 @@ void add_solids(State& state, const ParticleSet& solids) {
     for (std::size_t p = 0; p < solids.size(); ++p) all.set_row(before + p, solids.row(p));
 }
 
-SolidLayer solid_layer(const State& state) {
+SolidsOnGrid solids_on_grid(const State& state) {
     if (!state.solid) return {};
     const SolidNodes& n = state.solid->nodes;
     return {n.depth.data(), n.u.data(), n.v.data(), n.solid_fraction.data(), n.structured.data()};
@@ -118,7 +118,7 @@ void prepare(State& state, const Laws& laws, ThreadPool& pool) {
 
 double stable_step(const State& state, const Laws& laws, ThreadPool& pool) {
     double dt = std::numeric_limits<double>::infinity();
-    if (state.fluid) dt = stable_step(*state.fluid, state.grid, laws.fluid, solid_layer(state), pool);
+    if (state.fluid) dt = stable_step(*state.fluid, state.grid, laws.fluid, solids_on_grid(state), pool);
     if (state.solid && state.solid->particles.size() > 0) {
         const double wave = std::sqrt(state.solid->last.speed2) + std::sqrt(laws.solid.gravity * state.deepest);
         dt = std::min(dt, laws.move_cfl * state.grid.cell_size() / wave);
@@ -133,7 +133,8 @@ void choose_length(Step& now, double dt_limit) {
 void move_fluid(Step& now) {
     State& state = now.state;
     if (!state.fluid) return;
-    now.report.fluid = advance(*state.fluid, state.grid, now.laws.fluid, solid_layer(state), now.report.dt, now.pool);
+    now.report.fluid =
+        advance(*state.fluid, state.grid, now.laws.fluid, solids_on_grid(state), now.report.dt, now.pool);
 }
 
 void push_on_nodes(Step& now) {

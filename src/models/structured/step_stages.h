@@ -37,7 +37,7 @@ struct Step {
 
 /// Sets StepReport::dt.
 void choose_length(Step& now, double dt_limit);
-/// Over the solids as they lie. Reads solid_layer; writes FluidState, StepReport::fluid.
+/// Over the solids as they lie. Reads solids_on_grid; writes FluidState, StepReport::fluid.
 void move_fluid(Step& now);
 /// Reads SolidNodes and the fluid; writes the nodes' push; its reaction changes the fluid's discharge.
 void push_on_nodes(Step& now);

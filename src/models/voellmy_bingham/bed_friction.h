@@ -28,7 +28,7 @@ struct BedFriction {
     PorePressure pore_pressure;
     std::vector<std::vector<double>> node_values;  ///< what the laws' NodeValue point to, padded like the nodes
 
-    [[nodiscard]] bool holds() const noexcept { return summed ? yields : voellmy.friction_coefficient > 0; }
+    [[nodiscard]] bool keeps_rest() const noexcept { return summed ? yields : voellmy.friction_coefficient > 0; }
 };
 
 }  // namespace frana::voellmy_bingham

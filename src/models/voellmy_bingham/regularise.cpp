@@ -45,7 +45,7 @@ void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, Thr
         const double* volume = state.particles[Field::volume];
         keep.resize(state.particles.size(), 1);
         for (std::size_t p = 0; p < keep.size(); ++p) {
-            if (keep[p] == 0 || state.nodes.bounds().holds(x[p], y[p])) continue;
+            if (keep[p] == 0 || state.nodes.bounds().contains(x[p], y[p])) continue;
             keep[p] = 0;
             state.volume_left += volume[p];
         }

@@ -14,13 +14,13 @@ struct Stages {
     void (*particles_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&) = nullptr;
     void (*pressure_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&) = nullptr;
     void (*fill_bed_states)(const NodeRange&, const NodeUpdate&, const NodeGrid&, BedState*) = nullptr;
-    void (*hold_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, NodeGrid&) = nullptr;
+    void (*find_held_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, NodeGrid&) = nullptr;
     NodeReport (*update_nodes)(const NodeRange&, const NodeUpdate&, const BedFriction&, BedState*, double time,
                                NodeGrid&, Maxima&) = nullptr;
     void (*exchange_at_nodes)(const NodeRange&, const BedExchange&, double dt, double film, const BedState*,
-                              const NodeGrid&, BedLayer*) = nullptr;
-    void (*exchange_with_particles)(std::size_t begin, std::size_t end, const NodeGrid&, const BedLayer*, ParticleSet&,
-                                    double* kept, double* lost, ExchangeReport&) = nullptr;
+                              const NodeGrid&, ErodibleBed*) = nullptr;
+    void (*exchange_with_particles)(std::size_t begin, std::size_t end, const NodeGrid&, const ErodibleBed*,
+                                    ParticleSet&, double* kept, double* lost, ExchangeReport&) = nullptr;
     ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const StressLaws&, const NodeGrid&,
                                          ParticleSet&) = nullptr;
     bool references = false;   ///< pressure is measured against a still level or mean depth per node

@@ -48,7 +48,7 @@ struct State {
     double volume_left = 0;                    ///< through open boundaries [m3]
     Flights flights;                           ///< particles in the air; none where Stages::flies is off
     ZeroArray<BedState> bed_states;            ///< padded; empty where friction is uniform Voellmy
-    ZeroArray<BedLayer> bed_layers;            ///< padded; empty where the bed stays as it is
+    ZeroArray<ErodibleBed> erodible_beds;      ///< padded; empty where the bed stays as it is
     ExchangeReport exchanged;                  ///< with the bed, so far
     std::vector<double> kept, lost;            ///< by each particle, within a step
     ZeroArray<Point> brought;  ///< padded; velocity in map view that the particles brought; empty: not kept
@@ -57,10 +57,10 @@ struct State {
 template <class Archive>
 void serialise(Archive& archive, State& state) {
     [[maybe_unused]] auto& [particles, nodes, order, active, nodes_seen, particles_seen, time, velocity_lag, drift,
-                            since_sort, wave_speed, diffusivity, volume_left, flights, bed_states, bed_layers,
+                            since_sort, wave_speed, diffusivity, volume_left, flights, bed_states, erodible_beds,
                             exchanged, kept, lost, brought] = state;
     archive(particles, nodes, order, active, nodes_seen, particles_seen, time, velocity_lag, drift, since_sort,
-            wave_speed, diffusivity, volume_left, flights, bed_states, bed_layers,
+            wave_speed, diffusivity, volume_left, flights, bed_states, erodible_beds,
             exchanged);  // the rest is within a step
     if constexpr (Archive::k_reads) archive.require(order.restore(particles));
 }

@@ -27,7 +27,7 @@ void for_node_tiles(const State& state, const std::vector<std::int64_t>& tiles, 
 // Whether what is at rest stays as it is while nothing near it moves: with friction that holds, and nothing that
 // changes with time or reaches across the edges.
 bool may_rest(const Laws& laws, const Stages& stages) {
-    return laws.skips_rest && laws.friction.holds() && !laws.friction.pore_pressure.active() && !laws.wall &&
+    return laws.skips_rest && laws.friction.keeps_rest() && !laws.friction.pore_pressure.active() && !laws.wall &&
            stages.exchange_at_nodes == nullptr;
 }
 
@@ -110,7 +110,7 @@ void bed_resistance(Step& now) {
     now.nodes.wall = laws.wall;
     if (state.brought.size() != 0) now.nodes.brought = state.brought.data();
     if (laws.friction.pore_pressure.active())
-        now.nodes.effective_share = 1 - laws.friction.pore_pressure.ratio(state.time);
+        now.nodes.effective_fraction = 1 - laws.friction.pore_pressure.ratio(state.time);
     BedState* const bed_states = state.bed_states.data();
     if (now.stages.fill_bed_states != nullptr) {
         for_node_tiles(state, state.active.updated(), now.pool, [&](const NodeRange& range) {
@@ -118,9 +118,9 @@ void bed_resistance(Step& now) {
             for (const FrictionSweep& sweep : laws.friction.sweeps) sweep(range, now.nodes, state.nodes, bed_states);
         });
     }
-    if (laws.friction.holds()) {
+    if (laws.friction.keeps_rest()) {
         for_node_tiles(state, state.active.updated(), now.pool, [&](const NodeRange& range) {
-            now.stages.hold_nodes(range, now.nodes, laws.friction, bed_states, state.nodes);
+            now.stages.find_held_nodes(range, now.nodes, laws.friction, bed_states, state.nodes);
         });
     }
 }
@@ -148,12 +148,12 @@ void exchange_with_bed(Step& now) {
     State& state = now.state;
     for_node_tiles(state, state.order.node_tiles(), now.pool, [&](const NodeRange& range) {
         now.stages.exchange_at_nodes(range, now.laws.exchange, now.drift, now.laws.resample.minimum_depth,
-                                     state.bed_states.data(), state.nodes, state.bed_layers.data());
+                                     state.bed_states.data(), state.nodes, state.erodible_beds.data());
     });
     for_node_tiles(state, state.order.node_tiles(), now.pool,
-                   [&](const NodeRange& range) { move_bed(range, state.bed_layers.data(), state.nodes); });
+                   [&](const NodeRange& range) { move_bed(range, state.erodible_beds.data(), state.nodes); });
     if (now.laws.wall) {
-        mirror_exchange(state.nodes, state.bed_layers.data());
+        mirror_exchange(state.nodes, state.erodible_beds.data());
         mirror_bed(state.nodes);
     }
     state.kept.resize(state.particles.size());
@@ -161,7 +161,7 @@ void exchange_with_bed(Step& now) {
     const auto& tiles = state.order.tiles();
     std::vector<ExchangeReport> reports(tiles.size());
     now.pool.for_each(tiles.size(), [&](std::size_t t) {
-        now.stages.exchange_with_particles(tiles[t].begin, tiles[t].end, state.nodes, state.bed_layers.data(),
+        now.stages.exchange_with_particles(tiles[t].begin, tiles[t].end, state.nodes, state.erodible_beds.data(),
                                            state.particles, state.kept.data(), state.lost.data(), reports[t]);
     });
     for (const ExchangeReport& r : reports) state.exchanged.merge(r);

@@ -48,7 +48,7 @@ struct ChunkGather : Gathered<Quad> {
         }
         transpose(means[0], means[1], means[2], means[3]);
         cell_depth = means[0];
-        share = means[1];
+        fraction = means[1];
         climb = means[2];
         support = means[3];
         if constexpr (FollowsBed) gather_bed(ax, ay, wx, weight_y, grid, bed, first);
@@ -100,8 +100,8 @@ struct ChunkGather : Gathered<Quad> {
         bed_x = slope[0] * across[0] + slope[1] * across[1] + slope[2] * across[2];
         bed_y = wx[0] * along[0] + wx[1] * along[1] + wx[2] * along[2];
     }
-    /// Gradients of depth and share, and the least share of any node: a sweep of its own over the second quads, since
-    /// few steps shift.
+    /// Gradients of depth and share, and the least fraction of any node: a sweep of its own over the second quads,
+    /// since few steps shift.
     FRANA_INLINE void gather_slopes(const ChunkAxis& ax, const ChunkAxis& ay, const double (&weight_x)[3][4],
                                     const double (&weight_y)[3][4], const NodeScale& grid, const NodeMotion* motion,
                                     const std::size_t (&first)[4]) {
@@ -129,9 +129,9 @@ struct ChunkGather : Gathered<Quad> {
         }
         transpose(slopes[0], slopes[1], slopes[2], slopes[3]);
         depth_x = slopes[0];
-        share_x = slopes[1];
+        fraction_x = slopes[1];
         depth_y = slopes[2];
-        share_y = slopes[3];
+        fraction_y = slopes[3];
         least = {lows[0][1], lows[1][1], lows[2][1], lows[3][1]};
     }
     static FRANA_INLINE Quad weighted(const Quad (&weights)[3], const Quad (&sums)[3][4], int quantity) {

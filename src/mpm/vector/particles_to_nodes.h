@@ -65,14 +65,14 @@ void vector_particles_to_nodes(const ParticleTile &tile, const ParticleSet &part
             // With the bed's height t over the node's own: {.., .., area t^2, area (t + depth)^2} and area t.
             const double a_k = area[p + k];
             const Quad square{0, 0, a_k, a_k}, surface{0, 0, 0, depth[k]};
-            const Quad holds{volume[p + k], a_k, 0, 0}, level{0, 0, a_k, 0};
+            const Quad keeps_rest{volume[p + k], a_k, 0, 0}, level{0, 0, a_k, 0};
             Quad row_brings = at_first[k];
             for (int b = 0; b < 3; ++b) {
                 double *const row = node + 8 * b * stride;
                 Quad brings = row_brings;
                 for (int a = 0; a < 3; ++a) {
                     const Quad w(weight[3 * b + a][k]);
-                    Quad moves = brings, stays = holds;
+                    Quad moves = brings, stays = keeps_rest;
                     if constexpr (Levels) {
                         const Quad above(z - ground[b * stride + a]), height = above + surface;
                         moves += square * height * height;

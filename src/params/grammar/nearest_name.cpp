@@ -40,7 +40,7 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
         return lengths <= std::max(a.size(), b.size()) ? best_distance : edit_distance(a, b);
     };
     for (const std::string& candidate : known) {
-        // In another section (or in none) the key counts by its own spelling, with one fault for the section.
+        // In another section (or in none) the key counts by its own spelling, with one problem for the section.
         const int elsewhere = distance_within(without_section(name), without_section(candidate)) + 1;
         const int distance = std::min(distance_within(name, candidate), elsewhere);
         if (distance < best_distance) {

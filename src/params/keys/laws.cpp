@@ -77,7 +77,8 @@ std::vector<Law> table_of_laws() {
             {.word = "shear-stress",
              .kind = erosion,
              .sentence = "erosion by excess shear stress",
-             .reads = {"entrainment.erosion-rate", "entrainment.critical-shear", "entrainment.potential-depth"},
+             .reads = {"entrainment.erosion-rate", "entrainment.critical-shear-stress",
+                       "entrainment.erosion-depth-per-stress"},
              .needs = {"entrainment.erodible-depth"}},
             {.word = "growth",
              .kind = erosion,
@@ -91,7 +92,7 @@ std::vector<Law> table_of_laws() {
             {.word = "on",
              .kind = deposition,
              .sentence = "deposition under a critical shear stress",
-             .needs = {"entrainment.deposition-rate", "entrainment.deposition-shear"}}};
+             .needs = {"entrainment.deposition-rate", "entrainment.deposition-shear-stress"}}};
 }
 
 }  // namespace

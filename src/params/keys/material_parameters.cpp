@@ -109,11 +109,12 @@ void add_entrainment(std::vector<Parameter>& list) {
                           "Erodible depth, vertical.", "required with erosion"));
     list.push_back(number("entrainment.erosion-rate", FRANA_MEMBER(entrainment.erosion_rate), "m/s", Range{0, 10, true},
                           "Erosion rate (shear-stress).", shortest_text(k_erosion_rate)));
-    list.push_back(number("entrainment.critical-shear", FRANA_MEMBER(entrainment.critical_shear), "Pa", Range{0, 1e6},
-                          "Shear stress above which the bed erodes (shear-stress).", shortest_text(k_critical_shear)));
-    list.push_back(number("entrainment.potential-depth", FRANA_MEMBER(entrainment.potential_depth), "m/kPa",
+    list.push_back(number("entrainment.critical-shear-stress", FRANA_MEMBER(entrainment.critical_shear), "Pa",
+                          Range{0, 1e6}, "Shear stress above which the bed erodes (shear-stress).",
+                          shortest_text(k_critical_shear)));
+    list.push_back(number("entrainment.erosion-depth-per-stress", FRANA_MEMBER(entrainment.potential_depth), "m/kPa",
                           Range{0, 100, true},
-                          "Maximum eroded depth per kPa of shear stress above critical-shear (shear-stress).",
+                          "Maximum eroded depth per kPa of shear stress above critical-shear-stress (shear-stress).",
                           shortest_text(k_potential_depth)));
     list.push_back(number("entrainment.growth-rate", FRANA_MEMBER(entrainment.growth_rate), "1/m", Range{0, 1, true},
                           "Volume growth rate per distance (growth).", "required with growth"));
@@ -128,10 +129,10 @@ void add_entrainment(std::vector<Parameter>& list) {
                           Range{0, 1.5, true}, "Velocity at the base over mean velocity (mechanical).",
                           shortest_text(k_velocity_ratio)));
     list.push_back(on_off("entrainment.deposition", FRANA_MEMBER(entrainment.deposition),
-                          "Deposit material where the bed shear stress is below deposition-shear."));
+                          "Deposit material where the bed shear stress is below deposition-shear-stress."));
     list.push_back(number("entrainment.deposition-rate", FRANA_MEMBER(entrainment.deposition_rate), "m/s",
                           Range{0, 10, true}, "Deposition rate at zero shear stress.", "required with deposition"));
-    list.push_back(number("entrainment.deposition-shear", FRANA_MEMBER(entrainment.deposition_shear), "Pa",
+    list.push_back(number("entrainment.deposition-shear-stress", FRANA_MEMBER(entrainment.deposition_shear), "Pa",
                           Range{0, 1e6, true}, "Shear stress above which there is no deposition.",
                           "required with deposition"));
 }

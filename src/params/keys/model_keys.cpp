@@ -16,9 +16,10 @@ const std::set<std::string> k_voellmy_bingham_only{
     "numerics.well-balanced", "numerics.curvature",     "numerics.flight", "numerics.flight-slope"};
 
 // Keys of [structured] that fluid alone reads too.
-const std::set<std::string> k_fluid_keys{
-    "structured.phases",  "structured.fluid-density", "structured.fluid-viscosity", "structured.velocity-shape",
-    "structured.manning", "structured.dry-depth",     "structured.zones",           "structured.initial-fluid-depth"};
+const std::set<std::string> k_fluid_keys{"structured.phases",          "structured.fluid-density",
+                                         "structured.fluid-viscosity", "structured.velocity-profile-factor",
+                                         "structured.manning",         "structured.dry-depth",
+                                         "structured.zones",           "structured.initial-fluid-depth"};
 
 bool has_solids(const SceneSpec& scene) {
     return scene.structured.phases == "solids-and-fluid";

@@ -7,7 +7,7 @@
 
 namespace frana {
 
-/// The keys of [output] beyond maps, frames and film: names, report, gauges, cross-sections, profiles.
+/// The keys of [output] beyond maps, frames and animation: names, report, gauges, cross-sections, profiles.
 void add_extra_output(std::vector<Parameter>& list);
 /// The keys of [hazard].
 void add_hazard(std::vector<Parameter>& list);

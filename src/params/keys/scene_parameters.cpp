@@ -82,9 +82,9 @@ void add_rest(std::vector<Parameter>& list) {
     list.push_back(number("time.end", FRANA_MEMBER(time.end), "s", Range{0, 1e6, true}, "Longest simulated time."));
     list.push_back(
         on_off("time.stop-when-still", FRANA_MEMBER(time.stop_when_still), "End as soon as all material is at rest."));
-    list.push_back(number("time.stop-energy-share", FRANA_MEMBER(time.stop_energy_share), "", Range{0, 0.5},
+    list.push_back(number("time.stop-energy-fraction", FRANA_MEMBER(time.stop_energy_fraction), "", Range{0, 0.5},
                           "End once the kinetic energy is below this fraction of its peak; 0: off."));
-    list.push_back(number("time.stop-moving-share", FRANA_MEMBER(time.stop_moving_share), "", Range{0, 0.5},
+    list.push_back(number("time.stop-moving-fraction", FRANA_MEMBER(time.stop_moving_fraction), "", Range{0, 0.5},
                           "End once the moving volume is below this fraction of its peak; 0: off."));
     list.push_back(number("time.moving-speed", FRANA_MEMBER(time.moving_speed), "m/s", Range{0, 10, true},
                           "Speed above which volume counts as moving."));

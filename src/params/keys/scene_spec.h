@@ -90,13 +90,13 @@ struct StructuredSpec : StructuredValues {
     std::optional<SourceSpec> initial_fluid_depth;
     std::string placement = "lattice";
     std::optional<SourceSpec> solid_fraction = SourceSpec{SourceSpec::Kind::number, k_solid_fraction, {}};
-    std::optional<SourceSpec> confined_share = SourceSpec{SourceSpec::Kind::number, k_confined_share, {}};
+    std::optional<SourceSpec> confined_fraction = SourceSpec{SourceSpec::Kind::number, k_confined_share, {}};
     std::optional<SourceSpec> grain_density = SourceSpec{SourceSpec::Kind::number, k_grain_density, {}};
     std::optional<SourceSpec> grain_diameter = SourceSpec{SourceSpec::Kind::number, k_grain_diameter, {}};
     std::optional<SourceSpec> cohesion, internal_friction_angle, bed_friction_angle;
     double dilatancy_angle = 0;
     std::string damage = "equivalent-plastic", earth_pressure = "hydrostatic";
-    double initial_structured_share = 1;
+    double initial_structured_fraction = 1;
     std::string yield_check = "total", broken_material = "earth-pressure";
     double drag_exponent = 2;
     std::string richardson_zaki_law = "constant", drag_mixing = "quotient";

@@ -25,8 +25,8 @@ void add_fluid(std::vector<Parameter>& list) {
                           "Density of the fluid."));
     list.push_back(number("structured.fluid-viscosity", FRANA_MEMBER(structured.fluid_viscosity), "Pa s", Range{0, 1e4},
                           "Dynamic viscosity of the fluid: shear in the plane and at the bed; 0: none."));
-    list.push_back(number("structured.velocity-shape", FRANA_MEMBER(structured.velocity_shape), "", Range{0, 10},
-                          "Shape of the velocity over depth, chi, in the viscous shear at the bed."));
+    list.push_back(number("structured.velocity-profile-factor", FRANA_MEMBER(structured.velocity_shape), "",
+                          Range{0, 10}, "Shape of the velocity over depth, chi, in the viscous shear at the bed."));
     list.push_back(number("structured.manning", FRANA_MEMBER(structured.manning), "s/m^(1/3)", Range{0, 1},
                           "Manning's n of the ground under free fluid; 0: smooth."));
     list.push_back(choice("structured.manning-depth", FRANA_MEMBER(structured.manning_depth), {"free", "total"},
@@ -42,7 +42,7 @@ void add_solids(std::vector<Parameter>& list) {
     list.push_back(by_place("structured.solid-fraction", FRANA_MEMBER(structured.solid_fraction), "", Range{0, 1, true},
                             "Volume fraction of solids in the release; the rest is fluid."));
     list.push_back(
-        by_place("structured.confined-share", FRANA_MEMBER(structured.confined_share), "", Range{0, 1},
+        by_place("structured.confined-fraction", FRANA_MEMBER(structured.confined_fraction), "", Range{0, 1},
                  "Fraction of that fluid that is confined by the structure; the rest is free from the start."));
     list.push_back(by_place("structured.grain-density", FRANA_MEMBER(structured.grain_density), "kg/m3",
                             Range{1000, 5000}, "Density of the grains."));
@@ -71,8 +71,9 @@ void add_solids(std::vector<Parameter>& list) {
                           "Strain of yielding material at which half of the cohesion is lost."));
     list.push_back(choice("structured.damage", FRANA_MEMBER(structured.damage), {"equivalent-plastic", "volumetric"},
                           "Strain measure for critical-strain: distortion, or volumetric opening alone."));
-    list.push_back(number("structured.initial-structured-share", FRANA_MEMBER(structured.initial_structured_share), "",
-                          Range{0, 1}, "Structured fraction of the solids in intact material."));
+    list.push_back(number("structured.initial-structured-fraction",
+                          FRANA_MEMBER(structured.initial_structured_fraction), "", Range{0, 1},
+                          "Structured fraction of the solids in intact material."));
     list.push_back(choice("structured.yield-check", FRANA_MEMBER(structured.yield_check), {"total", "particle"},
                           "Stress in the yield check: total, with the overburden and the vertical stress of the "
                           "weight, or the particle's elastic stress alone."));
@@ -83,8 +84,8 @@ void add_solids(std::vector<Parameter>& list) {
                           {"hydrostatic", "active", "active-passive"},
                           "Lateral thrust of broken material: hydrostatic, Rankine's active one, or also passive in "
                           "compression. Intact material has Bell's active thrust."));
-    list.push_back(number("structured.pore-pressure-share", FRANA_MEMBER(structured.pore_pressure_share), "",
-                          Range{0, 1}, "Fraction B of the confined fluid's pressure that reaches the bed."));
+    list.push_back(number("structured.basal-pore-pressure-fraction", FRANA_MEMBER(structured.pore_pressure_fraction),
+                          "", Range{0, 1}, "Fraction B of the confined fluid's pressure that reaches the bed."));
     list.push_back(number("structured.artificial-viscosity-linear", FRANA_MEMBER(structured.linear_viscosity), "",
                           Range{0, 10}, "Linear artificial viscosity between particles."));
     list.push_back(number("structured.artificial-viscosity-quadratic", FRANA_MEMBER(structured.quadratic_viscosity), "",
@@ -93,9 +94,9 @@ void add_solids(std::vector<Parameter>& list) {
                           Range{0, 1e5, true}, "Speed of sound in the artificial viscosity.",
                           "that of the elastic waves"));
     list.push_back(number(
-        "structured.softening", FRANA_MEMBER(structured.softening), "", Range{1, 100},
+        "structured.modulus-reduction", FRANA_MEMBER(structured.modulus_reduction), "", Range{1, 100},
         "Divides both moduli; elastic waves are slower by its square root, and substeps longer by the same factor."));
-    list.push_back(number("structured.pic-share", FRANA_MEMBER(structured.pic_share), "", Range{0, 1},
+    list.push_back(number("structured.pic-fraction", FRANA_MEMBER(structured.pic_fraction), "", Range{0, 1},
                           "PIC fraction of the grid velocity that solids take over in a step."));
     list.push_back(number("structured.artificial-stress", FRANA_MEMBER(structured.artificial_stress), "", Range{0, 1},
                           "Strength of the artificial stress against clumping in tension."));
@@ -132,7 +133,7 @@ void add_coupling(std::vector<Parameter>& list) {
                           "Growth of the viscosity with the solid fraction, b in a exp(b alpha)."));
     list.push_back(number("structured.mobility", FRANA_MEMBER(structured.mobility), "", Range{0, 100},
                           "Mobility of the interface in the enhanced stress; 0: no such stress."));
-    list.push_back(number("structured.solids-shape", FRANA_MEMBER(structured.solids_shape), "", Range{0, 10},
+    list.push_back(number("structured.solids-profile-factor", FRANA_MEMBER(structured.solids_shape), "", Range{0, 10},
                           "Shape of the solid fraction over depth, zeta."));
 }
 

@@ -10,6 +10,7 @@
 #include "params/grammar/ini_file.h"
 #include "params/grammar/nearest_name.h"
 #include "params/grammar/value_text.h"
+#include "params/keys/former_names.h"
 #include "params/keys/laws.h"
 #include "params/keys/materials.h"
 #include "params/keys/scene_parameters.h"
@@ -33,19 +34,20 @@ struct Layer {
     }
 };
 
-/// Applies layers to a scene and keeps the faults.
+/// Applies layers to a scene and keeps the problems.
 class Reader {
   public:
     Reader(SceneReading& reading, std::string directory)
         : reading_(reading), directory_(std::move(directory)), parameters_(scene_parameters()) {}
 
-    void apply(const Layer& layer);
+    void apply(Layer layer);
     /// Forgets what a preset gave for laws that the scene does not ask for.
     void drop_unread_of_preset();
     [[nodiscard]] const std::set<std::string>& given() const { return given_; }
 
   private:
     void apply(const Layer& layer, const IniEntry& entry);
+    void use_present_names(Layer& layer);
     void make_paths_absolute(const Parameter& parameter, const std::string& where);
 
     SceneReading& reading_;
@@ -54,7 +56,18 @@ class Reader {
     std::set<std::string> given_;  ///< by the preset, the file or the command line, rightly or wrongly
 };
 
-void Reader::apply(const Layer& layer) {
+void Reader::use_present_names(Layer& layer) {
+    for (IniEntry& entry : layer.entries) {
+        const std::string now = present_name(entry.name);
+        if (now == entry.name) continue;
+        reading_.warnings.push_back(layer.where(entry.name) + " is now called " + now +
+                                    ": a later version will refuse the former name");
+        entry.name = now;
+    }
+}
+
+void Reader::apply(Layer layer) {
+    use_present_names(layer);
     static const std::string k_angle = "material.friction-angle", k_coefficient = "material.friction-coefficient";
     if (layer.has(k_angle) && layer.has(k_coefficient)) {
         reading_.problems.add({"contradicts material.friction-coefficient: both give the bed friction",

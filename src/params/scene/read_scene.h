@@ -13,7 +13,8 @@ namespace frana {
 struct SceneReading {
     SceneSpec scene;
     Problems problems;
-    std::string label;  ///< the scene file as the user named it
+    std::vector<std::string> warnings;  ///< keys given by a former name
+    std::string label;                  ///< the scene file as the user named it
 
     /// Where a key was given, for messages: "scene.ini: terrain.dtm" or "--set terrain.dtm".
     [[nodiscard]] std::string where(const std::string& name) const {
@@ -23,7 +24,7 @@ struct SceneReading {
 
 /// Reads a scene: defaults, then the material preset it names, then the file, then `overrides`
 /// ("section.key=value", as on the command line). Relative paths count from the scene file's folder and
-/// become absolute. Every fault is collected: unknown keys (with the nearest known), values, missing keys,
+/// become absolute. Every problem is collected: unknown keys (with the nearest known), values, missing keys,
 /// contradictions. Throws Error(input) only when the file itself cannot be read as INI.
 SceneReading read_scene(const std::string& path, const std::vector<std::string>& overrides,
                         const std::string& materials_directory);

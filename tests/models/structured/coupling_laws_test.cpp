@@ -101,11 +101,11 @@ TEST(Drag, MixingAndExponentLaws) {
     Mixture m = still_cell();
     m.structured = 0.2;
     m.confined = 0.5;
-    EXPECT_DOUBLE_EQ(drag.share(m), 1);  // 0.4 / 0.25, cut
+    EXPECT_DOUBLE_EQ(drag.fraction(m), 1);  // 0.4 / 0.25, cut
     m.solids = 0.2;
-    EXPECT_DOUBLE_EQ(drag.share(m), 0.2 * 0.8 / (0.8 * 0.5));
+    EXPECT_DOUBLE_EQ(drag.fraction(m), 0.2 * 0.8 / (0.8 * 0.5));
     drag.mixing = DragMixing::solids_fraction;
-    EXPECT_DOUBLE_EQ(drag.share(m), 0.2);
+    EXPECT_DOUBLE_EQ(drag.fraction(m), 0.2);
 }
 
 TEST(VirtualMass, SharesAcceleration) {

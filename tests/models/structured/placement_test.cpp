@@ -80,21 +80,21 @@ TEST(Placement, SplitsColumnsIntoPhases) {
     columns.push_back(r);
     SolidMaterial material;
     material.solid_fraction = 0.6;
-    material.confined_share = 0.75;
+    material.confined_fraction = 0.75;
     material.cohesion = 1e4;
     material.friction = 0.5;
     const auto everywhere = [&](Point) { return material; };
     const ParticleSet split = split_phases(columns, everywhere);
     EXPECT_DOUBLE_EQ(split[Field::volume][0], 6);
     EXPECT_DOUBLE_EQ(split[Field::confined][0], 3);
-    const ParticleSet whole = give_material(split, solid_fields(true, true), everywhere);
+    const ParticleSet whole = assign_material(split, solid_fields(true, true), everywhere);
     EXPECT_EQ(whole[Field::cohesion_ratio][0], 1);
     EXPECT_EQ(whole[Field::friction][0], 0.5);
     EXPECT_EQ(whole[Field::confined][0], split[Field::confined][0]);
 
     material.cohesion = 0;  // nothing that could hold the fluid
     EXPECT_EQ(split_phases(columns, everywhere)[Field::confined][0], 0);
-    EXPECT_EQ(give_material(split, solid_fields(true, true), everywhere)[Field::cohesion_ratio][0], 0);
+    EXPECT_EQ(assign_material(split, solid_fields(true, true), everywhere)[Field::cohesion_ratio][0], 0);
 }
 
 }  // namespace

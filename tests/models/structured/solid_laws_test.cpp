@@ -81,7 +81,7 @@ TEST(DruckerPrager, ReturnsToTheYieldSurface) {
     EXPECT_NEAR(std::sqrt(outside.j2()), 106.927e3, 1);
     const auto [s, yielded] = return_by_itself(law, k_flume, 0, outside);
     EXPECT_TRUE(yielded);
-    EXPECT_NEAR(s.xx, -158.220e3, 1);  // figures are given to a pascal
+    EXPECT_NEAR(s.xx, -158.220e3, 1);  // values are given to a pascal
     EXPECT_NEAR(s.yy, -48.724e3, 1);
     EXPECT_NEAR(s.zz, -73.056e3, 1);
     EXPECT_NEAR(s.xy, 30.416e3, 1);

@@ -56,14 +56,14 @@ TEST(WeakBlock, OnePascalIsNearlyNone) {
 struct Column {
     /// @param side in particles
     /// @param young E [Pa]
-    Column(double share, int side, double young) : pool(1), c(2), state(make(share, side, young)) {}
+    Column(double fraction, int side, double young) : pool(1), c(2), state(make(fraction, side, young)) {}
 
-    State make(double share, int side, double young) {
+    State make(double fraction, int side, double young) {
         c.material.cohesion = 1e4;
         c.laws.solid.elastic = Elasticity::from_young_and_bulk(young, young / 1.5);
         c.material.bed_friction = std::tan(12 * k_degree);
         const double critical = 2 * 1.9991 * 1e4 / (1700 * 9.81);
-        c.fill(20, 20, side, side, [&](Point) { return bench::Seed{share * critical}; });
+        c.fill(20, 20, side, side, [&](Point) { return bench::Seed{fraction * critical}; });
         return c.start(flat(35, 35, 2), pool);
     }
     ThreadPool pool;

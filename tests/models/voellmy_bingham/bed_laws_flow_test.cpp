@@ -140,8 +140,8 @@ TEST(BedLaws, HerschelBulkley) {
     m.flow_index = 0.5;
     // The bed stress at a speed, by bisection of the mean speed's closed form (index 1/2, 1 m thick).
     const auto speed = [](double x) {
-        const double share = x / (1000 + x);
-        return std::pow(x / 1500, 2) * share / 3 * (1 - share / 4);
+        const double fraction = x / (1000 + x);
+        return std::pow(x / 1500, 2) * fraction / 3 * (1 - fraction / 4);
     };
     expect_block(m, [&](double s, double) {
         double low = 0, high = 1e5;
@@ -234,9 +234,9 @@ TEST(BedLaws, OfTheTableAreBuiltAndReadTheZonesThatItSays) {
 
 // What yields holds at rest exactly, by its own bound: a cone on a slope, whose driving stress is at most
 // rho g h times the slope of its surface, 0.1 + 0.2: 9 kPa at its middle, less everywhere else.
-class HoldsAtRest : public testing::TestWithParam<std::string> {};
+class StaysAtRest : public testing::TestWithParam<std::string> {};
 
-TEST_P(HoldsAtRest, NotOneBitMoves) {
+TEST_P(StaysAtRest, NotOneBitMoves) {
     Material m = material_of({GetParam()});
     m.friction_coefficient = 0.4;
     m.fast_friction_coefficient = 0.6;
@@ -257,7 +257,7 @@ TEST_P(HoldsAtRest, NotOneBitMoves) {
     for (std::size_t i = 0; i < x.size(); ++i) ASSERT_EQ(flow.particles()[Field::x][i], x[i]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, HoldsAtRest,
+INSTANTIATE_TEST_SUITE_P(Laws, StaysAtRest,
                          testing::Values("cohesion", "ramms-yield", "bingham", "herschel-bulkley", "obrien-julien",
                                          "pouliquen-forterre"));
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frictionless dam breaks in a 1000 m channel, 20 s, against Stoker and Ritter (bench/dam_break.h). The
-// bounds are the figures that the method's scratch study reached (0.028 / 0.016 m wet, 0.022 / 0.011 m dry at
+// bounds are the values that the method's scratch study reached (0.028 / 0.016 m wet, 0.022 / 0.011 m dry at
 // 200 / 400 cells), with a quarter to spare; they are no worse than finite-volume codes of second order
 // within a factor 1.5.
 #include <gtest/gtest.h>

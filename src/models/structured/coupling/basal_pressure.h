@@ -9,15 +9,15 @@ namespace frana::structured {
 struct Column {
     double solids = 0;      ///< h_s [m]
     double confined = 0;    ///< h_fc [m]
-    double structured = 0;  ///< f_sc, share of the solids that is structured [-]
-    double submerged = 0;   ///< share of the loose solids' pores that free fluid fills [-]
+    double structured = 0;  ///< f_sc, fraction of the solids that is structured [-]
+    double submerged = 0;   ///< fraction of the loose solids' pores that free fluid fills [-]
 };
 
 /// What the bed carries of solids and confined fluid, as effective stress (after the paper's equations 37 to 39; its
 /// 58 cannot be read):
 ///     N = g [ (1 - f_sc) h_s (rho_s - S rho_f) + f_sc h_s (rho_s - B rho_f) + (1 - B) h_fc rho_f ] >= 0
 /// Loose solids weigh what buoyancy leaves (Pudasaini 2012), structured solids with their confined fluid weigh in full
-/// unless a share B of the pore pressure reaches the bed. S, ours: loose solids float only as far as there is free
+/// unless a fraction B of the pore pressure reaches the bed. S, ours: loose solids float only as far as there is free
 /// fluid in their pores, so that dry rubble keeps its weight.
 struct BasalPressure {
     double gravity = 9.81;

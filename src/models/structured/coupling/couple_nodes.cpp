@@ -63,7 +63,7 @@ Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity,
 
 }  // namespace
 
-void show_solids(std::int64_t j, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes) {
+void solids_to_fluid(std::int64_t j, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes) {
     const double inverse_area = 1 / (grid.cell_size() * grid.cell_size());
     for (std::int64_t i = nodes.box.i0; i < nodes.box.i1; ++i) {
         const auto n = static_cast<std::size_t>(j * grid.stride() + i);

@@ -10,7 +10,7 @@ namespace frana::structured {
 
 /// From sums to what the fluid sees: depth and velocity of solids with confined fluid, fractions. For padded row j of
 /// the box.
-void show_solids(std::int64_t j, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes);
+void solids_to_fluid(std::int64_t j, const NodeGrid& grid, const FluidState* fluid, SolidNodes& nodes);
 
 /// Forces on the solids at the nodes of padded row j of the box: terrain and thrust; with fluid, buoyancy, virtual mass
 /// and drag, whose reactions change the fluid's discharge.

@@ -66,7 +66,7 @@ struct Drag {
         }
         if (m.structured < 1) {
             const double u = settling_velocity(fluid, m.grain_density, m.grain_diameter);
-            sum += (1 - m.structured) * loose(m, u, u * m.grain_diameter / fluid.kinematic_viscosity, share(m), k);
+            sum += (1 - m.structured) * loose(m, u, u * m.grain_diameter / fluid.kinematic_viscosity, fraction(m), k);
         }
         return sum;
     }
@@ -86,7 +86,7 @@ struct Drag {
         return fluid.density / m.grain_density / 180 * ratio * ratio * ratio * reynolds;
     }
     /// P of the loose part.
-    [[nodiscard]] double share(const Mixture& m) const noexcept {
+    [[nodiscard]] double fraction(const Mixture& m) const noexcept {
         if (mixing == DragMixing::solids_fraction) return std::pow(m.solids, mixing_exponent);
         const double open = (1 - m.solids) * (1 - m.confined);
         const double quotient = m.solids * (1 - m.structured) / std::max(open, 1e-12);

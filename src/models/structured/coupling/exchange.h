@@ -62,7 +62,7 @@ inline Eigen::Vector2d exchange(const CouplingLaws& laws, const CellPhases& cell
     m.flux = std::hypot(flux.x(), flux.y());
     const Vector2d w = u_u - u_c;
     // While the drag acts the virtual mass joins the two: their momenta change by m_r w only, of which the bare masses
-    // carry the share that a change of w means for them.
+    // carry the fraction that a change of w means for them.
     const double bare = m_c * m_u / (m_c + m_u), reduced = bare + m_v;
     const double lambda = depth * laws.drag(m) / reduced;
     const double lost = bare * (1 - drag_decay(laws.drag.exponent, lambda, std::hypot(w.x(), w.y()), dt));

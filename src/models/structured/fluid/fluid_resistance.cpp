@@ -25,7 +25,7 @@ double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcep
 }
 
 void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
-            const SolidLayer& solid, double dt, FluidFields& fields) {
+            const SolidsOnGrid& solid, double dt, FluidFields& fields) {
     const bool enhanced = solid.u != nullptr && laws.mobility > 0 && laws.viscosity > 0;
     const double half_inverse = 0.5 / nodes.cell_size();
     range.for_each(nodes.stride(), [&](std::size_t cell, std::int64_t, std::int64_t) {
@@ -42,8 +42,8 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
             linear = laws.velocity_shape * nu / (total * total);
             if (enhanced) {
                 const double loose = solid.structured != nullptr ? 1 - solid.structured[cell] : 1;
-                const double rate = laws.mobility * nu / std::max(h / total, k_least_free_share) * laws.solids_shape *
-                                    solids * loose / (total * total);
+                const double rate = laws.mobility * nu / std::max(h / total, k_least_free_fraction) *
+                                    laws.solids_shape * solids * loose / (total * total);
                 linear += rate;
                 pull_u = rate * solid.u[cell];
                 pull_v = rate * solid.v[cell];
@@ -69,20 +69,20 @@ namespace {
 // What the stress at a face needs of a cell.
 struct Cell {
     double depth = 0, u = 0, v = 0;  // of the fluid
-    double share = 0;                // alpha_c
+    double fraction = 0;             // alpha_c
     double wu = 0, wv = 0;           // velocity against the solids
     double nu_n = 0, nu_a = 0;       // [m2/s]
     bool wet = false;
 };
 
 struct Gradient {
-    double u, v, share;
+    double u, v, fraction;
 };
 
 }  // namespace
 
 void shear(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
-           const SolidLayer& solid, double dt, const FluidFields& from, FluidFields& to) {
+           const SolidsOnGrid& solid, double dt, const FluidFields& from, FluidFields& to) {
     const double dx = nodes.cell_size();
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
     const auto cell_at = [&](std::int64_t i, std::int64_t j) {
@@ -97,10 +97,10 @@ void shear(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws,
         c.nu_n = kinematic_viscosity(laws, solid.solid_fraction != nullptr ? solid.solid_fraction[k] : 0);
         if (solid.u != nullptr && solid.depth[k] > 0) {
             const double total = c.depth + solid.depth[k];
-            c.share = solid.depth[k] / total;
+            c.fraction = solid.depth[k] / total;
             c.wu = c.u - solid.u[k];
             c.wv = c.v - solid.v[k];
-            c.nu_a = laws.mobility * c.nu_n / std::max(1 - c.share, k_least_free_share);
+            c.nu_a = laws.mobility * c.nu_n / std::max(1 - c.fraction, k_least_free_fraction);
         }
         return c;
     };
@@ -110,7 +110,8 @@ void shear(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws,
         const Cell& high = above.wet ? above : here;
         const int steps = below.wet + above.wet;
         const double inverse = steps > 0 ? 1 / (steps * dx) : 0;
-        return Gradient{(high.u - low.u) * inverse, (high.v - low.v) * inverse, (high.share - low.share) * inverse};
+        return Gradient{(high.u - low.u) * inverse, (high.v - low.v) * inverse,
+                        (high.fraction - low.fraction) * inverse};
     };
     // Force per length of the face between cell (i, j) and its upper neighbour, along x or along y [m3/s2].
     struct Force {
@@ -123,15 +124,15 @@ void shear(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws,
         const double depth = std::min(low.depth, high.depth);
         const double nu_n = 0.5 * (low.nu_n + high.nu_n), nu_a = 0.5 * (low.nu_a + high.nu_a);
         const double wu = 0.5 * (low.wu + high.wu), wv = 0.5 * (low.wv + high.wv);
-        const Gradient normal{(high.u - low.u) / dx, (high.v - low.v) / dx, (high.share - low.share) / dx};
+        const Gradient normal{(high.u - low.u) / dx, (high.v - low.v) / dx, (high.fraction - low.fraction) / dx};
         const Gradient l = along_face(cell_at(i - b, j - a), low, cell_at(i + b, j + a));
         const Gradient h = along_face(cell_at(i + a - b, j + b - a), high, cell_at(i + a + b, j + b + a));
-        const Gradient tangent{0.5 * (l.u + h.u), 0.5 * (l.v + h.v), 0.5 * (l.share + h.share)};
+        const Gradient tangent{0.5 * (l.u + h.u), 0.5 * (l.v + h.v), 0.5 * (l.fraction + h.fraction)};
         const Gradient& gx = x_face ? normal : tangent;
         const Gradient& gy = x_face ? tangent : normal;
-        const double xy = nu_n * (gy.u + gx.v) - nu_a * (gx.share * wv + gy.share * wu);
-        if (x_face) return Force{depth * (2 * nu_n * gx.u - 2 * nu_a * gx.share * wu), depth * xy};
-        return Force{depth * xy, depth * (2 * nu_n * gy.v - 2 * nu_a * gy.share * wv)};
+        const double xy = nu_n * (gy.u + gx.v) - nu_a * (gx.fraction * wv + gy.fraction * wu);
+        if (x_face) return Force{depth * (2 * nu_n * gx.u - 2 * nu_a * gx.fraction * wu), depth * xy};
+        return Force{depth * xy, depth * (2 * nu_n * gy.v - 2 * nu_a * gy.fraction * wv)};
     };
     const double ratio = dt / dx;
     range.for_each(stride, [&](std::size_t cell, std::int64_t i, std::int64_t j) {

@@ -5,8 +5,8 @@
 
 namespace frana::structured {
 
-/// Least share of free fluid in a cell that the enhanced stress divides by (share/doc/structured.md, "Free fluid").
-inline constexpr double k_least_free_share = 0.05;
+/// Least fraction of free fluid in a cell that the enhanced stress divides by (share/doc/structured.md, "Free fluid").
+inline constexpr double k_least_free_fraction = 0.05;
 
 /// Whether a scene's fluid feels its bed at all.
 bool has_resistance(const FluidLaws& laws);
@@ -30,7 +30,7 @@ double kinematic_viscosity(const FluidLaws& laws, double solid_fraction) noexcep
 ///
 /// Reads depth; writes qx, qy.
 void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
-            const SolidLayer& solid, double dt, FluidFields& fields);
+            const SolidsOnGrid& solid, double dt, FluidFields& fields);
 
 /// In-plane viscous stress in one tile over dt, explicit, as the divergence of depth times stress through the
 /// faces (ours: the paper's (56) takes depth and viscosity out of the derivative), so that it moves momentum
@@ -42,6 +42,6 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
 /// its two cells'; nothing acts across a wall, an edge or a dry cell. Reads `from` in the tile and one cell
 /// around; writes to.qx, to.qy.
 void shear(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
-           const SolidLayer& solid, double dt, const FluidFields& from, FluidFields& to);
+           const SolidsOnGrid& solid, double dt, const FluidFields& from, FluidFields& to);
 
 }  // namespace frana::structured

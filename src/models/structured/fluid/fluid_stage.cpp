@@ -69,7 +69,7 @@ void sweep_tile(const SweepCells& cells, const FluidLaws& laws, SweepRates& rate
 }  // namespace
 
 TileReport fluid_stage(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
-                       const double* solid_depth, double dt, double share, const FluidFields& from,
+                       const double* solid_depth, double dt, double fraction, const FluidFields& from,
                        const FluidFields& before, FluidFields& to) {
     // What rounding may leave of a cell that runs empty; more than that below zero is a step too long.
     const double grain = 1e-12 * laws.dry;
@@ -95,10 +95,10 @@ TileReport fluid_stage(const NodeRange& range, const NodeGrid& nodes, const Flui
         if (!(std::isfinite(depth) && std::isfinite(qx) && std::isfinite(qy))) ++report.non_finite;
         report.lowest = std::min(report.lowest, depth < -grain ? depth : 0.0);
         depth = std::max(depth, 0.0);
-        if (share < 1) {
-            depth = share * depth + (1 - share) * before.depth[cell];
-            qx = share * qx + (1 - share) * before.qx[cell];
-            qy = share * qy + (1 - share) * before.qy[cell];
+        if (fraction < 1) {
+            depth = fraction * depth + (1 - fraction) * before.depth[cell];
+            qx = fraction * qx + (1 - fraction) * before.qx[cell];
+            qy = fraction * qy + (1 - fraction) * before.qy[cell];
         }
         const bool wet = depth >= laws.dry;
         report.wet_cells += wet;

@@ -18,7 +18,7 @@ struct TileReport {
 /// Reads `from` in the tile and two cells around, `before` in the tile (equal to `from` where share is 1); writes `to`
 /// in the tile. Discharge under the dry depth becomes zero.
 TileReport fluid_stage(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws, const FluidState& state,
-                       const double* solid_depth, double dt, double share, const FluidFields& from,
+                       const double* solid_depth, double dt, double fraction, const FluidFields& from,
                        const FluidFields& before, FluidFields& to);
 
 }  // namespace frana::structured

@@ -23,12 +23,12 @@ struct FluidFields {
 
 /// What solid particles put into the cells, padded like the nodes; null pointers where a scene has no solids. The
 /// fluid lies on the effective bed b + depth; the rest enters only its viscous stress.
-struct SolidLayer {
+struct SolidsOnGrid {
     const double* depth = nullptr;           ///< h_c, solids and confined fluid [m]
     const double* u = nullptr;               ///< u_c [m/s]
     const double* v = nullptr;               ///< v_c [m/s]
     const double* solid_fraction = nullptr;  ///< alpha_s of everything in the cell [-]
-    const double* structured = nullptr;      ///< f_sc, share of the solids that is structured [-]
+    const double* structured = nullptr;      ///< f_sc, fraction of the solids that is structured [-]
 };
 
 /// Fluid that comes into a cell between two steps, with its momentum: release of confined fluid, inflow.

@@ -55,11 +55,12 @@ void activate_tiles(FluidState& state, const NodeGrid& nodes) {
     state.touched = std::move(touched);
 }
 
-TileReport run_stage(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid,
-                     double dt, double share, const FluidFields& from, FluidFields& to, bool last, ThreadPool& pool) {
+TileReport run_stage(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidsOnGrid& solid,
+                     double dt, double fraction, const FluidFields& from, FluidFields& to, bool last,
+                     ThreadPool& pool) {
     std::vector<TileReport> reports(state.tiles.size());
     for_tiles(state, nodes, pool, [&](std::size_t t, const NodeRange& range) {
-        reports[t] = fluid_stage(range, nodes, laws, state, solid.depth, dt, share, from, state.now, to);
+        reports[t] = fluid_stage(range, nodes, laws, state, solid.depth, dt, fraction, from, state.now, to);
         if (last) state.wet[static_cast<std::size_t>(state.tiles[t])] = reports[t].wet_cells > 0;
     });
     TileReport sum;
@@ -74,7 +75,7 @@ TileReport run_stage(FluidState& state, const NodeGrid& nodes, const FluidLaws& 
 }
 
 // Adds the velocity where solids lie to what stress and resistance have changed it by, before them with a sign of -1.
-void hold(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid, double sign,
+void hold(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidsOnGrid& solid, double sign,
           ThreadPool& pool) {
     for_tiles(state, nodes, pool, [&](std::size_t, const NodeRange& range) {
         range.for_each(nodes.stride(), [&](std::size_t cell, std::int64_t, std::int64_t) {
@@ -97,7 +98,7 @@ void forget_held(FluidState& state, const NodeGrid& nodes, ThreadPool& pool) {
 }
 
 // One step of Heun's method (or Euler's), or nothing when a depth would become negative.
-bool try_step(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid, double dt,
+bool try_step(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidsOnGrid& solid, double dt,
               FluidReport& report, ThreadPool& pool) {
     // Pressure and terrain: U1 = U + dt R(U);  U2 = (U + U1 + dt R(U1)) / 2.
     const bool heun = laws.second_order;
@@ -207,7 +208,7 @@ double receive(std::span<const FluidSource> sources, FluidState& state, const Fl
     return refused;
 }
 
-double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid,
+double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidsOnGrid& solid,
                    ThreadPool& pool) {
     std::vector<double> fastest(state.tiles.size()), thickest(state.tiles.size());
     const bool viscous = has_viscosity(laws);
@@ -220,8 +221,8 @@ double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLa
             if (!viscous) return;
             const double solids = solid.solid_fraction != nullptr ? solid.solid_fraction[cell] : 0;
             const double held = solid.depth != nullptr ? solid.depth[cell] : 0;
-            const double free_share = std::max(h / (h + held), k_least_free_share);
-            const double enhanced = solid.u != nullptr ? laws.mobility / free_share : 0;
+            const double free_fraction = std::max(h / (h + held), k_least_free_fraction);
+            const double enhanced = solid.u != nullptr ? laws.mobility / free_fraction : 0;
             thickest[t] = std::max(thickest[t], kinematic_viscosity(laws, solids) * std::max(1.0, enhanced));
         });
     });
@@ -235,10 +236,10 @@ double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLa
     return dt;
 }
 
-FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid, double dt,
-                    ThreadPool& pool) {
-    constexpr double k_least_share = 1e-6;  // of a step in a stable one: what is faster will not come to an end
-    constexpr int k_most_retries = 40;      // of one step, each at half the length
+FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidsOnGrid& solid,
+                    double dt, ThreadPool& pool) {
+    constexpr double k_least_fraction = 1e-6;  // of a step in a stable one: what is faster will not come to an end
+    constexpr int k_most_retries = 40;         // of one step, each at half the length
     FluidReport report;
     forget_held(state, nodes, pool);
     double left = dt;
@@ -246,7 +247,7 @@ FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& l
         activate_tiles(state, nodes);
         if (state.tiles.empty()) break;
         const double stable = stable_step(state, nodes, laws, solid, pool);
-        if (!(stable > k_least_share * dt)) {  // an infinite or undefined speed, or next to it
+        if (!(stable > k_least_fraction * dt)) {  // an infinite or undefined speed, or next to it
             ++report.non_finite;
             break;
         }

@@ -18,7 +18,7 @@ double receive(std::span<const FluidSource> sources, FluidState& state, const Fl
 
 /// Longest step the present state allows (share/doc/structured.md, "Scheme") [s]; infinity where nothing is wet:
 ///     dt <= cfl / max[ (|u| + c)/dx + (|v| + c)/dx ],  c = sqrt(g h_u);   dt <= 0.1 dx^2 / nu
-double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid,
+double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidsOnGrid& solid,
                    ThreadPool& pool);
 
 /// Moves the fluid on by dt [s] over the bed of `nodes` and what `solid` holds: pressure and terrain, Manning,
@@ -26,8 +26,8 @@ double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLa
 /// stable_step is taken in several steps. The same bits for any number of threads.
 ///
 /// One page: fluid_step.cpp.
-FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidLayer& solid, double dt,
-                    ThreadPool& pool);
+FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidsOnGrid& solid,
+                    double dt, ThreadPool& pool);
 
 /// Fluid inside [m3], summed tile by tile over what was ever wet.
 double fluid_volume(const FluidState& state, const NodeGrid& nodes, ThreadPool& pool);

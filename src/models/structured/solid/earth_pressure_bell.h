@@ -25,7 +25,7 @@ inline double active_thrust(double coefficient, double load, double depth, doubl
     if (!(load > 0 && depth > 0)) return 0;
     const double root = std::sqrt(coefficient) * load;
     if (2 * cohesion >= root) return 0;
-    const double pushing = 1 - 2 * cohesion / root;  // share of the depth below the crack
+    const double pushing = 1 - 2 * cohesion / root;  // fraction of the depth below the crack
     return 0.5 * coefficient * load * depth * pushing * pushing;
 }
 

@@ -20,7 +20,7 @@ struct Obstacles {
 
     [[nodiscard]] bool none() const noexcept { return !edges && !nodes->any_solid(); }
     [[nodiscard]] bool at(double x, double y) const noexcept {
-        if (!nodes->bounds().holds(x, y)) return edges;
+        if (!nodes->bounds().contains(x, y)) return edges;
         const std::size_t node = nodes->scale().node_of(x, y);
         return nodes->is_wall(node) || (gaps_are_walls && nodes->is_gap(node));
     }

@@ -105,13 +105,13 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
                     const Quad sum_density = density + Quad::load(w[PairWork::density] + k);
                     const Quad softened = distance2 + softening, distance = max(q, k_least_distance);
                     // One division for all: 1 / (r^2 + ..), 1 / (Sigma_i + Sigma_j) and 1 / q.
-                    const Quad share = 1.0 / (softened * sum_density * distance);
+                    const Quad fraction = 1.0 / (softened * sum_density * distance);
                     const Quad approach =
                         min((u - Quad::load(w[PairWork::u] + k)) * dx + (v - Quad::load(w[PairWork::v] + k)) * dy, 0.0);
-                    const Quad phi = smoothing * approach * (share * sum_density * distance);
+                    const Quad phi = smoothing * approach * (fraction * sum_density * distance);
                     const Quad sounds = linear * (sound + Quad::load(w[PairWork::sound] + k));  // twice the mean
-                    const Quad pi = (quadratic * phi - sounds) * phi * (2.0 * share * softened * distance);
-                    const Quad slope = (3.0 * inner2 - 0.75 * outer2) * (share * softened * sum_density);
+                    const Quad pi = (quadratic * phi - sounds) * phi * (2.0 * fraction * softened * distance);
+                    const Quad slope = (3.0 * inner2 - 0.75 * outer2) * (fraction * softened * sum_density);
                     const auto real = first_lanes(run.end - k < 4 ? run.end - k : 4);
                     const auto near = real & (q < 2.0);
                     least = min(least, select(near, phi, 0.0));

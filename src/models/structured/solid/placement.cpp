@@ -120,8 +120,8 @@ ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMa
     return particles;
 }
 
-ParticleSet give_material(const ParticleSet& placed, FieldMask fields,
-                          const std::function<SolidMaterial(Point)>& material) {
+ParticleSet assign_material(const ParticleSet& placed, FieldMask fields,
+                            const std::function<SolidMaterial(Point)>& material) {
     ParticleSet particles(fields);
     particles.resize(placed.size());
     for (std::size_t p = 0; p < placed.size(); ++p) {

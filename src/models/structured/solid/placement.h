@@ -29,17 +29,17 @@ ParticleSet place_anew(const ParticleSet& placed, const GridSpec& grid, int per_
 /// What the solids of a scene are made of at a place.
 struct SolidMaterial {
     double solid_fraction = 0.5;   ///< alpha_s of solids with pore fluid [-]
-    double confined_share = 1;     ///< f_fc, share of the pore fluid that is confined [-]
+    double confined_fraction = 1;  ///< f_fc, fraction of the pore fluid that is confined [-]
     double cohesion = 0;           ///< [Pa]
     double friction = 0;           ///< tan(phi) [-]
     double bed_friction = 0;       ///< tan(phi_b) [-]
     double grain_density = 2400;   ///< [kg/m3]
     double grain_diameter = 1e-3;  ///< [m]
 
-    /// Share of the whole volume that is confined fluid, and that is free fluid. Without cohesion nothing is
+    /// Fraction of the whole volume that is confined fluid, and that is free fluid. Without cohesion nothing is
     /// held.
     [[nodiscard]] double held() const noexcept {
-        return solid_fraction > 0 && cohesion > 0 ? (1 - solid_fraction) * confined_share : 0;
+        return solid_fraction > 0 && cohesion > 0 ? (1 - solid_fraction) * confined_fraction : 0;
     }
     [[nodiscard]] double free() const noexcept { return 1 - solid_fraction - held(); }
 };
@@ -50,7 +50,7 @@ struct SolidMaterial {
 ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMaterial(Point)>& material);
 
 /// Gives particles (x, y, u, v, volume, area, confined) their material, and all fields of a scene.
-ParticleSet give_material(const ParticleSet& placed, FieldMask fields,
-                          const std::function<SolidMaterial(Point)>& material);
+ParticleSet assign_material(const ParticleSet& placed, FieldMask fields,
+                            const std::function<SolidMaterial(Point)>& material);
 
 }  // namespace frana::structured

@@ -44,9 +44,9 @@ struct SolidLaws {
     double spacing = 1;     ///< of particles at the start, dp
     ArtificialViscosity viscosity;
     double artificial_stress = 0.5;
-    double elastic_cfl = 0.25;  ///< share of the smoothing length that elastic waves cross in a substep
+    double elastic_cfl = 0.25;  ///< fraction of the smoothing length that elastic waves cross in a substep
     bool sleeps = true;         ///< what rests is not computed anew; false, for tests: it is, to the same bits
-    double pic_share = 0;       ///< of the grid's velocity that particles take over in a step
+    double pic_fraction = 0;    ///< of the grid's velocity that particles take over in a step
 };
 
 }  // namespace frana::structured

@@ -32,7 +32,7 @@ struct alignas(32) CouplingSums {
 struct alignas(32) NodePush {
     double ax = 0, ay = 0;   ///< acceleration [m/s2]
     double flatness = 1;     ///< 1 / (1 + |grad b|^2)
-    double submergence = 0;  ///< share of the loose solids' pores that free fluid fills
+    double submergence = 0;  ///< fraction of the loose solids' pores that free fluid fills
 };
 
 /// Padded node indices [i0, i1) x [j0, j1).
@@ -64,15 +64,15 @@ class SolidNodes {
     /// What steps change; walls stand where they stood.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [sum, coupled, pushes, h, nu, nv, solids, whole_share, where, inside, all_inside] =
+        [[maybe_unused]] auto& [sum, coupled, pushes, h, nu, nv, solids, whole_fraction, where, inside, all_inside] =
             *this;
-        archive(sum, coupled, pushes, h, nu, nv, solids, whole_share, where);
+        archive(sum, coupled, pushes, h, nu, nv, solids, whole_fraction, where);
     }
 
     ZeroArray<SolidSums> sums;
     ZeroArray<CouplingSums> coupling;  ///< empty without fluid
     ZeroArray<NodePush> push;
-    ZeroArray<double> depth, u, v, solid_fraction, structured;  ///< what the fluid sees (SolidLayer)
+    ZeroArray<double> depth, u, v, solid_fraction, structured;  ///< what the fluid sees (SolidsOnGrid)
     NodeBox box;                                                ///< where anything may be
 
   private:

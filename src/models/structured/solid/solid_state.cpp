@@ -67,7 +67,7 @@ void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid,
         const double u = particles[Field::u][p], v = particles[Field::v][p], solids = particles[Field::volume][p];
         const double confined = particles[Field::confined] ? particles[Field::confined][p] : 0;
         const double m = particles[Field::grain_density][p] * solids + laws.basal.fluid_density * confined;
-        if (grid.bounds().holds(x, y)) {
+        if (grid.bounds().contains(x, y)) {
             mass += m;
             px += m * u;
             py += m * v;

@@ -51,7 +51,7 @@ void solids_to_nodes(ParticleRun run, const SolidLaws& laws, const ParticleSet& 
 template <class Kind>
 void nodes_to_solids(ParticleRun run, const SolidLaws& laws, double dt, const NodeGrid& grid, const SolidNodes& nodes,
                      ParticleSet& particles) {
-    const double pic_share = laws.pic_share;
+    const double pic_fraction = laws.pic_fraction;
     for (std::size_t p = run.begin; p < run.end; ++p) {
         const CubicStencil stencil(particles[Field::x][p], particles[Field::y][p], grid, nodes);
         double ax = 0, ay = 0, flatness = 0, submergence = 0, u = 0, v = 0, depth = 0;
@@ -66,15 +66,15 @@ void nodes_to_solids(ParticleRun run, const SolidLaws& laws, double dt, const No
                 flatness += w * node.flatness;
                 submergence += w * node.submergence;
                 depth += w * nodes.depth[n];
-                if (pic_share > 0) {
+                if (pic_fraction > 0) {
                     u += w * nodes.u[n];
                     v += w * nodes.v[n];
                 }
             }
         }
-        if (pic_share > 0 && stencil.any) {
-            ax += pic_share * (u - particles[Field::u][p]) / dt;
-            ay += pic_share * (v - particles[Field::v][p]) / dt;
+        if (pic_fraction > 0 && stencil.any) {
+            ax += pic_fraction * (u - particles[Field::u][p]) / dt;
+            ay += pic_fraction * (v - particles[Field::v][p]) / dt;
         }
         particles[Field::push_x][p] = ax;
         particles[Field::push_y][p] = ay;
@@ -83,9 +83,9 @@ void nodes_to_solids(ParticleRun run, const SolidLaws& laws, double dt, const No
         const ColumnState column = column_state<Kind>(laws, particles, p);
         if (!(depth > 0) || !flows_freely(laws, column)) continue;
         const double speed = std::hypot(particles[Field::u][p], particles[Field::v][p]);
-        const double share = std::min(1.0, dt * (speed + std::sqrt(laws.gravity * depth)) / grid.cell_size());
+        const double fraction = std::min(1.0, dt * (speed + std::sqrt(laws.gravity * depth)) / grid.cell_size());
         double& area = particles[Field::area][p];
-        area += share * (area * column.depth / depth - area);
+        area += fraction * (area * column.depth / depth - area);
     }
 }
 

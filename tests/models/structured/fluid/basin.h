@@ -84,7 +84,7 @@ struct Basin {
     NodeGrid nodes;
     FluidLaws laws;
     FluidState state;
-    SolidLayer solid;
+    SolidsOnGrid solid;
     std::unique_ptr<ThreadPool> pool;  // so that a basin can be moved
 
   private:

@@ -152,13 +152,13 @@ TEST(FluidResistance, EnhancedStressOfAVaryingShareOfSolids) {
     Basin basin(Raster(plain_grid(100, 3, 1), 0.0), laws);
     basin.fill([](Point) { return Water{1, 1, 0}; });
     const double k = 2 * M_PI / 50;
-    const auto share = [k](double x) { return 0.3 + 0.1 * std::sin(k * x); };
-    const Solids solids(basin, 0, 0.2, 1, [&](Point p) { return share(p.x) / (1 - share(p.x)); });
+    const auto fraction = [k](double x) { return 0.3 + 0.1 * std::sin(k * x); };
+    const Solids solids(basin, 0, 0.2, 1, [&](Point p) { return fraction(p.x) / (1 - fraction(p.x)); });
     constexpr double dt = 1e-3;
     basin.advance(dt);
     double greatest = 0;
     for (std::int64_t i = 20; i < 80; ++i) {
-        const double x = static_cast<double>(i) + 0.5, a = share(x), slope = 0.1 * k * std::cos(k * x);
+        const double x = static_cast<double>(i) + 0.5, a = fraction(x), slope = 0.1 * k * std::cos(k * x);
         const double bend = -0.1 * k * k * std::sin(k * x), free = 1 - a;
         const double force = -2 * (bend / free + slope * slope / (free * free));
         EXPECT_NEAR((basin.u(i, 1) - 1) / dt, force, 0.02 * 2 * 0.1 * k * k / 0.6);

@@ -100,9 +100,9 @@ TEST(StructuredRun, SolidsAndFluidShowTheirPhasesAndLoseNothing) {
     double volume = 0;
     for (const double d : solids->values) volume += std::isnan(d) ? 0 : d * 4;
     EXPECT_NEAR(volume, 0.5 * k_released, 0.01 * k_released);  // but for cells under a centimetre
-    for (const char* share : {"cohesion_ratio", "solid_fraction"}) {
-        const Raster* raster = named(result.more, share);
-        ASSERT_NE(raster, nullptr) << share;
+    for (const char* fraction : {"cohesion_ratio", "solid_fraction"}) {
+        const Raster* raster = named(result.more, fraction);
+        ASSERT_NE(raster, nullptr) << fraction;
         for (const double value : raster->values) EXPECT_TRUE(std::isnan(value) || (value >= 0 && value <= 1 + 1e-12));
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/film/movie.h"
+#include "render/animation/movie.h"
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -18,7 +18,7 @@ extern "C" {
 
 #include "core/error.h"
 #include "core/file_aside.h"
-#include "render/film/gif_palette.h"
+#include "render/animation/gif_palette.h"
 
 namespace frana::render {
 namespace {
@@ -63,7 +63,7 @@ class MovieWriter::Encoder {
                                     std::to_string(frames_per_second) + " frames per second",
                                 "at least 2 x 2 pixels, over 0 and up to 1000 frames per second", ""});
         }
-        av_log_set_level(AV_LOG_QUIET);  // its faults come back as codes; its chatter would reach the terminal
+        av_log_set_level(AV_LOG_QUIET);  // its problems come back as codes; its chatter would reach the terminal
         open_codec(frames_per_second);
         open_file();
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/run_figures.h"
+#include "simulation/run_statistics.h"
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ Raster part_inside(Raster raster, const Raster& inside) {
 
 }  // namespace
 
-RunFigures run_figures(const RunResult& result, double threshold, const Raster& inside) {
+RunStatistics run_statistics(const RunResult& result, double threshold, const Raster& inside) {
     const Raster depth = part_inside(result.max_depth, inside);
     const Raster trace = trace_mask(depth, threshold);
     return {high_values(depth, trace), high_values(part_inside(result.max_velocity, inside), trace), masked_area(trace),

@@ -22,19 +22,19 @@ struct ViewPlace {
 };
 
 /// A view without its layer: terrain, camera, lines and texts made once, ready for one layer after the other.
-class ViewStage {
+class ViewSession {
   public:
     /// `for_frames`: other layers than the spec's will come, each with a subtitle of its own. `place` is
     /// taken where it fits, else made and put there; until the stage has drawn its last picture no other may use it.
-    ViewStage(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place);
-    ~ViewStage();
+    ViewSession(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place);
+    ~ViewSession();
 
     /// The view with a layer and dots (none if null) and a subtitle; the latter only where the stage was made for
     /// frames.
     [[nodiscard]] Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle);
 
     /// See ViewAnimator::fly; the spec's texts must still be there.
-    void fly(double share);
+    void fly(double fraction);
 
     [[nodiscard]] const ViewLayout& layout() const noexcept;
     [[nodiscard]] const ColourScale& scale() const noexcept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation/trouble_watch.h"
+#include "simulation/run_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace frana {
 namespace {
 
-using Kind = Trouble::Kind;
+using Kind = RunProblem::Kind;
 
 // Where material comes from and how deep and fast it may be there.
 struct Start {
@@ -88,37 +88,37 @@ double speed_bound(double gravity, double drop, double depth, double speed_at_st
     return std::sqrt(2 * gravity * drop) + 2 * std::sqrt(gravity * depth) + speed_at_start;
 }
 
-TroubleWatch::TroubleWatch(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor)
+RunCheck::RunCheck(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor)
     : grid_(scene.grid),
       gaps_matter_(scene.numerics.nodata == NodataPolicy::stop),
       bound_(bound_of(scene, release, arrivals, pressure_factor)) {}
 
 template <class AnyFlow>
-std::vector<Trouble> TroubleWatch::look(const AnyFlow& flow, const StepFigures& figures, double taken) const {
-    const double speed = std::max(figures.max_speed, figures.fastest);
-    const double error = std::abs(figures.volume + flow.volume_left() - taken);
-    std::vector<Trouble> troubles;
+std::vector<RunProblem> RunCheck::look(const AnyFlow& flow, const StepStatistics& statistics, double taken) const {
+    const double speed = std::max(statistics.max_speed, statistics.fastest);
+    const double error = std::abs(statistics.volume + flow.volume_left() - taken);
+    std::vector<RunProblem> run_problems;
     const auto report = [&](Kind kind, std::optional<Point> local, std::int64_t count, double value, double limit) {
-        Trouble trouble{kind, flow.steps(), flow.time(), {}, count, value, limit};
-        if (local) trouble.place = grid_.map_from_local(*local);
-        troubles.push_back(trouble);
+        RunProblem run_problem{kind, flow.steps(), flow.time(), {}, count, value, limit};
+        if (local) run_problem.place = grid_.map_from_local(*local);
+        run_problems.push_back(run_problem);
     };
-    if (figures.non_finite > 0) report(Kind::non_finite, place_of_non_finite(flow), figures.non_finite, 0, 0);
-    if (gaps_matter_ && figures.no_data > 0) report(Kind::no_data, place_of_no_data(flow), figures.no_data, 0, 0);
+    if (statistics.non_finite > 0) report(Kind::non_finite, place_of_non_finite(flow), statistics.non_finite, 0, 0);
+    if (gaps_matter_ && statistics.no_data > 0) report(Kind::no_data, place_of_no_data(flow), statistics.no_data, 0, 0);
     if (speed > bound_) report(Kind::impossible_speed, place_of_speed(flow), 0, speed, bound_);
     // What is not a number, or is gone from the sums because of it, was reported as such.
-    if (figures.non_finite == 0 && error > k_volume_drift * taken)
+    if (statistics.non_finite == 0 && error > k_volume_drift * taken)
         report(Kind::volume_drift, {}, 0, error / taken, k_volume_drift);
-    return troubles;
+    return run_problems;
 }
 
-template std::vector<Trouble> TroubleWatch::look(const Flow&, const StepFigures&, double) const;
-template std::vector<Trouble> TroubleWatch::look(const StructuredFlow&, const StepFigures&, double) const;
+template std::vector<RunProblem> RunCheck::look(const Flow&, const StepStatistics&, double) const;
+template std::vector<RunProblem> RunCheck::look(const StructuredFlow&, const StepStatistics&, double) const;
 
-void add(const Trouble& trouble, HardEvents& events) {
-    switch (trouble.kind) {
+void add(const RunProblem& run_problem, HardEvents& events) {
+    switch (run_problem.kind) {
         case Kind::non_finite:
-            events.non_finite += trouble.count;
+            events.non_finite += run_problem.count;
             break;
         case Kind::impossible_speed:
             ++events.impossible_speed;
@@ -127,13 +127,13 @@ void add(const Trouble& trouble, HardEvents& events) {
             ++events.volume_drift;
             break;
         case Kind::no_data:
-            events.entered_no_data += trouble.count;
+            events.entered_no_data += run_problem.count;
             break;
     }
 }
 
-StopReason reason_of(const Trouble& trouble) {
-    switch (trouble.kind) {
+StopReason reason_of(const RunProblem& run_problem) {
+    switch (run_problem.kind) {
         case Kind::impossible_speed:
             return StopReason::impossible_speed;
         case Kind::volume_drift:
@@ -146,27 +146,27 @@ StopReason reason_of(const Trouble& trouble) {
     return StopReason::non_finite;
 }
 
-std::string describe(const Trouble& trouble) {
+std::string describe(const RunProblem& run_problem) {
     char where[128], what[256] = "";
-    std::snprintf(where, sizeof where, "step %lld, %.6g s", static_cast<long long>(trouble.step), trouble.time);
+    std::snprintf(where, sizeof where, "step %lld, %.6g s", static_cast<long long>(run_problem.step), run_problem.time);
     std::string text = where;
-    if (trouble.place) {
-        std::snprintf(where, sizeof where, ", at (%.1f, %.1f)", trouble.place->x, trouble.place->y);
+    if (run_problem.place) {
+        std::snprintf(where, sizeof where, ", at (%.1f, %.1f)", run_problem.place->x, run_problem.place->y);
         text += where;
     }
-    const auto count = static_cast<long long>(trouble.count);
-    switch (trouble.kind) {
+    const auto count = static_cast<long long>(run_problem.count);
+    switch (run_problem.kind) {
         case Kind::non_finite:
             std::snprintf(what, sizeof what, "%lld particles or cells have non-finite values", count);
             break;
         case Kind::impossible_speed:
             std::snprintf(what, sizeof what,
                           "a speed of %.4g m/s is more than the fall allows even without friction (%.4g m/s)",
-                          trouble.value, trouble.limit);
+                          run_problem.value, run_problem.limit);
             break;
         case Kind::volume_drift:
             std::snprintf(what, sizeof what, "the volume error is %.2g of all volume that came in (limit %.2g)",
-                          trouble.value, trouble.limit);
+                          run_problem.value, run_problem.limit);
             break;
         case Kind::no_data:
             std::snprintf(what, sizeof what, "the flow reached ground without elevation (%lld particles or cells)",

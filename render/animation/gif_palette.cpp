@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/film/gif_palette.h"
+#include "render/animation/gif_palette.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/film/animation.h"
+#include "render/animation/animation.h"
 
 #include "core/error.h"
 #include "render/canvas/ticks.h"
 #include "render/map/colour_scale.h"
 #include "render/map/map_page.h"
-#include "render/view/view_stage.h"
+#include "render/view/view_session.h"
 
 namespace frana::render {
 namespace {
@@ -23,7 +23,7 @@ const Spec& with_fixed_scale(const Spec& base) {
     return base;
 }
 
-/// A value without a colour would vanish from the picture: better no film than one that hides the highest
+/// A value without a colour would vanish from the picture: better no animation than one that hides the highest
 /// flow.
 void check_value(double value, const ColourScale& scale) {
     if (scale.categorical() || scale.find(value) != nullptr) return;
@@ -89,11 +89,11 @@ class ViewAnimator::Stage {
         check_values(dots, stage_.scale());
         return stage_.draw(nullptr, &dots, subtitle);
     }
-    void fly(double share) { stage_.fly(share); }
+    void fly(double fraction) { stage_.fly(fraction); }
 
   private:
     std::shared_ptr<ViewPlace> place_;
-    ViewStage stage_;
+    ViewSession stage_;
 };
 
 ViewAnimator::ViewAnimator(const ViewSpec& base) : stage_(std::make_unique<Stage>(base)) {}
@@ -101,8 +101,8 @@ ViewAnimator::~ViewAnimator() = default;
 ViewAnimator::ViewAnimator(ViewAnimator&&) noexcept = default;
 ViewAnimator& ViewAnimator::operator=(ViewAnimator&&) noexcept = default;
 
-void ViewAnimator::fly(double share) {
-    stage_->fly(share);
+void ViewAnimator::fly(double fraction) {
+    stage_->fly(fraction);
 }
 
 Image ViewAnimator::frame(const Raster& layer, const std::string& subtitle) {

@@ -48,7 +48,7 @@ class ViewAnimator {
 
     /// Brings the camera to its place on a flight along the flow, from the highest part of the base's layer (0) to
     /// the lowest (1), close to the ground and turning slowly.
-    void fly(double share);
+    void fly(double fraction);
 
   private:
     class Stage;

@@ -8,7 +8,7 @@
 #include "simulation/release.h"
 #include "simulation/result.h"
 #include "simulation/scene.h"
-#include "simulation/step_figures.h"
+#include "simulation/step_statistics.h"
 
 namespace frana {
 
@@ -20,19 +20,20 @@ double speed_bound(double gravity, double drop, double depth, double speed_at_st
 
 /// Looks after every step for what must not happen. Costs a few comparisons a step; places are sought only
 /// when something has happened.
-class TroubleWatch {
+class RunCheck {
   public:
-    /// Error of the volume that rounding does not explain, as a share of all that came in: a thousand times
+    /// Error of the volume that rounding does not explain, as a fraction of all that came in: a thousand times
     /// what sums over 1e5 particles lose, and far less than any map shows.
     static constexpr double k_volume_drift = 1e-9;
 
     /// @param pressure_factor by which waves of pressure are faster than in water, squared
-    TroubleWatch(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor);
+    RunCheck(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor);
 
     /// What the last step brought; empty in a good run.
     /// @param taken all that came in, from the bed too [m3]
     template <class AnyFlow>
-    [[nodiscard]] std::vector<Trouble> look(const AnyFlow& flow, const StepFigures& figures, double taken) const;
+    [[nodiscard]] std::vector<RunProblem> look(const AnyFlow& flow, const StepStatistics& statistics,
+                                               double taken) const;
 
     [[nodiscard]] double greatest_speed() const noexcept { return bound_; }
 
@@ -42,9 +43,9 @@ class TroubleWatch {
     double bound_;
 };
 
-void add(const Trouble& trouble, HardEvents& events);
-StopReason reason_of(const Trouble& trouble);
+void add(const RunProblem& run_problem, HardEvents& events);
+StopReason reason_of(const RunProblem& run_problem);
 /// "step 120, 4.37 s, at (527012.5, 5094061.0): 3 particles or cells ..."
-std::string describe(const Trouble& trouble);
+std::string describe(const RunProblem& run_problem);
 
 }  // namespace frana

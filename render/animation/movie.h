@@ -8,7 +8,7 @@
 
 namespace frana::render {
 
-/// Writes a film frame by frame: MP4 (H.264, yuv420p, index in front so that browsers start at once), or an
+/// Writes a animation frame by frame: MP4 (H.264, yuv420p, index in front so that browsers start at once), or an
 /// endlessly repeating GIF when the path ends in ".gif". The file is written aside and takes its name in
 /// finish(); without finish() nothing is left behind.
 class MovieWriter {

@@ -7,7 +7,7 @@
 namespace frana {
 
 /// What a step showed, whatever the model: what the run's series, watches and counts are made from.
-struct StepFigures {
+struct StepStatistics {
     double dt = 0;              ///< [s]
     double volume = 0;          ///< inside the domain [m3]
     double max_depth = 0;       ///< [m]

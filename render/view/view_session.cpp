@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/view/view_stage.h"
+#include "render/view/view_session.h"
 
 #include <algorithm>
 #include <array>
@@ -88,7 +88,7 @@ void draw_rim(Image& page, const PageBox& box, int thick) {
 
 }  // namespace
 
-class ViewStage::Scene {
+class ViewSession::Scene {
   public:
     Scene(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place)
         : spec_(checked(spec)),
@@ -141,17 +141,17 @@ class ViewStage::Scene {
         }
     }
 
-    void fly(double share) {
+    void fly(double fraction) {
         std::sort(flow_.begin(), flow_.end(), [](const ScenePoint& a, const ScenePoint& b) { return a.z > b.z; });
         constexpr double k_seen = 0.4;  // of the flow at once
         constexpr double k_turn_deg = 70;
         const auto count = static_cast<double>(flow_.size());
-        const auto begin = static_cast<std::ptrdiff_t>(std::clamp(share, 0.0, 1.0) * (1 - k_seen) * count);
+        const auto begin = static_cast<std::ptrdiff_t>(std::clamp(fraction, 0.0, 1.0) * (1 - k_seen) * count);
         const auto length = std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(k_seen * count));
         const std::vector<ScenePoint> seen(flow_.begin() + begin,
                                            flow_.begin() + std::min<std::ptrdiff_t>(begin + length, std::ssize(flow_)));
         layout_.camera = first_camera_;
-        layout_.camera.azimuth_deg = std::fmod(first_camera_.azimuth_deg + k_turn_deg * (share - 0.5) + 360, 360);
+        layout_.camera.azimuth_deg = std::fmod(first_camera_.azimuth_deg + k_turn_deg * (fraction - 0.5) + 360, 360);
         arrange(spec_, for_frames_, false);
         const PageBox& picture = layout_.picture;
         scene_->set_camera(place_camera(layout_.camera, seen, picture.width() / picture.height()));
@@ -356,23 +356,23 @@ ViewPlace::ViewPlace(const ViewSpec& spec)
       exaggeration(spec.vertical_exaggeration),
       ground(*spec.terrain, extent, exaggeration, spec.background) {}
 
-ViewStage::ViewStage(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place)
+ViewSession::ViewSession(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place)
     : scene_(std::make_unique<Scene>(spec, for_frames, place)) {}
-ViewStage::~ViewStage() = default;
+ViewSession::~ViewSession() = default;
 
-void ViewStage::fly(double share) {
-    scene_->fly(share);
+void ViewSession::fly(double fraction) {
+    scene_->fly(fraction);
 }
 
-Image ViewStage::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
+Image ViewSession::draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
     return scene_->draw(layer, dots, subtitle);
 }
 
-const ViewLayout& ViewStage::layout() const noexcept {
+const ViewLayout& ViewSession::layout() const noexcept {
     return scene_->layout();
 }
 
-const ColourScale& ViewStage::scale() const noexcept {
+const ColourScale& ViewSession::scale() const noexcept {
     return scene_->scale();
 }
 

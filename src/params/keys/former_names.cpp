@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "params/keys/former_names.h"
+
+namespace frana {
+
+const std::vector<FormerName>& former_names() {
+    static const std::vector<FormerName> names{
+        {"structured.confined-share", "structured.confined-fraction"},
+        {"structured.initial-structured-share", "structured.initial-structured-fraction"},
+        {"structured.softening", "structured.modulus-reduction"},
+        {"structured.pore-pressure-share", "structured.basal-pore-pressure-fraction"},
+        {"structured.pic-share", "structured.pic-fraction"},
+        {"structured.velocity-shape", "structured.velocity-profile-factor"},
+        {"structured.solids-shape", "structured.solids-profile-factor"},
+        {"entrainment.critical-shear", "entrainment.critical-shear-stress"},
+        {"entrainment.deposition-shear", "entrainment.deposition-shear-stress"},
+        {"entrainment.potential-depth", "entrainment.erosion-depth-per-stress"},
+        {"time.stop-energy-share", "time.stop-energy-fraction"},
+        {"time.stop-moving-share", "time.stop-moving-fraction"},
+    };
+    return names;
+}
+
+std::string present_name(const std::string& name) {
+    for (const FormerName& key : former_names())
+        if (name == key.former) return key.now;
+    return name;
+}
+
+}  // namespace frana

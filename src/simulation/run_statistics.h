@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "analysis/high_values.h"
+#include "simulation/result.h"
+
+namespace frana {
+
+/// What studies compare runs by.
+struct RunStatistics {
+    PeakValues depth, speed;          ///< of the maxima [m], along the bed [m/s]
+    double covered_area = 0;          ///< ever deeper than the threshold [m2]
+    double run_out = 0;               ///< straight, in map view [m]
+    double final_depth_fraction = 0;  ///< of the volume inside at the end, that final_depth holds
+};
+
+/// One of them, as tables call it.
+struct RunStatistic {
+    const char *key, *title, *unit;  ///< key: as in summary.json
+    double (*of)(const RunStatistics&);
+};
+
+inline constexpr RunStatistic k_run_statistics[] = {
+    {"max_depth_m", "maximum depth", "m", [](const RunStatistics& f) { return f.depth.greatest; }},
+    {"max_depth_p999_m", "99.9 % depth", "m", [](const RunStatistics& f) { return f.depth.p999; }},
+    {"max_depth_p99_m", "99 % depth", "m", [](const RunStatistics& f) { return f.depth.p99; }},
+    {"max_velocity_ms", "maximum velocity", "m/s", [](const RunStatistics& f) { return f.speed.greatest; }},
+    {"max_velocity_p999_ms", "99.9 % velocity", "m/s", [](const RunStatistics& f) { return f.speed.p999; }},
+    {"max_velocity_p99_ms", "99 % velocity", "m/s", [](const RunStatistics& f) { return f.speed.p99; }},
+    {"covered_area_m2", "covered area", "m2", [](const RunStatistics& f) { return f.covered_area; }},
+    {"runout_m", "run-out", "m", [](const RunStatistics& f) { return f.run_out; }},
+    {"final_depth_fraction", "volume in final_depth", "-",
+     [](const RunStatistics& f) { return f.final_depth_fraction; }},
+};
+
+/// @param threshold depth from which a cell belongs to the covered area [m]
+/// @param inside on the result's grid: 0 where nothing counts; empty: everything does
+RunStatistics run_statistics(const RunResult& result, double threshold, const Raster& inside = {});
+
+/// Volume that the raster of final depth holds [m3]: less than the flow's where particles crowd.
+double shown_volume(const RunResult& result);
+
+}  // namespace frana
