@@ -65,19 +65,19 @@ std::string layer_crs(const OGRSpatialReference* crs) {
 
 std::string crs_from_user(const std::string& text, const std::string& where) {
     const GdalSession session;
-    const auto error_text = [&](const std::string& what) {
+    const auto error_of = [&](const std::string& what) {
         return Error(ErrorKind::input, Problem{what, where, text.empty() ? "nothing" : text, "", k_remedy});
     };
     auto crs = parse(text);
     if (!crs) {
         const std::string reason = session.last_message();
-        throw error_text("is not a coordinate reference system" + (reason.empty() ? "" : ": " + reason));
+        throw error_of("is not a coordinate reference system" + (reason.empty() ? "" : ": " + reason));
     }
     if (!crs->IsProjected() && !crs->IsGeographic() && !crs->IsCompound()) {
-        throw error_text("the coordinate reference system is neither projected nor geographic");
+        throw error_of("the coordinate reference system is neither projected nor geographic");
     }
     std::string wkt = wkt2(*crs);
-    if (wkt.empty()) throw error_text("the coordinate reference system cannot be written as WKT");
+    if (wkt.empty()) throw error_of("the coordinate reference system cannot be written as WKT");
     return wkt;
 }
 

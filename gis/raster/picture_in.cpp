@@ -115,8 +115,8 @@ GdalDataset in_colours(GDALDatasetH source) {
         }
     }
     GDALTranslateOptions* options = GDALTranslateOptionsNew(words.List(), nullptr);
-    int error_text = 0;
-    GdalDataset coloured(GDALTranslate("", source, options, &error_text));
+    int usage_error = 0;
+    GdalDataset coloured(GDALTranslate("", source, options, &usage_error));
     GDALTranslateOptionsFree(options);
     return coloured;
 }
@@ -156,8 +156,8 @@ std::vector<std::uint8_t> warp_picture(const std::string& path, const std::strin
         }
         GDALWarpAppOptions* options = GDALWarpAppOptionsNew(words.List(), nullptr);
         GDALDatasetH from = coloured.get();
-        int error_text = 0;
-        warped.reset(GDALWarp("", nullptr, 1, &from, options, &error_text));
+        int usage_error = 0;
+        warped.reset(GDALWarp("", nullptr, 1, &from, options, &usage_error));
         GDALWarpAppOptionsFree(options);
     }
     std::vector<std::uint8_t> rgba(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

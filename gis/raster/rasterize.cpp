@@ -15,7 +15,7 @@
 namespace frana::gis {
 namespace {
 
-Error error_text(const std::string& what, const GdalSession& session) {
+Error error_of(const std::string& what, const GdalSession& session) {
     return {ErrorKind::input, Problem{what + ": " + session.last_message(), "", "", "", ""}};
 }
 
@@ -60,7 +60,7 @@ Raster coverage(const MultiPolygon& polygons, const GridSpec& grid) {
     const std::vector<double> ones(handles.size(), 1.0);
     if (GDALRasterizeGeometries(dataset.get(), 1, &band, static_cast<int>(handles.size()), handles.data(), nullptr,
                                 nullptr, ones.data(), nullptr, nullptr, nullptr) != CE_None) {
-        throw error_text("the outline cannot be rasterised", session);
+        throw error_of("the outline cannot be rasterised", session);
     }
     GDALFlushCache(dataset.get());
     return mask;
@@ -77,7 +77,7 @@ MultiPolygon polygonise(const Raster& mask) {
     const MemoryLayer shapes = memory_layer(wkbPolygon, "inside");
     // The band serves as its own mask: zeros are left out.
     if (GDALPolygonize(band, band, OGRLayer::ToHandle(shapes.layer), 0, nullptr, nullptr, nullptr) != CE_None) {
-        throw error_text("the area's outline cannot be traced", session);
+        throw error_of("the area's outline cannot be traced", session);
     }
     MultiPolygon outlines;
     for (const auto& feature : *shapes.layer) {

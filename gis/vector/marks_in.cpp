@@ -78,7 +78,7 @@ Marks read_marks(const std::string& path, const std::string& target_crs_wkt, con
     const ReadingOnly reading;
     const VectorSource source = vector_source(path, where);
     TimeLimit limit(source.where);
-    const auto error_text = [&](const std::string& what, const std::string& value, const std::string& remedy) {
+    const auto error_of = [&](const std::string& what, const std::string& value, const std::string& remedy) {
         return vector_error(source, what, value, remedy);
     };
     const GDALDatasetUniquePtr dataset = open_vector(source);
@@ -99,21 +99,20 @@ Marks read_marks(const std::string& path, const std::string& target_crs_wkt, con
             take(*straight, name_of(*feature), marks);
         }
     }
-    if (!found) throw error_text("the file has no such layer", source.layer, "Name one of its layers");
+    if (!found) throw error_of("the file has no such layer", source.layer, "Name one of its layers");
     require_sound(session, source);
     if (marks.points.empty() && marks.lines.empty() && marks.polygons == 0)
-        throw error_text("the file contains no point and no line", "", "Draw at least one");
+        throw error_of("the file contains no point and no line", "", "Draw at least one");
     marks.crs_wkt = crs;
     marks.crs_label = crs.empty() ? "none" : crs_name(crs);
     if (crs.empty() && !target_crs_wkt.empty()) {
-        throw error_text("the file names no coordinate reference system", "",
-                         crs_remedy(source) + ", or use terrain.crs = local throughout");
+        throw error_of("the file names no coordinate reference system", "",
+                       crs_remedy(source) + ", or use terrain.crs = local throughout");
     }
     try {
         transform_places(marks, target_crs_wkt.empty() ? "" : crs, target_crs_wkt);
     } catch (const Error& error) {
-        throw error_text(error.problems().front().what, error.problems().front().value,
-                         error.problems().front().remedy);
+        throw error_of(error.problems().front().what, error.problems().front().value, error.problems().front().remedy);
     }
     return marks;
 }

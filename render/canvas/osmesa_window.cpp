@@ -58,7 +58,7 @@ namespace {
     throw Error(ErrorKind::environment, Problem{what, "off-screen drawing", value, "", remedy});
 }
 
-/// A wrong OpenGL would end in a segmentation problem deep inside a driver; say it here instead.
+/// A wrong OpenGL would end in a segmentation fault deep inside a driver; say it here instead.
 void check_that_opengl_is_osmesa() {
     const std::string remedy = "link libOSMesa before any other OpenGL library, and do not preload another libGL";
     Dl_info info{};

@@ -43,7 +43,8 @@ struct Shift {
 /// instruction set, must share no function with the rest.
 /// @param s see above  @param courant |v| dt/dx  @param support NodeLevel::support
 /// @param least fraction of any node of the stencil
-/// @param share, fraction_x, fraction_y phi and its gradient  @param mass, mass_x, mass_y the same of the nodes' volume
+/// @param fraction, fraction_x, fraction_y phi and its gradient  @param mass, mass_x, mass_y the same of the nodes'
+/// volume
 template <class Number>
 [[gnu::always_inline]] inline Shift<Number> shift_of(double s, Number courant, Number support, Number least,
                                                      Number fraction, Number fraction_x, Number fraction_y, Number mass,

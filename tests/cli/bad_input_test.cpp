@@ -14,20 +14,20 @@ struct BadInput {
     std::vector<std::string> said;
 };
 
-void PrintTo(const BadInput& error_text, std::ostream* out) {
-    *out << error_text.name;
+void PrintTo(const BadInput& tested, std::ostream* out) {
+    *out << tested.name;
 }
 
 class BadKey : public TinyScene, public ::testing::WithParamInterface<BadInput> {};
 
 TEST_P(BadKey, IsRefusedInOneMessageWithNothingWritten) {
-    const BadInput& error_text = GetParam();
-    write_scene(error_text.lines);
+    const BadInput& tested = GetParam();
+    write_scene(tested.lines);
     write("empty.geojson", R"({"type": "FeatureCollection", "features": []})");
     const std::vector<std::string> before = files();
     for (const std::string command : {"run", "check"}) {
         std::vector<std::string> arguments{command, "scene.ini"};
-        for (const std::string& text : error_text.overrides) {
+        for (const std::string& text : tested.overrides) {
             arguments.emplace_back("--set");
             arguments.push_back(text);
         }
@@ -35,7 +35,7 @@ TEST_P(BadKey, IsRefusedInOneMessageWithNothingWritten) {
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(outcome.err.rfind("frana: ", 0), 0U) << outcome.err;
-        for (const std::string& words : error_text.said)
+        for (const std::string& words : tested.said)
             EXPECT_NE(outcome.err.find(words), std::string::npos) << "no \"" << words << "\" in: " << outcome.err;
     }
     EXPECT_EQ(files(), before);

@@ -132,9 +132,9 @@ TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
     ASSERT_EQ(::chmod(path("").c_str(), 0755), 0);
     const auto refusal = [&](const std::string& directory) -> std::string {
         Problems problems;
-        const auto error_text = app::check_result_directory(path(directory), true, {}, "--out", problems);
+        const auto problem = app::check_result_directory(path(directory), true, {}, "--out", problems);
         EXPECT_TRUE(problems.empty());
-        return error_text ? describe(*error_text) : "";
+        return problem ? describe(*problem) : "";
     };
     const AsNobody nobody;
     if (!nobody.is()) GTEST_SKIP() << "only root can be somebody else";

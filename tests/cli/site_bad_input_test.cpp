@@ -14,8 +14,8 @@ struct SiteProblem {
     std::string set{};  ///< a key that the tiny scene has already
 };
 
-void PrintTo(const SiteProblem& error_text, std::ostream* out) {
-    *out << error_text.name;
+void PrintTo(const SiteProblem& tested, std::ostream* out) {
+    *out << tested.name;
 }
 
 class BadSite : public TinyScene, public ::testing::WithParamInterface<SiteProblem> {};

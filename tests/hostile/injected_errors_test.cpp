@@ -59,8 +59,7 @@ class InjectedError : public TrialGround {
         return call.name.find("read") != std::string::npos || call.name == "getdents64" || call.name == "openat";
     }
 
-    void attempt(const TriedCommand& command, const SystemCall& where, const ErrorToInject& error_text,
-                 Trials& trials) {
+    void attempt(const TriedCommand& command, const SystemCall& where, const ErrorToInject& injected, Trials& trials) {
         restore(command.begins_in);
         bool met = false;
         // GDAL reads an ASCII grid without end where the disk fails for good: frana's own limit ends that.
@@ -70,7 +69,7 @@ class InjectedError : public TrialGround {
         const Ending ending = run(launch, k_watch, [&](const SystemCall& call) {
             const bool here = call == where;
             met = met || here;
-            return here || (error_text.lasting && met && call.name == where.name) ? error_text.answer : Answer{};
+            return here || (injected.lasting && met && call.name == where.name) ? injected.answer : Answer{};
         });
         if (ending.err.find("error while loading shared libraries") != std::string::npos)
             return;  // frana has not begun
@@ -97,12 +96,12 @@ TEST_F(InjectedError, LosesNothingAndChangesNoResult) {
         measure(command, k_watch);
         if (HasFatalFailure()) return;
         const SystemCall call = call_of(command, k);
-        const ErrorToInject error_text = error_for(call);
+        const ErrorToInject injected = error_for(call);
         static constexpr const char* k_kinds[] = {"errors while writing", "errors while reading", "memory refused"};
         trials.begin(k_kinds[group_of(call)]);
         SCOPED_TRACE("seed " + std::to_string(trial_seed()) + ", trial " + std::to_string(k) + ": " + command.name +
-                     ", " + call.text() + ": " + error_text.text());
-        attempt(command, call, error_text, trials);
+                     ", " + call.text() + ": " + injected.text());
+        attempt(command, call, injected, trials);
     }
 }
 

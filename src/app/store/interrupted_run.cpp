@@ -29,8 +29,8 @@ std::string hindrance(const CheckpointFile& checkpoint, const std::string& ident
     if (head.scene != identity)
         return "is from another scene: " + joined(identity_differences(identity, head.scene), "; ");
     const std::string frames = (result_of(checkpoint.path()) / "frames").string();
-    const std::string error_text = frame_problem(frames, head.frame_times.size(), head.frame_records);
-    return error_text.empty() ? "" : "needs a frame that " + error_text;
+    const std::string problem = frame_problem(frames, head.frame_times.size(), head.frame_records);
+    return problem.empty() ? "" : "needs a frame that " + problem;
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::error_code& failure) {
