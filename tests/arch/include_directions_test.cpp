@@ -32,7 +32,7 @@ const std::map<std::string, std::vector<std::string>> k_folders{
     {"params", {"grammar", "keys", "check", "scene"}},
     {"bench", {"exact", "set_up", "accuracy", "stability", "speed"}},
     {"gis", {"access", "crs", "vector", "raster"}},
-    {"render", {"canvas", "chart", "map", "view", "film"}},
+    {"render", {"canvas", "chart", "map", "view", "animation"}},
     {"app", {"process", "text", "input", "store", "pictures", "compare", "publish", "commands", "main.cpp"}},
 };
 
