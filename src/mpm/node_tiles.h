@@ -33,11 +33,11 @@ struct NodeRange {
     }
 };
 
-/// Zeroes the records of one tile's nodes.
+/// Zeroes the records of one tile's nodes, in any phase.
 inline void clear_nodes(const NodeRange& range, NodeGrid& nodes) {
     for (std::int64_t j = range.j0; j < range.j1; ++j) {
-        NodeSums* row = nodes.sums() + j * nodes.stride();
-        std::fill(row + range.i0, row + range.i1, NodeSums{});
+        NodeRecord* row = nodes.records.data() + j * nodes.stride();
+        std::fill(row + range.i0, row + range.i1, NodeRecord{});
     }
 }
 
