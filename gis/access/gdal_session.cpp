@@ -18,7 +18,7 @@ namespace {
 
 void CPL_STDCALL keep(CPLErr kind, CPLErrorNum, const char* message) {
     if (kind != CE_Warning && kind != CE_Failure && kind != CE_Fatal) return;
-    static_cast<GdalSession*>(CPLGetErrorHandlerUserData())->take(kind != CE_Warning, message);
+    static_cast<GdalSession*>(CPLGetErrorHandlerUserData())->record(kind != CE_Warning, message);
 }
 
 /// Users set these for work of their own; a file that somebody sent must not profit by it.
@@ -38,7 +38,7 @@ bool mapping_is_limited() {
     return ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
 }
 
-void shut_other_doors() {
+void disable_other_access() {
     for (const auto& [name, value] : k_settings) CPLSetConfigOption(name, value);
     for (const char* name : k_drivers) {
         GDALDriverH const driver = GDALGetDriverByName(name);
@@ -56,9 +56,9 @@ GdalSession::GdalSession() {
     static std::once_flag once;
     std::call_once(once, [] {
         GDALAllRegister();
-        shut_other_doors();
+        disable_other_access();
         guard_local_files();
-        if (!network_allowed()) shut_network();
+        if (!network_allowed()) disable_network();
         // Tiles are unpacked and warped side by side; the values are the same. Who set it otherwise meant it.
         // GDAL waits for ever for a thread that it was not given for want of memory to map.
         if (CPLGetConfigOption("GDAL_NUM_THREADS", nullptr) == nullptr)
@@ -71,7 +71,7 @@ GdalSession::~GdalSession() {
     CPLPopErrorHandler();
 }
 
-void GdalSession::take(bool is_error, const char* message) {
+void GdalSession::record(bool is_error, const char* message) {
     messages_.emplace_back(message);
     if (is_error) last_error_ = message;
 }
@@ -81,7 +81,7 @@ std::string GdalSession::last_message() const {
     return messages_.empty() ? std::string() : messages_.back();
 }
 
-void GdalSession::forget() {
+void GdalSession::clear() {
     messages_.clear();
     last_error_.clear();
 }

@@ -22,10 +22,10 @@ class GdalSession {
     [[nodiscard]] std::string last_message() const;
     /// Whether GDAL reported a failure (warnings do not count).
     [[nodiscard]] bool failed() const noexcept { return !last_error_.empty(); }
-    void forget();
+    void clear();
 
     /// For the error handler only.
-    void take(bool is_error, const char* message);
+    void record(bool is_error, const char* message);
 
   private:
     std::vector<std::string> messages_;

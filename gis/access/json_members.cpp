@@ -16,8 +16,8 @@ void JsonMembers::read(const char* bytes, std::size_t count) {
 }
 
 void JsonMembers::step(char c) {
-    if (taking_ && !in_string_ && levels_.size() == taken_at_ && (c == ',' || c == '}')) end_value();
-    if (taking_ && taken_.size() < k_longest) taken_ += c;
+    if (reading_ && !in_string_ && levels_.size() == depth_of_text_ && (c == ',' || c == '}')) end_value();
+    if (reading_ && text_.size() < k_longest) text_ += c;
     if (in_string_) {
         if (escaped_ || (c != '"' && c != '\\')) {
             escaped_ = false;
@@ -38,10 +38,10 @@ void JsonMembers::step(char c) {
             if (levels_.empty() || !levels_.back().expects_key) break;
             levels_.back().key = string_;
             levels_.back().expects_key = false;
-            if (!taking_ && !levels_.back().left_out && string_ == name_) {
-                taking_ = true;
-                taken_at_ = levels_.size();
-                taken_.clear();
+            if (!reading_ && !levels_.back().left_out && string_ == name_) {
+                reading_ = true;
+                depth_of_text_ = levels_.size();
+                text_.clear();
             }
             break;
         case ',':
@@ -70,9 +70,9 @@ void JsonMembers::close() {
 }
 
 void JsonMembers::end_value() {
-    taking_ = false;
-    const auto from = taken_.find_first_not_of(" \t\r\n"), to = taken_.find_last_not_of(" \t\r\n");
-    JsonMember member{from == std::string::npos ? "" : taken_.substr(from, to - from + 1), taken_at_ == 1};
+    reading_ = false;
+    const auto from = text_.find_first_not_of(" \t\r\n"), to = text_.find_last_not_of(" \t\r\n");
+    JsonMember member{from == std::string::npos ? "" : text_.substr(from, to - from + 1), depth_of_text_ == 1};
     const auto same = [&](const JsonMember& one) { return one.text == member.text && one.at_top == member.at_top; };
     if (found_.size() < k_most && std::none_of(found_.begin(), found_.end(), same)) found_.push_back(std::move(member));
 }

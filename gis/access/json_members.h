@@ -39,9 +39,9 @@ class JsonMembers {
     std::vector<Level> levels_;
     std::string string_;  ///< the latest
     bool in_string_ = false, escaped_ = false;
-    bool taking_ = false;  ///< a value
-    std::size_t taken_at_ = 0;
-    std::string taken_;
+    bool reading_ = false;  ///< a value
+    std::size_t depth_of_text_ = 0;
+    std::string text_;
     std::vector<JsonMember> found_;
 };
 

@@ -23,7 +23,7 @@ std::string MemoryFolder::place_of(const std::string& path) const {
     return folder_ + "/" + fs::path(path).filename().string();
 }
 
-void MemoryFolder::write_beside(const std::string& path, Sync sync) const {
+void MemoryFolder::write_to_disk(const std::string& path, Sync sync) const {
     const CPLStringList names(VSIReadDir(folder_.c_str()), TRUE);
     for (int i = 0; i < names.size(); ++i) {
         const std::string name = names[i];

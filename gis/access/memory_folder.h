@@ -22,7 +22,7 @@ class MemoryFolder {
     /// Where GDAL is to write the file that goes to a path on the disk; files beside it go with it.
     [[nodiscard]] std::string place_of(const std::string& path) const;
     /// Writes all files in it to the folder of `path`, brought to the disk. Throws Error(environment).
-    void write_beside(const std::string& path, Sync sync = Sync::yes) const;
+    void write_to_disk(const std::string& path, Sync sync = Sync::yes) const;
 
   private:
     std::string folder_;

@@ -98,7 +98,7 @@ std::optional<std::string> network_remedy(const std::string& path) {
     return k_remedy;
 }
 
-void shut_network() {
+void disable_network() {
     // GDAL keeps handlers until the program ends, but forgets those that others replace.
     static auto* const replaced = new std::vector<VSIFilesystemHandler*>;
     for (const char* name : k_file_systems) {

@@ -17,6 +17,6 @@ void allow_network();
 [[nodiscard]] std::optional<std::string> network_remedy(const std::string& path);
 
 /// Takes away what reaches the network; GdalSession does so once, where it was not allowed.
-void shut_network();
+void disable_network();
 
 }  // namespace frana::gis

@@ -28,7 +28,7 @@ struct Watch {
     std::vector<const TimeLimit*> limits;
     std::int64_t limit_ms = 0;
     void (*end)(const Problem&) = nullptr;
-    void (*tell)(const std::string&, double) = nullptr;
+    void (*warn)(const std::string&, double) = nullptr;
     bool watching = false;
 };
 
@@ -47,13 +47,13 @@ void watch_over() {
                                             [](const auto* a, const auto* b) { return a->deadline() < b->deadline(); });
         const std::int64_t time = now(), left = next->deadline() - time;
         std::int64_t wait = left;
-        if (w.tell != nullptr) {
+        if (w.warn != nullptr) {
             // The outermost is the file that the user named.
             const TimeLimit& file = *w.limits.front();
             if (file.begun() != told_of) next_word = file.begun() + k_first_word_ms;
             told_of = file.begun();
             if (time >= next_word) {
-                w.tell(file.where(), static_cast<double>(time - file.begun()) / 1000);
+                w.warn(file.where(), static_cast<double>(time - file.begun()) / 1000);
                 next_word = time + k_words_ms;
             }
             wait = std::min(left, next_word - time);
@@ -99,10 +99,10 @@ void when_time_is_up(double seconds, void (*end)(const Problem&)) {
     w.end = end;
 }
 
-void while_reading_takes_long(void (*tell)(const std::string& where, double seconds)) {
+void on_slow_reading(void (*warn)(const std::string& where, double seconds)) {
     Watch& w = watch();
     const std::lock_guard lock(w.guard);
-    w.tell = tell;
+    w.warn = warn;
 }
 
 }  // namespace frana::gis

@@ -39,6 +39,6 @@ void when_time_is_up(double seconds, void (*end)(const Problem&));
 
 /// Sets what is told of a file over which the libraries have been for some seconds, every ten: its `where`
 /// and how long. To be set before the other.
-void while_reading_takes_long(void (*tell)(const std::string& where, double seconds));
+void on_slow_reading(void (*warn)(const std::string& where, double seconds));
 
 }  // namespace frana::gis

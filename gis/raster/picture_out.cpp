@@ -62,7 +62,7 @@ void write(const std::string& path, GDALDatasetH dataset, const char* driver, co
     }
     // Closing writes the last bytes and reports only through the error handler.
     if (session.failed()) refuse(path, session);
-    memory.write_beside(path, Sync::no);
+    memory.write_to_disk(path, Sync::no);
 }
 
 std::string neat_line(const Bounds& map) {

@@ -115,7 +115,7 @@ void write_cog(const std::string& path, GDALDatasetH dataset, const char* resamp
     }
     // Closing writes the last bytes and reports only through the error handler.
     if (session.failed()) refuse(path, session);
-    memory.write_beside(path);
+    memory.write_to_disk(path);
 }
 
 std::vector<float> file_values(const Raster& raster) {
@@ -161,7 +161,7 @@ void write_ascii_grid(const std::string& path, const Raster& raster) {
         if (!written) refuse(path, session);
     }
     if (session.failed()) refuse(path, session);
-    memory.write_beside(path);
+    memory.write_to_disk(path);
 }
 
 void write_class_geotiff(const std::string& path, const Raster& raster, const std::vector<ClassEntry>& classes,

@@ -26,7 +26,7 @@ std::string numbered(const std::string& name, std::size_t before) {
     return name.empty() ? std::to_string(before + 1) : name;
 }
 
-void take(const OGRGeometry& geometry, const std::string& name, Marks& marks) {
+void add_marks(const OGRGeometry& geometry, const std::string& name, Marks& marks) {
     switch (wkbFlatten(geometry.getGeometryType())) {
         case wkbPoint: {
             const OGRPoint& point = *geometry.toPoint();
@@ -47,7 +47,7 @@ void take(const OGRGeometry& geometry, const std::string& name, Marks& marks) {
         case wkbMultiPoint:
         case wkbMultiLineString:
         case wkbGeometryCollection:
-            for (const OGRGeometry* part : *geometry.toGeometryCollection()) take(*part, name, marks);
+            for (const OGRGeometry* part : *geometry.toGeometryCollection()) add_marks(*part, name, marks);
             return;
         default:
             return;
@@ -96,7 +96,7 @@ Marks read_marks(const std::string& path, const std::string& target_crs_wkt, con
             vertices.add(geometry);
             if (!geometry) continue;
             const std::unique_ptr<OGRGeometry> straight(geometry->getLinearGeometry());
-            take(*straight, name_of(*feature), marks);
+            add_marks(*straight, name_of(*feature), marks);
         }
     }
     if (!found) throw error_of("the file has no such layer", source.layer, "Name one of its layers");

@@ -47,11 +47,11 @@ std::string area_text(double area) {
 }
 
 /// GDAL's repair, in which every region counts once.
-void mend(const OGRGeometry& geometry, const std::string& error_text, double area_before, OutlineCheck& found) {
+void repair(const OGRGeometry& geometry, const std::string& error_text, double area_before, OutlineCheck& found) {
     const GdalSession session;
-    const std::unique_ptr<OGRGeometry> mended(geometry.MakeValid());
+    const std::unique_ptr<OGRGeometry> repaired(geometry.MakeValid());
     std::vector<std::unique_ptr<OGRPolygon>> polygons;
-    if (mended) polygons = polygon_parts(*mended).polygons;
+    if (repaired) polygons = polygon_parts(*repaired).polygons;
     double area_after = 0;
     for (const auto& polygon : polygons) area_after += polygon->get_Area();
     found.repairs.push_back("the outline was repaired (" + error_text + "): area " + area_text(area_before) +
@@ -90,7 +90,7 @@ OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons) {
         if (error_text.empty()) {
             found.polygons.push_back(std::move(polygon));
         } else {
-            mend(*polygon, error_text, polygon->get_Area(), found);
+            repair(*polygon, error_text, polygon->get_Area(), found);
         }
     }
     if (found.polygons.size() < 2) return found;

@@ -17,10 +17,10 @@ namespace frana::gis {
 struct OutlineCheck {
     std::vector<std::unique_ptr<OGRPolygon>> polygons;  ///< as given, or repaired
     std::optional<std::string> crossing;                ///< where it crosses itself: "at 526950.2, 5094120.7"
-    std::vector<std::string> repairs;                   ///< what was mended
+    std::vector<std::string> repairs;                   ///< what was repaired
 };
 
-/// Takes the polygons of one feature. One that crosses itself has no sure inside and is not mended; one that
+/// Takes the polygons of one feature. One that crosses itself has no sure inside and is not repaired; one that
 /// only touches itself is, and so are parts that overlap (their union counts, once).
 OutlineCheck check_outline(std::vector<std::unique_ptr<OGRPolygon>> polygons);
 

@@ -74,7 +74,7 @@ void add_polygon(const OGRPolygon& polygon, PolygonParts& parts) {
     parts.polygons.emplace_back(polygon.clone());
 }
 
-void take(const OGRGeometry& geometry, PolygonParts& parts) {
+void add_parts(const OGRGeometry& geometry, PolygonParts& parts) {
     if (geometry.IsEmpty()) return;
     switch (wkbFlatten(geometry.getGeometryType())) {
         case wkbPolygon:
@@ -87,11 +87,11 @@ void take(const OGRGeometry& geometry, PolygonParts& parts) {
         case wkbMultiPolygon:
         case wkbMultiLineString:
         case wkbGeometryCollection:
-            for (const OGRGeometry* part : *geometry.toGeometryCollection()) take(*part, parts);
+            for (const OGRGeometry* part : *geometry.toGeometryCollection()) add_parts(*part, parts);
             break;
         case wkbPolyhedralSurface:
         case wkbTIN:
-            for (const OGRPolygon* part : *geometry.toPolyhedralSurface()) take(*part, parts);
+            for (const OGRPolygon* part : *geometry.toPolyhedralSurface()) add_parts(*part, parts);
             break;
         default:
             ++parts.others;
@@ -170,7 +170,7 @@ std::optional<Polygon> from_ogr(const OGRPolygon& polygon) {
 PolygonParts polygon_parts(const OGRGeometry& geometry) {
     PolygonParts parts;
     const std::unique_ptr<OGRGeometry> straight(geometry.getLinearGeometry());
-    if (straight) take(*straight, parts);
+    if (straight) add_parts(*straight, parts);
     return parts;
 }
 

@@ -33,7 +33,7 @@ constexpr std::size_t k_most_overlaps = 1'000'000;  // by then the layer is wron
 constexpr std::size_t k_most_problems = 10;  // a layer of lines would fill the screen
 
 /// A layer that can hold areas: closed lines count, points do not.
-bool may_hold_areas(OGRLayer& layer) {
+bool may_contain_areas(OGRLayer& layer) {
     const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
     return type != wkbNone && type != wkbPoint && type != wkbMultiPoint;
 }
@@ -134,7 +134,7 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& s
     Problems problems;
     CountedTexts counted;
     std::vector<PolygonFeature> features;
-    std::int64_t seen = 0, untold = 0;
+    std::int64_t seen = 0, unreported = 0;
     VertexCount vertices(source);
     layer.ResetReading();
     for (const auto& from : layer) {
@@ -144,12 +144,12 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& s
         Problems of_this;
         PolygonFeature feature = read_feature(*from, source, of_this, counted);
         for (const Problem& problem : of_this.list()) {
-            problems.list().size() < k_most_problems ? problems.add(problem) : void(++untold);
+            problems.list().size() < k_most_problems ? problems.add(problem) : void(++unreported);
         }
         if (!feature.parts.empty()) features.push_back(std::move(feature));
     }
-    if (untold > 0)
-        problems.add(Problem{std::to_string(untold) + " more features have problems", source.where, "", "", ""});
+    if (unreported > 0)
+        problems.add(Problem{std::to_string(unreported) + " more features have problems", source.where, "", "", ""});
     problems.throw_if_any();
     warnings = counted.texts();
     if (seen == 0) throw vector_error(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
@@ -238,7 +238,7 @@ PolygonLayer read_polygons(const std::string& path, const std::string& target_cr
     }
     if (!choice.name.empty()) source.layer = choice.name;
     const GDALDatasetUniquePtr dataset = open_vector(source);
-    OGRLayer& layer = choose_layer(*dataset, source, may_hold_areas, "areas");
+    OGRLayer& layer = choose_layer(*dataset, source, may_contain_areas, "areas");
     check_attribute_table(*dataset, layer, source);
     if (!choice.filter.empty()) filter_features(layer, source, choice.filter);
     const std::string crs = choice.crs.empty() ? declared_crs(*dataset, layer, source, k_crs_key) : choice.crs;

@@ -77,40 +77,40 @@ Image MapAnimator::frame(const Dots& dots, const std::string& subtitle) {
     return page_->frame(dots, subtitle);
 }
 
-class ViewAnimator::Stage {
+class ViewAnimator::Session {
   public:
-    explicit Stage(const ViewSpec& base) : stage_(with_fixed_scale(base), true, place_) {}
+    explicit Session(const ViewSpec& base) : session_(with_fixed_scale(base), true, place_) {}
 
     Image frame(const Raster& layer, const std::string& subtitle) {
-        check_values(layer, stage_.scale());
-        return stage_.draw(&layer, nullptr, subtitle);
+        check_values(layer, session_.scale());
+        return session_.draw(&layer, nullptr, subtitle);
     }
     Image frame(const Dots& dots, const std::string& subtitle) {
-        check_values(dots, stage_.scale());
-        return stage_.draw(nullptr, &dots, subtitle);
+        check_values(dots, session_.scale());
+        return session_.draw(nullptr, &dots, subtitle);
     }
-    void fly(double fraction) { stage_.fly(fraction); }
+    void fly(double fraction) { session_.fly(fraction); }
 
   private:
     std::shared_ptr<ViewPlace> place_;
-    ViewSession stage_;
+    ViewSession session_;
 };
 
-ViewAnimator::ViewAnimator(const ViewSpec& base) : stage_(std::make_unique<Stage>(base)) {}
+ViewAnimator::ViewAnimator(const ViewSpec& base) : session_(std::make_unique<Session>(base)) {}
 ViewAnimator::~ViewAnimator() = default;
 ViewAnimator::ViewAnimator(ViewAnimator&&) noexcept = default;
 ViewAnimator& ViewAnimator::operator=(ViewAnimator&&) noexcept = default;
 
 void ViewAnimator::fly(double fraction) {
-    stage_->fly(fraction);
+    session_->fly(fraction);
 }
 
 Image ViewAnimator::frame(const Raster& layer, const std::string& subtitle) {
-    return stage_->frame(layer, subtitle);
+    return session_->frame(layer, subtitle);
 }
 
 Image ViewAnimator::frame(const Dots& dots, const std::string& subtitle) {
-    return stage_->frame(dots, subtitle);
+    return session_->frame(dots, subtitle);
 }
 
 }  // namespace frana::render

@@ -51,8 +51,8 @@ class ViewAnimator {
     void fly(double fraction);
 
   private:
-    class Stage;
-    std::unique_ptr<Stage> stage_;
+    class Session;
+    std::unique_ptr<Session> session_;
 };
 
 }  // namespace frana::render

@@ -115,7 +115,7 @@ void Canvas::frame(const PageBox& box, const LineStyle& style) {
     fill(PageBox{box.right - half, box.top + half, box.right + half, box.bottom - half}, style.colour, style.opacity);
 }
 
-LayerImage Canvas::covered() const {
+OverlayImage Canvas::covered() const {
     float left = 1e9F, right = -1e9F, low = 1e9F, high = -1e9F;
     for (std::size_t i = 0; i < corners_.size(); i += 2) {
         left = std::min(left, corners_[i]);
@@ -127,7 +127,7 @@ LayerImage Canvas::covered() const {
     const auto within = [](double edge, int length) {
         return static_cast<int>(std::clamp(edge, 0.0, static_cast<double>(length)));
     };
-    LayerImage part;
+    OverlayImage part;
     part.left = within(std::floor(left), width_);
     part.top = height_ - within(std::ceil(high), height_);
     part.width = within(std::ceil(right), width_) - part.left;
@@ -136,8 +136,8 @@ LayerImage Canvas::covered() const {
     return part;
 }
 
-LayerImage Canvas::draw() const {
-    const LayerImage part = covered();
+OverlayImage Canvas::draw() const {
+    const OverlayImage part = covered();
     if (part.width == 0) return {};
     VtkErrors errors;
     OsmesaWindow window(part.width, part.height);
@@ -187,7 +187,7 @@ LayerImage Canvas::draw() const {
 
     std::vector<std::uint16_t> sum(4 * static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
     const Point middle{part.left + part.width / 2.0, height_ - part.top - part.height / 2.0};
-    LayerImage picture;
+    OverlayImage picture;
     for (const auto& sample : k_samples) {
         const double x = middle.x + sample[0], y = middle.y + sample[1];
         camera->SetFocalPoint(x, y, 0);
@@ -207,15 +207,15 @@ LayerImage Canvas::draw() const {
     return picture;
 }
 
-void compose(Image& page, const LayerImage& layer) {
-    if (layer.left < 0 || layer.top < 0 || layer.left + layer.width > page.width ||
-        layer.top + layer.height > page.height) {
+void compose(Image& page, const OverlayImage& overlay) {
+    if (overlay.left < 0 || overlay.top < 0 || overlay.left + overlay.width > page.width ||
+        overlay.top + overlay.height > page.height) {
         throw Error(ErrorKind::input, Problem{"a layer lies outside its page", "", "", "", ""});
     }
-    const std::uint8_t* ink = layer.rgba.data();
-    for (int row = 0; row < layer.height; ++row) {
-        std::uint8_t* to = page.pixel(layer.left, layer.top + row);
-        for (int column = 0; column < layer.width; ++column, ink += 4, to += 3) {
+    const std::uint8_t* ink = overlay.rgba.data();
+    for (int row = 0; row < overlay.height; ++row) {
+        std::uint8_t* to = page.pixel(overlay.left, overlay.top + row);
+        for (int column = 0; column < overlay.width; ++column, ink += 4, to += 3) {
             const unsigned through = 255U - ink[3];
             if (through == 255U) continue;
             for (int band = 0; band < 3; ++band) {

@@ -34,14 +34,14 @@ class Canvas {
 
     /// Draws everything so far: the part of the page that it covers. Throws Error(environment) when VTK or OpenGL
     /// fails.
-    [[nodiscard]] LayerImage draw() const;
+    [[nodiscard]] OverlayImage draw() const;
 
   private:
     using Colour = std::uint32_t;  ///< red, green, blue, opacity from the lowest byte up
     void triangle(Point a, Point b, Point c, Colour colour);
     void stroke(std::span<const Point> points, const LineStyle& style);
     /// The smallest rectangle of whole pixels of the page round everything; empty when there is nothing on it.
-    [[nodiscard]] LayerImage covered() const;
+    [[nodiscard]] OverlayImage covered() const;
 
     int width_, height_;
     std::vector<float> corners_;   ///< x, y of each triangle's corners
@@ -49,6 +49,6 @@ class Canvas {
 };
 
 /// Lays a layer over an opaque image, in which it must lie.
-void compose(Image& page, const LayerImage& layer);
+void compose(Image& page, const OverlayImage& overlay);
 
 }  // namespace frana::render

@@ -198,7 +198,7 @@ Image OsmesaWindow::read_rgb() {
     return image;
 }
 
-LayerImage OsmesaWindow::read_rgba() {
+OverlayImage OsmesaWindow::read_rgba() {
     VtkErrors errors;
     context_->make_current();
     const int* size = context_->window().GetSize();
@@ -206,7 +206,7 @@ LayerImage OsmesaWindow::read_rgba() {
     context_->window().GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes, 0);
     errors.throw_if_any("the picture could not be read back");
     const std::size_t line = 4 * static_cast<std::size_t>(size[0]);
-    LayerImage image{size[0], size[1], std::vector<std::uint8_t>(line * static_cast<std::size_t>(size[1]))};
+    OverlayImage image{size[0], size[1], std::vector<std::uint8_t>(line * static_cast<std::size_t>(size[1]))};
     for (int row = 0; row < size[1]; ++row) {
         const std::size_t from = line * static_cast<std::size_t>(size[1] - 1 - row);
         std::memcpy(image.rgba.data() + line * static_cast<std::size_t>(row),

@@ -13,7 +13,7 @@ namespace frana::render {
 
 /// Pixels with opacity, colours already multiplied by it (as OpenGL blends over transparent black), from the
 /// top; `left` and `top` say where on a page the first one lies.
-struct LayerImage {
+struct OverlayImage {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgba;
@@ -38,7 +38,7 @@ class OsmesaWindow {
 
     /// What was drawn last.
     [[nodiscard]] Image read_rgb();
-    [[nodiscard]] LayerImage read_rgba();
+    [[nodiscard]] OverlayImage read_rgba();
 
   private:
     class Context;

@@ -19,7 +19,7 @@ class Overlay {
         Glyphs glyphs;
         TextStyle style;
     };
-    LayerImage shapes_;
+    OverlayImage shapes_;
     std::vector<Text> texts_;
 };
 

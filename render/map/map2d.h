@@ -49,7 +49,7 @@ struct Dots {
 
 /// Draws what lies under a map: `width` x `height` pixels of the ground inside `window`, opacity 0 where there is
 /// nothing.
-using Background = std::function<LayerImage(const Bounds& window, int width, int height)>;
+using Background = std::function<OverlayImage(const Bounds& window, int width, int height)>;
 
 /// One value of a layer of classes, e.g. 1 "hit".
 struct ClassLabel {

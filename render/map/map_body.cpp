@@ -70,7 +70,7 @@ void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain) {
 }
 
 void paint_background(Image& page, const MapFrame& frame, const Background& background) {
-    const LayerImage picture = background(frame.window, frame.width, frame.height);
+    const OverlayImage picture = background(frame.window, frame.width, frame.height);
     constexpr double k_lighter = 0.18;  // of the way to white
     for (int row = 0; row < frame.height; ++row) {
         for (int column = 0; column < frame.width; ++column) {

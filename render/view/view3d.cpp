@@ -6,9 +6,9 @@
 namespace frana::render {
 
 Image ViewSeries::draw(const ViewSpec& spec, ViewLayout* layout) {
-    ViewSession stage(spec, false, place_);
-    if (layout != nullptr) *layout = stage.layout();
-    return stage.draw(spec.layer, spec.dots, "");
+    ViewSession session(spec, false, place_);
+    if (layout != nullptr) *layout = session.layout();
+    return session.draw(spec.layer, spec.dots, "");
 }
 
 Image draw_view(const ViewSpec& spec, ViewLayout* layout) {

@@ -65,7 +65,7 @@ ViewGround::ViewGround(const Raster& terrain, const Raster* layer, double exagge
     if (background) lay(background(box, texture_columns_, texture_rows_));
 }
 
-void ViewGround::lay(const LayerImage& picture) {
+void ViewGround::lay(const OverlayImage& picture) {
     for (int row = 0; row < texture_rows_; ++row) {
         const std::size_t to = static_cast<std::size_t>(texture_rows_ - 1 - row) *
                                static_cast<std::size_t>(texture_columns_);  // the texture begins in the south

@@ -38,7 +38,7 @@ class ViewGround {
     [[nodiscard]] int texture_rows() const noexcept { return texture_rows_; }
 
   private:
-    void lay(const LayerImage& picture);
+    void lay(const OverlayImage& picture);
 
     Raster heights_;
     double exaggeration_ = 1;

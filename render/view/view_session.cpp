@@ -95,7 +95,7 @@ class ViewSession::Scene {
           for_frames_(for_frames),
           place_(place_for(spec, place)),
           ground_(place_->ground),
-          raise_by_layer_(spec.thickness != nullptr && spec.thickness == spec.layer) {
+          raise_by_value_(spec.thickness != nullptr && spec.thickness == spec.layer) {
         const bool has_values = (spec.layer != nullptr && data_bounds(*spec.layer).has_value()) ||
                                 (spec.dots != nullptr && !spec.dots->dots.empty());
         if (has_values || for_frames) {
@@ -160,7 +160,7 @@ class ViewSession::Scene {
     Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {
         if (dots != nullptr) put_dots(*dots);
         scene_->set_colours(ground_.colours(layer, scale_));
-        if (raise_by_layer_) scene_->set_thickness(layer);
+        if (raise_by_value_) scene_->set_thickness(layer);
         const Image picture = scene_->draw();
         Image page(static_cast<int>(layout_.page.width()), static_cast<int>(layout_.page.height()));
         for (int row = 0; row < picture.height; ++row) {
@@ -347,7 +347,7 @@ class ViewSession::Scene {
     Overlay above_;
     Point subtitle_at_;
     ViewScene* scene_ = nullptr;  // the place's
-    bool raise_by_layer_;
+    bool raise_by_value_;
 };
 
 ViewPlace::ViewPlace(const ViewSpec& spec)

@@ -18,7 +18,7 @@ void require_three(std::size_t levels) {
                 Problem{"convergence needs three resolutions", "--levels", std::to_string(levels), "3 or more", ""});
 }
 
-double held(double order) {
+double limited_order(double order) {
     return std::clamp(order, k_least_order, k_greatest_order);
 }
 
@@ -80,7 +80,7 @@ GridConvergence grid_convergence(const std::vector<Refinement>& levels) {
     } else {
         result.trend = Trend::converging;
         result.observed_order = std::log(before / last) / std::log(ratio);
-        order = held(result.observed_order);
+        order = limited_order(result.observed_order);
         safety = k_safety;
         result.extrapolated = fine.value + last / (std::pow(ratio, order) - 1);
     }
@@ -106,7 +106,7 @@ Raster field_uncertainty(const std::vector<Raster>& levels) {
         }
     }
     const bool converges = sum_last > 0 && sum_before > sum_last;
-    const double order = converges ? held(std::log(sum_before / sum_last) / std::log(ratio)) : 1;
+    const double order = converges ? limited_order(std::log(sum_before / sum_last) / std::log(ratio)) : 1;
     const double factor = (converges ? k_safety : k_caution) / (std::pow(ratio, order) - 1);
     for (double& value : last.values) value *= factor;
     return last;

@@ -157,7 +157,7 @@ Point centroid(const MultiPolygon& outline) {
     return total > 0 ? Point{sum.x / total, sum.y / total} : sum;
 }
 
-bool seen_from_centroid(const MultiPolygon& outline) {
+bool visible_from_centroid(const MultiPolygon& outline) {
     if (outline.size() != 1 || !outline.front().holes.empty()) return false;
     const Ring& ring = outline.front().outer;
     const Point centre = centroid(outline);
@@ -172,7 +172,7 @@ bool seen_from_centroid(const MultiPolygon& outline) {
 
 SlipSurface::SlipSurface(const Raster& ground, const MultiPolygon& perimeter, std::optional<SlipShape> shape)
     : above_membrane_(ground.grid), form_(ground.grid) {
-    const bool seen = seen_from_centroid(perimeter);
+    const bool seen = visible_from_centroid(perimeter);
     if (shape == SlipShape::ellipsoid && !seen) {
         throw Error(ErrorKind::input,
                     Problem{"no ellipsoid can be fitted to a perimeter that is not entirely visible from its centroid",

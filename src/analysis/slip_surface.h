@@ -48,7 +48,7 @@ class SlipSurface {
 };
 
 /// Whether every point of an outline can be seen from its centroid: one part, no holes, star-shaped.
-bool seen_from_centroid(const MultiPolygon& outline);
+bool visible_from_centroid(const MultiPolygon& outline);
 
 /// Centroid of the area.
 Point centroid(const MultiPolygon& outline);

@@ -89,10 +89,10 @@ class Descriptor {
 
 int write_all(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t taken = ::write(descriptor, bytes.data(), bytes.size());
-        if (taken < 0 && errno == EINTR) continue;
-        if (taken <= 0) return taken < 0 ? errno : ENOSPC;
-        bytes.remove_prefix(static_cast<std::size_t>(taken));
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return written < 0 ? errno : ENOSPC;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
     }
     return 0;
 }

@@ -10,7 +10,7 @@
 
 namespace frana {
 
-int read_blocks(const std::string& path, const std::function<void(std::string_view)>& take) {
+int read_blocks(const std::string& path, const std::function<void(std::string_view)>& consume) {
     int descriptor = -1;
     do descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a FIFO would wait for a writer
     while (descriptor < 0 && errno == EINTR);
@@ -27,7 +27,7 @@ int read_blocks(const std::string& path, const std::function<void(std::string_vi
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) reason = errno;
         if (count <= 0) break;
-        take({block.data(), static_cast<std::size_t>(count)});
+        consume({block.data(), static_cast<std::size_t>(count)});
     }
     ::close(descriptor);
     return reason;

@@ -17,12 +17,12 @@ bool ActiveTiles::any_rests(const TileOrder& order) const {
                        [&](const ParticleTile& tile) { return rests(tile); });
 }
 
-void ActiveTiles::wake(const TileOrder& order) {
-    for (const std::int64_t tile : order.node_tiles()) forget(tile);
+void ActiveTiles::activate(const TileOrder& order) {
+    for (const std::int64_t tile : order.node_tiles()) reset(tile);
 }
 
-void ActiveTiles::wake_round(std::int64_t tile) {
-    for_round(tile, [&](std::int64_t near) { forget(near); });
+void ActiveTiles::activate_round(std::int64_t tile) {
+    for_round(tile, [&](std::int64_t near) { reset(near); });
 }
 
 void ActiveTiles::list_all(const TileOrder& order) {

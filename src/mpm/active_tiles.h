@@ -35,13 +35,13 @@ class ActiveTiles {
     /// Lists the tiles of the next step. Without `may_rest` they are all there.
     void choose(const TileOrder& order, bool may_rest);
     /// Everything is changing until seen still: someone else wrote to nodes or particles.
-    void wake(const TileOrder& order);
+    void activate(const TileOrder& order);
     /// Particles crossed into or out of a tile: what they bring is no longer told of in their tile's last report.
-    void wake_round(std::int64_t tile);
+    void activate_round(std::int64_t tile);
     /// A node tile that nothing touches any more.
-    void forget(std::int64_t tile) { still_[static_cast<std::size_t>(tile)] = 0; }
+    void reset(std::int64_t tile) { still_[static_cast<std::size_t>(tile)] = 0; }
     /// Tells of an updated node tile whether any of its nodes moves. Tiles may be told of side by side.
-    void saw(std::int64_t tile, bool moves) {
+    void record_motion(std::int64_t tile, bool moves) {
         std::uint8_t& steps = still_[static_cast<std::size_t>(tile)];
         steps = moves ? 0 : steps < k_still_steps ? static_cast<std::uint8_t>(steps + 1) : steps;
     }
@@ -66,7 +66,7 @@ class ActiveTiles {
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [grid, still, role, bringing, moved, cleared, gathered, updated, kept_tiles, kept] =
             *this;
-        archive(still);  // the rest is chosen anew in every step
+        archive(still);  // the rest is chosen again in every step
     }
 
   private:

@@ -53,14 +53,14 @@ void serialise(Archive& archive, ExchangeReport& report) {
 /// @param density [kg/m3]  @param dt [s]  @param film least depth that deposition leaves [m]
 template <bool Metric, class Erosion, class Deposition>
 void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Deposition& deposition, double density,
-                       double dt, double film, const BedState* states, const NodeGrid& nodes, ErodibleBed* layers) {
+                       double dt, double film, const BedState* states, const NodeGrid& nodes, ErodibleBed* beds) {
     const double half_inverse_dx = 0.5 / nodes.cell_size(), cell_area = nodes.cell_size() * nodes.cell_size();
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
     const std::uint8_t* solid = nodes.solid();
     range.for_each(stride, [&](std::size_t i, std::int64_t column, std::int64_t row) {
         const NodeMotion& node = nodes.motion()[i];
-        ErodibleBed& layer = layers[i];
-        layer.gain = layer.loss = layer.change = 0;
+        ErodibleBed& bed_layer = beds[i];
+        bed_layer.gain = bed_layer.loss = bed_layer.change = 0;
         if (!(node.mass > 0) || column < k_ghost || row < k_ghost || column >= stride - k_ghost ||
             row >= rows - k_ghost || (solid && solid[i]))
             return;
@@ -68,16 +68,20 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
         const double speed = speed_along_bed(node.u, node.v, climb);
         const BedState& bed = states[i];
         const double mass = density * bed.thickness, fraction = std::min(1.0, node.fraction);
-        const BedContact contact{node.mass / (fraction * cell_area), speed,        mass * bed.resistance,
-                                 mass * bed.normal_gravity,          layer.eroded, dt};
+        const BedContact contact{node.mass / (fraction * cell_area),
+                                 speed,
+                                 mass * bed.resistance,
+                                 mass * bed.normal_gravity,
+                                 bed_layer.eroded,
+                                 dt};
         const double to_fraction = cell_area / node.mass;
         if constexpr (Erosion::active) {
-            const double left = layer.erodible + layer.deposited - layer.eroded;
+            const double left = bed_layer.erodible + bed_layer.deposited - bed_layer.eroded;
             const double depth = std::min(erosion(contact) * dt * fraction, left);
             if (depth > 0) {
-                layer.eroded += depth;
-                layer.gain = depth * to_fraction;
-                layer.change = -depth;
+                bed_layer.eroded += depth;
+                bed_layer.gain = depth * to_fraction;
+                bed_layer.change = -depth;
                 return;
             }
         }
@@ -85,18 +89,17 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
             const double most = node.mass / cell_area - film * fraction;
             const double depth = std::min(deposition(contact) * dt * fraction, most);
             if (depth > 0) {
-                layer.deposited += depth;
-                layer.loss = depth * to_fraction;
-                layer.change = depth;
+                bed_layer.deposited += depth;
+                bed_layer.loss = depth * to_fraction;
+                bed_layer.change = depth;
             }
         }
     });
 }
 
 /// The bed after it; apart, since slopes are read across tiles.
-inline void move_bed(const NodeRange& range, const ErodibleBed* layers, NodeGrid& nodes) {
-    range.for_each(nodes.stride(),
-                   [&](std::size_t i, std::int64_t, std::int64_t) { nodes.bed[i] += layers[i].change; });
+inline void move_bed(const NodeRange& range, const ErodibleBed* beds, NodeGrid& nodes) {
+    range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t, std::int64_t) { nodes.bed[i] += beds[i].change; });
 }
 
 /// Particles take up what their nodes gained and give what they lost, in proportion to their volume, area
@@ -105,7 +108,7 @@ inline void move_bed(const NodeRange& range, const ErodibleBed* layers, NodeGrid
 /// before particles move. Reads x, y, ErodibleBed; reads and writes volume; writes the fraction of their velocity
 /// that particles keep.
 template <class Shape>
-void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid& nodes, const ErodibleBed* layers,
+void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid& nodes, const ErodibleBed* beds,
                              ParticleSet& particles, double* kept, double* lost, ExchangeReport& report) {
     const NodeScale grid = nodes.scale();
     double* volume = particles[Field::volume];
@@ -113,7 +116,7 @@ void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid&
         const Stencil<Shape> s(particles[Field::x][p], particles[Field::y][p], grid);
         double gain = 0, loss = 0;
         for (int b = 0; b < Shape::width; ++b) {
-            const ErodibleBed* row = layers + s.first + b * nodes.stride();
+            const ErodibleBed* row = beds + s.first + b * nodes.stride();
             for (int a = 0; a < Shape::width; ++a) {
                 const double w = s.wx[a] * s.wy[b];
                 gain += w * row[a].gain;

@@ -75,10 +75,10 @@ void mirror_velocities(NodeGrid& nodes) {
     });
 }
 
-void mirror_exchange(const NodeGrid& nodes, ErodibleBed* layers) {
+void mirror_exchange(const NodeGrid& nodes, ErodibleBed* beds) {
     for_each_mirror_pair(nodes, [&](std::size_t ghost, std::size_t inner, bool) {
-        layers[ghost].gain = layers[inner].gain;
-        layers[ghost].loss = layers[inner].loss;
+        beds[ghost].gain = beds[inner].gain;
+        beds[ghost].loss = beds[inner].loss;
     });
 }
 

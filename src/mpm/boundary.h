@@ -19,7 +19,7 @@ void fold_forces(NodeGrid& nodes);
 /// Gives the ghosts the mirror image of the inner nodes' updated velocities, shares and supports.
 void mirror_velocities(NodeGrid& nodes);
 /// Gives the ghosts their mirror images' fractions of what is exchanged with the bed.
-void mirror_exchange(const NodeGrid& nodes, ErodibleBed* layers);
+void mirror_exchange(const NodeGrid& nodes, ErodibleBed* beds);
 /// Makes the ghosts' bed the mirror image of the bed inside.
 void mirror_bed(NodeGrid& nodes);
 

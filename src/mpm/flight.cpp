@@ -69,7 +69,7 @@ Point landed_velocity(const NodeGrid& nodes, Point place, Point velocity, double
 // From jump.from on, until it lands. Returns the steepest fall of the edge in its direction.
 double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
     const NodeScale grid = nodes.scale();
-    const double look = k_look * grid.dx, start = ground_at(nodes, jump.from).value;
+    const double search_distance = k_look * grid.dx, start = ground_at(nodes, jump.from).value;
     const auto height = [&](double time) { return start + (jump.climb - 0.5 * rules.gravity * time) * time; };
     Point place = jump.from, velocity = jump.velocity;
     double time = 0, steepest = 0;
@@ -78,7 +78,8 @@ double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
         const bool at_edge = speed * time < k_edge_width * grid.dx;
         if (!at_edge && steepest < rules.edge) return steepest;  // no edge: the rest does not matter
         const double climb = jump.climb - rules.gravity * time;
-        const double dt = look / std::max({speed, std::abs(climb), std::sqrt(rules.gravity * look)});
+        const double dt =
+            search_distance / std::max({speed, std::abs(climb), std::sqrt(rules.gravity * search_distance)});
         Point next = at(place, velocity, dt);
         const bool outside = !nodes.bounds().contains(next.x, next.y);
         const bool leaves = outside && !rules.wall;
@@ -121,7 +122,7 @@ double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
 
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,
                               double clearance) {
-    const double look = k_look * nodes.cell_size();
+    const double search_distance = k_look * nodes.cell_size();
     double time = 0, before = 0;
     Point last = place, way{};
     while (nodes.bounds().contains(place.x, place.y)) {
@@ -129,11 +130,11 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
         Point velocity = bed.map_velocity(along);
         if (bed.throws(velocity, rules.gravity)) {
             // The place where this begins, between the last one looked at and this one.
-            double held = 0, thrown = time - before;
-            for (int i = 0; i < k_halvings && thrown > held; ++i) {
-                const double middle = 0.5 * (held + thrown);
+            double supported = 0, thrown = time - before;
+            for (int i = 0; i < k_halvings && thrown > supported; ++i) {
+                const double middle = 0.5 * (supported + thrown);
                 const Bed there = bed_at(nodes, at(last, way, middle));
-                (there.throws(there.map_velocity(along), rules.gravity) ? thrown : held) = middle;
+                (there.throws(there.map_velocity(along), rules.gravity) ? thrown : supported) = middle;
             }
             Jump jump;
             jump.from = at(last, way, thrown);
@@ -149,7 +150,7 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
         before = time;
         last = place;
         way = velocity;
-        time = std::min(reach, time + look / speed);
+        time = std::min(reach, time + search_distance / speed);
         place = at(place, velocity, time - before);
     }
     return std::nullopt;

@@ -59,7 +59,7 @@ void mean_levels(const NodeRange& range, NodeGrid& nodes) {
     });
 }
 
-void forget_squares(const NodeRange& range, NodeGrid& nodes) {
+void clear_squares(const NodeRange& range, NodeGrid& nodes) {
     NodeSums* const sums = nodes.sums();
     range.for_each(nodes.stride(), [&](std::size_t n, std::int64_t, std::int64_t) {
         sums[n].bed_squares = sums[n].surface_squares = 0;

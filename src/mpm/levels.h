@@ -16,7 +16,7 @@ namespace frana {
 void mean_levels(const NodeRange& range, NodeGrid& nodes);
 
 /// Clears the squares of NodeSums where the levels of the step before still hold.
-void forget_squares(const NodeRange& range, NodeGrid& nodes);
+void clear_squares(const NodeRange& range, NodeGrid& nodes);
 
 /// Each node's support: the least fraction of any neighbour whose bed lies under the surface, full at 0.6
 /// (share/doc/numerics.md, "Reference level"); and NodeForces::crowding. Needs mean_levels of the whole neighbourhood.

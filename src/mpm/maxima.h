@@ -25,7 +25,7 @@ struct Maxima {
         archive(h, v, arrival);
     }
 
-    void see(std::size_t node, double node_depth, double node_speed, double time) noexcept {
+    void update(std::size_t node, double node_depth, double node_speed, double time) noexcept {
         depth[node] = std::max(depth[node], node_depth);
         speed[node] = std::max(speed[node], node_speed);
         if (arrival_plus_1[node] == 0) arrival_plus_1[node] = time + 1;

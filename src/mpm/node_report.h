@@ -20,7 +20,7 @@ struct NodeReport {
     double volume = 0;             ///< of all nodes [m3]
     double energy = 0;             ///< kinetic and potential, over density, when the positions were as now [m5/s2]
     double kinetic = 0;            ///< of which kinetic
-    double taken = 0;              ///< energy over density that friction and walls took [m5/s2]
+    double dissipated = 0;         ///< energy over density that friction and walls took [m5/s2]
 
     template <class Archive>
     void serialise(Archive& archive) {
@@ -39,21 +39,21 @@ struct NodeReport {
         volume += r.volume;
         energy += r.energy;
         kinetic += r.kinetic;
-        taken += r.taken;
+        dissipated += r.dissipated;
     }
 
     /// Counts a node's energy in the step in which its velocity in map view goes from `before` (`turned` by the bed)
     /// over `driven`, with all that drives it, to `after`, with friction and walls too. Those take what they change of
     /// the velocity times the mean of before and after: what is held in place does no work.
     /// @param height of its middle [m]
-    void count_energy(double volume_held, double height, double gravity, const AlongBed& bed, Point before,
+    void count_energy(double node_volume, double height, double gravity, const AlongBed& bed, Point before,
                       Point turned, Point driven, Point after) noexcept {
-        const double motion = 0.25 * volume_held * (bed.dot(before, before) + bed.dot(after, after));
-        volume += volume_held;
+        const double motion = 0.25 * node_volume * (bed.dot(before, before) + bed.dot(after, after));
+        volume += node_volume;
         kinetic += motion;
-        energy += motion + gravity * volume_held * height;
-        taken += 0.5 * volume_held *
-                 bed.dot({driven.x - after.x, driven.y - after.y}, {turned.x + after.x, turned.y + after.y});
+        energy += motion + gravity * node_volume * height;
+        dissipated += 0.5 * node_volume *
+                      bed.dot({driven.x - after.x, driven.y - after.y}, {turned.x + after.x, turned.y + after.y});
     }
 };
 

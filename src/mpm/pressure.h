@@ -46,13 +46,13 @@ template <class Number>
 /// A particle's force on a node, over density; against `held`, the reference depth times the node's support, if
 /// Referenced.
 template <bool Referenced, bool Stress, class Number>
-[[gnu::always_inline]] inline MapVector<Number> push_on_node(const ParticlePush<Number>& p, Number held,
+[[gnu::always_inline]] inline MapVector<Number> push_on_node(const ParticlePush<Number>& p, Number supported,
                                                              Number reference, Number weight, Number grad_x,
                                                              Number grad_y) {
     Number pressure = p.pressure, pull = p.depth * weight;
     if constexpr (Referenced) {
-        pressure = p.pressure - p.half_weight * held * reference;
-        pull = (p.depth - held) * weight;
+        pressure = p.pressure - p.half_weight * supported * reference;
+        pull = (p.depth - supported) * weight;
     }
     if constexpr (!Stress) return {pressure * grad_x - p.slope_x * pull, pressure * grad_y - p.slope_y * pull};
     return {(pressure - p.xx) * grad_x - p.xy * grad_y - p.slope_x * pull,
@@ -101,14 +101,14 @@ void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, d
             const std::size_t first = s.first + static_cast<std::size_t>(b * stride);
             for (int a = 0; a < Shape::width; ++a) {
                 const std::size_t i = first + static_cast<std::size_t>(a);
-                double reference = 0, held = 0;
+                double reference = 0, supported = 0;
                 if constexpr (Referenced) {
                     const NodeLevel& level = levels[i];
                     reference = reference_depth(level.ponding, level.level, (1 - level.ponding) * level.depth, z.value);
-                    held = level.support * reference;
+                    supported = level.support * reference;
                 }
-                const auto [fx, fy] = push_on_node<Referenced, Stress, double>(push, held, reference, s.wx[a] * s.wy[b],
-                                                                               s.gx[a] * s.wy[b], s.wx[a] * s.gy[b]);
+                const auto [fx, fy] = push_on_node<Referenced, Stress, double>(
+                    push, supported, reference, s.wx[a] * s.wy[b], s.gx[a] * s.wy[b], s.wx[a] * s.gy[b]);
                 forces[i].fx += fx;
                 forces[i].fy += fy;
             }

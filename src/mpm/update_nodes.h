@@ -16,13 +16,13 @@ namespace frana {
 
 /// How steep terrain enters the map-plane equations (share/doc/model.md, "Unknowns"), as compile-time choices.
 struct GentleSlope {
-    static constexpr bool metric = false, thin_layer = false, curved = false;
+    static constexpr bool metric = false, thin_flow = false, curved = false;
 };
 struct SurfaceSlope {
-    static constexpr bool metric = true, thin_layer = false, curved = false;
+    static constexpr bool metric = true, thin_flow = false, curved = false;
 };
 struct NormalSlope {
-    static constexpr bool metric = true, thin_layer = true, curved = false;
+    static constexpr bool metric = true, thin_flow = true, curved = false;
 };
 /// With the load that the motion over a curved bed adds (mpm/curvature.h). Particles and nodes then exchange the
 /// velocity along the bed (BedFrame). What is carried from one slope to another then keeps its energy; velocities in
@@ -114,7 +114,7 @@ NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, st
     const double fall_y = node.fy / node.mass - weight * d.slope_y;
     d.ax = fall_x / d.n;
     d.ay = fall_y / d.n;
-    if constexpr (Slope::thin_layer) {
+    if constexpr (Slope::thin_flow) {
         const double bearing = 1 - (fall_x * d.slope_x + fall_y * d.slope_y) / k.gravity;
         if (bearing < d.n) {
             const double divisor = std::max(k_least_bearing, bearing);

@@ -177,7 +177,7 @@ class ParticleSet {
         resize(size_ + 1);
         set_row(size_ - 1, r);
     }
-    /// Makes all particles anew, `size` of them, field by field in `tasks` parts side by side:
+    /// Makes all particles again, `size` of them, field by field in `tasks` parts side by side:
     /// fill(field, from, to, part) writes its part of `to`, the field's new array, from the old one. One spare array
     /// serves all fields and the next call.
     template <class Fill>

@@ -14,7 +14,7 @@ namespace frana {
 
 /// Side of a tile, in nodes.
 inline constexpr std::int64_t k_tile = 16;
-/// How many cells particles may drift from the cell they were ordered in before they are ordered anew. With
+/// How many cells particles may drift from the cell they were ordered in before they are ordered again. With
 /// the stencil's own node it must stay under half a tile: then tiles of one colour never touch the same node.
 inline constexpr double k_drift_limit = 3;
 

@@ -18,21 +18,21 @@ double Arrivals::next_time() const {
     return time;
 }
 
-Arrivals::Taken Arrivals::take(double time) {
-    Taken taken;
+Arrivals::Arrived Arrivals::collect(double time) {
+    Arrived arrived;
     for (; next_entry_ < later_.size() && later_[next_entry_].time <= time; ++next_entry_) {
         Entry& entry = later_[next_entry_];
         for (std::size_t p = 0; p < entry.particles.size(); ++p) {
-            taken.particles.push_back(entry.particles.row(p));
-            taken.failed.push_back(entry.particles.row(p));
+            arrived.particles.push_back(entry.particles.row(p));
+            arrived.failed.push_back(entry.particles.row(p));
         }
-        taken.areas.insert(taken.areas.end(), entry.areas.begin(), entry.areas.end());
+        arrived.areas.insert(arrived.areas.end(), entry.areas.begin(), entry.areas.end());
         entry.particles = ParticleSet();
     }
     for (InflowSource& source : sources_) {
-        while (!source.done() && source.next_time() <= time) taken.inflow += source.take(taken.particles);
+        while (!source.done() && source.next_time() <= time) arrived.inflow += source.emit(arrived.particles);
     }
-    return taken;
+    return arrived;
 }
 
 std::size_t Arrivals::particles_left() const {

@@ -20,14 +20,14 @@ class Arrivals {
     [[nodiscard]] double next_time() const;
     [[nodiscard]] bool done() const { return next_time() == std::numeric_limits<double>::infinity(); }
 
-    struct Taken {
+    struct Arrived {
         ParticleSet particles;           ///< of areas, then of lines
         std::vector<std::size_t> areas;  ///< release areas that fail now
         ParticleSet failed;              ///< their particles
         double inflow = 0;               ///< volume through lines [m3]
     };
     /// What is due by `time`, areas before lines, each in the scene's order.
-    Taken take(double time);
+    Arrived collect(double time);
 
     [[nodiscard]] const std::vector<InflowSource>& sources() const noexcept { return sources_; }
     /// Particles still to come.

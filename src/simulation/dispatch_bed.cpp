@@ -21,13 +21,13 @@ using namespace voellmy_bingham;
 namespace {
 
 template <class Slope>
-void hold_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState*,
+void rest_uniform(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState*,
                   NodeGrid& nodes) {
     find_held_nodes<Slope>(range, update, UniformFriction{friction.voellmy}, nodes);
 }
 
 template <class Slope>
-void hold_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState* states,
+void rest_summed(const NodeRange& range, const NodeUpdate& update, const BedFriction& friction, BedState* states,
                  NodeGrid& nodes) {
     const NoExcess none;
     find_held_nodes<Slope>(range, update, SummedFriction<NoExcess>{none, states, friction.yields}, nodes);
@@ -38,7 +38,7 @@ NodeReport update_uniform(const NodeRange& range, const NodeUpdate& update, cons
                           double time, NodeGrid& nodes, Maxima& maxima) {
     return update_nodes<Slope>(
         range, update, UniformFriction{friction.voellmy}, nodes,
-        [&](std::size_t node, double depth, double speed) { maxima.see(node, depth, speed, time); });
+        [&](std::size_t node, double depth, double speed) { maxima.update(node, depth, speed, time); });
 }
 
 template <class Slope, class Excess>
@@ -48,14 +48,14 @@ NodeReport update_summed(const NodeRange& range, const NodeUpdate& update, const
     if constexpr (requires { excess.effective_fraction; }) excess.effective_fraction = update.effective_fraction;
     return update_nodes<Slope>(
         range, update, SummedFriction<Excess>{excess, states, friction.yields}, nodes,
-        [&](std::size_t node, double depth, double speed) { maxima.see(node, depth, speed, time); });
+        [&](std::size_t node, double depth, double speed) { maxima.update(node, depth, speed, time); });
 }
 
 // 5 slopes uniform; 5 slopes x 4 excess laws = 20 summed.
 template <class Slope>
 void choose_summed(const Material& material, Stages& stages) {
     stages.fill_bed_states = fill_bed_states<Slope>;
-    stages.find_held_nodes = hold_summed<Slope>;
+    stages.find_held_nodes = rest_summed<Slope>;
     if (material.has("herschel-bulkley") || (material.has("bingham") && material.exact_yield_ratio)) {
         stages.update_nodes = update_summed<Slope, HerschelBulkleyExcess>;
     } else if (material.has("bingham")) {
@@ -73,7 +73,7 @@ void choose_slope(const Material& material, bool summed, bool curved, Stages& st
         if (curved) return choose_slope<Curved<Slope>>(material, summed, curved, stages);
     }
     if (summed) return choose_summed<Slope>(material, stages);
-    stages.find_held_nodes = hold_uniform<Slope>;
+    stages.find_held_nodes = rest_uniform<Slope>;
     stages.update_nodes = update_uniform<Slope>;
 }
 
@@ -94,9 +94,9 @@ Law law_of(const BedExchange& laws) {
 
 template <bool Metric, class Erosion, class Deposition>
 void exchange_stage(const NodeRange& range, const BedExchange& laws, double dt, double film, const BedState* states,
-                    const NodeGrid& nodes, ErodibleBed* layers) {
+                    const NodeGrid& nodes, ErodibleBed* beds) {
     exchange_at_nodes<Metric>(range, law_of<Erosion>(laws), law_of<Deposition>(laws), laws.density, dt, film, states,
-                              nodes, layers);
+                              nodes, beds);
 }
 
 // 2 metrics x 4 laws of erosion x 2 of deposition = 16.

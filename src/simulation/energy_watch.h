@@ -19,16 +19,16 @@ namespace frana {
 /// it comes before. Steps between which volume came in or went (release, inflow, open edges, erosion) are left out.
 class EnergyWatch {
   public:
-    void see(const StepStatistics& statistics) {
+    void add(const StepStatistics& statistics) {
         if (std::isnan(statistics.energy)) return;
         const double now = statistics.energy, volume = statistics.energy_volume;
-        const double half = 0.5 * statistics.energy_taken;
+        const double half = 0.5 * statistics.energy_dissipated;
         if (known_ && std::abs(volume - volume_) <= k_same_volume * volume_)
             balance_ += now - energy_ + half_taken_ + half;
-        taken_ += statistics.energy_taken;
+        dissipated_ += statistics.energy_dissipated;
         lowest_ = std::min(lowest_, balance_);
         rise_ = std::max(rise_, balance_ - lowest_);
-        turned_over_ = std::max(turned_over_, statistics.energy_moving + taken_);
+        turned_over_ = std::max(turned_over_, statistics.energy_moving + dissipated_);
         energy_ = now;
         half_taken_ = half;
         volume_ = volume;
@@ -42,8 +42,8 @@ class EnergyWatch {
 
     template <class Archive>
     void serialise(Archive& archive) {
-        auto& [known, energy, half, volume, balance, lowest, rise, taken, turned] = *this;
-        archive(known, energy, half, volume, balance, lowest, rise, taken, turned);
+        auto& [known, energy, half, volume, balance, lowest, rise, dissipated, turned] = *this;
+        archive(known, energy, half, volume, balance, lowest, rise, dissipated, turned);
     }
 
   private:
@@ -52,7 +52,7 @@ class EnergyWatch {
     bool known_ = false;
     double energy_ = 0, half_taken_ = 0, volume_ = 0;  ///< of the step before
     double balance_ = 0, lowest_ = 0, rise_ = 0;       ///< of E, counted from the start [m5/s2]
-    double taken_ = 0, turned_over_ = 0;
+    double dissipated_ = 0, turned_over_ = 0;
 };
 
 }  // namespace frana

@@ -94,13 +94,13 @@ voellmy_bingham::State initial_state(const Ground& ground, ParticleSet particles
 
 ZeroArray<ErodibleBed> erodible_beds(const Entrainment& entrainment, const MaterialZones& zones,
                                      const NodeGrid& nodes) {
-    ZeroArray<ErodibleBed> layers(nodes.bed.size());
-    if (!entrainment.erodes()) return layers;
+    ZeroArray<ErodibleBed> beds(nodes.bed.size());
+    if (!entrainment.erodes()) return beds;
     std::vector<double> depths;
     if (zones.erodible_depth) depths = node_values(*zones.erodible_depth, entrainment.erodible_depth, nodes);
-    for (std::size_t i = 0; i < layers.size(); ++i)
-        layers[i].erodible = depths.empty() ? entrainment.erodible_depth : depths[i];
-    return layers;
+    for (std::size_t i = 0; i < beds.size(); ++i)
+        beds[i].erodible = depths.empty() ? entrainment.erodible_depth : depths[i];
+    return beds;
 }
 
 }  // namespace
@@ -281,11 +281,11 @@ void Flow::record_present() {
     const Snapshot shot = snapshot();
     for_each_reached_cell([&](std::int64_t row, std::int64_t column, std::size_t node) {
         const double depth = shot.depth.at(row, column);
-        if (!std::isnan(depth)) maxima_.see(node, depth, shot.speed.at(row, column), state_.time);
+        if (!std::isnan(depth)) maxima_.update(node, depth, shot.speed.at(row, column), state_.time);
     });
 }
 
-Raster Flow::layer_depth(double ErodibleBed::*depth) const {
+Raster Flow::bed_depth_raster(double ErodibleBed::*depth) const {
     Raster raster(grid_, k_no_data);
     if (state_.erodible_beds.size() == 0) return raster;
     for (std::int64_t row = 0; row < grid_.rows; ++row) {
@@ -298,11 +298,11 @@ Raster Flow::layer_depth(double ErodibleBed::*depth) const {
 }
 
 Raster Flow::eroded_depth() const {
-    return layer_depth(&ErodibleBed::eroded);
+    return bed_depth_raster(&ErodibleBed::eroded);
 }
 
 Raster Flow::deposited_depth() const {
-    return layer_depth(&ErodibleBed::deposited);
+    return bed_depth_raster(&ErodibleBed::deposited);
 }
 
 template <class Value>

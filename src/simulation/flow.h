@@ -42,7 +42,7 @@ class Flow {
     /// Takes ground away between two steps: depth in each cell [m], NaN for none.
     void lower_bed(const Raster& depth) {
         state_.nodes.lower_bed(depth);
-        state_.active.wake(state_.order);
+        state_.active.activate(state_.order);
     }
     /// From now on what rests is computed as well, for comparison.
     void compute_what_rests() noexcept { laws_.skips_rest = false; }
@@ -146,7 +146,7 @@ class Flow {
 
   private:
     void gather();
-    [[nodiscard]] Raster layer_depth(double ErodibleBed::*depth) const;
+    [[nodiscard]] Raster bed_depth_raster(double ErodibleBed::*depth) const;
     // Calls visit(row, column, node) for the cells that particles can touch, tile by tile.
     template <class Visit>
     void for_each_reached_cell(const Visit& visit) const;

@@ -28,7 +28,7 @@ StepStatistics statistics_of(const voellmy_bingham::StepReport& report) {
     f.energy = report.nodes.energy;
     f.energy_moving = report.nodes.kinetic;
     f.energy_volume = report.nodes.volume;
-    f.energy_taken = report.nodes.taken;
+    f.energy_dissipated = report.nodes.dissipated;
     f.moving = report.nodes.moving + report.aloft;
     f.thin = report.nodes.thin;
     f.covered = report.nodes.covered;
@@ -186,14 +186,15 @@ void hide_non_finite(Raster& raster) {
 
 }  // namespace
 
-void add_arrivals(const Arrivals::Taken& taken, Flow& flow) {
-    flow.add_particles(taken.particles);
+void add_arrivals(const Arrivals::Arrived& arrived, Flow& flow) {
+    flow.add_particles(arrived.particles);
 }
 
-void add_arrivals(const Arrivals::Taken& taken, StructuredFlow& flow) {
-    flow.add_release(taken.failed);
+void add_arrivals(const Arrivals::Arrived& arrived, StructuredFlow& flow) {
+    flow.add_release(arrived.failed);
     ParticleSet inflow;
-    for (std::size_t p = taken.failed.size(); p < taken.particles.size(); ++p) inflow.push_back(taken.particles.row(p));
+    for (std::size_t p = arrived.failed.size(); p < arrived.particles.size(); ++p)
+        inflow.push_back(arrived.particles.row(p));
     flow.add_fluid(inflow);
 }
 
@@ -229,7 +230,7 @@ FlowRun<AnyFlow>::FlowRun(const Scene& scene, const RunOptions& options, Release
 template <class AnyFlow>
 void FlowRun<AnyFlow>::begin() {
     write_frame_now();
-    if (AnyFlow::k_shows_end && !recorder_.idle()) recorder_.see(flow_, 0, 0);
+    if (AnyFlow::k_shows_end && !recorder_.idle()) recorder_.record(flow_, 0, 0);
 }
 
 template <class AnyFlow>
@@ -239,28 +240,28 @@ void FlowRun<AnyFlow>::write_frame_now() {
     next_frame_ = interval * (std::floor(flow_.time() / interval * (1 + 1e-12)) + 1);
     last_frame_ = flow_.time();
     engine_.stop();
-    Frame taken = store_frame(flow_, frames_++, options_.particles_in_frames);
-    hide_walls(scene_, taken.depth);
-    hide_walls(scene_, taken.velocity);
+    Frame arrived = store_frame(flow_, frames_++, options_.particles_in_frames);
+    hide_walls(scene_, arrived.depth);
+    hide_walls(scene_, arrived.velocity);
     if (result_.hard_events.non_finite > 0) {
-        hide_non_finite(taken.depth);
-        hide_non_finite(taken.velocity);
-        for (NamedRaster& raster : taken.more) hide_non_finite(raster.values);
+        hide_non_finite(arrived.depth);
+        hide_non_finite(arrived.velocity);
+        for (NamedRaster& raster : arrived.more) hide_non_finite(raster.values);
     }
-    options_.on_frame(taken);
+    options_.on_frame(arrived);
     engine_.start();
 }
 
 // What is due now comes in.
 template <class AnyFlow>
 void FlowRun<AnyFlow>::receive() {
-    const Arrivals::Taken taken = arrivals_.take(flow_.time());
-    if (scene_.terrain_contains_release && taken.failed.size() > 0)
-        flow_.lower_bed(cell_depth(taken.failed, scene_.grid));
-    add_arrivals(taken, flow_);
-    result_.volume_inflow += taken.inflow;
-    result_.volume_entered += taken.inflow;
-    for (const std::size_t i : taken.areas) {
+    const Arrivals::Arrived arrived = arrivals_.collect(flow_.time());
+    if (scene_.terrain_contains_release && arrived.failed.size() > 0)
+        flow_.lower_bed(cell_depth(arrived.failed, scene_.grid));
+    add_arrivals(arrived, flow_);
+    result_.volume_inflow += arrived.inflow;
+    result_.volume_entered += arrived.inflow;
+    for (const std::size_t i : arrived.areas) {
         result_.released[i].failed = true;
         result_.volume_entered += result_.released[i].volume;
     }
@@ -285,8 +286,8 @@ void FlowRun<AnyFlow>::count(const StepStatistics& statistics) {
     result_.hard_events.depth_clamped += statistics.clamped;
     result_.unsupported += statistics.unsupported;
     const BedBudget bed = bed_budget(flow_);
-    result_.run_problems = watch_.look(flow_, statistics, result_.volume_entered + bed.eroded - bed.deposited);
-    energy_.see(statistics);
+    result_.run_problems = watch_.check(flow_, statistics, result_.volume_entered + bed.eroded - bed.deposited);
+    energy_.add(statistics);
     for (const RunProblem& run_problem : result_.run_problems) {
         add(run_problem, result_.hard_events);
         if (options_.on_problem) options_.on_problem(run_problem);
@@ -325,7 +326,7 @@ void FlowRun<AnyFlow>::step() {
     StepStatistics statistics = statistics_of(flow_.advance(limit));
     // A step that does not move time comes from no number.
     if (!(flow_.time() > began)) statistics.non_finite = std::max<std::int64_t>(statistics.non_finite, 1);
-    if (!recorder_.idle()) recorder_.see(flow_, AnyFlow::k_shows_end ? flow_.time() : began, statistics.dt);
+    if (!recorder_.idle()) recorder_.record(flow_, AnyFlow::k_shows_end ? flow_.time() : began, statistics.dt);
     count(statistics);
     if (target - flow_.time() <= 1e-9 * target) arrive(target);
     if (options_.on_progress) options_.on_progress(progress());
@@ -360,7 +361,7 @@ RunResult FlowRun<AnyFlow>::finish() {
     for (Raster* raster : {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth})
         hide_walls(scene_, *raster);
     for (NamedRaster& raster : result.more) hide_walls(scene_, raster.values);
-    recorder_.give(flow_, result);
+    recorder_.move_to(flow_, result);
     if (!finite) {
         for (Raster* raster : {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth,
                                &result.max_flux, &result.max_head})

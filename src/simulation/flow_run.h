@@ -107,8 +107,8 @@ class FlowRun {
 };
 
 /// What comes later: whole columns that fail, and what flows in, which in the structured model is fluid.
-void add_arrivals(const Arrivals::Taken& taken, Flow& flow);
-void add_arrivals(const Arrivals::Taken& taken, StructuredFlow& flow);
+void add_arrivals(const Arrivals::Arrived& arrived, Flow& flow);
+void add_arrivals(const Arrivals::Arrived& arrived, StructuredFlow& flow);
 
 /// From where fronts are measured and elevations counted: the centroid of everything released, else the
 /// middle of the first inflow. Local metres.

@@ -158,7 +158,7 @@ InflowSource::Piece InflowSource::piece_of(const Mouth& mouth, const InflowBatch
     return piece;
 }
 
-double InflowSource::take(ParticleSet& particles) {
+double InflowSource::emit(ParticleSet& particles) {
     const InflowBatch& batch = batches_[next_++];
     double given = 0;
     for (const Mouth& mouth : mouths_) {

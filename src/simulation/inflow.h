@@ -32,7 +32,7 @@ class InflowSource {
     /// When the next row comes in [s].
     [[nodiscard]] double next_time() const { return batches_[next_].time; }
     /// Appends the next row to `particles`; returns its volume [m3].
-    double take(ParticleSet& particles);
+    double emit(ParticleSet& particles);
 
     [[nodiscard]] Point midpoint() const;             ///< local metres
     [[nodiscard]] std::vector<Point> places() const;  ///< where rows come in, local metres

@@ -39,11 +39,11 @@ void move_marks(Scene& scene, const Place& place, double turn) {
 enum class Kind { elevation, depth, zone };
 
 // Every raster of a scene, and what it holds.
-template <class Look>
-void for_each_raster(Scene& scene, const Look& look) {
-    look(scene.terrain, Kind::elevation);
+template <class Visit>
+void for_each_raster(Scene& scene, const Visit& visit) {
+    visit(scene.terrain, Kind::elevation);
     const auto optional = [&](std::optional<Raster>& raster, Kind kind) {
-        if (raster) look(*raster, kind);
+        if (raster) visit(*raster, kind);
     };
     for (ReleaseArea& area : scene.release) optional(area.thickness_raster, Kind::depth);
     optional(scene.walls, Kind::zone);

@@ -66,12 +66,12 @@ Recorder::NodeState Recorder::state_of(const Flow& flow, std::size_t node) const
     if (!(motion.mass > 0)) return {};
     NodeState state;
     state.depth = shown_depth(nodes, node);
-    state.held = motion.mass / (cell_size_ * cell_size_);
+    state.volume_depth = motion.mass / (cell_size_ * cell_size_);
     const Point brought = flow.brought_velocity(node);
     state.u = brought.x;
     state.v = brought.y;
-    state.moved_x = state.held * motion.u;
-    state.moved_y = state.held * motion.v;
+    state.moved_x = state.volume_depth * motion.u;
+    state.moved_y = state.volume_depth * motion.v;
     state.speed = flow.speed_along_bed(node, brought);
     return state;
 }
@@ -80,7 +80,7 @@ Recorder::NodeState Recorder::state_of(const StructuredFlow& flow, std::size_t n
     const StructuredFlow::Column column = flow.column(node);
     if (!(column.depth > 0)) return {};
     NodeState state;
-    state.depth = state.held = column.depth;
+    state.depth = state.volume_depth = column.depth;
     state.moved_x = column.qx;
     state.moved_y = column.qy;
     state.u = state.moved_x / state.depth;
@@ -99,8 +99,8 @@ SectionRow Recorder::row_of(const AnyFlow& flow, std::size_t section, double tim
         for (const Fraction& fraction : piece.fractions) {
             const NodeState state = state_of(flow, fraction.node);
             // The volume in the cell, not the depth that is shown, is what passes.
-            flux_x += fraction.weight * state.held * state.u;
-            flux_y += fraction.weight * state.held * state.v;
+            flux_x += fraction.weight * state.volume_depth * state.u;
+            flux_y += fraction.weight * state.volume_depth * state.v;
             depth += fraction.weight * state.depth;
             speed += fraction.weight * state.speed;
         }
@@ -149,7 +149,7 @@ void Recorder::fold_intensity(const AnyFlow& flow) {
 }
 
 template <class AnyFlow>
-void Recorder::see(const AnyFlow& flow, double time, double dt) {
+void Recorder::record(const AnyFlow& flow, double time, double dt) {
     if (intensity_) fold_intensity(flow);
     const bool due = interval_ <= 0 || time >= next_row_ * (1 - 1e-12);
     if (due) {
@@ -160,7 +160,7 @@ void Recorder::see(const AnyFlow& flow, double time, double dt) {
 }
 
 template <class AnyFlow>
-void Recorder::give(const AnyFlow& flow, RunResult& result) {
+void Recorder::move_to(const AnyFlow& flow, RunResult& result) {
     result.gauges = std::move(gauge_rows_);
     result.sections = std::move(section_rows_);
     if (!intensity_) return;
@@ -175,9 +175,9 @@ void Recorder::give(const AnyFlow& flow, RunResult& result) {
     }
 }
 
-template void Recorder::see(const Flow&, double, double);
-template void Recorder::see(const StructuredFlow&, double, double);
-template void Recorder::give(const Flow&, RunResult&);
-template void Recorder::give(const StructuredFlow&, RunResult&);
+template void Recorder::record(const Flow&, double, double);
+template void Recorder::record(const StructuredFlow&, double, double);
+template void Recorder::move_to(const Flow&, RunResult&);
+template void Recorder::move_to(const StructuredFlow&, RunResult&);
 
 }  // namespace frana

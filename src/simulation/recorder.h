@@ -22,10 +22,10 @@ class Recorder {
     [[nodiscard]] bool idle() const noexcept { return !intensity_ && places_.empty() && lines_.empty(); }
     /// After a step that took `dt`; `time` is when the flow's nodes were as they show now [s].
     template <class AnyFlow>
-    void see(const AnyFlow& flow, double time, double dt);
+    void record(const AnyFlow& flow, double time, double dt);
     /// Moves the rows and rasters into the result.
     template <class AnyFlow>
-    void give(const AnyFlow& flow, RunResult& result);
+    void move_to(const AnyFlow& flow, RunResult& result);
 
     /// What it has seen.
     template <class Archive>
@@ -57,8 +57,8 @@ class Recorder {
         double volume = 0;
     };
     struct NodeState {
-        double depth = 0;  ///< that is shown [m]
-        double held = 0;   ///< volume over cell area, which is what passes [m]
+        double depth = 0;         ///< that is shown [m]
+        double volume_depth = 0;  ///< volume over cell area, which is what passes [m]
         double u = 0, v = 0, speed = 0;
         double moved_x = 0, moved_y = 0;  ///< discharge per width by the velocities that moved it [m2/s]
     };

@@ -94,7 +94,7 @@ RunCheck::RunCheck(const Scene& scene, const Release& release, const Arrivals& a
       bound_(bound_of(scene, release, arrivals, pressure_factor)) {}
 
 template <class AnyFlow>
-std::vector<RunProblem> RunCheck::look(const AnyFlow& flow, const StepStatistics& statistics, double taken) const {
+std::vector<RunProblem> RunCheck::check(const AnyFlow& flow, const StepStatistics& statistics, double taken) const {
     const double speed = std::max(statistics.max_speed, statistics.fastest);
     const double error = std::abs(statistics.volume + flow.volume_left() - taken);
     std::vector<RunProblem> run_problems;
@@ -112,8 +112,8 @@ std::vector<RunProblem> RunCheck::look(const AnyFlow& flow, const StepStatistics
     return run_problems;
 }
 
-template std::vector<RunProblem> RunCheck::look(const Flow&, const StepStatistics&, double) const;
-template std::vector<RunProblem> RunCheck::look(const StructuredFlow&, const StepStatistics&, double) const;
+template std::vector<RunProblem> RunCheck::check(const Flow&, const StepStatistics&, double) const;
+template std::vector<RunProblem> RunCheck::check(const StructuredFlow&, const StepStatistics&, double) const;
 
 void add(const RunProblem& run_problem, HardEvents& events) {
     switch (run_problem.kind) {

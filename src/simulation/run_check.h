@@ -32,8 +32,8 @@ class RunCheck {
     /// What the last step brought; empty in a good run.
     /// @param taken all that came in, from the bed too [m3]
     template <class AnyFlow>
-    [[nodiscard]] std::vector<RunProblem> look(const AnyFlow& flow, const StepStatistics& statistics,
-                                               double taken) const;
+    [[nodiscard]] std::vector<RunProblem> check(const AnyFlow& flow, const StepStatistics& statistics,
+                                                double taken) const;
 
     [[nodiscard]] double greatest_speed() const noexcept { return bound_; }
 

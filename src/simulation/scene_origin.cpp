@@ -15,18 +15,18 @@ constexpr double k_none = std::numeric_limits<double>::infinity();
 // South-western corner in map coordinates; infinite where there is nothing.
 Point corner_of(const Scene& scene) {
     Point corner{k_none, k_none};
-    const auto see = [&](Point p) {
+    const auto include = [&](Point p) {
         corner.x = std::min(corner.x, p.x);
         corner.y = std::min(corner.y, p.y);
     };
     for (const ReleaseArea& area : scene.release)
-        for (const Polygon& polygon : area.outline) std::for_each(polygon.outer.begin(), polygon.outer.end(), see);
-    for (const Inflow& inflow : scene.inflows) std::for_each(inflow.line.begin(), inflow.line.end(), see);
+        for (const Polygon& polygon : area.outline) std::for_each(polygon.outer.begin(), polygon.outer.end(), include);
+    for (const Inflow& inflow : scene.inflows) std::for_each(inflow.line.begin(), inflow.line.end(), include);
     if (!scene.structured || !scene.structured->initial_fluid) return corner;
     const Raster& fluid = *scene.structured->initial_fluid;
     for (std::int64_t row = 0; row < scene.grid.rows; ++row)
         for (std::int64_t column = 0; column < scene.grid.columns; ++column)
-            if (fluid.at(row, column) > 0) see(scene.grid.cell_centre(row, column));
+            if (fluid.at(row, column) > 0) include(scene.grid.cell_centre(row, column));
     return corner;
 }
 

@@ -40,7 +40,7 @@ double SettlingWatch::window(double now) const noexcept {
 }
 
 template <class AnyFlow>
-SettlingWatch::Sample SettlingWatch::look(const AnyFlow& flow) {
+SettlingWatch::Sample SettlingWatch::sample(const AnyFlow& flow) {
     Sample sample;
     sample.time = flow.time();
     double farthest2 = 0;
@@ -87,7 +87,7 @@ bool SettlingWatch::settled(const AnyFlow& flow, double kinetic, double all) {
     if (!(time_.stop_change > 0) || flow.time() < next_) return false;
     const double length = window(flow.time());
     next_ = flow.time() + length / k_samples;
-    samples_.push_back(look(flow));
+    samples_.push_back(sample(flow));
     const Sample& now = samples_.back();
     // The window's first sample is the last of those that are old enough.
     std::size_t first = 0;

@@ -19,7 +19,7 @@ class SettlingWatch {
   public:
     SettlingWatch(const TimeControl& time, const GridSpec& grid, Point origin);
 
-    /// Something came in at this time [s]: the window begins anew.
+    /// Something came in at this time [s]: the window begins again.
     void restart(double time);
     /// After a step, in which the flow's nodes hold what they held as it began. Whether the values have settled.
     /// @param kinetic energy over density [m5/s2]
@@ -68,7 +68,7 @@ class SettlingWatch {
 
     [[nodiscard]] double window(double now) const noexcept;
     template <class AnyFlow>
-    [[nodiscard]] Sample look(const AnyFlow& flow);
+    [[nodiscard]] Sample sample(const AnyFlow& flow);
 
     const TimeControl& time_;
     const GridSpec& grid_;

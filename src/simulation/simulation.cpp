@@ -56,7 +56,7 @@ std::int64_t rasters_at_once(const StructuredFlow& flow) {
 // How long a flow's first steps take and what it holds, with all that comes later on the ground at once: the
 // trial steps then cost what the fullest would.
 template <class AnyFlow>
-void estimate_flow(const Scene& scene, const Arrivals::Taken& rest, std::int64_t released_cells, AnyFlow& flow,
+void estimate_flow(const Scene& scene, const Arrivals::Arrived& rest, std::int64_t released_cells, AnyFlow& flow,
                    RunEstimate& e) {
     add_arrivals(rest, flow);
     e.first_step_seconds = flow.stable_step();
@@ -144,7 +144,7 @@ RunEstimate estimate(const Scene& scene, int threads) {
     e.untraced_fraction = fraction_below(scene.time.trace_threshold);
     e.terms = list_terms(scene);
     const std::size_t arriving = arrivals.particles_left();
-    const Arrivals::Taken rest = arrivals.take(scene.time.end);
+    const Arrivals::Arrived rest = arrivals.collect(scene.time.end);
     e.inflow = rest.inflow;
     const auto released_cells = static_cast<std::int64_t>(
         std::count_if(release.depth.values.begin(), release.depth.values.end(), [](double d) { return d > 0; }));

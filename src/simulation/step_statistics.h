@@ -19,7 +19,7 @@ struct StepStatistics {
     ///< kinetic and potential, over density, as the step began [m5/s2]; NaN: not known
     double energy_moving = 0;      ///< of which kinetic [m5/s2]
     double energy_volume = 0;      ///< of the volume that has it [m3]
-    double energy_taken = 0;       ///< by friction and walls in the step, over density [m5/s2]
+    double energy_dissipated = 0;  ///< by friction and walls in the step, over density [m5/s2]
     double moving = 0;             ///< volume faster than the run's moving speed, however thin [m3]
     double thin = 0;               ///< volume that is nowhere as deep as the minimum depth [m3]
     std::int64_t covered = 0;      ///< cells deeper than the minimum depth

@@ -31,7 +31,7 @@ ParticleSet solids_of(const ParticleSet& columns, const StructuredMaterial& mate
                       const GridSpec& grid, FieldMask fields) {
     const auto of_place = [&](Point local) { return material_at(material, grid, local); };
     ParticleSet placed = structured::split_phases(columns, of_place);
-    if (material.spread_evenly) placed = structured::place_anew(placed, grid, numerics.particles_per_cell);
+    if (material.spread_evenly) placed = structured::place_again(placed, grid, numerics.particles_per_cell);
     return structured::assign_material(placed, fields, of_place);
 }
 
@@ -112,7 +112,7 @@ void StructuredFlow::receive(const ParticleSet& particles, bool columns) {
         const double fraction = columns && material_.solids ? solid.free() : 1;
         if (columns && material_.solids) {
             entered_.solids += volume * solid.solid_fraction;
-            entered_.confined += volume * solid.held();
+            entered_.confined += volume * solid.confined_fluid();
         }
         entered_.free += fraction * volume;
         if (!state_.fluid || !(fraction > 0)) continue;
@@ -248,7 +248,7 @@ StepStatistics StructuredFlow::observe() {
                 const Point here = state_.grid.middle(i, j);
                 const double x = here.x - origin_.x, y = here.y - origin_.y;
                 f.front_distance = std::max(f.front_distance, x * x + y * y);
-                maxima_.see(cell, depth, fast, state_.time);
+                maxima_.update(cell, depth, fast, state_.time);
             });
     });
     StepStatistics sum;

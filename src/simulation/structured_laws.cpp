@@ -52,8 +52,8 @@ structured::SolidMaterial material_of_cell(const StructuredMaterial& m, std::siz
 
 // Of solids with what they confine [kg/m3].
 double coupled_density(const StructuredMaterial& m, const structured::SolidMaterial& solid) {
-    return (solid.solid_fraction * solid.grain_density + solid.held() * m.fluid_density) /
-           (solid.solid_fraction + solid.held());
+    return (solid.solid_fraction * solid.grain_density + solid.confined_fluid() * m.fluid_density) /
+           (solid.solid_fraction + solid.confined_fluid());
 }
 
 structured::Elasticity elasticity(const StructuredMaterial& m) {

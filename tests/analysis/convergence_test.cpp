@@ -26,7 +26,7 @@ TEST(GridConvergence, RecoversOrderAndLimitOfAPowerLaw) {
     }
 }
 
-TEST(GridConvergence, IsCautiousWhereFiguresDoNotConverge) {
+TEST(GridConvergence, IsCautiousWhereValuesDoNotConverge) {
     const GridConvergence swing = grid_convergence({{8, 10}, {4, 12}, {2, 11}});
     EXPECT_EQ(swing.trend, Trend::oscillating);
     EXPECT_TRUE(std::isnan(swing.observed_order));

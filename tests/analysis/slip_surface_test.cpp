@@ -98,8 +98,8 @@ TEST(SlipSurface, FallsBackToTheBaseLevelOfConstantCurvature) {
 TEST(SlipSurface, TellsWhichPerimetersAnEllipsoidFits) {
     const MultiPolygon crescent{
         {{{1100, 2100}, {1300, 2100}, {1300, 2300}, {1280, 2300}, {1280, 2120}, {1100, 2120}}, {}}};
-    EXPECT_TRUE(seen_from_centroid(ellipse(50, 20, 1)));
-    EXPECT_FALSE(seen_from_centroid(crescent));
+    EXPECT_TRUE(visible_from_centroid(ellipse(50, 20, 1)));
+    EXPECT_FALSE(visible_from_centroid(crescent));
     const Raster ground = plane(4);
     EXPECT_EQ(SlipSurface(ground, crescent, {}).shape(), SlipShape::base_level);
     EXPECT_THROW(SlipSurface(ground, crescent, SlipShape::ellipsoid), Error);

@@ -51,7 +51,7 @@ TEST(Accuracy, RunsBothSchemesAtTwoResolutionsWhenQuick) {
     const auto rows = quick({"granular-slope", "sliding-block"});
     ASSERT_EQ(rows.size(), 8u);
     for (const AccuracyRow& row : rows) {
-        EXPECT_TRUE(row.statistics.failure.empty()) << row.case_name;
+        EXPECT_TRUE(row.statistics.error.empty()) << row.case_name;
         EXPECT_GT(row.statistics.particles, 0);
         EXPECT_GT(row.statistics.steps, 0);
         EXPECT_GT(row.statistics.wall_seconds, 0);
@@ -76,7 +76,7 @@ TEST(Accuracy, FreeFluidConvergesWithSecondOrderInSmoothFlow) {
     ASSERT_EQ(rows.size(), 5u);
     for (const AccuracyRow& row : rows) {
         EXPECT_EQ(row.scheme, Scheme::standard);
-        EXPECT_TRUE(row.statistics.failure.empty()) << row.case_name;
+        EXPECT_TRUE(row.statistics.error.empty()) << row.case_name;
         // Minmod clips the crest of the wave: 1.7 rather than 2 in the mean.
         if (row.statistics.cell_size < 1) {
             EXPECT_GT(row.observed_order, 1.7);

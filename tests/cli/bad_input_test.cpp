@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 using BadFile = TinyScene;
 
-TEST_F(BadFile, EveryFaultInOnePass) {
+TEST_F(BadFile, EveryProblemInOnePass) {
     write_scene("[numerics]\nclf = 0.4\n[output]\ntrace-threshold = deep\n");
     const Outcome outcome =
         frana({"run", "scene.ini", "--set", "terrain.dtm=none.tif", "--set", "scar.perimeter=nowhere.shp"});

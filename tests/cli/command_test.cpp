@@ -20,7 +20,7 @@ TEST_F(Command, HelpAndVersion) {
     }
 }
 
-TEST_F(Command, MistakesOnTheCommandLine) {
+TEST_F(Command, ErrorsOnTheCommandLine) {
     EXPECT_EQ(frana({}).exit_code, 2);
     EXPECT_NE(frana({"chek"}).err.find("Did you mean check?"), std::string::npos);
     EXPECT_EQ(frana({"chek"}).exit_code, 2);

@@ -77,7 +77,7 @@ TEST_F(KeptFilesOf, AnybodyWithTheNameOfAPicture) {
                                         "pictures", "--format", "tif",   "--size",    "640x480"};
     expect_refusal(draw, "exists already and was not drawn by frana");
     fs::remove(path("pictures/max_depth.tif"));
-    for (int i = 0; i < 2; ++i) {  // its own pictures it draws anew
+    for (int i = 0; i < 2; ++i) {  // its own pictures it draws again
         const Outcome outcome = frana(draw);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_EQ(bands(path("pictures/max_depth.tif")), 3);
@@ -171,7 +171,7 @@ TEST_F(OwnFiles, OfABenchAreReplacedAndNoOthers) {
     for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(bench).exit_code, 0);
 }
 
-// What is drawn anew belongs to the result: a run that replaces it takes it along.
+// What is drawn again belongs to the result: a run that replaces it takes it along.
 TEST_F(OwnFiles, OfAResultThatIsDrawnAnewGoWithIt) {
     ASSERT_EQ(frana({"render", "result", "--map", "max_depth", "--map", "release", "--size", "640x480"}).exit_code, 0);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=1"}).exit_code,
@@ -254,7 +254,7 @@ TEST_F(OwnPictures, AreReplacedAndNoOthers) {
     expect_refusal({"render", "result/max_depth.tif", "--size", "640x480"}, k_foreign);
 }
 
-TEST_F(OwnPictures, OfFilmsAreReplacedAndNoOthers) {
+TEST_F(OwnPictures, OfAnimationsAreReplacedAndNoOthers) {
     fs::create_directory(path("film"));
     write("film/frame_0000.png", "the user's");
     expect_refusal(animation("film/"), k_foreign);
@@ -265,7 +265,7 @@ TEST_F(OwnPictures, OfFilmsAreReplacedAndNoOthers) {
 }
 
 // A shorter animation: no frame of the longer one may stay behind it.
-TEST_F(OwnPictures, OfALongerFilmGo) {
+TEST_F(OwnPictures, OfALongerAnimationGo) {
     ASSERT_EQ(frana(animation("film/")).exit_code, 0);
     const auto frames = [&](const std::string& more) {
         std::vector<std::string> names;

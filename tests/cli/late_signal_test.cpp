@@ -95,7 +95,7 @@ TEST_F(Late, SignalThatCostsNothingIsNoFailure) {
     expect_tidy("result");
 }
 
-TEST_F(Late, FaultOfAPictureKeepsWhatResumingNeeds) {
+TEST_F(Late, ErrorOfAPictureKeepsWhatResumingNeeds) {
     ASSERT_EQ(
         frana(command("first", {"--quiet", "--set", "output.maps=off", "--set", "output.animation=off"})).exit_code, 0);
     ASSERT_EQ(frana({"render", "first", "--map", "max_depth", "--format", "tif", "--out", "."}).exit_code, 0);
@@ -123,7 +123,7 @@ TEST_F(Late, ResumingAFinishedResultDrawsWhatIsMissing) {
     EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
     EXPECT_NE(drawn.err.find("maps/max_velocity, charts, animation.mp4"), std::string::npos) << drawn.err;
     expect_same_result("whole", "result");
-    // It is not computed anew: not even for another scene, which is said.
+    // It is not computed again: not even for another scene, which is said.
     const Outcome other = frana(command("result", {"--resume", "--set", "time.end=3"}));
     EXPECT_EQ(other.exit_code, 2);
     EXPECT_NE(other.err.find("contains the finished result of another scene: time.end is 3 here and was 4"),
@@ -135,7 +135,7 @@ TEST_F(Late, ResumingAFinishedResultDrawsWhatIsMissing) {
     EXPECT_NE(data.err.find("of another scene: the content of DTM differs"), std::string::npos) << data.err;
 }
 
-// What was drawn is drawn anew and the ruin kept; what only the run can write, and the list itself, is
+// What was drawn is drawn again and the ruin kept; what only the run can write, and the list itself, is
 // missed.
 TEST_F(Late, ResumingAResultWithFilesRuinedSaysWhich) {
     ASSERT_EQ(frana(command("result", {"--quiet"})).exit_code, 0);

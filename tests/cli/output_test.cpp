@@ -132,7 +132,7 @@ TEST_F(Output, TheHashFollowsTheScene) {
     EXPECT_EQ(app::text_hash("http://www.example.com/"), "fcde3c85-2270-590f-9e7c-ee003d65e0e2");
 }
 
-TEST_F(Output, OutlinesCarryTheirFigures) {
+TEST_F(Output, OutlinesCarryTheirValues) {
     run(k_quiet);
     const gis::GdalSession session;
     const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/extent.gpkg").c_str(), GDAL_OF_VECTOR));

@@ -37,7 +37,7 @@ TEST_F(Render, MapsOfAnExistingResult) {
     EXPECT_FALSE(fs::exists(path("result/maps/final_depth.png")));
 }
 
-TEST_F(Render, ViewAndFilm) {
+TEST_F(Render, ViewAndAnimation) {
     EXPECT_EQ(frana({"render", "result", "--view", "3d", "--map", "max_depth", "--size", "800x600"}).exit_code, 0);
     EXPECT_EQ(png_size(path("result/maps/max_depth_3d.png")), (std::pair{800, 600}));
     EXPECT_EQ(frana({"render", "result", "--animation", "film.gif", "--size", "640x480"}).exit_code, 0);
@@ -94,7 +94,7 @@ TEST_F(Render, ChartsAndPlates) {
         EXPECT_EQ(png_size(path("result/plates/" + name + ".png")), (std::pair{1600, 1200})) << name;
 }
 
-TEST_F(Render, FilmsBesideEachOtherInFlightAndAsPictures) {
+TEST_F(Render, AnimationsBesideEachOtherInFlightAndAsPictures) {
     const Outcome beside =
         frana({"render", "result", "--animation", "two.mp4", "--beside", "result", "--size", "1280x480"});
     ASSERT_EQ(beside.exit_code, 0) << beside.err;
@@ -116,7 +116,7 @@ TEST_F(Render, RastersOfOtherProgramsOverATerrain) {
     EXPECT_EQ(frana({"render", "scene.ini"}).exit_code, 2);
 }
 
-TEST_F(Render, MistakesAreRefused) {
+TEST_F(Render, ErrorsAreRefused) {
     const Outcome unknown = frana({"render", "result", "--map", "depth_max"});
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_NE(unknown.err.find("max_depth, max_velocity"), std::string::npos) << unknown.err;

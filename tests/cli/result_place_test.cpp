@@ -150,7 +150,7 @@ TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
 
 // A colleague's share, a disk that is mounted for reading: all problems at once, and a remedy that check has
 // too.
-TEST_F(Place, ThatCannotBeWrittenIsToldBesideTheScenesFaults) {
+TEST_F(Place, ThatCannotBeWrittenIsToldBesideTheScenesProblems) {
     fs::create_directories(path("disk"));
     const Mounted disk(path("disk"));
     if (!disk.is_there() || ::mount("tmpfs", path("disk").c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, "size=16m") != 0)

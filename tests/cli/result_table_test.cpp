@@ -56,7 +56,7 @@ TEST_F(ResultTable, EveryResultHasTheRastersOfTheTable) {
 }
 
 // The words on a map are those of summary.json, not values of their own.
-TEST_F(ResultTable, MapsShowTheFiguresOfTheSummary) {
+TEST_F(ResultTable, MapsShowTheValuesOfTheSummary) {
     run(k_voellmy + k_numbers_only, "old");
     const auto notes = [&] { return joined(app::ResultReader(path("old")).map_source().notes, "; "); };
     const std::string summary = read_text(path("old/summary.json"));

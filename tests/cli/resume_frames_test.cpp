@@ -82,7 +82,7 @@ TEST_F(ResumedFrames, OfWhichAnyFileIsMissingAreSaid) {
     EXPECT_NE(refused.err.find("needs a frame that is missing: " + file.string()), std::string::npos) << refused.err;
 }
 
-// Else all would be computed, and the animation or the stack of frames fail in the end, each time anew.
+// Else all would be computed, and the animation or the stack of frames fail in the end, each time again.
 TEST_F(ResumedFrames, ThatAreDamagedAreSaidBeforeAnythingIsComputed) {
     interrupt("result");
     const fs::path file = folder_of(checkpoints("result")[0]) / "frames/velocity_0000.tif";

@@ -156,7 +156,7 @@ TEST_F(StructuredPlaces, TheR2SequenceSpreadsTheSameVolume) {
     const auto fraction = [](double place) { return place - std::floor(place); };
     for (std::size_t p = 0; p < points.size(); ++p) {
         EXPECT_NEAR(points.columns.at("volume_m3")[p], 4000.0 / 720, 1e-9);
-        // Equation 88, in every cell anew.
+        // Equation 88, in every cell again.
         double nearest = 1;
         for (int n = 0; n < 9; ++n)
             nearest = std::min(nearest, std::hypot(fraction((points.columns.at("x")[p] - k_west) / k_cell) -

@@ -39,7 +39,7 @@ class UnderWay : public TinyScene {
     std::unique_ptr<StartedProgram> run_;
 };
 
-TEST_F(UnderWay, FilmsAndMapsShowTheFramesSoFar) {
+TEST_F(UnderWay, AnimationsAndMapsShowTheFramesSoFar) {
     ASSERT_TRUE(run_->wait_until([&] { return frames() >= 3; })) << run_->wait().err;
     run_->send(SIGSTOP);  // a moment of it
     const Outcome animation = frana({"render", "result", "--animation", "film/", "--size", "640x480"});

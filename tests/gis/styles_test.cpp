@@ -56,7 +56,7 @@ TEST(WriteStyles, ExactClassesKeepTheirValues) {
     EXPECT_NE(test::text_in(folder.file("c.sld")).find("quantity=\"3\""), std::string::npos);
 }
 
-TEST(WriteStyles, AFolderThatIsNotThereIsTheEnvironmentsFault) {
+TEST(WriteStyles, AFolderThatIsNotThereIsAnErrorOfTheEnvironment) {
     const Folder folder;
     EXPECT_EQ(test::error_of([&] { write_styles(folder.file("no/a.tif"), {}, "m", StyleKind::ramp); }).kind(),
               ErrorKind::environment);

@@ -35,7 +35,7 @@ class Leftovers : public TrialGround {
         });
     }
     /// The same command again ends in what it ends in undisturbed.
-    void expect_mended(const TriedCommand& command, const std::vector<std::string>& again) const {
+    void expect_repaired(const TriedCommand& command, const std::vector<std::string>& again) const {
         const Ending ending = run(again);
         EXPECT_EQ(ending.exit_code, 0) << ending.err;
         const std::vector<std::string> wrong = differences(command.after, state());
@@ -59,7 +59,7 @@ TEST_F(Leftovers, ACheckpointThatCannotBeRemovedGoesWithTheNextRun) {
         });
         EXPECT_EQ(ending.exit_code, 0) << ending.err;
         EXPECT_FALSE(differences(command.after, state()).empty());
-        expect_mended(command, command.again);
+        expect_repaired(command, command.again);
     }
     // What --resume finds is a finished result: nothing is computed once more.
     const TriedCommand& command = measured("run");
@@ -69,7 +69,7 @@ TEST_F(Leftovers, ACheckpointThatCannotBeRemovedGoesWithTheNextRun) {
     EXPECT_NE(told.err.find("the result is complete"), std::string::npos) << told.err;
     // And --overwrite does not take it for a user's.
     ASSERT_EQ(disturb(command, {Answer::Kind::fail, EACCES}, stuck).exit_code, 0);
-    expect_mended(command, {"run", "in/scene.ini", "--out", "out/r", "--quiet", "--overwrite"});
+    expect_repaired(command, {"run", "in/scene.ini", "--out", "out/r", "--quiet", "--overwrite"});
 }
 
 TEST_F(Leftovers, AListThatWasBeingWrittenGoesWithTheNextRun) {
@@ -81,9 +81,9 @@ TEST_F(Leftovers, AListThatWasBeingWrittenGoesWithTheNextRun) {
     for (int k = 0; k < times; ++k) {
         SCOPED_TRACE(k);
         EXPECT_EQ(disturb(command, {Answer::Kind::signal, SIGKILL}, renamed, k).exit_code, -SIGKILL);
-        expect_mended(command, command.again);
+        expect_repaired(command, command.again);
         EXPECT_EQ(disturb(command, {Answer::Kind::signal, SIGKILL}, renamed, k).exit_code, -SIGKILL);
-        expect_mended(command, {"run", "in/scene.ini", "--out", "out/r", "--quiet", "--overwrite"});
+        expect_repaired(command, {"run", "in/scene.ini", "--out", "out/r", "--quiet", "--overwrite"});
     }
 }
 
@@ -95,7 +95,7 @@ TEST_F(Leftovers, TheNoteOfAResultThatHasJustTakenItsNameGoesWithTheNextRun) {
                           [](const SystemCall& call) { return is_of(call, "unlink", "out/r/being_built.json"); })
                       .exit_code,
                   -SIGKILL);
-        expect_mended(command, command.again);
+        expect_repaired(command, command.again);
     }
 }
 
@@ -110,7 +110,7 @@ TEST_F(Leftovers, AListThatCannotBeReadIsSaidAndTheNextRunTidiesUp) {
         const Ending ending = disturb(command, {Answer::Kind::fail, EIO}, read, k);
         EXPECT_EQ(ending.exit_code, 4) << ending.err;
         EXPECT_NE(ending.err.find("manifest.json: cannot be read"), std::string::npos) << ending.err;
-        expect_mended(command, command.again);
+        expect_repaired(command, command.again);
         // Interrupted is no problem.
         EXPECT_EQ(disturb(command, {Answer::Kind::fail, EINTR}, read, k).exit_code, 0);
         EXPECT_EQ(in_lines(differences(command.after, state())), "");
@@ -124,13 +124,13 @@ TEST_F(Leftovers, AnEmptiedFolderGoesWithTheNextRun) {
     });
     EXPECT_EQ(emptied.exit_code, 0) << emptied.err;
     EXPECT_FALSE(differences(over.after, state()).empty());
-    expect_mended(over, over.again);
+    expect_repaired(over, over.again);
     // A folder in it that cannot be removed keeps list and note.
     const Ending part = disturb(over, {Answer::Kind::fail, EACCES},
                                 [](const SystemCall& call) { return is_of(call, "rmdir", "out/r.partial-*/maps"); });
     EXPECT_EQ(part.exit_code, 0) << part.err;
     EXPECT_FALSE(differences(over.after, state()).empty());
-    expect_mended(over, over.again);
+    expect_repaired(over, over.again);
     // And one that got no note.
     const TriedCommand& anew = measured("run");
     const Ending refused = disturb(anew, {Answer::Kind::fail, EMLINK}, [](const SystemCall& call) {
@@ -142,7 +142,7 @@ TEST_F(Leftovers, AnEmptiedFolderGoesWithTheNextRun) {
                       [](const SystemCall& call) { return is_of(call, "link", "out/r.partial-*/being_built"); })
                   .exit_code,
               -SIGKILL);
-    expect_mended(anew, anew.again);
+    expect_repaired(anew, anew.again);
 }
 
 TEST_F(Leftovers, AFolderOfTheReportsPicturesGoesWithTheNextRun) {
@@ -158,7 +158,7 @@ TEST_F(Leftovers, AFolderOfTheReportsPicturesGoesWithTheNextRun) {
                       [](const SystemCall& call) { return is_of(call, "rmdir", "out/r.partial-*/report_pictures"); })
                   .exit_code,
               0);
-    expect_mended(pdf, pdf.again);
+    expect_repaired(pdf, pdf.again);
 }
 
 TEST_F(Leftovers, OfNamesLikeThoseAUsersFilesStay) {

@@ -24,7 +24,7 @@ TEST_F(ReadScene, LeastSceneIsEnoughAndDefaultsAreTheDeclaredOnes) {
     EXPECT_NEAR(friction_coefficient(reading.scene.material), 0.36397023426620236, 1e-15);
 }
 
-TEST_F(ReadScene, EveryFaultInOnePass) {
+TEST_F(ReadScene, EveryProblemInOnePass) {
     const std::string all = messages(
         "[terrain]\ncell-sise = 5\nnodata-policy = ignore\n[release]\nthickness = -3\n[material]\n"
         "density = heavy\nfriction-coefficient = 7\n[time]\nend = 0\n");

@@ -9,7 +9,7 @@ namespace frana::render {
 namespace {
 
 /// A pixel of the page; nothing where the layer does not reach.
-const std::uint8_t* at(const LayerImage& layer, int column, int row) {
+const std::uint8_t* at(const OverlayImage& layer, int column, int row) {
     static constexpr std::uint8_t k_nothing[4]{};
     const int x = column - layer.left, y = row - layer.top;
     if (x < 0 || y < 0 || x >= layer.width || y >= layer.height) return k_nothing;
@@ -19,7 +19,7 @@ const std::uint8_t* at(const LayerImage& layer, int column, int row) {
 TEST(Canvas, BoxesCoverTheirPixelsExactly) {
     Canvas canvas(60, 40);
     canvas.fill(PageBox{10, 5, 20, 12}, {200, 100, 50});
-    const LayerImage layer = canvas.draw();
+    const OverlayImage layer = canvas.draw();
     for (int row = 0; row < 40; ++row) {
         for (int column = 0; column < 60; ++column) {
             const bool inside = column >= 10 && column < 20 && row >= 5 && row < 12;
@@ -36,7 +36,7 @@ TEST(Canvas, LaterShapesCoverEarlierOnes) {
     Canvas canvas(30, 30);
     canvas.fill(PageBox{0, 0, 30, 30}, {10, 20, 30});
     canvas.fill(PageBox{10, 10, 20, 20}, {200, 210, 220});
-    const LayerImage layer = canvas.draw();
+    const OverlayImage layer = canvas.draw();
     EXPECT_EQ(at(layer, 15, 15)[0], 200);
     EXPECT_EQ(at(layer, 5, 5)[0], 10);
 }
@@ -52,7 +52,7 @@ TEST(Canvas, LinesHaveTheirWidthAndDashesTheirGaps) {
     Canvas canvas(100, 40);
     const std::array<Point, 2> line{{{10, 20}, {90, 20}}};
     canvas.line(line, {4, {0, 0, 0}, 1, {}});
-    LayerImage layer = canvas.draw();
+    OverlayImage layer = canvas.draw();
     double width = 0;
     for (int row = 0; row < 40; ++row) width += at(layer, 50, row)[3] / 255.0;
     EXPECT_NEAR(width, 4, 0.05);  // coverage is counted in eighths and bytes
@@ -74,7 +74,7 @@ TEST(Canvas, TranslucentInkMixesWithThePage) {
 }
 
 TEST(Canvas, NothingDrawnIsTransparent) {
-    const LayerImage layer = Canvas(16, 16).draw();
+    const OverlayImage layer = Canvas(16, 16).draw();
     for (const std::uint8_t byte : layer.rgba) ASSERT_EQ(byte, 0);
 }
 

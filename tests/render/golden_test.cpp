@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A few pictures as they should look, kept at a quarter of their size: a guard against what no rule on structure
-// catches (a palette reversed, light from below, a layer gone). FRANA_WRITE_GOLDEN=1 writes them anew; then look.
+// catches (a palette reversed, light from below, a layer gone). FRANA_WRITE_GOLDEN=1 writes them again; then look.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -132,7 +132,7 @@ TEST(Background, LiesUnderTheMapInItsPlaceAndTheLayerOverIt) {
     spec.contours = false;
     // Green west of 527300, nothing north of 5094900, blue elsewhere.
     spec.background = [](const Bounds& window, int width, int height) {
-        LayerImage picture{width, height, {}};
+        OverlayImage picture{width, height, {}};
         for (int row = 0; row < height; ++row) {
             for (int column = 0; column < width; ++column) {
                 const double x = window.west + (column + 0.5) * window.width() / width;

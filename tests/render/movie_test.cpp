@@ -167,7 +167,7 @@ TEST(Movie, GifKeepsFewColoursExactly) {
     }
 }
 
-TEST(Movie, FaultsAreErrorsOfTheRightKindAndSilent) {
+TEST(Movie, ErrorsAreOfTheRightKindAndSilent) {
     const test::Folder folder("faults");
     testing::internal::CaptureStderr();
     const auto kind = [](const auto& action) {

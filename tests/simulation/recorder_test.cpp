@@ -36,11 +36,11 @@ class AtTheDam : public ::testing::Test {
             for (std::size_t i = 0; i < p.size(); ++i)
                 if (p[Field::x][i] > 500) beyond_ += p[Field::volume][i];
             const double dt = flow.advance(k_end - began).dt;
-            recorder.see(flow, began, dt);
+            recorder.record(flow, began, dt);
         }
         flow.record_present();
         result_.max_depth = flow.to_raster(flow.maxima().depth);
-        recorder.give(flow, result_);
+        recorder.move_to(flow, result_);
     }
     [[nodiscard]] Point dam(double offset_y) const { return {grid_.west + 500, grid_.south() + offset_y}; }
     [[nodiscard]] double width() const { return grid_.cell_size * k_rows; }

@@ -21,7 +21,7 @@ double apart(const Raster& a, const Raster& b) {
 class Settles : public testing::TestWithParam<bool> {};
 
 // What is shown then is what a run ten times as long shows.
-TEST_P(Settles, WithTheFiguresOfAMuchLongerRun) {
+TEST_P(Settles, WithTheValuesOfAMuchLongerRun) {
     Scene scene = GetParam() ? fluid() : hillside();
     scene.inflows.clear();
     scene.time.end = 1000;

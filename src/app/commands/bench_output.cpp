@@ -20,11 +20,11 @@ std::optional<BenchOutput> bench_output(const boost::program_options::variables_
     kept.check(output.files(), "--out", problems);
     check_own(*folder, output.files(), "--out", {}, problems);
     problems.throw_if_any();
-    std::error_code failure;
-    fs::create_directories(*folder, failure);
-    if (failure) {
+    std::error_code error;
+    fs::create_directories(*folder, error);
+    if (error) {
         throw Error(ErrorKind::environment,
-                    Problem{"cannot be made: " + failure.message(), "--out", *folder, "", "Choose another folder"});
+                    Problem{"cannot be made: " + error.message(), "--out", *folder, "", "Choose another folder"});
     }
     return output;
 }

@@ -60,8 +60,8 @@ void report_line(const std::string& line) {
 // The sample's DTM beside the fraction folder's sources; none where only the program is installed.
 std::optional<Raster> sample_terrain() {
     const fs::path file = fs::path(share_directory()) / ".." / "sample_data" / "bindo" / "dtm.tif";
-    std::error_code failure;
-    if (!fs::exists(file, failure)) return {};
+    std::error_code error;
+    if (!fs::exists(file, error)) return {};
     return gis::read_result_raster(file.lexically_normal().string());
 }
 

@@ -129,10 +129,10 @@ int cmd_check(const Arguments& arguments) {
     const std::optional<Problem> place_problem = check_result_directory(
         directory, true, {}, out ? "--out" : reading.where("output.directory"), reading.problems);
     const Prepared prepared = prepare(reading, place_problem, log);
-    const std::int64_t held = resident_memory();
+    const std::int64_t in_use = resident_memory();
     const RunEstimate expected = estimate(prepared.scene, threads);
     const std::optional<TimeEstimate> trial = estimate_time(reading, prepared, expected, threads);
-    const std::int64_t memory = memory_of_run(prepared, held, expected, trial);
+    const std::int64_t memory = memory_of_run(prepared, in_use, expected, trial);
     refuse_run_of(memory, reading, prepared);
     std::printf("Scene %s is ready to run.\n", reading.scene.file.c_str());
     std::printf("\n%s", input_table(prepared, memory).c_str());

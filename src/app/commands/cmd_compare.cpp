@@ -185,11 +185,11 @@ void refuse_too_large(const Simulated& simulated, const std::string& where) {
 }
 
 std::string make_folder(const std::string& folder) {
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) {
         throw Error(ErrorKind::environment,
-                    Problem{"cannot be made: " + failure.message(), "--out", folder, "", "Choose another folder"});
+                    Problem{"cannot be made: " + error.message(), "--out", folder, "", "Choose another folder"});
     }
     return folder;
 }

@@ -160,10 +160,10 @@ void refuse_too_large(const Values& values, const Request& request, Size page, S
 }
 
 void make_folder(const std::string& folder) {
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure) {
-        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), folder, "", "",
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) {
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + error.message(), folder, "", "",
                                                     "Check the rights, or choose another folder: --out"});
     }
 }

@@ -80,7 +80,7 @@ RunOptions run_options(int threads, FrameWriter* frames, bool with_particles, Pr
 }
 
 // A run that did not come to its end is neither forgotten nor mixed with another.
-void refuse_to_forget(const InterruptedRun& interrupted, const std::string& target, Problems& problems) {
+void refuse_to_discard(const InterruptedRun& interrupted, const std::string& target, Problems& problems) {
     if (interrupted.beside().empty()) return;
     problems.add({"an interrupted run of it is kept in " + interrupted.beside(), target, "", "",
                   "--resume continues it; --overwrite starts anew and replaces it at the end"});
@@ -101,9 +101,9 @@ void log_resuming(const CheckpointFile& from, RunLog& log) {
 [[noreturn]] void explain_problem(const Error& error, const std::string& folder) {
     if (error.kind() != ErrorKind::environment) throw error;
     std::vector<Problem> problems = error.problems();
-    std::error_code failure;
-    const auto space = std::filesystem::space(std::filesystem::path(folder).parent_path(), failure);
-    if (!failure)
+    std::error_code unknown;
+    const auto space = std::filesystem::space(std::filesystem::path(folder).parent_path(), unknown);
+    if (!unknown)
         problems.push_back({"the disk has " + number_text(static_cast<double>(space.available) / 1e6, 2) + " MB free",
                             std::filesystem::path(folder).parent_path().string(), "", "", ""});
     if (!checkpoints_in(folder).empty())
@@ -196,11 +196,11 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     const bool finished = code == static_cast<int>(ExitCode::done);
     const std::vector<Problem> of_the_older =
         directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
-    if (finished) forget_the_way(directory.target(), !prepared.spec.output.frames, log);
+    if (finished) remove_working_files(directory.target(), !prepared.spec.output.frames, log);
     if (const auto estimate = read_error_estimate(directory.target(), prepared.spec))
         log.info("error estimate of `frana converge`:\n" + *estimate);
     log.info("result in " + directory.target());
-    if (code != static_cast<int>(ExitCode::done) && !stopped) log.print_held_warnings();
+    if (code != static_cast<int>(ExitCode::done) && !stopped) log.print_deferred_warnings();
     if (!of_the_older.empty()) throw Error(ErrorKind::environment, of_the_older);
     return code;
 }
@@ -229,7 +229,7 @@ int cmd_run(const Arguments& arguments) {
         place_problem =
             check_result_directory(place, overwrite || (resume && interrupted.in_place()), input_files(reading.scene),
                                    out ? "--out" : reading.where("output.directory"), reading.problems);
-    if (!resume && !overwrite) refuse_to_forget(interrupted, target, reading.problems);
+    if (!resume && !overwrite) refuse_to_discard(interrupted, target, reading.problems);
     log.note(std::string(k_program) + " " + k_version + ", scene " + reading.scene.file + ", " +
              std::to_string(threads) + " threads");
     Prepared prepared = prepare(reading, place_problem, log);
@@ -237,12 +237,12 @@ int cmd_run(const Arguments& arguments) {
         catch_stop_signals();
         const bool all_there = complete_result(prepared, target, log);
         if (!all_there && stop_signal() != 0) return static_cast<int>(ExitCode::signal) + stop_signal();
-        if (!all_there) log.print_held_warnings();
+        if (!all_there) log.print_deferred_warnings();
         return static_cast<int>(all_there ? ExitCode::done : ExitCode::environment);
     }
-    const std::int64_t held = resident_memory();
+    const std::int64_t in_use = resident_memory();
     const RunEstimate expected = estimate(prepared.scene, threads);
-    refuse_run_beyond_memory(reading, prepared, held, expected, threads);
+    refuse_run_beyond_memory(reading, prepared, in_use, expected, threads);
     warn_of_thin_release(expected, prepared.scene, log);
     const double input_seconds = since_start.seconds();
     const std::unique_ptr<CheckpointFile> from =

@@ -82,7 +82,7 @@ void guard_process(bool network, bool quiet) {
     // SpatiaLite's functions may then read and write files, from a view in a database that somebody sent.
     ::unsetenv("SPATIALITE_SECURITY");
     if (!network) forbid_internet_sockets();
-    if (!quiet && ::isatty(STDERR_FILENO) == 1) gis::while_reading_takes_long(print_reading);
+    if (!quiet && ::isatty(STDERR_FILENO) == 1) gis::on_slow_reading(print_reading);
     gis::when_time_is_up(seconds_to_read(), end_program);
 }
 

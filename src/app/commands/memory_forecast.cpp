@@ -59,7 +59,8 @@ struct Course {
     double steps = 0;
 };
 
-std::int64_t memory_of(const Prepared& prepared, std::int64_t held, const RunEstimate& expected, const Course& course) {
+std::int64_t memory_of(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected,
+                       const Course& course) {
     const OutputSpec& output = prepared.spec.output;
     const std::int64_t cells = prepared.scene.grid.cell_count();
     const auto steps = static_cast<std::int64_t>(std::min(course.steps, 1e12));
@@ -73,7 +74,7 @@ std::int64_t memory_of(const Prepared& prepared, std::int64_t held, const RunEst
     const std::int64_t writing = results + steps * k_step_text_bytes,
                        drawing = results + memory_of_drawing(drawing_of(prepared)) +
                                  steps * (charts ? k_step_chart_bytes : k_step_bytes);
-    return held + k_computing_bytes + std::max({engine, writing, drawing});
+    return in_use + k_computing_bytes + std::max({engine, writing, drawing});
 }
 
 // Nothing outruns its fall: a step is at least as long as a cell takes at that speed and the waves' on top.
@@ -105,7 +106,7 @@ std::int64_t memory_of_drawing(const Drawing& drawing) {
     return bytes;
 }
 
-std::int64_t memory_of_run(const Prepared& prepared, std::int64_t held, const RunEstimate& expected,
+std::int64_t memory_of_run(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected,
                            const std::optional<TimeEstimate>& trial) {
     Course course;
     course.steps = most_steps(prepared, expected);
@@ -116,10 +117,10 @@ std::int64_t memory_of_run(const Prepared& prepared, std::int64_t held, const Ru
         const double growth = prepared.scene.structured ? 1 : k_unseen_growth;
         course.particles = static_cast<std::int64_t>(growth * static_cast<double>(expected.particles));
     }
-    return memory_of(prepared, held, expected, course);
+    return memory_of(prepared, in_use, expected, course);
 }
 
-std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t held, const RunEstimate& expected) {
+std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected) {
     // As many as merging leaves in every cell of the map.
     constexpr std::int64_t k_crowd = 3;
     const std::int64_t crowded =
@@ -127,8 +128,8 @@ std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t held, con
             ? 0
             : prepared.scene.grid.cell_count() * std::max(4, prepared.scene.numerics.particles_per_cell) * k_crowd;
     const std::int64_t nodes = prepared.scene.grid.cell_count() * expected.bytes_per_node;
-    return nodes +
-           memory_of(prepared, held, expected, {std::max(expected.particles, crowded), most_steps(prepared, expected)});
+    return nodes + memory_of(prepared, in_use, expected,
+                             {std::max(expected.particles, crowded), most_steps(prepared, expected)});
 }
 
 }  // namespace frana::app

@@ -15,11 +15,11 @@ namespace frana::app {
 /// What a run takes at its fullest moment, as far as a trial foresees it: libraries, what was read, engine,
 /// series, writing, drawing [bytes]. Rather too much than too little, by at most about a half.
 /// @param held what this process holds with all inputs read and nothing computed
-std::int64_t memory_of_run(const Prepared& prepared, std::int64_t held, const RunEstimate& expected,
+std::int64_t memory_of_run(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected,
                            const std::optional<TimeEstimate>& trial);
 
 /// What a run takes at most, whatever its flow does: no trial is needed where there is as much [bytes].
-std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t held, const RunEstimate& expected);
+std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected);
 
 /// What is drawn, as far as memory goes.
 struct Drawing {

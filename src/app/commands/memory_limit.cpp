@@ -25,11 +25,11 @@ void refuse_run_of(std::int64_t needed, const SceneReading& reading, const Prepa
                         "output.map-size or no pictures, or provide more memory"});
 }
 
-void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepared, std::int64_t held,
+void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepared, std::int64_t in_use,
                               const RunEstimate& expected, int threads) {
-    if (static_cast<double>(most_memory_of_run(prepared, held, expected)) <= usable_memory().bytes) return;
-    refuse_run_of(memory_of_run(prepared, held, expected, estimate_time(reading, prepared, expected, threads)), reading,
-                  prepared);
+    if (static_cast<double>(most_memory_of_run(prepared, in_use, expected)) <= usable_memory().bytes) return;
+    refuse_run_of(memory_of_run(prepared, in_use, expected, estimate_time(reading, prepared, expected, threads)),
+                  reading, prepared);
 }
 
 void refuse_pictures_of(std::int64_t needed, const std::string& where, const std::string& size) {

@@ -17,7 +17,7 @@ void apply_memory_limit(const boost::program_options::variables_map& values, Run
 
 /// Throws Error(input) where a run takes more than there is. `held`: what this process held with all inputs
 /// read. A trial run is made only where the run's flow decides.
-void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepared, std::int64_t held,
+void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepared, std::int64_t in_use,
                               const RunEstimate& expected, int threads);
 
 /// The same of a run whose memory is known [bytes].

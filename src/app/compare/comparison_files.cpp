@@ -35,11 +35,11 @@ std::string tif_stem(const std::string& folder) {
 }
 
 void make_folder(const fs::path& folder) {
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure)
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
         throw Error(ErrorKind::environment,
-                    Problem{"cannot be made: " + failure.message(), folder.string(), "", "", "Check the rights"});
+                    Problem{"cannot be made: " + error.message(), folder.string(), "", "", "Check the rights"});
 }
 
 struct ClassText {

@@ -59,7 +59,7 @@ class Checksum {
         for (const auto& value : list) add(value);
     }
     void add_bytes(const void* data, std::size_t count) {
-        if (count > 0)  // null would begin it anew
+        if (count > 0)  // null would begin it again
             sum_ = static_cast<std::uint32_t>(crc32_z(sum_, static_cast<const Bytef*>(data), count));
     }
 

@@ -136,7 +136,7 @@ std::optional<std::vector<Origin>> origins_of(const SceneReading& reading, const
 }
 
 /// Layers that must lie on the working grid, or are compared with what flows on it.
-std::vector<Bounds> layers_to_hold(const SceneReading& reading, const std::string& crs) {
+std::vector<Bounds> outlines_to_contain(const SceneReading& reading, const std::string& crs) {
     const SceneSpec& scene = reading.scene;
     std::vector<Bounds> boxes;
     const auto polygons = [&](const std::optional<std::string>& file, const std::string& key,
@@ -203,7 +203,7 @@ std::optional<Bounds> flow_window(const SceneReading& reading, const gis::Raster
         if (!std::isfinite(top)) return std::nullopt;  // it lies outside the DTM: reported later
         origin.head += top;                            // now above sea level
     }
-    for (const Bounds& box : layers_to_hold(reading, working_crs)) needed = united(needed, box);
+    for (const Bounds& box : outlines_to_contain(reading, working_crs)) needed = united(needed, box);
 
     Bounds window = widened(needed, std::max(needed.width(), needed.height()));
     const auto within_reach = [&](const gis::ElevationSample& s) {

@@ -105,9 +105,9 @@ std::int64_t enclosed_gaps(const std::vector<int>& times, const GridSpec& grid) 
         for (const auto& [dr, dc] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
             enter(i / grid.columns + dr, i % grid.columns + dc);
     }
-    std::int64_t shut_in = 0;
-    for (std::size_t i = 0; i < times.size(); ++i) shut_in += times[i] == 0 && !open[i];
-    return shut_in;
+    std::int64_t enclosed = 0;
+    for (std::size_t i = 0; i < times.size(); ++i) enclosed += times[i] == 0 && !open[i];
+    return enclosed;
 }
 
 void report_cover(const std::vector<int>& times, const GridSpec& grid, RunLog& log) {
@@ -236,14 +236,14 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
 
 void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Problems& problems) {
     const std::vector<const Law*> laws = laws_of(reading.scene);
-    std::string told;  // of friction once, though it has two keys
+    std::string reported;  // of friction once, though it has two keys
     for (const Quantity& quantity : quantities(reading.scene.zones)) {
         const ZoneKey& key = *quantity.key;
-        if (!(scene.zones.*quantity.target) || !readers_of(key.name, laws).empty() || key.what == told) continue;
+        if (!(scene.zones.*quantity.target) || !readers_of(key.name, laws).empty() || key.what == reported) continue;
         problems.add({"the zones give the " + key.what + ", which the scene's laws do not use",
                       reading.where("terrain.friction-zones"), "", "",
                       "Set " + asked_by(readers_of(key.name)) + ", or remove the zones"});
-        told = key.what;
+        reported = key.what;
     }
     refuse_large_friction(reading, scene, problems);
 }

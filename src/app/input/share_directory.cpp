@@ -16,13 +16,13 @@ std::string share_directory() {
         throw Error(ErrorKind::environment, Problem{"is not a folder", "FRANA_SHARE", named, "",
                                                     "Set it to frana's share folder, or unset it"});
     }
-    std::error_code failure;
-    const fs::path program = fs::read_symlink("/proc/self/exe", failure);
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
     std::vector<fs::path> candidates;
-    if (!failure) candidates.push_back((program.parent_path() / ".." / "share" / "frana").lexically_normal());
+    if (!error) candidates.push_back((program.parent_path() / ".." / "share" / "frana").lexically_normal());
     candidates.emplace_back(FRANA_SOURCE_SHARE);
     for (const fs::path& candidate : candidates)
-        if (fs::is_directory(candidate / "materials", failure)) return candidate.string();
+        if (fs::is_directory(candidate / "materials", error)) return candidate.string();
     throw Error(ErrorKind::environment, Problem{"the share folder with the material presets is missing",
                                                 candidates.front().string(), "", "", "Set FRANA_SHARE to it"});
 }

@@ -75,7 +75,7 @@ Spec furnished(const MapSource& source, const MapLayer& layer) {
     if (!source.style.background.empty()) {
         spec.background = [path = source.style.background, crs = layer.values.grid.crs_wkt](const Bounds& box,
                                                                                             int width, int height) {
-            return render::LayerImage{width, height, gis::warp_picture(path, crs, box, width, height)};
+            return render::OverlayImage{width, height, gis::warp_picture(path, crs, box, width, height)};
         };
     }
     return spec;

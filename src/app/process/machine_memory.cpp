@@ -104,11 +104,12 @@ void map_sparingly() {
 MemoryBound machine_memory(const std::string& root) {
     const fs::path system(root), info = system / "proc/meminfo";
     const double all = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE)),
-                 held = static_cast<double>(resident_memory(root));
+                 in_use = static_cast<double>(resident_memory(root));
     const auto free = number_after(info, "MemAvailable:");
-    MemoryBound bound{free ? *free + number_after(info, "SwapFree:").value_or(0) + held : all, "the machine has free"};
+    MemoryBound bound{free ? *free + number_after(info, "SwapFree:").value_or(0) + in_use : all,
+                      "the machine has free"};
     const auto lower = [&](double room, const char* what) {
-        if (room + held < bound.bytes) bound = {room + held, what};
+        if (room + in_use < bound.bytes) bound = {room + in_use, what};
     };
     lower(group_room(system), "the control group of this process leaves");
     lower(shell_room(system, RLIMIT_AS, "VmSize:"), "the shell allows (ulimit -v)");

@@ -46,7 +46,7 @@ std::optional<Comparison> comparison_of(const Prepared& prepared, const std::str
     return compare_with_survey(input, log);
 }
 
-// The files that only a run writes, and that have gone; pictures are drawn anew.
+// The files that only a run writes, and that have gone; pictures are drawn again.
 std::vector<std::string> missing_files(const Manifest& manifest, const std::string& directory) {
     std::vector<std::string> missing;
     for (const auto& [name, mark] : manifest.files) {
@@ -60,9 +60,9 @@ std::vector<std::string> missing_files(const Manifest& manifest, const std::stri
 // Of what is there. A GIS writes into a GeoPackage that it only shows: of such a file no more is asked than
 // its length.
 bool is_changed(const std::string& path, const FileMark& listed) {
-    std::error_code failure;
-    const std::uintmax_t bytes = fs::file_size(path, failure);
-    if (failure) return true;
+    std::error_code error;
+    const std::uintmax_t bytes = fs::file_size(path, error);
+    if (error) return true;
     if (path.ends_with(".gpkg")) return bytes < listed.bytes;
     return bytes != listed.bytes || mark_of(path) != listed;
 }
@@ -79,7 +79,7 @@ std::vector<std::string> changed_files_of(const Manifest& manifest, const std::s
     return changed;
 }
 
-std::string told(const std::vector<std::string>& names) {
+std::string listed(const std::vector<std::string>& names) {
     constexpr std::size_t k_printed = 20;
     std::vector<std::string> some(names.begin(), names.begin() + std::min(k_printed, names.size()));
     if (names.size() > some.size()) some.push_back("and " + std::to_string(names.size() - some.size()) + " more");
@@ -91,11 +91,11 @@ void require_all(const std::vector<std::string>& missing, const std::vector<std:
     const std::string remedy = "Restore them, or compute the scene again with --overwrite";
     Problems problems;
     if (!missing.empty())
-        problems.add(
-            {"files of the result are missing that only a run can write: " + told(missing), directory, "", "", remedy});
+        problems.add({"files of the result are missing that only a run can write: " + listed(missing), directory, "",
+                      "", remedy});
     if (!changed.empty())
         problems.add(
-            {"files of the result are not as the run wrote them: " + told(changed), directory, "", "", remedy});
+            {"files of the result are not as the run wrote them: " + listed(changed), directory, "", "", remedy});
     problems.throw_if_any();
 }
 
@@ -125,16 +125,16 @@ bool complete_result(const Prepared& prepared, const std::string& directory, Run
                                    changed = changed_files_of(manifest, directory, false);
     const bool only_report = missing == std::vector<std::string>{k_report_file};
     if (!only_report || !changed.empty()) require_all(missing, changed, directory);
-    std::vector<std::string> ruined;  // or the user's own: they keep another name, and are drawn anew
+    std::vector<std::string> damaged;  // or the user's own: they keep another name, and are drawn again
     for (const std::string& name : changed_files_of(manifest, directory, true))
-        ruined.push_back((fs::path(directory) / name).string());
-    keep_changed_files(ruined);
+        damaged.push_back((fs::path(directory) / name).string());
+    keep_changed_files(damaged);
     const auto comparison = comparison_of(prepared, directory, log);
     const PictureOutcome pictures = draw_pictures({prepared.spec, directory, comparison, true, std::nullopt}, log);
     record_files(pictures.files);
     if (pictures.complete()) {
         record_finished(directory);
-        forget_the_way(directory, !prepared.spec.output.frames, log);  // a run was killed while it did
+        remove_working_files(directory, !prepared.spec.output.frames, log);  // a run was killed while it did
     }
     if (pictures.complete() && pictures.drawn.empty() && missing.empty()) {
         log.info("the result is complete: " + directory);

@@ -33,10 +33,10 @@ MapSource map_source(const ResultReader& written, const PictureRequest& request)
 }
 
 void make_folder(const std::string& folder) {
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure)
-        throw Error(ErrorKind::environment, Problem{"cannot be made: " + failure.message(), folder, "", "",
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw Error(ErrorKind::environment, Problem{"cannot be made: " + error.message(), folder, "", "",
                                                     "Check the place's rights and free space"});
 }
 

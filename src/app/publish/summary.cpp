@@ -110,7 +110,7 @@ void add_trace(Json& json, const SummaryFacts& facts) {
         json["hazard"].push_back({{"class", area.kind.value}, {"label", area.kind.label}, {"area_m2", area.area_m2}});
 }
 
-void add_troubles(Json& json, const RunResult& result) {
+void add_run_problems(Json& json, const RunResult& result) {
     const HardEvents& events = result.hard_events;
     json["hard_events"] = {{"non_finite", events.non_finite},
                            {"depth_clamped", events.depth_clamped},
@@ -193,7 +193,7 @@ std::string summary_json(const RunResult& result, const SummaryFacts& facts) {
     add_cost(json, result, facts);
     add_flow(json, result, facts);
     add_trace(json, facts);
-    add_troubles(json, result);
+    add_run_problems(json, result);
     json["warnings"] = facts.warnings;
     json[k_data_key] = facts.data_identity;
     return json_text(json);

@@ -99,12 +99,12 @@ class SummedOutput {
         std::setvbuf(file_.get(), nullptr, _IOFBF, k_buffer);
     }
     void write(const void* data, std::size_t count) {
-        if (count == 0) return;  // of an empty list, whose null pointer would begin the sum anew
+        if (count == 0) return;  // of an empty list, whose null pointer would begin the sum again
         sum_ = crc32_z(sum_, static_cast<const Bytef*>(data), count);
         if (std::fwrite(data, 1, count, file_.get()) != count) fail(path_, errno);
         written_ += count;
     }
-    // Writes anew at the beginning, where the size is told; the sum then begins with it.
+    // Writes again at the beginning, where the size is told; the sum then begins with it.
     void start(std::uint64_t size) {
         std::uint64_t rest = size;
         if (std::fseek(file_.get(), 0, SEEK_SET) != 0) fail(path_, errno);
@@ -162,9 +162,9 @@ Start check(std::FILE* file, const std::string& path) {
                          std::to_string(k_checkpoint_format));
     }
     read_exactly(file, &size, sizeof size, path);
-    std::error_code failure;
-    const std::uint64_t there = std::filesystem::file_size(path, failure);
-    if (failure || there < k_start_bytes + k_sum_bytes || there - k_start_bytes - k_sum_bytes != size)
+    std::error_code error;
+    const std::uint64_t there = std::filesystem::file_size(path, error);
+    if (error || there < k_start_bytes + k_sum_bytes || there - k_start_bytes - k_sum_bytes != size)
         refuse(path, "is cut short");
     uLong seen = 0;
     std::vector<unsigned char> buffer(k_buffer);

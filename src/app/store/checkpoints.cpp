@@ -30,9 +30,9 @@ std::string file_name(std::int64_t step) {
 
 // Not those above it: a result's folder that somebody took away stays away.
 void make_folder(const std::string& folder) {
-    std::error_code failure;
-    fs::create_directory(folder, failure);
-    if (failure) throw Error(ErrorKind::environment, Problem{"cannot be made", folder, failure.message(), "", ""});
+    std::error_code error;
+    fs::create_directory(folder, error);
+    if (error) throw Error(ErrorKind::environment, Problem{"cannot be made", folder, error.message(), "", ""});
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ void Checkpoints::after_step(const Progress& now, const SaveState& state) {
     if (now.last || (interval_ > 0 && since_last_.seconds() >= interval_)) {
         save(now, state);
     } else if (interval_ > 0 && session_.seconds() >= next_look_) {
-        set_space_aside(now, state);
+        reserve_space(now, state);
     }
 }
 
@@ -112,7 +112,7 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
 
 // Looks come at growing distances: the flow has not grown by half since the last one, and all together take next to
 // nothing.
-void Checkpoints::set_space_aside(const Progress& now, const SaveState& state) {
+void Checkpoints::reserve_space(const Progress& now, const SaveState& state) {
     constexpr double k_growth = 1.5, k_fraction_of_time = 0.2, k_longest = 10, k_times_cost = 50;
     constexpr std::uint64_t k_least = 1'000'000;
     const double begun = session_.seconds();

@@ -40,7 +40,7 @@ class Checkpoints {
   private:
     [[nodiscard]] CheckpointHead head(const Progress& now);
     void save(const Progress& now, const SaveState& state);
-    void set_space_aside(const Progress& now, const SaveState& state);
+    void reserve_space(const Progress& now, const SaveState& state);
     void warn_once(const Error& error);
 
     std::string directory_, folder_;

@@ -86,8 +86,8 @@ FrameRecord record_of(const std::string& path) {
 
 std::vector<std::string> names_of_frames(const std::string& folder, std::size_t count) {
     std::vector<std::string> names;
-    std::error_code failure;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
         std::string name = entry.path().filename().string();
         const auto index = frame_index(name);
         if (index && *index < count) names.push_back(std::move(name));
@@ -100,9 +100,9 @@ std::string frame_problem(const std::string& folder, std::size_t count, const st
     if (records.empty()) return problem_without_records(folder, count);
     for (const FrameRecord& record : records) {
         const std::string path = (fs::path(folder) / record.name).string();
-        std::error_code failure;
-        const std::uint64_t bytes = fs::file_size(path, failure);
-        if (failure) return "is missing: " + path;
+        std::error_code error;
+        const std::uint64_t bytes = fs::file_size(path, error);
+        if (error) return "is missing: " + path;
         if (bytes != record.bytes || record_of(path).sum != record.sum) return "is not as it was written: " + path;
     }
     return {};

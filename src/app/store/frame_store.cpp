@@ -72,7 +72,7 @@ FrameWriter::~FrameWriter() {
 void FrameWriter::add(Frame frame) {
     const Stopwatch watch;
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return failure_ || waiting_.size() < k_most_waiting; });
+    changed_.wait(lock, [&] { return error_ || waiting_.size() < k_most_waiting; });
     const double time = frame.time;
     largest_ = std::max(largest_, bytes_of(frame));
     waiting_.push_back({times_.size(), std::move(frame)});
@@ -137,34 +137,34 @@ void FrameWriter::serve() {
         const auto end = times_.begin() + static_cast<std::ptrdiff_t>(job.index) + 1;
         const std::vector<double> times(times_.begin(), end);
         lock.unlock();
-        std::exception_ptr failure;
+        std::exception_ptr error;
         std::vector<FrameRecord> written;
         try {
             written = write(job);
             list(times);  // who looks in on the run finds what is whole
         } catch (...) {
-            failure = std::current_exception();
+            error = std::current_exception();
         }
         lock.lock();
-        if (failure) {
-            failure_ = failure;
+        if (error) {
+            error_ = error;
             failed_ = true;
         } else {
             records_.insert(records_.end(), written.begin(), written.end());
             waiting_.pop_front();
         }
         changed_.notify_all();
-        if (failure) return;
+        if (error) return;
     }
 }
 
 void FrameWriter::require_good() {
     const std::lock_guard lock(mutex_);
-    if (failure_) std::rethrow_exception(failure_);
+    if (error_) std::rethrow_exception(error_);
 }
 
 void FrameWriter::wait_until_written(std::unique_lock<std::mutex>& lock) {
-    changed_.wait(lock, [&] { return failure_ || waiting_.empty(); });
+    changed_.wait(lock, [&] { return error_ || waiting_.empty(); });
 }
 
 std::vector<FrameRecord> FrameWriter::records() const {

@@ -76,8 +76,8 @@ class FrameWriter {
     double seconds_ = 0;
     mutable std::mutex mutex_;
     std::condition_variable changed_;
-    std::deque<Job> waiting_;     // the first is being written
-    std::exception_ptr failure_;  // the first; nothing is written after it
+    std::deque<Job> waiting_;   // the first is being written
+    std::exception_ptr error_;  // the first; nothing is written after it
     std::atomic<bool> failed_ = false;
     std::uint64_t largest_ = 0;  // of the frames so far [bytes]
     bool closed_ = false;

@@ -33,30 +33,30 @@ std::string hindrance(const CheckpointFile& checkpoint, const std::string& ident
     return problem.empty() ? "" : "needs a frame that " + problem;
 }
 
-[[noreturn]] void fail(const fs::path& path, const std::error_code& failure) {
+[[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
     throw Error(ErrorKind::environment,
-                Problem{"the files of an interrupted run cannot be taken over: " + failure.message(), path.string(), "",
+                Problem{"the files of an interrupted run cannot be taken over: " + error.message(), path.string(), "",
                         "", "Check the disk's space and the rights"});
 }
 
 // The same file under a second name, where the file system knows that; else a copy.
 void link(const fs::path& from, const fs::path& to) {
-    std::error_code failure;
-    fs::create_hard_link(from, to, failure);
-    if (failure) fs::copy_file(from, to, fs::copy_options::overwrite_existing, failure);
-    if (failure) fail(from, failure);
+    std::error_code error;
+    fs::create_hard_link(from, to, error);
+    if (error) fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
+    if (error) fail(from, error);
 }
 
 // Removes what frana wrote into a folder in the making and is wanted no more; a file of somebody else's
 // stays.
 void remove_unwanted(const fs::path& root, const std::string& folder,
                      const std::function<bool(const std::string&)>& is_wanted) {
-    std::error_code failure;
+    std::error_code error;
     std::vector<fs::path> files, folders;
-    for (const fs::directory_entry& entry : fs::directory_iterator(root / folder, failure)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / folder, error)) {
         const std::string name = entry.path().lexically_relative(root).generic_string();
         if (is_wanted(entry.path().filename().string())) continue;
-        if (fs::is_directory(entry.symlink_status(failure))) {
+        if (fs::is_directory(entry.symlink_status(error))) {
             remove_unwanted(root, name, [](const std::string&) { return false; });
             folders.push_back(entry.path());
         } else if (existing_file(name) != nullptr) {
@@ -64,10 +64,10 @@ void remove_unwanted(const fs::path& root, const std::string& folder,
         }
     }
     for (const fs::path& file : files) {
-        fs::remove(file, failure);
-        if (failure) fail(file, failure);
+        fs::remove(file, error);
+        if (error) fail(file, error);
     }
-    for (const fs::path& empty : folders) fs::remove(empty, failure);  // where they are
+    for (const fs::path& empty : folders) fs::remove(empty, error);  // where they are
 }
 
 }  // namespace

@@ -58,19 +58,18 @@ void KeptFiles::add(const std::string& source) {
 }
 
 void KeptFiles::add_result(const std::string& folder, const std::vector<std::string>& but) {
-    std::error_code failure;
-    const auto is_written_anew = [&](const fs::path& path) {
+    std::error_code error;
+    const auto is_rewritten = [&](const fs::path& path) {
         return std::any_of(but.begin(), but.end(), [&](const std::string& one) {
             return fs::path(one).lexically_normal() == path.lexically_normal();
         });
     };
-    for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
-         entry.increment(failure)) {
+    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         const auto place = place_of(entry->path().string());
-        if (place && !is_drawn(entry->path(), folder) && !is_written_anew(entry->path())) files_.insert(*place);
+        if (place && !is_drawn(entry->path(), folder) && !is_rewritten(entry->path())) files_.insert(*place);
     }
     const fs::path scene = fs::path(folder) / k_scene_file;
-    if (!fs::exists(scene, failure)) return;
+    if (!fs::exists(scene, error)) return;
     for (const IniEntry& entry : read_ini(scene.string())) add(entry.value);
 }
 

@@ -24,7 +24,7 @@ class KeptFiles {
     void add(const std::string& source);
     /// Everything in a result's folder but the pictures and animations that were drawn from it, and the files that its
     /// scene names.
-    /// @param but files in it that are to be written anew
+    /// @param but files in it that are to be written again
     void add_result(const std::string& folder, const std::vector<std::string>& but = {});
 
     /// Adds a problem for every file to be written that is one of them. `where` names the option that says the place.

@@ -78,9 +78,9 @@ std::map<fs::path, std::vector<fs::path>> by_result(const std::vector<std::strin
     std::map<fs::path, fs::path> results;  // by folder
     std::map<fs::path, std::vector<fs::path>> found;
     for (const std::string& path : paths) {
-        std::error_code failure;
-        const fs::path file = fs::canonical(path, failure);
-        if (failure || !fs::is_regular_file(file, failure)) continue;
+        std::error_code error;
+        const fs::path file = fs::canonical(path, error);
+        if (error || !fs::is_regular_file(file, error)) continue;
         const auto [known, is_new] = results.try_emplace(file.parent_path());
         if (is_new) known->second = result_around(file);
         if (!known->second.empty()) found[known->second].push_back(file);
@@ -180,8 +180,8 @@ bool is_listed_result(const std::string& folder) {
 }
 
 bool is_unlisted_result(const std::string& folder) {
-    std::error_code failure;
-    if (is_listed_result(folder) || !fs::exists(fs::path(folder) / k_scene_file, failure)) return false;
+    std::error_code error;
+    if (is_listed_result(folder) || !fs::exists(fs::path(folder) / k_scene_file, error)) return false;
     const std::optional<Json> summary = read_json_file((fs::path(folder) / k_summary_file).string());
     return summary && value_in<std::string>(*summary, "/program") == k_program;
 }
@@ -214,7 +214,7 @@ std::vector<std::string> changed_files(const std::vector<std::string>& paths) {
     return changed;
 }
 
-void forget_files(const std::string& folder, const std::vector<std::string>& names) {
+void remove_from_manifest(const std::string& folder, const std::vector<std::string>& names) {
     const ManifestLock lock(folder);
     std::optional<Manifest> manifest = read_manifest(folder);
     if (!manifest) return;

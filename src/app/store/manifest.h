@@ -61,7 +61,7 @@ void record_files(const std::vector<std::string>& paths);
 std::vector<std::string> changed_files(const std::vector<std::string>& paths);
 
 /// Takes files out of a result's manifest: they are no more. Throws Error(environment).
-void forget_files(const std::string& folder, const std::vector<std::string>& names);
+void remove_from_manifest(const std::string& folder, const std::vector<std::string>& names);
 
 /// Says in a result's manifest that all is there. Throws Error(environment).
 void record_finished(const std::string& folder);

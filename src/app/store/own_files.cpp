@@ -31,8 +31,8 @@ bool is_result(const fs::path& folder) {
 /// The nearest folder, at a path or above it, that is of a kind; the path need not be there yet.
 template <class Kind>
 std::optional<fs::path> around(const std::string& path, const Kind& kind) {
-    std::error_code failure;
-    fs::path folder = fs::weakly_canonical(fs::absolute(path.empty() ? "." : path), failure);
+    std::error_code error;
+    fs::path folder = fs::weakly_canonical(fs::absolute(path.empty() ? "." : path), error);
     if (!folder.has_filename()) folder = folder.parent_path();  // "folder/"
     for (;; folder = folder.parent_path()) {
         if (kind(folder)) return folder;
@@ -55,23 +55,23 @@ void check_another_result(const std::string& folder, const std::string& where, c
 void check_own(const std::string& folder, const std::vector<std::string>& files, const std::string& where,
                const std::vector<std::string>& reads, Problems& problems) {
     check_another_result(folder, where, reads, problems);
-    if (around(folder, lists_files)) return;  // what was changed since is kept when it is written anew
-    std::error_code failure;
+    if (around(folder, lists_files)) return;  // what was changed since is kept when it is written again
+    std::error_code error;
     const std::string list = (fs::path(folder) / k_manifest_file).string();
     const std::string remedy =
         "Choose another folder with " + where +
         ", or move the file away; a study by an older frana, without a list of its files, must be moved as a whole";
-    if (fs::exists(list, failure))
+    if (fs::exists(list, error))
         problems.add({"exists already and is not frana's list of files", where, list, "", remedy});
     // Results of a frana that did not list files have only its names to go by.
     const auto unlisted = around(folder, is_result);
-    const fs::path real = fs::weakly_canonical(folder.empty() ? "." : folder, failure);
+    const fs::path real = fs::weakly_canonical(folder.empty() ? "." : folder, error);
     for (const std::string& file : files) {
         const fs::path inside = real / fs::path(file).lexically_relative(folder.empty() ? "." : folder);
         const bool known =
             unlisted &&
             existing_file(inside.lexically_normal().lexically_relative(*unlisted).generic_string()) != nullptr;
-        if (!known && fs::exists(fs::symlink_status(file, failure)))
+        if (!known && fs::exists(fs::symlink_status(file, error)))
             problems.add({"exists already and was not written by frana", where, file, "", remedy});
     }
 }
@@ -94,16 +94,16 @@ void clear_own(const std::string& folder, const std::vector<std::string>& files,
         if (file.parent_path() != real || !belongs(file.filename().string()) ||
             std::any_of(files.begin(), files.end(), is_it))
             continue;
-        std::error_code failure;
-        if (!fs::is_regular_file(fs::symlink_status(file, failure)) || mark_of(file.string()) != mark) continue;
-        fs::remove(file, failure);
-        if (failure)
+        std::error_code error;
+        if (!fs::is_regular_file(fs::symlink_status(file, error)) || mark_of(file.string()) != mark) continue;
+        fs::remove(file, error);
+        if (error)
             throw Error(ErrorKind::environment,
-                        Problem{"is from an earlier, longer series and cannot be removed: " + failure.message(),
-                                file.string(), "", "", system_remedy(failure.value())});
+                        Problem{"is from an earlier, longer series and cannot be removed: " + error.message(),
+                                file.string(), "", "", system_remedy(error.value())});
         gone.push_back(name);
     }
-    forget_files(home->string(), gone);
+    remove_from_manifest(home->string(), gone);
 }
 
 }  // namespace frana::app

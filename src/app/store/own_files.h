@@ -26,7 +26,7 @@ void check_own(const std::string& folder, const std::vector<std::string>& files,
 /// Error(environment).
 void begin_own(const std::string& folder, const std::vector<std::string>& files);
 
-/// Removes what frana wrote of a series into a folder (frames of a longer animation) and does not write anew:
+/// Removes what frana wrote of a series into a folder (frames of a longer animation) and does not write again:
 /// files that are listed, are as listed and are not among these. `belongs` knows the series by names in the
 /// folder. Throws Error(environment).
 void clear_own(const std::string& folder, const std::vector<std::string>& files,

@@ -25,12 +25,12 @@ constexpr const char* k_kept = ".kept-";
 /// Under another name, unless that is taken.
 std::error_code move_to_free(const fs::path& from, const fs::path& to) {
     if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return {};
-    std::error_code failure(errno, std::generic_category());
-    if (failure != std::errc::invalid_argument) return failure;  // else a file system that does not know the way
+    std::error_code error(errno, std::generic_category());
+    if (error != std::errc::invalid_argument) return error;  // else a file system that does not know the way
     std::error_code ignored;
     if (fs::exists(fs::symlink_status(to, ignored))) return std::make_error_code(std::errc::file_exists);
-    fs::rename(from, to, failure);
-    return failure;
+    fs::rename(from, to, error);
+    return error;
 }
 
 /// To the first free name with a number.
@@ -39,8 +39,8 @@ std::error_code move_to_kept(const fs::path& from, const fs::path& stem, const f
         to = stem;
         to += k_kept + std::to_string(number);
         to += extension;
-        const std::error_code failure = move_to_free(from, to);
-        if (failure != std::errc::file_exists) return failure;
+        const std::error_code error = move_to_free(from, to);
+        if (error != std::errc::file_exists) return error;
     }
 }
 
@@ -72,7 +72,7 @@ class Replacement {
         walk("");
         // Nothing is removed from a folder of which something could not be seen or moved.
         if (problems_.empty()) remove_listed();
-        tell();
+        report();
         return std::move(problems_);
     }
 
@@ -114,8 +114,8 @@ class Replacement {
         if (name == k_manifest_file || name == k_replaced_file || name == k_building_file) return true;
         const auto listed = manifest_.files.find(name);
         if (listed == manifest_.files.end()) return is_leftover(name);
-        std::error_code failure;
-        if (fs::file_size(older_ / name, failure) != listed->second.bytes || failure) return false;
+        std::error_code error;
+        if (fs::file_size(older_ / name, error) != listed->second.bytes || error) return false;
         try {
             return mark_of((older_ / name).string()) == listed->second;
         } catch (const Error&) {
@@ -126,19 +126,19 @@ class Replacement {
     void keep(const std::string& name) {
         const fs::path from = older_ / name;
         fs::path to = result_ / name;
-        std::error_code failure;
-        fs::create_directories(to.parent_path(), failure);
+        std::error_code error;
+        fs::create_directories(to.parent_path(), error);
         const bool is_changed = manifest_.files.count(name) > 0;
         const bool has_own_name = !is_changed && !belongs_to_file(name) && !is_a_results_own_name(name);
-        failure = has_own_name ? move_to_free(from, to) : std::make_error_code(std::errc::file_exists);
-        if (failure == std::errc::file_exists) {
+        error = has_own_name ? move_to_free(from, to) : std::make_error_code(std::errc::file_exists);
+        if (error == std::errc::file_exists) {
             const fs::path stem = to.parent_path() / to.stem(), extension = to.extension();
-            failure = move_to_kept(from, stem, extension, to);
-            if (!failure)
+            error = move_to_kept(from, stem, extension, to);
+            if (!error)
                 kept_.push_back(name + (is_changed ? ", which was changed since frana wrote it, " : " ") +
                                 "is kept as " + to.lexically_relative(result_).string());
         }
-        if (failure) problem("a file of yours could not be moved into the new result: " + failure.message(), name);
+        if (error) problem("a file of yours could not be moved into the new result: " + error.message(), name);
     }
 
     void remove_listed() {
@@ -146,14 +146,14 @@ class Replacement {
         const std::vector<std::string> last{k_manifest_file, k_replaced_file};
         std::erase_if(listed_, [&](const std::string& name) { return name == last.front() || name == last.back(); });
         std::sort(folders_.rbegin(), folders_.rend());  // those inside come first
-        std::error_code failure;
+        std::error_code error;
         for (const std::vector<std::string>& names : {listed_, folders_, last, {""}})
             for (const std::string& name : names) {
-                if (failure) break;
-                fs::remove(older_ / name, failure);
+                if (error) break;
+                fs::remove(older_ / name, error);
             }
-        if (!failure) return;
-        log_.warn("the older result could not be removed: " + failure.message() + "; what is left of it is in " +
+        if (!error) return;
+        log_.warn("the older result could not be removed: " + error.message() + "; what is left of it is in " +
                   older_.string() + " until the next run");
         try {
             if (fs::is_empty(older_)) note_replaced(older_.string(), older_.filename().string());
@@ -168,7 +168,7 @@ class Replacement {
                                  "It is still there; the new result is complete in " + result_.string()});
     }
 
-    void tell() {
+    void report() {
         constexpr std::size_t k_most = 20;
         for (std::size_t i = 0; i < std::min(k_most, kept_.size()); ++i) log_.info("older result: " + kept_[i]);
         if (kept_.size() > k_most)
@@ -196,8 +196,8 @@ std::vector<Problem> replace_result(const std::string& older, const std::string&
     fs::remove(fs::path(older) / k_replaced_file, ignored);
     if (fs::remove(older, ignored)) return {};  // it was empty: a run was killed while it ended this
     fs::path kept;
-    if (const std::error_code failure = move_to_kept(older, result, "", kept))
-        return {{"the older result could not be renamed: " + failure.message(), older, "", "",
+    if (const std::error_code error = move_to_kept(older, result, "", kept))
+        return {{"the older result could not be renamed: " + error.message(), older, "", "",
                  "It is still there; the new result is complete in " + result}};
     log.info("the older result does not list its files: it is kept whole in " + kept.string());
     return {};
@@ -207,11 +207,10 @@ void keep_changed_files(const std::vector<std::string>& paths) {
     for (const std::string& path : changed_files(paths)) {
         const fs::path file = path;
         fs::path kept;
-        if (const std::error_code failure =
-                move_to_kept(file, file.parent_path() / file.stem(), file.extension(), kept))
+        if (const std::error_code error = move_to_kept(file, file.parent_path() / file.stem(), file.extension(), kept))
             throw Error(
                 ErrorKind::environment,
-                Problem{"was changed since frana wrote it, and cannot be kept under another name: " + failure.message(),
+                Problem{"was changed since frana wrote it, and cannot be kept under another name: " + error.message(),
                         path, "", "", "Choose another folder with --out"});
         std::cerr << "frana: " << path << " is not as frana wrote it: kept as " << kept.filename().string() << '\n';
     }

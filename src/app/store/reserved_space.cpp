@@ -13,9 +13,9 @@ namespace frana::app {
 bool ReservedSpace::grow(std::uint64_t bytes) {
     if (bytes <= bytes_) return true;
     // Else the results would want the room that only waits, and a run would end that had enough for them.
-    std::error_code failure;
-    const std::uint64_t free = std::filesystem::space(std::filesystem::path(path_).parent_path(), failure).available;
-    if (!failure && free < 2 * bytes - bytes_) {
+    std::error_code error;
+    const std::uint64_t free = std::filesystem::space(std::filesystem::path(path_).parent_path(), error).available;
+    if (!error && free < 2 * bytes - bytes_) {
         errno = ENOSPC;
         return false;
     }

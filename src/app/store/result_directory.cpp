@@ -74,9 +74,9 @@ ResultDirectory::ResultDirectory(const std::string& directory, bool overwrite, c
 }
 
 void ResultDirectory::make_sibling() {
-    std::error_code failure;
-    fs::create_directories(fs::path(directory_).parent_path(), failure);
-    if (failure) fail("cannot be made", fs::path(directory_).parent_path().string(), failure.message());
+    std::error_code error;
+    fs::create_directories(fs::path(directory_).parent_path(), error);
+    if (error) fail("cannot be made", fs::path(directory_).parent_path().string(), error.message());
     std::string name = directory_ + k_building + "XXXXXX";
     if (::mkdtemp(name.data()) == nullptr) fail("no folder can be created beside it", directory_, std::strerror(errno));
     aside_ = name;
@@ -85,7 +85,7 @@ void ResultDirectory::make_sibling() {
     ::umask(mask);
     struct stat older {};
     const bool is_there = ::stat(directory_.c_str(), &older) == 0;
-    fs::permissions(aside_, static_cast<fs::perms>(is_there ? older.st_mode & 07777 : 0777 & ~mask), failure);
+    fs::permissions(aside_, static_cast<fs::perms>(is_there ? older.st_mode & 07777 : 0777 & ~mask), error);
     lock_ = lock_folder(aside_, true);  // another run's look at it takes a moment
     try {
         note_building(aside_, directory_);
@@ -118,16 +118,16 @@ std::string ResultDirectory::path(const std::string& name) const {
 }
 
 void ResultDirectory::make_folder(const std::string& name) const {
-    std::error_code failure;
-    fs::create_directories(path(name), failure);
-    if (failure) fail("cannot be made", path(name), failure.message());
+    std::error_code error;
+    fs::create_directories(path(name), error);
+    if (error) fail("cannot be made", path(name), error.message());
 }
 
 std::vector<Problem> ResultDirectory::publish(const ResultFacts& facts, RunLog& log) {
     write_manifest(aside_, manifest_of(aside_, facts));
     const bool replaces = has_files(directory_);
     if (replaces && !overwrite_)  // somebody else was faster; what was computed is not thrown away
-        keep_beside("another result has appeared there meanwhile", "");
+        keep_unpublished("another result has appeared there meanwhile", "");
     if (replaces) {
         try {
             note_replaced(directory_, fs::path(aside_).filename().string());
@@ -148,28 +148,27 @@ std::vector<Problem> ResultDirectory::publish(const ResultFacts& facts, RunLog& 
 
 void ResultDirectory::replace_in_steps(bool replaces) {
     const std::string waiting = aside_ + ".old";
-    std::error_code failure, ignored;
+    std::error_code error, ignored;
     if (replaces) {
-        fs::rename(directory_, waiting, failure);
-        if (failure) keep_beside("the older result cannot be moved away", failure.message());
+        fs::rename(directory_, waiting, error);
+        if (error) keep_unpublished("the older result cannot be moved away", error.message());
     }
-    fs::rename(aside_, directory_, failure);
-    if (failure) {
+    fs::rename(aside_, directory_, error);
+    if (error) {
         if (replaces) fs::rename(waiting, directory_, ignored);
-        keep_beside("the result cannot take its name", failure.message());
+        keep_unpublished("the result cannot take its name", error.message());
     }
     if (replaces) fs::rename(waiting, aside_, ignored);
 }
 
-void ResultDirectory::keep_beside(const std::string& what, const std::string& reason) {
+void ResultDirectory::keep_unpublished(const std::string& what, const std::string& reason) {
     const std::string kept = directory_ + ".kept-" + aside_.substr(aside_.rfind('-') + 1);
-    std::error_code failure, ignored;
-    fs::rename(aside_, kept, failure);
-    if (!failure) fs::remove(fs::path(kept) / k_building_file, ignored);
+    std::error_code error, ignored;
+    fs::rename(aside_, kept, error);
+    if (!error) fs::remove(fs::path(kept) / k_building_file, ignored);
     fs::remove(fs::path(directory_) / k_replaced_file, ignored);
     published_ = true;
-    fail(what, directory_,
-         (reason.empty() ? "" : reason + "; ") + "the new one is kept in " + (failure ? aside_ : kept));
+    fail(what, directory_, (reason.empty() ? "" : reason + "; ") + "the new one is kept in " + (error ? aside_ : kept));
 }
 
 std::vector<Problem> ResultDirectory::tidy_up(bool replaces, RunLog& log) {
@@ -221,26 +220,26 @@ std::vector<Problem> clear_place_of(const std::string& result, const std::string
     return problems;
 }
 
-void forget_the_way(const std::string& result, bool frames, RunLog& log) {
+void remove_working_files(const std::string& result, bool frames, RunLog& log) {
     const std::optional<Manifest> manifest = read_manifest(result);
     if (!manifest) return;
     std::vector<std::string> folders{k_checkpoint_folder, k_page_folder}, gone;
     if (frames) folders.emplace_back("frames");
-    std::error_code failure, ignored;
+    std::error_code error, ignored;
     for (const std::string& folder : folders) {
         for (const auto& [name, mark] : manifest->files) {
             if (!name.starts_with(folder + "/")) continue;
-            fs::remove(fs::path(result) / name, failure);
-            if (failure) {
+            fs::remove(fs::path(result) / name, error);
+            if (error) {
                 log.warn((fs::path(result) / name).string() +
-                         " is no longer needed and cannot be removed: " + failure.message() + "; --resume tries again");
+                         " is no longer needed and cannot be removed: " + error.message() + "; --resume tries again");
             } else {
                 gone.push_back(name);
             }
         }
         fs::remove(fs::path(result) / folder, ignored);  // unless the user has files there
     }
-    forget_files(result, gone);
+    remove_from_manifest(result, gone);
     remove_leftovers(result, result);
 }
 

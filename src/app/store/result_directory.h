@@ -46,7 +46,7 @@ class ResultDirectory {
     void make_sibling();
     [[noreturn]] void refuse();
     void replace_in_steps(bool replaces);
-    [[noreturn]] void keep_beside(const std::string& what, const std::string& reason);
+    [[noreturn]] void keep_unpublished(const std::string& what, const std::string& reason);
     std::vector<Problem> tidy_up(bool replaces, RunLog& log);
     [[nodiscard]] std::string final_path(const std::string& name) const;
 
@@ -66,6 +66,6 @@ std::vector<Problem> clear_place_of(const std::string& result, const std::string
 /// Removes from a finished result what only a run on its way needs: checkpoints, frames from which a
 /// animation was made if so wished, and files that killed programs had in the making. What cannot be removed stays
 /// listed, with a warning. Throws Error(environment) where the list cannot be read or written.
-void forget_the_way(const std::string& result, bool frames, RunLog& log);
+void remove_working_files(const std::string& result, bool frames, RunLog& log);
 
 }  // namespace frana::app

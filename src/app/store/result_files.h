@@ -17,7 +17,7 @@ struct ResultFile {
     FileKind kind;
     std::string written_by;  ///< the first command that does: "run", "render"
 
-    /// Drawn from the result's other files, and can be drawn anew.
+    /// Drawn from the result's other files, and can be drawn again.
     [[nodiscard]] bool is_drawn() const noexcept { return kind == FileKind::picture || kind == FileKind::animation; }
 };
 

@@ -29,11 +29,11 @@ constexpr const char* k_choose = "Choose another result directory with --out";
 fs::path clean(const fs::path& directory) {
     fs::path path = fs::absolute(directory);
     while (!path.has_filename() && path.has_relative_path()) path = path.parent_path();
-    std::error_code failure;
+    std::error_code error;
     const fs::path name = path.filename();
     const bool is_named = name != "." && name != "..";
-    const fs::path real = fs::weakly_canonical(is_named ? path.parent_path() : path, failure);
-    if (failure) return path.lexically_normal();
+    const fs::path real = fs::weakly_canonical(is_named ? path.parent_path() : path, error);
+    if (error) return path.lexically_normal();
     return is_named ? real / name : real;
 }
 
@@ -91,11 +91,10 @@ std::optional<std::string> refusal(const fs::path& path) {
 
 /// What is wrong with a symbolic link; none where there is no link, or it can be followed.
 std::optional<Problem> broken_link(const std::string& directory, const fs::path& path, const std::string& where) {
-    std::error_code failure;
-    if (fs::is_symlink(path, failure))
-        return Problem{"is a symbolic link to itself", where, path.string(), "", k_choose};
+    std::error_code error;
+    if (fs::is_symlink(path, error)) return Problem{"is a symbolic link to itself", where, path.string(), "", k_choose};
     const fs::path named = clean(directory);
-    if (path == named || !fs::is_symlink(named, failure) || fs::exists(path.parent_path(), failure)) return {};
+    if (path == named || !fs::is_symlink(named, error) || fs::exists(path.parent_path(), error)) return {};
     return Problem{
         "is a symbolic link to a place that does not exist", where, named.string() + " -> " + path.string(), "",
         "Connect the disk or create the folder that it points to, or choose another result directory with --out"};
@@ -124,9 +123,9 @@ void check_older(const fs::path& path, bool overwrite, const std::vector<std::st
     for (const std::string& input : inputs) {
         const std::vector<std::string> places = spellings(input);
         if (std::any_of(places.begin(), places.end(), [&](const std::string& place) {
-                std::error_code failure;
-                const fs::path real = fs::weakly_canonical(place, failure);
-                return !failure && fs::exists(real, failure) && would_be_replaced(real, path, manifest);
+                std::error_code error;
+                const fs::path real = fs::weakly_canonical(place, error);
+                return !error && fs::exists(real, error) && would_be_replaced(real, path, manifest);
             }))
             problems.add({"is an input and would be replaced by the result", where, input, "", k_choose});
     }
@@ -138,20 +137,20 @@ std::string result_path(const std::string& directory) {
     constexpr int k_most_links = 40;  // as the system has it
     fs::path path = clean(directory);
     for (int links = 0; links < k_most_links; ++links) {
-        std::error_code failure;
-        if (!fs::is_symlink(path, failure)) break;
-        const fs::path to = fs::read_symlink(path, failure);
-        if (failure) break;
+        std::error_code error;
+        if (!fs::is_symlink(path, error)) break;
+        const fs::path to = fs::read_symlink(path, error);
+        if (error) break;
         path = clean(path.parent_path() / to);
     }
     return path.string();
 }
 
 bool has_files(const std::string& folder) {
-    std::error_code failure;
-    if (!fs::is_directory(folder, failure)) return false;
-    const bool is_empty = fs::is_empty(folder, failure);
-    return failure || !is_empty;
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) return false;
+    const bool is_empty = fs::is_empty(folder, error);
+    return error || !is_empty;
 }
 
 std::optional<Problem> check_result_directory(const std::string& directory, bool overwrite,
@@ -162,12 +161,12 @@ std::optional<Problem> check_result_directory(const std::string& directory, bool
         problems.add(*problem);
         return {};
     }
-    std::error_code failure;
-    if (fs::exists(path, failure) && !fs::is_directory(path, failure)) {
+    std::error_code error;
+    if (fs::exists(path, error) && !fs::is_directory(path, error)) {
         problems.add({"is a file, not a folder", where, path.string(), "", "Choose another result directory"});
         return {};
     }
-    if (fs::is_directory(path, failure) && is_mount_point(path)) {
+    if (fs::is_directory(path, error) && is_mount_point(path)) {
         problems.add({"is a mount point (a disk or a container's volume), which a result cannot replace", where,
                       path.string(), "", "Choose a folder in it: --out " + (path / "result").string()});
         return {};
@@ -177,7 +176,7 @@ std::optional<Problem> check_result_directory(const std::string& directory, bool
                       "at most " + std::to_string(most) + " bytes here", "Choose a shorter one with --out"});
     if (has_files(path.string())) check_older(path, overwrite, inputs, where, problems);
     const fs::path parent = existing_parent(path);
-    if (!fs::is_directory(parent, failure)) {
+    if (!fs::is_directory(parent, error)) {
         problems.add(
             {"cannot be written: " + parent.string() + " is not a folder", where, path.string(), "", k_choose});
     } else if (const auto reason = refusal(path)) {

@@ -57,10 +57,10 @@ std::vector<std::string> siblings(const std::string& directory, const Is& is_wan
     const fs::path result = result_path(directory);
     const std::string beginning = result.filename().string() + k_building;
     std::vector<std::pair<fs::file_time_type, std::string>> found;
-    std::error_code failure;
+    std::error_code error;
     for (const fs::directory_entry& entry : folder_entries(result.parent_path())) {
         if (own_name(entry.path()).starts_with(beginning) && is_wanted(entry.path().string()))
-            found.emplace_back(entry.last_write_time(failure), entry.path().string());
+            found.emplace_back(entry.last_write_time(error), entry.path().string());
     }
     std::sort(found.rbegin(), found.rend());
     std::vector<std::string> folders;
@@ -143,14 +143,14 @@ std::vector<std::string> replaced_results(const std::string& directory) {
 bool remove_unfinished(const std::string& folder) {
     if (!is_being_built(folder)) return false;
     std::vector<fs::path> files, folders{folder};
-    std::error_code failure;
+    std::error_code error;
     // The note goes last: a folder that is removed in part can still be.
     const fs::path note = fs::path(folder) / k_building_file;
     try {
         for (std::size_t next = 0; next < folders.size(); ++next) {
             for (const fs::directory_entry& entry : folder_entries(fs::path(folders[next]))) {
-                const fs::file_status status = entry.symlink_status(failure);
-                if (failure) return false;
+                const fs::file_status status = entry.symlink_status(error);
+                if (error) return false;
                 if (fs::is_directory(status)) {
                     folders.push_back(entry.path());
                 } else if (fs::is_regular_file(status) &&
@@ -166,10 +166,10 @@ bool remove_unfinished(const std::string& folder) {
     }
     std::reverse(folders.begin(), folders.end());  // those inside come first
     for (const fs::path& file : files)
-        if (!fs::remove(file, failure) || failure) return false;
+        if (!fs::remove(file, error) || error) return false;
     for (const fs::path& one : folders) {
-        if (one == folder) fs::remove(note, failure);
-        if (!fs::remove(one, failure) || failure) return false;
+        if (one == folder) fs::remove(note, error);
+        if (!fs::remove(one, error) || error) return false;
     }
     return true;
 }

@@ -25,7 +25,7 @@ void RunLog::info(const std::string& text) {
     if (!quiet_) std::cerr << "frana: " << text << '\n';
 }
 
-void RunLog::print_held_warnings() const {
+void RunLog::print_deferred_warnings() const {
     if (!quiet_) return;
     for (const std::string& text : warnings_) std::cerr << "frana: warning: " << text << '\n';
 }

@@ -20,7 +20,7 @@ class RunLog {
     void info(const std::string& text);
 
     /// The warnings that were held back to be quiet: an exit code other than 0 has its reason on the terminal.
-    void print_held_warnings() const;
+    void print_deferred_warnings() const;
 
     /// Lines of the session that this one continues, to stand before its own.
     void continue_from(const std::vector<std::string>& earlier);

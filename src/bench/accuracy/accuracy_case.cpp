@@ -52,7 +52,7 @@ CaseStatistics compare_with_exact(TimedFlow& run, const std::function<ExactState
     statistics.particles = run.peak_particles();
     statistics.steps = run.flow().steps();
     statistics.wall_seconds = run.seconds();
-    if (run.non_finite() > 0) statistics.failure = "values became non-finite";
+    if (run.non_finite() > 0) statistics.error = "values became non-finite";
     return statistics;
 }
 

@@ -35,7 +35,7 @@ struct CaseStatistics {
     double l2_momentum = 0;       ///< the same with squares
     double mean_depth_error = 0;  ///< mean |h - h_exact| over the cells compared [m]
     std::vector<CaseStatistic> own;
-    std::string failure;  ///< why the run did not reach its end; empty when it did
+    std::string error;  ///< why the run did not reach its end; empty when it did
 };
 
 /// One row of the accuracy bench's table of cases.

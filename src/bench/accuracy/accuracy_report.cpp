@@ -74,7 +74,7 @@ void add_case(const std::string& name, const std::vector<AccuracyRow>& rows, std
         out += text("  %-8s %8g %9lld %7lld %9.3g %10.3g %10.3g %10.3g %10.3g %6s%s\n", name_of(row.scheme),
                     f.cell_size, static_cast<long long>(f.particles), static_cast<long long>(f.steps), f.wall_seconds,
                     f.l1_depth, f.l2_depth, f.linf_depth, f.l1_momentum, order_text(row.observed_order).c_str(),
-                    f.failure.empty() ? "" : ("  FAILED: " + f.failure).c_str());
+                    f.error.empty() ? "" : ("  FAILED: " + f.error).c_str());
         for (const CaseStatistic& statistic : f.own) {
             own += text("    %-8s %8g m  %-42s %11.4g", name_of(row.scheme), f.cell_size, statistic.name.c_str(),
                         statistic.value);
@@ -123,7 +123,7 @@ using Curve = std::vector<std::pair<double, double>>;
 Curve curve_of(const std::vector<AccuracyRow>& rows, const std::string& name, Scheme scheme) {
     Curve curve;
     for (const AccuracyRow& row : rows)
-        if (row.case_name == name && row.scheme == scheme && row.statistics.failure.empty())
+        if (row.case_name == name && row.scheme == scheme && row.statistics.error.empty())
             curve.emplace_back(row.statistics.wall_seconds,
                                std::max(row.statistics.l1_depth, row.statistics.l1_momentum));
     std::sort(curve.begin(), curve.end());

@@ -84,7 +84,7 @@ CaseStatistics run_conservation(double cell_size, Scheme scheme) {
     statistics.own = {{"volume, nodes against the start", worst_volume, 1e-12},
                       {"momentum, nodes against particles", worst_momentum, 1e-12},
                       {"asymmetry [m]", greatest, 1e-9}};
-    if (run.non_finite() > 0) statistics.failure = "values became non-finite";
+    if (run.non_finite() > 0) statistics.error = "values became non-finite";
     return statistics;
 }
 

@@ -57,7 +57,7 @@ CaseStatistics FluidRun::compare(const std::function<ExactState(Point)>& exact,
     statistics.particles = grid_.cell_count();
     statistics.steps = steps_;
     statistics.wall_seconds = seconds_;
-    if (non_finite_ > 0) statistics.failure = "values became non-finite";
+    if (non_finite_ > 0) statistics.error = "values became non-finite";
     return statistics;
 }
 

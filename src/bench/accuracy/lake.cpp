@@ -50,7 +50,7 @@ CaseStatistics run_table_1(double cell_size, Scheme scheme, const std::function<
         statistics.l2_depth = std::max(statistics.l2_depth, other.l2_depth);
         statistics.linf_depth = std::max(statistics.linf_depth, other.linf_depth);
         statistics.l1_momentum = std::max(statistics.l1_momentum, other.l1_momentum);
-        if (!other.failure.empty()) statistics.failure = other.failure;
+        if (!other.error.empty()) statistics.error = other.error;
     }
     statistics.own = {{"greatest |h - h0| [m]", statistics.linf_depth, k_mark},
                       {"greatest |hu|, |hv| [m2/s]", momentum, k_mark}};

@@ -43,8 +43,8 @@ class FilmRun {
     }
 
     /// Steps to `end`, or until nothing is left; see(film) after each step.
-    void advance_to(double end, const std::function<void(const Film&)>& see) {
-        run_->advance_to(end, [&](const voellmy_bingham::StepReport& step) { see(film(0.5 * step.dt)); });
+    void advance_to(double end, const std::function<void(const Film&)>& observe) {
+        run_->advance_to(end, [&](const voellmy_bingham::StepReport& step) { observe(film(0.5 * step.dt)); });
     }
     /// About which point angular momentum counts.
     void turns_about(Point middle) { middle_ = middle; }
@@ -91,7 +91,7 @@ class FilmRun {
         statistics.particles = std::max(statistics.particles, run_->peak_particles());
         statistics.steps += run_->flow().steps();
         statistics.wall_seconds += run_->seconds();
-        if (run_->non_finite() > 0) statistics.failure = "values became non-finite";
+        if (run_->non_finite() > 0) statistics.error = "values became non-finite";
     }
 
   private:

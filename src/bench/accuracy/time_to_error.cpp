@@ -25,7 +25,7 @@ std::string time_to_error_table(const std::vector<AccuracyRow>& rows) {
     for (const AccuracyRow& row : rows) {
         const CaseStatistics& f = row.statistics;
         const double error = std::max(f.l1_depth, f.l1_momentum);
-        if (row.scheme == Scheme::standard && f.failure.empty() && error > 0)
+        if (row.scheme == Scheme::standard && f.error.empty() && error > 0)
             curves[row.case_name].emplace_back(f.wall_seconds, error);
     }
     std::string out;

@@ -76,7 +76,7 @@ StabilityStatistic ten_densities(int threads, Soundness& sound) {
         setup.material.density = density;
         TimedFlow run(setup, threads);
         merge(sound, watch(run, setup, 8));
-        agreement.see(run);
+        agreement.compare(run);
     }
     return agreement.statistic();
 }

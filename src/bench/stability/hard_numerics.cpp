@@ -97,7 +97,7 @@ StabilityStatistic threads_alike(int threads, Soundness& sound) {
         const Setup setup = usual_slide();
         TimedFlow run(setup, n);
         merge(sound, watch(run, setup, 8));
-        agreement.see(run);
+        agreement.compare(run);
     }
     return agreement.statistic();
 }

@@ -63,7 +63,7 @@ Soundness watch(TimedFlow& run, const Setup& setup, double end) {
     return s;
 }
 
-void DepthAgreement::see(TimedFlow& run) {
+void DepthAgreement::compare(TimedFlow& run) {
     const Raster depth = run.flow().nodal_fields().depth;
     if (!first_) first_ = depth;
     for (std::size_t c = 0; c < depth.values.size(); ++c)

@@ -45,7 +45,7 @@ Soundness watch(TimedFlow& run, const Setup& setup, double end);
 /// How far the depths of runs that must agree lie apart.
 class DepthAgreement {
   public:
-    void see(TimedFlow& run);
+    void compare(TimedFlow& run);
     [[nodiscard]] StabilityStatistic statistic() const { return {"greatest difference of depth [m]", greatest_, 0}; }
 
   private:

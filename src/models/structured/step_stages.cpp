@@ -79,8 +79,8 @@ State::State(NodeGrid terrain, const Laws& laws, ParticleSet solids, const Solid
     if (with_fluid) fluid = std::make_unique<FluidState>(grid, laws.fluid);
     if (stages.update_material == nullptr) return;
     if (fluid) {
-        fluid->held_x = ZeroArray<double>(grid.bed.size());
-        fluid->held_y = ZeroArray<double>(grid.bed.size());
+        fluid->resistance_x = ZeroArray<double>(grid.bed.size());
+        fluid->resistance_y = ZeroArray<double>(grid.bed.size());
     }
     // Also where solids only come later: what a scene can hold is there from the start.
     SolidNodes nodes(grid, laws.gaps_are_walls, with_fluid);

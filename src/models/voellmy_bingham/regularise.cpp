@@ -17,7 +17,7 @@ namespace {
 constexpr double k_long_shape = 1;
 constexpr int k_sort_pause = 3;
 
-void wake_where_crossed(State& state, ThreadPool& pool) {
+void activate_where_crossed(State& state, ThreadPool& pool) {
     const double *x = state.particles[Field::x], *y = state.particles[Field::y];
     const auto& tiles = state.order.tiles();
     std::vector<std::uint8_t> crossed(tiles.size(), 0);
@@ -26,7 +26,7 @@ void wake_where_crossed(State& state, ThreadPool& pool) {
             crossed[t] = state.order.tile_of(x[p], y[p]) != tiles[t].tile;
     });
     for (std::size_t t = 0; t < tiles.size(); ++t) {
-        if (crossed[t] != 0) state.active.wake_round(tiles[t].tile);
+        if (crossed[t] != 0) state.active.activate_round(tiles[t].tile);
     }
 }
 
@@ -50,20 +50,20 @@ void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, Thr
             state.volume_left += volume[p];
         }
     }
-    if (state.active.any_rests(state.order)) wake_where_crossed(state, pool);
+    if (state.active.any_rests(state.order)) activate_where_crossed(state, pool);
     const std::vector<std::int64_t> before = state.order.node_tiles();
     state.order.sort(state.particles, keep, pool);
     const auto& now = state.order.node_tiles();
     for (const std::int64_t tile : before) {
         if (!std::binary_search(now.begin(), now.end(), tile)) {
             clear_nodes(NodeRange(tile, state.order.grid(), state.nodes), state.nodes);
-            state.active.forget(tile);
+            state.active.reset(tile);
         }
     }
 }
 
 // The same when particles may have drifted as far as they are let.
-void sort_anew(State& state, bool drop, ThreadPool& pool) {
+void sort_again(State& state, bool drop, ThreadPool& pool) {
     sort_particles(state, drop, {}, pool);
     state.drift = 0;
     state.since_sort = 0;
@@ -82,8 +82,8 @@ bool shifts_now(const State& state, const Stages& stages) {
 }
 
 void prepare(State& state, const Laws& laws, ThreadPool& pool) {
-    sort_anew(state, true, pool);
-    state.active.wake(state.order);
+    sort_again(state, true, pool);
+    state.active.activate(state.order);
     state.wave_speed = 0;
     for (std::size_t p = 0; p < state.particles.size(); ++p)
         state.wave_speed = std::max(state.wave_speed, wave_of(state.particles, p, laws));
@@ -100,15 +100,15 @@ void advance_time(Step& now) {
 
 void regularise(Step& now) {
     State& state = now.state;
-    const ParticleReport& seen = now.report.particles;
+    const ParticleReport& report = now.report.particles;
     const double dx = state.nodes.cell_size();
-    const double moved = seen.speed * now.drift / dx, shift = now.stages.resamples ? shift_reach(moved) : 0;
+    const double moved = report.speed * now.drift / dx, shift = now.stages.resamples ? shift_reach(moved) : 0;
     state.drift += moved + (shifts_now(state, now.stages) ? shift : 0);
     ++state.since_sort;
     const bool stretched =
-        now.stages.resamples && seen.longest > k_long_shape * dx * dx && state.since_sort >= k_sort_pause;
-    if (!(seen.outside > 0 || stretched || state.drift + moved + shift > k_drift_limit)) return;
-    sort_anew(state, seen.outside > 0, now.pool);
+        now.stages.resamples && report.longest > k_long_shape * dx * dx && state.since_sort >= k_sort_pause;
+    if (!(report.outside > 0 || stretched || state.drift + moved + shift > k_drift_limit)) return;
+    sort_again(state, report.outside > 0, now.pool);
     now.watch.ends(Stage::sort);
     if (!now.stages.resamples) return;
     now.report.resampled = resample(state.particles, state.order, now.laws.resample, resting(state), now.pool);
@@ -124,7 +124,7 @@ void leave_and_land(Step& now) {
     now.report.aloft_kinetic = state.flights.kinetic(state.time, rules.gravity);
     std::vector<std::uint8_t> keep;
     if (now.report.nodes.unsupported > 0)
-        state.flights.take_off(state.particles, state.order, state.nodes, state.nodes_seen.data(), rules, state.time,
+        state.flights.take_off(state.particles, state.order, state.nodes, state.node_reports.data(), rules, state.time,
                                now.drift, keep, now.pool);
     const Flights::Landed landed = state.flights.land(state.time, state.particles);
     now.report.aloft -= landed.left;
@@ -133,7 +133,7 @@ void leave_and_land(Step& now) {
     if (!keep.empty()) keep.resize(state.particles.size(), 1);
     for (std::size_t p = state.particles.size() - landed.count; p < state.particles.size(); ++p) {
         state.wave_speed = std::max(state.wave_speed, wave_of(state.particles, p, now.laws));
-        state.active.wake_round(state.order.tile_of(state.particles[Field::x][p], state.particles[Field::y][p]));
+        state.active.activate_round(state.order.tile_of(state.particles[Field::x][p], state.particles[Field::y][p]));
     }
     sort_particles(state, false, std::move(keep), now.pool);  // neither shifted nor split: that keeps its own schedule
     now.watch.ends(Stage::sort);

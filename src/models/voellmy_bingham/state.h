@@ -30,36 +30,36 @@ struct State {
           nodes(std::move(grid)),
           order(std::move(tiles)),
           active(order.grid()),
-          nodes_seen(static_cast<std::size_t>(order.grid().tiles_x() * order.grid().tiles_y())),
-          particles_seen(nodes_seen.size()) {}
+          node_reports(static_cast<std::size_t>(order.grid().tiles_x() * order.grid().tiles_y())),
+          particle_reports(node_reports.size()) {}
 
     ParticleSet particles;
     NodeGrid nodes;
     TileOrder order;
     ActiveTiles active;
-    ZeroArray<NodeReport> nodes_seen;          ///< by tile: of the last step that updated its nodes
-    ZeroArray<ParticleReport> particles_seen;  ///< by tile: of the last step that moved its particles
-    double time = 0;                           ///< of positions [s]
-    double velocity_lag = 0;                   ///< how far the velocities are behind the positions [s]
-    double drift = 0;                          ///< how far particles may have moved since the last sort [cells]
-    int since_sort = 0;                        ///< [steps]
-    double wave_speed = 0;                     ///< greatest |v| + sqrt(g h) [m/s]
-    double diffusivity = 0;                    ///< greatest of the in-plane stress [m2/s]
-    double volume_left = 0;                    ///< through open boundaries [m3]
-    Flights flights;                           ///< particles in the air; none where Stages::flies is off
-    ZeroArray<BedState> bed_states;            ///< padded; empty where friction is uniform Voellmy
-    ZeroArray<ErodibleBed> erodible_beds;      ///< padded; empty where the bed stays as it is
-    ExchangeReport exchanged;                  ///< with the bed, so far
-    std::vector<double> kept, lost;            ///< by each particle, within a step
+    ZeroArray<NodeReport> node_reports;          ///< by tile: of the last step that updated its nodes
+    ZeroArray<ParticleReport> particle_reports;  ///< by tile: of the last step that moved its particles
+    double time = 0;                             ///< of positions [s]
+    double velocity_lag = 0;                     ///< how far the velocities are behind the positions [s]
+    double drift = 0;                            ///< how far particles may have moved since the last sort [cells]
+    int since_sort = 0;                          ///< [steps]
+    double wave_speed = 0;                       ///< greatest |v| + sqrt(g h) [m/s]
+    double diffusivity = 0;                      ///< greatest of the in-plane stress [m2/s]
+    double volume_left = 0;                      ///< through open boundaries [m3]
+    Flights flights;                             ///< particles in the air; none where Stages::flies is off
+    ZeroArray<BedState> bed_states;              ///< padded; empty where friction is uniform Voellmy
+    ZeroArray<ErodibleBed> erodible_beds;        ///< padded; empty where the bed stays as it is
+    ExchangeReport exchanged;                    ///< with the bed, so far
+    std::vector<double> kept, lost;              ///< by each particle, within a step
     ZeroArray<Point> brought;  ///< padded; velocity in map view that the particles brought; empty: not kept
 };
 
 template <class Archive>
 void serialise(Archive& archive, State& state) {
-    [[maybe_unused]] auto& [particles, nodes, order, active, nodes_seen, particles_seen, time, velocity_lag, drift,
+    [[maybe_unused]] auto& [particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift,
                             since_sort, wave_speed, diffusivity, volume_left, flights, bed_states, erodible_beds,
                             exchanged, kept, lost, brought] = state;
-    archive(particles, nodes, order, active, nodes_seen, particles_seen, time, velocity_lag, drift, since_sort,
+    archive(particles, nodes, order, active, node_reports, particle_reports, time, velocity_lag, drift, since_sort,
             wave_speed, diffusivity, volume_left, flights, bed_states, erodible_beds,
             exchanged);  // the rest is within a step
     if constexpr (Archive::k_reads) archive.require(order.restore(particles));

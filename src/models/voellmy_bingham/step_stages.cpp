@@ -79,7 +79,7 @@ void reference_levels(Step& now) {
     }
     for_node_tiles(state, active.updated(), now.pool, [&](const NodeRange& range) { mean_levels(range, state.nodes); });
     for_node_tiles(state, active.gathered(), now.pool,
-                   [&](const NodeRange& range) { forget_squares(range, state.nodes); });
+                   [&](const NodeRange& range) { clear_squares(range, state.nodes); });
     state.nodes.phase = NodePhase::forces;
     for_node_tiles(state, active.updated(), now.pool,
                    [&](const NodeRange& range) { node_references(range, state.nodes); });
@@ -130,13 +130,13 @@ void update_nodes(Step& now) {
     ActiveTiles& active = state.active;
     now.pool.for_each(active.updated().size(), [&](std::size_t t) {
         const std::int64_t tile = active.updated()[t];
-        NodeReport& seen = state.nodes_seen[static_cast<std::size_t>(tile)];
-        seen = now.stages.update_nodes(NodeRange(tile, state.order.grid(), state.nodes), now.nodes, now.laws.friction,
-                                       state.bed_states.data(), state.time, state.nodes, now.maxima);
-        active.saw(tile, seen.moves);
+        NodeReport& report = state.node_reports[static_cast<std::size_t>(tile)];
+        report = now.stages.update_nodes(NodeRange(tile, state.order.grid(), state.nodes), now.nodes, now.laws.friction,
+                                         state.bed_states.data(), state.time, state.nodes, now.maxima);
+        active.record_motion(tile, report.moves);
     });
     for (const std::int64_t tile : state.order.node_tiles())
-        now.report.nodes.merge(state.nodes_seen[static_cast<std::size_t>(tile)]);
+        now.report.nodes.merge(state.node_reports[static_cast<std::size_t>(tile)]);
     state.nodes.phase = NodePhase::motion;
     active.put_back(state.nodes);
     if (now.laws.wall) mirror_velocities(state.nodes);
@@ -179,14 +179,14 @@ void nodes_to_particles(Step& now) {
                           laws.gravity * now.kick};
     if (shifts_now(state, now.stages)) update.shift = k_shift;
     const auto& tiles = state.order.tiles();
-    for (const ParticleTile& tile : tiles) state.particles_seen[static_cast<std::size_t>(tile.tile)].longest = 0;
+    for (const ParticleTile& tile : tiles) state.particle_reports[static_cast<std::size_t>(tile.tile)].longest = 0;
     now.pool.for_each(state.active.moved().size(), [&](std::size_t i) {
         const ParticleTile& tile = tiles[state.active.moved()[i]];
-        state.particles_seen[static_cast<std::size_t>(tile.tile)] =
+        state.particle_reports[static_cast<std::size_t>(tile.tile)] =
             now.stages.nodes_to_particles(tile, update, laws.stress, state.nodes, state.particles);
     });
     for (const ParticleTile& tile : tiles)
-        now.report.particles.merge(state.particles_seen[static_cast<std::size_t>(tile.tile)]);
+        now.report.particles.merge(state.particle_reports[static_cast<std::size_t>(tile.tile)]);
     if (now.exchanges()) slow_down(state, now.pool);
     now.watch.ends(Stage::nodes_to_particles);
 }
@@ -196,7 +196,7 @@ void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, Maxim
     state.active.choose(state.order, false);
     particles_to_nodes(now);
     reference_levels(now);
-    state.active.wake(state.order);
+    state.active.activate(state.order);
 }
 
 }  // namespace frana::voellmy_bingham

@@ -143,9 +143,9 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
                 const Quad wy(weight_y[b][k]), gy(slope_y[b][k]);
                 const Quad reference = reference_depth(Quad::load(local.ponding + i), Quad::load(local.level + i),
                                                        Quad::load(local.thickness + i), z);
-                const Quad held = Quad::load(local.support + i) * reference;
+                const Quad supported = Quad::load(local.support + i) * reference;
                 const auto [force_x, force_y] =
-                    push_on_node<true, Stress, Quad>(push, held, reference, wx * wy, gx * wy, wx * gy);
+                    push_on_node<true, Stress, Quad>(push, supported, reference, wx * wy, gx * wy, wx * gy);
                 (Quad::load(local.fx + i) + force_x).store(local.fx + i);
                 (Quad::load(local.fy + i) + force_y).store(local.fy + i);
             }

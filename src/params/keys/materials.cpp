@@ -25,14 +25,14 @@ std::vector<std::string> comments_of(const std::filesystem::path& path) {
 
 std::vector<MaterialPreset> material_presets(const std::string& directory) {
     namespace fs = std::filesystem;
-    std::error_code failure;
+    std::error_code error;
     std::vector<MaterialPreset> presets;
-    for (const fs::directory_entry& entry : fs::directory_iterator(directory, failure)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(directory, error)) {
         if (entry.path().extension() != ".ini") continue;
         presets.push_back({entry.path().stem().string(), entry.path().string(), comments_of(entry.path()),
                            read_ini(entry.path().string())});
     }
-    if (failure)
+    if (error)
         throw Error(ErrorKind::environment, Problem{"the folder of material presets cannot be read", directory, "", "",
                                                     "Set FRANA_SHARE to frana's share folder"});
     std::sort(presets.begin(), presets.end(), [](const auto& a, const auto& b) { return a.name < b.name; });

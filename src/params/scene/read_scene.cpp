@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Entries of one source; a later layer overrides an earlier one.
-struct Layer {
+struct Source {
     Origin origin;
     std::string file;  ///< for messages; empty: the command line
     std::vector<IniEntry> entries;
@@ -40,14 +40,14 @@ class Reader {
     Reader(SceneReading& reading, std::string directory)
         : reading_(reading), directory_(std::move(directory)), parameters_(scene_parameters()) {}
 
-    void apply(Layer layer);
+    void apply(Source source);
     /// Forgets what a preset gave for laws that the scene does not ask for.
     void drop_unread_of_preset();
     [[nodiscard]] const std::set<std::string>& given() const { return given_; }
 
   private:
-    void apply(const Layer& layer, const IniEntry& entry);
-    void use_present_names(Layer& layer);
+    void apply(const Source& source, const IniEntry& entry);
+    void use_present_names(Source& source);
     void make_paths_absolute(const Parameter& parameter, const std::string& where);
 
     SceneReading& reading_;
@@ -56,41 +56,41 @@ class Reader {
     std::set<std::string> given_;  ///< by the preset, the file or the command line, rightly or wrongly
 };
 
-void Reader::use_present_names(Layer& layer) {
-    for (IniEntry& entry : layer.entries) {
+void Reader::use_present_names(Source& source) {
+    for (IniEntry& entry : source.entries) {
         const std::string now = present_name(entry.name);
         if (now == entry.name) continue;
-        reading_.warnings.push_back(layer.where(entry.name) + " is now called " + now +
+        reading_.warnings.push_back(source.where(entry.name) + " is now called " + now +
                                     ": a later version will refuse the former name");
         entry.name = now;
     }
 }
 
-void Reader::apply(Layer layer) {
-    use_present_names(layer);
+void Reader::apply(Source source) {
+    use_present_names(source);
     static const std::string k_angle = "material.friction-angle", k_coefficient = "material.friction-coefficient";
-    if (layer.has(k_angle) && layer.has(k_coefficient)) {
+    if (source.has(k_angle) && source.has(k_coefficient)) {
         reading_.problems.add({"contradicts material.friction-coefficient: both give the bed friction",
-                               layer.where(k_angle), "", "", "Keep one of the two"});
+                               source.where(k_angle), "", "", "Keep one of the two"});
     }
     // The two are one quantity: what a later layer says replaces what an earlier one said under the other
     // name.
-    if (layer.has(k_angle)) reading_.scene.material.friction_coefficient.reset();
-    if (layer.has(k_coefficient)) reading_.scene.material.friction_angle.reset();
+    if (source.has(k_angle)) reading_.scene.material.friction_coefficient.reset();
+    if (source.has(k_coefficient)) reading_.scene.material.friction_angle.reset();
 
     std::set<std::string> seen;
-    for (const IniEntry& entry : layer.entries) {
+    for (const IniEntry& entry : source.entries) {
         if (!seen.insert(entry.name).second) {
             reading_.problems.add(
-                {"is given more than once", layer.where(entry.name), entry.value, "", "Keep one of the lines"});
+                {"is given more than once", source.where(entry.name), entry.value, "", "Keep one of the lines"});
             continue;
         }
-        apply(layer, entry);
+        apply(source, entry);
     }
 }
 
-void Reader::apply(const Layer& layer, const IniEntry& entry) {
-    const std::string where = layer.where(entry.name);
+void Reader::apply(const Source& source, const IniEntry& entry) {
+    const std::string where = source.where(entry.name);
     const Parameter* const parameter = find_parameter(parameters_, entry.name);
     if (parameter == nullptr) {
         const std::string nearest = nearest_name(entry.name, names_of(parameters_));
@@ -99,7 +99,7 @@ void Reader::apply(const Layer& layer, const IniEntry& entry) {
         return;
     }
     given_.insert(entry.name);
-    if (layer.origin == Origin::preset && parameter->section != "material") {
+    if (source.origin == Origin::preset && parameter->section != "material") {
         reading_.problems.add({"a material preset may set only [material]", where, entry.value, "", "Remove the key"});
         return;
     }
@@ -113,7 +113,7 @@ void Reader::apply(const Layer& layer, const IniEntry& entry) {
         reading_.problems.add({refusal->what, where, entry.value, parameter->limits + unit, refusal->remedy});
         return;
     }
-    reading_.scene.origins[entry.name] = layer.origin;
+    reading_.scene.origins[entry.name] = source.origin;
     make_paths_absolute(*parameter, where);
 }
 
@@ -155,36 +155,36 @@ void Reader::make_paths_absolute(const Parameter& parameter, const std::string& 
 }
 
 /// The preset a scene names, the command line before the file; none: not named.
-std::optional<std::pair<std::string, std::string>> preset_of(const Layer& file, const Layer& command_line) {
-    for (const Layer* layer : {&command_line, &file})
-        for (const IniEntry& entry : layer->entries)
+std::optional<std::pair<std::string, std::string>> preset_of(const Source& file, const Source& command_line) {
+    for (const Source* source : {&command_line, &file})
+        for (const IniEntry& entry : source->entries)
             if (entry.name == "material.preset" && !entry.value.empty())
-                return std::pair{entry.value, layer->where(entry.name)};
+                return std::pair{entry.value, source->where(entry.name)};
     return std::nullopt;
 }
 
-std::optional<Layer> preset_layer(const std::string& name, const std::string& where, const std::string& directory,
-                                  Problems& problems) {
+std::optional<Source> preset_source(const std::string& name, const std::string& where, const std::string& directory,
+                                    Problems& problems) {
     std::vector<std::string> names;
     for (const MaterialPreset& preset : material_presets(directory)) {
-        if (preset.name == name) return Layer{Origin::preset, preset.file, preset.entries};
+        if (preset.name == name) return Source{Origin::preset, preset.file, preset.entries};
         names.push_back(preset.name);
     }
     problems.add({"is not a material preset", where, name, joined(names, ", "), "`frana materials` prints them"});
     return std::nullopt;
 }
 
-Layer command_line_layer(const std::vector<std::string>& overrides, Problems& problems) {
-    Layer layer{Origin::command_line, "", {}};
+Source command_line_source(const std::vector<std::string>& overrides, Problems& problems) {
+    Source source{Origin::command_line, "", {}};
     for (const std::string& text : overrides) {
         const auto equals = text.find('=');
         if (equals == std::string::npos) {
             problems.add({"is not section.key=value", "--set " + text, "", "", "Write for example --set time.end=60"});
             continue;
         }
-        layer.entries.push_back({trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))});
+        source.entries.push_back({trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))});
     }
-    return layer;
+    return source;
 }
 
 }  // namespace
@@ -220,12 +220,12 @@ SceneReading read_scene(const std::string& path, const std::vector<std::string>&
                                               shown(path), shown(reading.scene.file), "", "Rename the file or folder"});
     }
 
-    const Layer file{Origin::scene_file, path, read_ini(path)};
-    const Layer command_line = command_line_layer(overrides, reading.problems);
+    const Source file{Origin::scene_file, path, read_ini(path)};
+    const Source command_line = command_line_source(overrides, reading.problems);
     Reader reader(reading, absolute.parent_path().string());
     if (const auto preset = preset_of(file, command_line)) {
-        const auto layer = preset_layer(preset->first, preset->second, materials_directory, reading.problems);
-        if (layer) reader.apply(*layer);
+        const auto source = preset_source(preset->first, preset->second, materials_directory, reading.problems);
+        if (source) reader.apply(*source);
     }
     reader.apply(file);
     reader.apply(command_line);

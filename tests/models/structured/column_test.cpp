@@ -78,8 +78,8 @@ TEST(Thrust, OfColumns) {
         State state = c.start(flat(50, 50, 2), pool);
         ParticleSet& p = state.solid->particles;
         if (p[Field::divergence] != nullptr) p[Field::divergence][0] = divergence;
-        return cohesion > 0 ? column_state<SolidKind<true, false>>(c.laws.solid, p, 0).thrust
-                            : column_state<SolidKind<false, false>>(c.laws.solid, p, 0).thrust;
+        return cohesion > 0 ? particle_load<SolidKind<true, false>>(c.laws.solid, p, 0).thrust
+                            : particle_load<SolidKind<false, false>>(c.laws.solid, p, 0).thrust;
     };
     EXPECT_NEAR(thrust(0, EarthPressure::active, 0), k_a * savage_hutter, 1e-9 * load);
     EXPECT_EQ(thrust(1e6, EarthPressure::active, 0), 0);

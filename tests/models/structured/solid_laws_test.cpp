@@ -125,7 +125,7 @@ struct Update {
     [[nodiscard]] DruckerPrager strength() const { return DruckerPrager::of(friction, column.cohesion); }
 
     SolidLaws laws;
-    ColumnState column;
+    ParticleLoad column;
     double friction = std::tan(28 * k_degree);
 };
 
@@ -232,7 +232,7 @@ TEST(StressUpdate, TheGeostaticStateIsInsideForEveryCohesion) {
     for (const double degrees : {5.0, 28.0, 45.0, 59.0}) {
         for (const double cohesion : {0.0, 1e-6, 1.0, 1e3, 2e4, 1e6}) {
             for (const double depth : {1e-3, 0.7, 8.0, 300.0}) {
-                ColumnState column;
+                ParticleLoad column;
                 const double friction = std::tan(degrees * k_degree);
                 column.depth = depth;
                 column.cohesion = cohesion;

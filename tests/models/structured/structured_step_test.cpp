@@ -113,7 +113,7 @@ TEST(StructuredStep, SameBitsForAnyNumberOfThreads) {
     }
 }
 
-// What rests is not computed anew, and that takes not a bit off anything: a block that slides towards two at rest, one
+// What rests is not computed again, and that takes not a bit off anything: a block that slides towards two at rest, one
 // of which it hits, with water on part of them.
 TEST(StructuredStep, WhatRestsSleepsToTheSameBits) {
     ThreadPool pool(1);

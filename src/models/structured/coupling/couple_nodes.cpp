@@ -53,7 +53,7 @@ Point with_fluid(std::size_t n, double dt, const NodeGrid& grid, double gravity,
     cell.coupled_velocity = {sums.px / sums.mass, sums.py / sums.mass};
     cell.free_velocity = {fluid.now.qx[n] / cell.free, fluid.now.qy[n] / cell.free};
     cell.push = {push.x, push.y};
-    cell.free_push = {fluid.held_x[n] / dt - weight * surface.x, fluid.held_y[n] / dt - weight * surface.y};
+    cell.free_push = {fluid.resistance_x[n] / dt - weight * surface.x, fluid.resistance_y[n] / dt - weight * surface.y};
     const Eigen::Vector2d impulse = exchange(laws, cell, dt);
     fluid.now.qx[n] -= impulse.x() / laws.drag.fluid.density;
     fluid.now.qy[n] -= impulse.y() / laws.drag.fluid.density;

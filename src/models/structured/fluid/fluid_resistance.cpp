@@ -33,8 +33,8 @@ void resist(const NodeRange& range, const NodeGrid& nodes, const FluidLaws& laws
         if (h < laws.dry || state.cell_kind[cell] != k_fluid_cell) return;
         double u = fields.qx[cell] / h, v = fields.qy[cell] / h;
         const double solids = solid.solid_fraction != nullptr ? solid.solid_fraction[cell] : 0;
-        const double held = solid.depth != nullptr ? solid.depth[cell] : 0;
-        const double total = h + held;
+        const double solid_depth = solid.depth != nullptr ? solid.depth[cell] : 0;
+        const double total = h + solid_depth;
         // Linear: viscous shear at the bed, damping towards the solids' velocity.
         double linear = 0, pull_u = 0, pull_v = 0;
         if (laws.viscosity > 0) {

@@ -71,7 +71,7 @@ struct FluidState {
     double volume_into_gaps = 0;      ///< of which into cells without terrain [m3]
 
     /// What stress and resistance changed the velocity by in the last advance [m/s]; only where solids are.
-    ZeroArray<double> held_x, held_y;
+    ZeroArray<double> resistance_x, resistance_y;
 
     // Kept by fluid_step.cpp.
     std::vector<std::int64_t> touched;    ///< tiles that were ever in `tiles`; ascending
@@ -100,8 +100,8 @@ void serialise(Archive& archive, FluidFields& fields) {
 /// All but what set_ground and advance make.
 template <class Archive>
 void serialise(Archive& archive, FluidState& state) {
-    [[maybe_unused]] auto& [now, grid, tiles, volume_left, volume_into_gaps, held_x, held_y, touched, stage, next, wet,
-                            cell_kind, slope_factor] = state;
+    [[maybe_unused]] auto& [now, grid, tiles, volume_left, volume_into_gaps, resistance_x, resistance_y, touched, stage,
+                            next, wet, cell_kind, slope_factor] = state;
     archive(now, tiles, volume_left, volume_into_gaps, touched, stage, next, wet);
 }
 
@@ -111,7 +111,7 @@ enum CellKind : std::uint8_t { k_fluid_cell = 0, k_wall_cell = 1, k_open_cell = 
 /// What an advance did.
 struct FluidReport {
     int steps = 0;                   ///< Heun steps it took
-    int retries = 0;                 ///< of which taken anew at half length, because a depth would have been negative
+    int retries = 0;                 ///< of which taken again at half length, because a depth would have been negative
     std::int64_t non_finite = 0;     ///< cells
     std::int64_t wet_cells = 0;      ///< deeper than the dry depth, at the end
     std::int64_t updated_cells = 0;  ///< cells times steps: what the work follows

@@ -75,24 +75,24 @@ TileReport run_stage(FluidState& state, const NodeGrid& nodes, const FluidLaws& 
 }
 
 // Adds the velocity where solids lie to what stress and resistance have changed it by, before them with a sign of -1.
-void hold(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidsOnGrid& solid, double sign,
-          ThreadPool& pool) {
+void add_resistance(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, const SolidsOnGrid& solid,
+                    double sign, ThreadPool& pool) {
     for_tiles(state, nodes, pool, [&](std::size_t, const NodeRange& range) {
         range.for_each(nodes.stride(), [&](std::size_t cell, std::int64_t, std::int64_t) {
             const double h = state.next.depth[cell];
             if (!(solid.depth[cell] > 0 && h >= laws.dry)) return;
-            state.held_x[cell] += sign * state.next.qx[cell] / h;
-            state.held_y[cell] += sign * state.next.qy[cell] / h;
+            state.resistance_x[cell] += sign * state.next.qx[cell] / h;
+            state.resistance_y[cell] += sign * state.next.qy[cell] / h;
         });
     });
 }
 
-void forget_held(FluidState& state, const NodeGrid& nodes, ThreadPool& pool) {
-    if (state.held_x.size() == 0) return;
+void clear_resistance(FluidState& state, const NodeGrid& nodes, ThreadPool& pool) {
+    if (state.resistance_x.size() == 0) return;
     pool.for_each(state.touched.size(), [&](std::size_t t) {
         const NodeRange range(state.touched[t], state.grid, nodes);
         range.for_each(nodes.stride(), [&](std::size_t cell, std::int64_t, std::int64_t) {
-            state.held_x[cell] = state.held_y[cell] = 0;
+            state.resistance_x[cell] = state.resistance_y[cell] = 0;
         });
     });
 }
@@ -113,8 +113,8 @@ bool try_step(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, c
         into_gaps = 0.5 * (into_gaps + done.into_gaps);
     }
     // Stress in the plane, then resistance of the bed.
-    const bool told = state.held_x.size() > 0 && solid.depth != nullptr && has_resistance(laws);
-    if (told) hold(state, nodes, laws, solid, -1, pool);
+    const bool coupled = state.resistance_x.size() > 0 && solid.depth != nullptr && has_resistance(laws);
+    if (coupled) add_resistance(state, nodes, laws, solid, -1, pool);
     if (has_viscosity(laws)) {
         for_tiles(state, nodes, pool, [&](std::size_t, const NodeRange& range) {
             shear(range, nodes, laws, state, solid, dt, state.next, state.stage);
@@ -127,7 +127,7 @@ bool try_step(FluidState& state, const NodeGrid& nodes, const FluidLaws& laws, c
             resist(range, nodes, laws, state, solid, dt, state.next);
         });
     }
-    if (told) hold(state, nodes, laws, solid, 1, pool);
+    if (coupled) add_resistance(state, nodes, laws, solid, 1, pool);
     std::swap(state.now, state.next);
     state.volume_left += dt * left;
     state.volume_into_gaps += dt * into_gaps;
@@ -220,8 +220,8 @@ double stable_step(const FluidState& state, const NodeGrid& nodes, const FluidLa
             fastest[t] = std::max(fastest[t], speed + 2 * std::sqrt(laws.gravity * h));
             if (!viscous) return;
             const double solids = solid.solid_fraction != nullptr ? solid.solid_fraction[cell] : 0;
-            const double held = solid.depth != nullptr ? solid.depth[cell] : 0;
-            const double free_fraction = std::max(h / (h + held), k_least_free_fraction);
+            const double solid_depth = solid.depth != nullptr ? solid.depth[cell] : 0;
+            const double free_fraction = std::max(h / (h + solid_depth), k_least_free_fraction);
             const double enhanced = solid.u != nullptr ? laws.mobility / free_fraction : 0;
             thickest[t] = std::max(thickest[t], kinematic_viscosity(laws, solids) * std::max(1.0, enhanced));
         });
@@ -241,7 +241,7 @@ FluidReport advance(FluidState& state, const NodeGrid& nodes, const FluidLaws& l
     constexpr double k_least_fraction = 1e-6;  // of a step in a stable one: what is faster will not come to an end
     constexpr int k_most_retries = 40;         // of one step, each at half the length
     FluidReport report;
-    forget_held(state, nodes, pool);
+    clear_resistance(state, nodes, pool);
     double left = dt;
     while (left > 0 && report.non_finite == 0) {
         activate_tiles(state, nodes);

@@ -36,7 +36,7 @@ inline constexpr FieldMask solid_fields(bool cohesive, bool wet) {
 }
 
 /// A particle's column: mass, depth, load on the bed, thrust on its neighbours.
-struct ColumnState {
+struct ParticleLoad {
     double mass = 0;        ///< [kg]
     double depth = 0;       ///< [m]
     double cohesion = 0;    ///< present [Pa]
@@ -48,12 +48,12 @@ struct ColumnState {
 /// Reads volume, area, confined, submergence, cohesion, cohesion_ratio, friction, grain_density and, for passive
 /// thrust, divergence of particle p.
 template <class Kind>
-ColumnState column_state(const SolidLaws& laws, const ParticleSet& particles, std::size_t p) noexcept {
+ParticleLoad particle_load(const SolidLaws& laws, const ParticleSet& particles, std::size_t p) noexcept {
     constexpr double k_broken_from = 0.05;  // cohesion ratio
     const double solids = particles[Field::volume][p], inverse_area = 1 / particles[Field::area][p];
     const double grain_density = particles[Field::grain_density][p], friction = particles[Field::friction][p];
     double confined = 0, submerged = 0, ratio = 0;
-    ColumnState s;
+    ParticleLoad s;
     if constexpr (Kind::wet) {
         confined = particles[Field::confined][p];
         submerged = particles[Field::submergence][p];
@@ -78,7 +78,7 @@ ColumnState column_state(const SolidLaws& laws, const ParticleSet& particles, st
 }
 
 /// Whether a column carries no stress but its earth pressure.
-inline bool flows_freely(const SolidLaws& laws, const ColumnState& column) noexcept {
+inline bool flows_freely(const SolidLaws& laws, const ParticleLoad& column) noexcept {
     return laws.broken == BrokenMaterial::earth_pressure && !(column.cohesion > 0);
 }
 

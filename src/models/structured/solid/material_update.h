@@ -12,7 +12,7 @@ namespace frana::structured {
 /// what the particle carries together with the geostatic stress, -diag(p, p, N / 2). That vertical stress stays as the
 /// weight gives it, so the particle's own is zero. p is the column's thrust over its depth or, where that is less than
 /// the strength asks for with both sides giving way, the strength's active pressure: the state at rest never yields.
-inline Returned next_stress(const SolidLaws& laws, const ColumnState& column, double friction,
+inline Returned next_stress(const SolidLaws& laws, const ParticleLoad& column, double friction,
                             const VelocityGradient& l, double dt, Stress stress) noexcept {
     const auto strength = DruckerPrager::of(friction, column.cohesion);
     const Stress trial = rotated(stress, dt * l.spin()) + laws.elastic.increment(l, dt);
@@ -34,7 +34,7 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, Particle
         const VelocityGradient l{w[PairWork::l_xx][p], w[PairWork::l_xy][p], w[PairWork::l_yx][p],
                                  w[PairWork::l_yy][p]};
         if (laws.earth_pressure == EarthPressure::passive) particles[Field::divergence][p] = l.divergence();
-        const ColumnState column = column_state<Kind>(laws, particles, p);
+        const ParticleLoad column = particle_load<Kind>(laws, particles, p);
         const bool flows = flows_freely(laws, column);
         const Stress old{particles[Field::t_xx][p], particles[Field::t_yy][p], particles[Field::t_zz][p],
                          particles[Field::t_xy][p]};
@@ -58,8 +58,8 @@ void update_material(ParticleRun run, double dt, const SolidLaws& laws, Particle
                 particles[Field::cohesion_ratio][p] = after;
                 if constexpr (Kind::wet) {
                     // It goes with the particle until the step is done: the nodes' push was for both.
-                    const double held = particles[Field::confined][p] - particles[Field::released][p];
-                    particles[Field::released][p] += held * (1 - after / before);
+                    const double confined = particles[Field::confined][p] - particles[Field::released][p];
+                    particles[Field::released][p] += confined * (1 - after / before);
                 }
             }
         }

@@ -83,8 +83,8 @@ inline SolidReport move_particles(ParticleRun run, double dt, const Obstacles& o
         report.non_finite += finite ? 0 : 1;
         // Whatever the length of the next substep, rounding included.
         constexpr double k_margin = 1e-9;
-        const double hold = (1 - k_margin) * w[PairWork::resistance][p];
-        report.rests = report.rests && speed2 == 0 && ax * ax + ay * ay <= hold * hold;
+        const double static_limit = (1 - k_margin) * w[PairWork::resistance][p];
+        report.rests = report.rests && speed2 == 0 && ax * ax + ay * ay <= static_limit * static_limit;
     }
     return report;
 }

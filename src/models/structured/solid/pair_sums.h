@@ -21,10 +21,10 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
     constexpr double k_least_determinant = 0.01, k_least_of_trace = 0.05;
     const double length = kernel.length(), scale = kernel.value(0) / (length * length);
     const Quad inverse(1 / length), reach2(4 * length * length);
-    const std::uint8_t* const asleep = w.asleep.empty() ? nullptr : w.asleep.data() + row * order.columns();
+    const std::uint8_t* const resting = w.resting.empty() ? nullptr : w.resting.data() + row * order.columns();
     for (std::int64_t column = 0; column < order.columns(); ++column) {
         const ParticleRun own = order.cell(row, column);
-        if (own.begin == own.end || (asleep != nullptr && asleep[column] != 0)) continue;
+        if (own.begin == own.end || (resting != nullptr && resting[column] != 0)) continue;
         const auto runs = order.around(row, column);
         for (std::size_t i = own.begin; i < own.end; ++i) {
             const Quad x(w[PairWork::x][i]), y(w[PairWork::y][i]), u(w[PairWork::u][i]), v(w[PairWork::v][i]);
@@ -83,10 +83,10 @@ double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& 
     const Quad softening(ArtificialViscosity::k_softening * length * length);
     const Quad linear(0.5 * laws.viscosity.linear), quadratic(laws.viscosity.quadratic);
     Quad least(0.0);
-    const std::uint8_t* const asleep = w.asleep.empty() ? nullptr : w.asleep.data() + row * order.columns();
+    const std::uint8_t* const resting = w.resting.empty() ? nullptr : w.resting.data() + row * order.columns();
     for (std::int64_t column = 0; column < order.columns(); ++column) {
         const ParticleRun own = order.cell(row, column);
-        if (own.begin == own.end || (asleep != nullptr && asleep[column] != 0)) continue;
+        if (own.begin == own.end || (resting != nullptr && resting[column] != 0)) continue;
         const auto runs = order.around(row, column);
         for (std::size_t i = own.begin; i < own.end; ++i) {
             const Quad x(w[PairWork::x][i]), y(w[PairWork::y][i]), u(w[PairWork::u][i]), v(w[PairWork::v][i]);

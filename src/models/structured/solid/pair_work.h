@@ -49,12 +49,12 @@ struct PairWork {
     std::array<std::vector<double>, count> arrays;
     /// By cell of the order, row by row: nothing there changes in this substep (rest.h); empty: everywhere something
     /// may.
-    std::vector<std::uint8_t> asleep;
+    std::vector<std::uint8_t> resting;
 };
 
 template <class Archive>
 void serialise(Archive& archive, PairWork& work) {
-    [[maybe_unused]] auto& [arrays, asleep] = work;
+    [[maybe_unused]] auto& [arrays, resting] = work;
     archive(arrays);
 }
 

@@ -79,7 +79,7 @@ ParticleSet place_by_depth(const Raster& solid_depth, const Raster& confined_dep
     return particles;
 }
 
-ParticleSet place_anew(const ParticleSet& placed, const GridSpec& grid, int per_column) {
+ParticleSet place_again(const ParticleSet& placed, const GridSpec& grid, int per_column) {
     Raster solids(grid, 0), confined(grid, 0), u(grid, 0), v(grid, 0);
     const auto index = [&](double x, double y) {
         const auto cell = [&](double place, std::int64_t origin, std::int64_t count) {
@@ -114,7 +114,7 @@ ParticleSet split_phases(const ParticleSet& columns, const std::function<SolidMa
         const SolidMaterial m = material({get(r, Field::x), get(r, Field::y)});
         if (!(m.solid_fraction > 0)) continue;
         get(r, Field::volume) = m.solid_fraction * whole;
-        get(r, Field::confined) = m.held() * whole;
+        get(r, Field::confined) = m.confined_fluid() * whole;
         particles.push_back(r);
     }
     return particles;

@@ -22,9 +22,9 @@ Point r2_point(std::int64_t n);
 /// @param per_column particles in the cell that holds most solids
 ParticleSet place_by_depth(const Raster& solid_depth, const Raster& confined_depth, int per_column);
 
-/// Solids placed on a lattice (fields volume, confined, area, u, v) laid out anew by place_by_depth: the same
+/// Solids placed on a lattice (fields volume, confined, area, u, v) laid out again by place_by_depth: the same
 /// volumes in each cell but for what it passes on, and the mean velocity there.
-ParticleSet place_anew(const ParticleSet& placed, const GridSpec& grid, int per_column);
+ParticleSet place_again(const ParticleSet& placed, const GridSpec& grid, int per_column);
 
 /// What the solids of a scene are made of at a place.
 struct SolidMaterial {
@@ -38,10 +38,10 @@ struct SolidMaterial {
 
     /// Fraction of the whole volume that is confined fluid, and that is free fluid. Without cohesion nothing is
     /// held.
-    [[nodiscard]] double held() const noexcept {
+    [[nodiscard]] double confined_fluid() const noexcept {
         return solid_fraction > 0 && cohesion > 0 ? (1 - solid_fraction) * confined_fraction : 0;
     }
-    [[nodiscard]] double free() const noexcept { return 1 - solid_fraction - held(); }
+    [[nodiscard]] double free() const noexcept { return 1 - solid_fraction - confined_fluid(); }
 };
 
 /// Splits columns of whole thickness (fields volume, area) into solids and confined fluid: volume becomes

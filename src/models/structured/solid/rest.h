@@ -29,7 +29,7 @@ class Rest {
         const auto cells = static_cast<std::size_t>(rows_ * columns_);
         before_.assign(cells, 1);
         now_.assign(cells, 0);
-        seen_.assign(cells, SolidReport{});
+        reports_.assign(cells, SolidReport{});
         for (std::int64_t row = 0; row < rows_; ++row) {
             for (std::int64_t column = 0; column < columns_; ++column) {
                 const ParticleRun run = order.cell(row, column);
@@ -37,18 +37,18 @@ class Rest {
                     if (work[PairWork::u][p] != 0 || work[PairWork::v][p] != 0) before_[index(row, column)] = 0;
             }
         }
-        work.asleep.clear();
+        work.resting.clear();
     }
-    [[nodiscard]] static bool asleep(const PairWork& work, std::size_t cell) noexcept {
-        return !work.asleep.empty() && work.asleep[cell] != 0;
+    [[nodiscard]] static bool resting(const PairWork& work, std::size_t cell) noexcept {
+        return !work.resting.empty() && work.resting[cell] != 0;
     }
     [[nodiscard]] std::size_t index(std::int64_t row, std::int64_t column) const noexcept {
         return static_cast<std::size_t>(row * columns_ + column);
     }
     /// What a cell showed when it was last awake.
-    [[nodiscard]] const SolidReport& seen(std::size_t cell) const noexcept { return seen_[cell]; }
-    void see(std::size_t cell, const SolidReport& report) {
-        seen_[cell] = report;
+    [[nodiscard]] const SolidReport& seen(std::size_t cell) const noexcept { return reports_[cell]; }
+    void record(std::size_t cell, const SolidReport& report) {
+        reports_[cell] = report;
         now_[cell] = report.rests;
     }
     /// After a substep: who sleeps in the next.
@@ -57,9 +57,9 @@ class Rest {
         for (std::size_t c = 0; c < now_.size(); ++c) both_[c] = now_[c] & before_[c];
         before_ = now_;
         along_.assign(now_.size(), 1);
-        work.asleep.assign(now_.size(), 1);
+        work.resting.assign(now_.size(), 1);
         erode(both_, along_, columns_, 1);
-        erode(along_, work.asleep, rows_, columns_);
+        erode(along_, work.resting, rows_, columns_);
     }
 
   private:
@@ -82,7 +82,7 @@ class Rest {
 
     std::int64_t rows_ = 0, columns_ = 0;
     std::vector<std::uint8_t> now_, before_, both_, along_;
-    std::vector<SolidReport> seen_;
+    std::vector<SolidReport> reports_;
 };
 
 }  // namespace frana::structured

@@ -45,7 +45,7 @@ struct SolidLaws {
     ArtificialViscosity viscosity;
     double artificial_stress = 0.5;
     double elastic_cfl = 0.25;  ///< fraction of the smoothing length that elastic waves cross in a substep
-    bool sleeps = true;         ///< what rests is not computed anew; false, for tests: it is, to the same bits
+    bool sleeps = true;         ///< what rests is not computed again; false, for tests: it is, to the same bits
     double pic_fraction = 0;    ///< of the grid's velocity that particles take over in a step
 };
 

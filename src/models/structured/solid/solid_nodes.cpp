@@ -41,8 +41,8 @@ void SolidNodes::clear(const NodeBox& where, std::int64_t stride, ThreadPool& po
         const auto count = static_cast<std::size_t>(where.i1 - where.i0);
         std::fill_n(sums.data() + begin, count, SolidSums{});
         if (coupling.size() > 0) std::fill_n(coupling.data() + begin, count, CouplingSums{});
-        for (ZeroArray<double>* layer : {&depth, &u, &v, &solid_fraction, &structured})
-            std::fill_n(layer->data() + begin, count, 0.0);
+        for (ZeroArray<double>* field : {&depth, &u, &v, &solid_fraction, &structured})
+            std::fill_n(field->data() + begin, count, 0.0);
     });
 }
 

@@ -29,7 +29,7 @@ class Substeps {
         : state_(state), stages_(stages), laws_(laws), grid_(grid), obstacles_(obstacles), pool_(pool) {
         rest_.begin(state_.order, state_.work);
     }
-    ~Substeps() { state_.work.asleep.clear(); }
+    ~Substeps() { state_.work.resting.clear(); }
     Substeps(const Substeps&) = delete;
     Substeps& operator=(const Substeps&) = delete;
 
@@ -64,12 +64,12 @@ class Substeps {
                 const std::size_t cell = rest_.index(row, column);
                 const ParticleRun run = state_.order.cell(row, column);
                 if (run.begin == run.end)
-                    rest_.see(cell, {});
-                else if (Rest::asleep(state_.work, cell))
+                    rest_.record(cell, {});
+                else if (Rest::resting(state_.work, cell))
                     report.slept += static_cast<std::int64_t>(run.end - run.begin);
                 else
-                    rest_.see(cell,
-                              move_particles(run, dt, obstacles_, widest_, state_.mean, state_.particles, state_.work));
+                    rest_.record(
+                        cell, move_particles(run, dt, obstacles_, widest_, state_.mean, state_.particles, state_.work));
                 report.merge(rest_.seen(cell));
             }
             return report;
@@ -84,11 +84,11 @@ class Substeps {
     // Runs of awake cells of a row.
     template <class Task>
     void over_awake(std::int64_t row, const Task& task) const {
-        const auto asleep = [&](std::int64_t column) { return Rest::asleep(state_.work, rest_.index(row, column)); };
+        const auto resting = [&](std::int64_t column) { return Rest::resting(state_.work, rest_.index(row, column)); };
         for (std::int64_t column = 0; column < state_.order.columns(); ++column) {
-            if (asleep(column)) continue;
+            if (resting(column)) continue;
             ParticleRun run = state_.order.cell(row, column);
-            while (column + 1 < state_.order.columns() && !asleep(column + 1))
+            while (column + 1 < state_.order.columns() && !resting(column + 1))
                 run.end = state_.order.cell(row, ++column).end;
             if (run.begin < run.end) task(run);
         }

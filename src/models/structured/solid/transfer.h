@@ -16,7 +16,7 @@ void solids_to_nodes(ParticleRun run, const SolidLaws& laws, const ParticleSet& 
     for (std::size_t p = run.begin; p < run.end; ++p) {
         const CubicStencil stencil(particles[Field::x][p], particles[Field::y][p], grid, nodes);
         if (!stencil.any) continue;
-        const ColumnState column = column_state<Kind>(laws, particles, p);
+        const ParticleLoad column = particle_load<Kind>(laws, particles, p);
         const double u = particles[Field::u][p], v = particles[Field::v][p], area = particles[Field::area][p];
         const double solids = particles[Field::volume][p], push = area * column.thrust;
         const double friction = Kind::wet ? area * column.load * particles[Field::bed_friction][p] : 0;
@@ -80,7 +80,7 @@ void nodes_to_solids(ParticleRun run, const SolidLaws& laws, double dt, const No
         particles[Field::push_y][p] = ay;
         particles[Field::flatness][p] = stencil.any ? flatness : 1;
         if constexpr (Kind::wet) particles[Field::submergence][p] = submergence;
-        const ColumnState column = column_state<Kind>(laws, particles, p);
+        const ParticleLoad column = particle_load<Kind>(laws, particles, p);
         if (!(depth > 0) || !flows_freely(laws, column)) continue;
         const double speed = std::hypot(particles[Field::u][p], particles[Field::v][p]);
         const double fraction = std::min(1.0, dt * (speed + std::sqrt(laws.gravity * depth)) / grid.cell_size());

@@ -127,7 +127,7 @@ TEST(FluidStep, WorkFollowsTheWetCells) {
     EXPECT_LT(b.updated_cells, b.steps * 1024 * 1024 / 100);
 }
 
-// Tiles wake and fall asleep as water passes; a map of one tile's width more must not change what happens.
+// Tiles wake and fall at rest as water passes; a map of one tile's width more must not change what happens.
 TEST(FluidStep, TilesDoNotShow) {
     const auto depths = [](double shift) {
         FluidLaws laws = still_laws();

@@ -29,7 +29,7 @@ enum class End { written, refused, untouched, not_traced };
 
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 // Lets another process write the raster, of which the `failing`-th write fails; untouched: it made fewer. It begins
-// anew: GDAL's threads do not outlive a fork.
+// again: GDAL's threads do not outlive a fork.
 End write_with_error(int failing, const std::string& path) {
     const pid_t child = ::fork();
     if (child == 0) {

@@ -52,7 +52,7 @@ bool finite_or_no_data(const Raster& raster) {
 
 class AnyMaterial : public testing::TestWithParam<Of> {};
 
-TEST_P(AnyMaterial, AGoodRunHasNoTrouble) {
+TEST_P(AnyMaterial, AGoodRunHasNoProblem) {
     RunOptions options;
     options.on_problem = [](const RunProblem& run_problem) { ADD_FAILURE() << describe(run_problem); };
     const RunResult result = run(slope(GetParam()), options);
@@ -185,9 +185,9 @@ TEST(RunProblem, AVolumeThatDoesNotAddUpIsSeen) {
     const RunCheck watch(scene, release, Arrivals(scene, {}), 1);
     StepStatistics statistics;
     statistics.volume = flow.volume();
-    EXPECT_TRUE(watch.look(flow, statistics, release.volume).empty());
+    EXPECT_TRUE(watch.check(flow, statistics, release.volume).empty());
     statistics.volume *= 1 - 1e-8;
-    const auto run_problems = watch.look(flow, statistics, release.volume);
+    const auto run_problems = watch.check(flow, statistics, release.volume);
     ASSERT_EQ(run_problems.size(), 1u);
     EXPECT_EQ(run_problems[0].kind, Kind::volume_drift);
     EXPECT_NEAR(run_problems[0].value, 1e-8, 1e-12);
