@@ -40,7 +40,7 @@ DepositScores compare_deposit(const Raster& simulated, const Raster& observed, d
     scores.mean_absolute_error_m = absolute / count;
     scores.rmse_m = std::sqrt(squares / count);
     const double variance_s = ss - sum_s * sum_s / count, variance_o = oo - sum_o * sum_o / count;
-    // Equal values leave a rest of rounding.
+    // Equal values leave a remainder from rounding.
     const bool both_vary = variance_s > 1e-12 * ss && variance_o > 1e-12 * oo;
     scores.correlation = both_vary ? (so - sum_s * sum_o / count) / std::sqrt(variance_s * variance_o) : k_no_data;
     return scores;

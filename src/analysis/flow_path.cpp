@@ -26,8 +26,8 @@ std::size_t require_cell(const GridSpec& grid, Point place) {
                                           shortest_text(place.x) + ", " + shortest_text(place.y), "", ""});
 }
 
-/// Cost of a metre through each cell: 1 / depth. Thinner films all cost the same: no cost may be infinite, else there
-/// would be no way.
+/// Cost per metre through each cell: 1 / depth. All flow thinner than a bound costs the same: an infinite cost would
+/// leave no path.
 std::vector<float> costs_of(const Raster& depth) {
     constexpr double k_thinnest = 1e-6;  // [m]
     double least = std::numeric_limits<double>::infinity();
@@ -40,7 +40,7 @@ std::vector<float> costs_of(const Raster& depth) {
     return costs;
 }
 
-/// Which neighbour each cell was reached from, as a direction 0..7; 8: not reached.
+/// Returns the neighbour from which each cell was reached, as a direction 0..7; 8: not reached.
 std::vector<std::uint8_t> search(const GridSpec& grid, const std::vector<float>& costs, std::size_t from,
                                  std::size_t to, const int (&steps)[8][2]) {
     struct Entry {
@@ -109,7 +109,7 @@ Polyline straightened(const Polyline& line, double tolerance) {
     return result;
 }
 
-/// The part of a raster that holds flow and some places, so that a large map costs nothing.
+/// Returns the part of a raster that contains the flow and some places, so that a large map costs nothing.
 Raster around_flow(const Raster& depth, const std::vector<Point>& places) {
     const GridSpec& grid = depth.grid;
     std::int64_t top = grid.rows, left = grid.columns, bottom = -1, right = -1;

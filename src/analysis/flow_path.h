@@ -8,21 +8,21 @@
 
 namespace frana {
 
-/// The line a flow took from one place to another: the path over the cells of `depth` [m] for which the sum
-/// of (length / depth) is least (Dijkstra 1959, eight neighbours), so that it keeps to the deepest channel;
-/// then straightened to within one cell (Douglas and Peucker 1973), so that its length is not that of a
-/// staircase. A cell without flow costs as much as one of a hundredth of the shallowest flow: a path leaves
-/// the flow only where it must. Both places must lie on the grid. Throws Error(input) otherwise.
+/// Returns the path of a flow between two places: the path over the cells of `depth` [m] with the smallest sum of
+/// (length / depth) (Dijkstra 1959, eight neighbours), so that it follows the deepest channel; then simplified to
+/// within one cell (Douglas and Peucker 1973), so that its length is not that of a staircase. A cell without flow costs
+/// as much as one of a hundredth of the shallowest flow: a path leaves the flow only where necessary. Throws
+/// Error(input) if a place is not on the grid.
 Polyline flow_path(const Raster& depth, Point from, Point to);
 
-/// Length of a line [m].
+/// Returns the length of a line [m].
 double length(const Polyline& line);
 
-/// Distance along a line of its place nearest to a point [m]: the point's path coordinate s.
+/// Returns the distance along a line of its point nearest to `point` [m]: the path coordinate s.
 double path_coordinate(const Polyline& line, Point point);
 
-/// The greatest path coordinate of the cells of a mask (not 0, not NaN): run-out along a path [m]; 0 where
-/// the mask is empty.
+/// Returns the greatest path coordinate of the cells of a mask (not 0, not NaN): run-out along a path [m]; 0 if the
+/// mask is empty.
 double runout_along(const Polyline& path, const Raster& mask);
 
 /// A place on a line.
@@ -31,10 +31,10 @@ struct Station {
     Point place;
 };
 
-/// Places at equal distances of at most `spacing` [m] along a line, its vertices included, start and end too.
+/// Returns places at equal distances of at most `spacing` [m] along a line, including its vertices, start and end.
 std::vector<Station> stations(const Polyline& line, double spacing);
 
-/// The value of the cell that a place lies in; NaN outside.
+/// Returns the value of the cell containing a place; NaN outside.
 double cell_value(const Raster& raster, Point place) noexcept;
 
 }  // namespace frana

@@ -10,8 +10,8 @@
 namespace frana {
 namespace {
 
-// Greens, so that an intensity is not taken for a degree of danger (red, blue, yellow), which also asks how
-// often it happens.
+// Greens, so that an intensity is not mistaken for a hazard level (red, blue, yellow), which also depends on the
+// frequency.
 constexpr Rgb k_light{186, 228, 179}, k_middle{65, 158, 90}, k_dark{0, 68, 27};
 
 const std::string k_swiss =

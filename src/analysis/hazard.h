@@ -10,7 +10,7 @@
 
 namespace frana {
 
-/// What hazard schemes look at; share/doc/hazard.md tells which maxima are taken together.
+/// Quantities that hazard schemes use; share/doc/hazard.md defines which maxima are taken at one moment.
 struct HazardQuantities {
     const Raster& depth;     ///< greatest depth [m]; NaN: never reached, no class
     const Raster& velocity;  ///< greatest speed [m/s]
@@ -20,8 +20,8 @@ struct HazardQuantities {
     const Raster& deposit;   ///< depth at the end [m]
 };
 
-/// Rising limits of a scheme of the user's own: a cell's class is one more than the number of limits that
-/// the quantity exceeds, the highest over the quantities that have limits.
+/// Rising limits of a custom scheme: the class of a cell is one more than the number of limits that the quantity
+/// exceeds, the highest over the quantities that have limits.
 struct HazardLimits {
     std::vector<double> depth, velocity, flux, pressure;
 
@@ -38,15 +38,15 @@ struct HazardClass {
 
 struct HazardScheme {
     std::string name;    ///< "swiss-debris-flow"
-    std::string source;  ///< where the thresholds come from
+    std::string source;  ///< of the thresholds
     std::vector<HazardClass> classes;
     HazardLimits limits;  ///< of scheme custom
 };
 
-/// The scheme of a name, with the user's limits for `custom`. Throws Error(input) for an unknown one.
+/// Returns the scheme of a name, with these limits for `custom`. Throws Error(input) for an unknown name.
 HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits);
 
-/// Class of every cell that was reached, NaN elsewhere.
+/// Returns the class of every cell that was reached, NaN elsewhere.
 Raster hazard_classes(const HazardScheme& scheme, const HazardQuantities& quantities);
 
 }  // namespace frana

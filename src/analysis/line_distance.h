@@ -8,39 +8,39 @@
 
 namespace frana {
 
-/// The lines that bound an area (or lines drawn by hand), for distances in map view.
+/// The lines bounding an area (or drawn by hand), for distances in map view.
 class LineSet {
   public:
-    /// All rings, holes included; neighbouring pieces on one straight line become one.
+    /// All rings, including holes; collinear neighbouring segments are joined.
     explicit LineSet(const MultiPolygon& area);
-    /// Open lines as they are.
+    /// Open lines, unchanged.
     explicit LineSet(const std::vector<Polyline>& lines);
 
     [[nodiscard]] bool empty() const noexcept { return segments_.empty(); }
-    /// Distance from a point to the nearest place of the lines [m]; NaN where there is none.
+    /// Returns the distance from a point to the nearest point of the lines [m]; NaN if there are no lines.
     [[nodiscard]] double distance(Point point) const;
-    /// Points along the lines, at equal distances of at most `spacing` within each straight piece, each in
-    /// the middle of the stretch it stands for.
+    /// Returns points along the lines, at equal distances of at most `spacing` within each straight segment, each in
+    /// the middle of the part it represents.
     [[nodiscard]] std::vector<Point> samples(double spacing) const;
 
   private:
     void add(const Polyline& line, bool closed);
     std::vector<Segment> segments_;
-    NearestSegment nearest_;  // of the same
+    NearestSegment nearest_;  // of the same lines
 };
 
-/// How far two sets of lines lie apart.
+/// Distance between two sets of lines.
 struct LineDistance {
     double mean_m = 0;           ///< over the length of both
-    double percentile_95_m = 0;  ///< 95 % of that length lie nearer
-    double hausdorff_m = 0;      ///< the farthest place
+    double percentile_95_m = 0;  ///< 95 % of that length is nearer
+    double hausdorff_m = 0;      ///< the greatest distance
 };
 
-/// Distances from each boundary's samples to the other boundary, both ways pooled. The sampling (spacing [m])
-/// can miss the farthest place by half of it. Throws Error(input) when either is empty.
+/// Returns the distances from each boundary's samples to the other boundary, both directions pooled. The sampling
+/// (spacing [m]) can miss the greatest distance by half a spacing. Throws Error(input) if either set is empty.
 LineDistance distance_between(const LineSet& one, const LineSet& other, double spacing);
 
-/// Mean, 95th percentile (nearest rank) and maximum of the sizes of some distances. At least one.
+/// Returns mean, 95th percentile (nearest rank) and maximum of the absolute values of some distances. At least one.
 LineDistance distance_statistics(std::vector<double> distances);
 
 }  // namespace frana

@@ -12,7 +12,7 @@
 namespace frana {
 namespace {
 
-// r.avaflow's normalisation: wrongly hit ground is measured against this many times the observed area.
+// r.avaflow's normalisation: false alarms are relative to this many times the observed area.
 constexpr double k_negatives_per_positive = 5;
 
 bool is_observed(double value) {
@@ -25,8 +25,7 @@ void check_same_cells(const Raster& depth, const Raster& mask) {
                                           "", "Bring both onto one grid"});
 }
 
-/// Area under the curve of true against false positive rate, from (0, 0) with the deepest cells first to (1,
-/// 1).
+/// Area under the curve of true against false positive rate, from (0, 0) with the deepest cells first to (1, 1).
 double area_under_roc(const Raster& depth, const Raster& mask, double positives) {
     std::vector<std::pair<double, bool>> covered;  // depth, observed
     double false_total = 0;
@@ -55,7 +54,7 @@ double area_under_roc(const Raster& depth, const Raster& mask, double positives)
     return area;
 }
 
-/// All but the area under the curve.
+/// All statistics except the area under the curve.
 ComparisonStatistics statistics_at(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
     check_same_cells(simulated_depth, observed_mask);
     double hits = 0, false_alarms = 0, misses = 0;

@@ -7,12 +7,12 @@
 
 namespace frana {
 
-/// How a simulated trace agrees with an observed one, cell by cell.
+/// Agreement of a simulated trace with an observed one, cell by cell.
 ///
-/// With TP, FP, FN the hit, false alarm and miss areas: jaccard = csi = TP/(TP+FP+FN), dice =
-/// 2TP/(2TP+FP+FN), true positive rate = TP/(TP+FN). The size of the map must not flatter the values, so the
-/// ground that could have been hit wrongly is not the map but five times the observed area, as r.avaflow
-/// does: TN = 5(TP+FN) - FP, and the false positive rate is FP/(5(TP+FN)), at most 1.
+/// With TP, FP, FN the hit, false alarm and miss areas: jaccard = csi = TP/(TP+FP+FN), dice = 2TP/(2TP+FP+FN), true
+/// positive rate = TP/(TP+FN). The values must not depend on the size of the map, so the area of possible false alarms
+/// is not the map but five times the observed area, as in r.avaflow: TN = 5(TP+FN) - FP, and the false positive rate is
+/// FP/(5(TP+FN)), at most 1.
 struct ComparisonStatistics {
     double threshold_m = 0;  ///< depth over which a cell counts as covered
     double observed_area_m2 = 0;
@@ -23,19 +23,19 @@ struct ComparisonStatistics {
     double miss_m2 = 0;
     double jaccard = 0;
     double dice = 0;
-    double csi = 0;  ///< critical success index; the same number as jaccard, under the name forecasters use
+    double csi = 0;  ///< critical success index; equal to jaccard, by the name used in forecasting
     double true_positive_rate = 0;
     double false_positive_rate = 0;
     double d2pc = 0;   ///< distance to perfect classification: sqrt((1 - TPR)^2 + FPR^2), 0 is perfect
     double auroc = 0;  ///< area under the ROC curve as the threshold runs over all depths, 1 is perfect
 };
 
-/// Compares a depth [m] (NaN: never reached) with a mask (not 0 and not NaN: observed) on the same cells.
-/// Throws Error(input) when the grids differ or nothing was observed.
+/// Compares a depth [m] (NaN: never reached) with a mask (not 0 and not NaN: observed) on the same cells. Throws
+/// Error(input) if the grids differ or nothing was observed.
 ComparisonStatistics compare(const Raster& simulated_depth, const Raster& observed_mask, double threshold);
 
-/// The values for thresholds [m] of 0 and 1, 1.5, 2, 3, 5, 7 times powers of ten from 0.01 up to the
-/// greatest depth; auroc, which belongs to the whole curve, is the same in each. Throws as compare does.
+/// Returns the values for thresholds [m] of 0 and 1, 1.5, 2, 3, 5, 7 times powers of ten from 0.01 up to the greatest
+/// depth; auroc belongs to the whole curve and is the same in each. Throws as compare does.
 std::vector<ComparisonStatistics> score_curve(const Raster& simulated_depth, const Raster& observed_mask);
 
 enum class Agreement { hit = 1, false_alarm = 2, miss = 3 };

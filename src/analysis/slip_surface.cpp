@@ -15,7 +15,7 @@
 namespace frana {
 namespace {
 
-// The cells inside an outline, by their place in a raster with at least one cell round them.
+// The cells inside an outline, indexed in a raster with a margin of at least one cell.
 struct Inside {
     std::vector<std::size_t> cells;
     double longest = 1;  // of the outline's extents [cells]
@@ -46,9 +46,9 @@ Inside cells_inside(const GridSpec& grid, const MultiPolygon& outline) {
     return inside;
 }
 
-// Makes every cell inside the mean of its four neighbours plus `rise`, by successive over-relaxation in a fixed
-// order; cells outside stay. Stops where no cell changes by more than 1e-12 of its side or of what was changed at
-// first.
+// Relaxes every cell inside to the mean of its four neighbours plus `rise`, by successive over-relaxation in a fixed
+// order; cells outside are unchanged. Stops when no cell changes by more than 1e-12 of its side or of the first
+// changes.
 void relax(const Inside& inside, double rise, Raster& values) {
     const double omega = 2 / (1 + std::sin(std::numbers::pi / (inside.longest + 1)));
     const auto stride = static_cast<std::size_t>(values.grid.columns);
@@ -76,8 +76,8 @@ Point minus(Point a, Point b) {
     return {a.x - b.x, a.y - b.y};
 }
 
-// Distances from the centre over that of a ring in the same direction; of a ring seen whole from there, whose
-// vertices come in the order of their directions.
+// Distance from the centre relative to that of a ring in the same direction; for a star-shaped ring about the centre,
+// whose vertices are in the order of their directions.
 class RadiusFraction {
   public:
     RadiusFraction(const Ring& ring, Point centre) : ring_(ring), centre_(centre), turned_(ring.size()) {
@@ -88,7 +88,7 @@ class RadiusFraction {
 
     [[nodiscard]] double operator()(Point point) const {
         const Point d = minus(point, centre_);
-        // Rounding may choose the edge beside.
+        // Rounding may select the neighbouring edge.
         constexpr std::size_t k_beside = 2;
         const auto after =
             static_cast<std::size_t>(std::upper_bound(turned_.begin(), turned_.end(), turn_to(d)) - turned_.begin());
@@ -104,14 +104,14 @@ class RadiusFraction {
     }
 
   private:
-    // The angle from the first vertex in the ring's direction, 0 to a full turn.
+    // Returns the angle from the first vertex in the ring's direction, 0 to a full turn.
     [[nodiscard]] double turn_to(Point d) const {
         const Point first = minus(ring_.front(), centre_);
         const double turn = sense_ * std::atan2(cross(first, d), first.x * d.x + first.y * d.y);
         return turn < 0 ? turn + 2 * std::numbers::pi : turn;
     }
 
-    // Where the edge that ends at vertex i is met; 0: not.
+    // Returns where a ray meets the edge that ends at vertex i; 0: nowhere.
     [[nodiscard]] double across_edge(std::size_t i, Point d) const {
         const std::size_t j = i == 0 ? ring_.size() - 1 : i - 1;
         const Point a = minus(ring_[j], centre_), b = minus(ring_[i], centre_), edge = minus(b, a);

@@ -31,7 +31,7 @@ double median_slope_deg(const Raster& terrain) {
     return std::atan(*middle) * 180 / std::numbers::pi;
 }
 
-/// How far a cell stands over all its neighbours, or under all (negative); 0: neither, or one is not known.
+/// Height of a cell above all its neighbours, or below all (negative); 0: neither, or one has no data.
 double needle_height(const Raster& terrain, std::int64_t row, std::int64_t column) {
     const double own = terrain.at(row, column);
     double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -59,7 +59,7 @@ TerrainSanity terrain_sanity(const Raster& terrain, double needle) {
             const double value = terrain.at(row, column);
             if (value > found.highest.value) found.highest = {row, column, value};
             if (value < found.lowest.value) found.lowest = {row, column, value};
-            // Of most cells one neighbour is enough to see that they are none.
+            // For most cells one neighbour shows that they are no needle.
             const bool inner = row > 0 && column > 0 && row + 1 < grid.rows && column + 1 < grid.columns;
             if (!inner || !(std::abs(value - terrain.at(row, column - 1)) > needle)) continue;
             const double height = needle_height(terrain, row, column);

@@ -8,23 +8,23 @@
 
 namespace frana {
 
-/// A cell and a number about it.
+/// A cell and a value there.
 struct Spot {
     std::int64_t row = 0, column = 0;
     double value = 0;
 };
 
-/// What tells ground from data that were taken for ground: a unit mistaken, "no data" forgotten, single wrong
+/// Statistics that reveal data that are not ground elevations: a wrong unit, a missing nodata value, single wrong
 /// cells.
 struct TerrainSanity {
     Spot highest, lowest;             ///< elevations [m]; of finite cells
-    double median_slope_deg = 0;      ///< of a million cells or fewer, evenly chosen
-    std::int64_t needles = 0;         ///< cells that stand over, or lie under, all eight neighbours by more than asked
-    std::vector<Spot> first_needles;  ///< five at most, from the north; value: how much over (under: negative) [m]
+    double median_slope_deg = 0;      ///< of at most a million cells, evenly sampled
+    std::int64_t needles = 0;         ///< cells above, or below, all eight neighbours by more than the limit
+    std::vector<Spot> first_needles;  ///< five at most, from the north; value: how much above (below: negative) [m]
 };
 
-/// One pass over a terrain with at least one elevation; cells without data are left out, and so are needles
-/// at the rim or beside such cells. `needle` [m].
+/// One pass over a terrain with at least one elevation; cells without data are left out, and so are needles at the edge
+/// or beside such cells. `needle` [m].
 TerrainSanity terrain_sanity(const Raster& terrain, double needle);
 
 }  // namespace frana

@@ -28,7 +28,7 @@ double maximum(const Raster& raster) {
 Raster padded_to(const Raster& raster, const Bounds& box, double fill) {
     const GridSpec& old = raster.grid;
     const auto cells = [&](double metres) {
-        // A millionth of a cell is rounding, not ground outside.
+        // A millionth of a cell is rounding, not area outside.
         return std::max<std::int64_t>(0, static_cast<std::int64_t>(std::ceil(metres / old.cell_size - 1e-6)));
     };
     const std::int64_t left = cells(old.west - box.west), right = cells(box.east - old.east());

@@ -5,17 +5,17 @@
 
 namespace frana {
 
-/// 1 where the depth exceeds the threshold [m], 0 elsewhere (no data included).
+/// Returns 1 where the depth exceeds the threshold [m], 0 elsewhere (including no data).
 Raster trace_mask(const Raster& depth, double threshold);
 
-/// Area of the cells that are neither 0 nor without data [m2].
+/// Returns the area of the cells that are neither 0 nor without data [m2].
 double masked_area(const Raster& mask);
 
-/// The largest value; NaN where there is none.
+/// Returns the largest value; NaN if there is none.
 double maximum(const Raster& raster);
 
-/// The raster on a grid of the same cells that also covers `box`; new cells have `fill`.
-/// The raster itself where the box lies inside already.
+/// Returns the raster on a grid of the same cells that also covers `box`; new cells have `fill`. The raster itself if
+/// the box is inside already.
 Raster padded_to(const Raster& raster, const Bounds& box, double fill);
 
 }  // namespace frana

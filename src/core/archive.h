@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// State to bytes and back. Whatever has a state says once, in a function template serialise, what belongs to it; the
-// archive it is given writes or reads. So nothing can be written that is not read again.
+// Serialisation of state to bytes and back. Each class with state has one function template `serialise` that lists its
+// members; the archive passed to it writes or reads. So everything that is written is also read.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace frana {
 template <class Archive, class T>
 void transfer(Archive& archive, T& value);
 
-/// Writes states; never changes them.
+/// Writes state; never changes it.
 class StateWriter {
   public:
     static constexpr bool k_reads = false;
@@ -41,13 +41,13 @@ class StateWriter {
     Sink sink_;
 };
 
-/// Reads states over those that were set up for the same scene. Throws Error(input) where they do not fit.
+/// Reads state into objects set up for the same scene. Throws Error(input) if the stored state does not match them.
 class StateReader {
   public:
     static constexpr bool k_reads = true;
-    using Source = std::function<void(void*, std::size_t)>;  ///< throws Error(input) at its end
+    using Source = std::function<void(void*, std::size_t)>;  ///< throws Error(input) at the end of the data
 
-    /// @param size bytes that the source holds: no count read is believed beyond it
+    /// @param size bytes available from the source: no count read may exceed it
     StateReader(Source source, std::uint64_t size) : source_(std::move(source)), left_(size) {}
     template <class... T>
     void operator()(T&... values) {
@@ -70,7 +70,7 @@ class StateReader {
     std::uint64_t left_;
 };
 
-/// A count of things of `size` bytes at least.
+/// A number of items of at least `size` bytes each.
 template <class Archive>
 std::size_t transfer_count(Archive& archive, std::size_t count, std::size_t size) {
     std::uint64_t n = count;
@@ -104,7 +104,7 @@ void serialise(Archive& archive, std::string& text) {
     archive.bytes(text.data(), text.size());
 }
 
-/// What is there is there on both sides: the scene decides.
+/// The object must exist on both sides or on neither: the scene decides.
 template <class Archive, class T>
 void serialise(Archive& archive, std::unique_ptr<T>& value) {
     bool there = value != nullptr;
@@ -113,8 +113,8 @@ void serialise(Archive& archive, std::unique_ptr<T>& value) {
     if (there) archive(*value);
 }
 
-/// As the elements' type says, else by bytes: blocks of zeros are left out, so that idle terrain costs next to
-/// nothing.
+/// Elements are serialised by their own type, else as bytes; blocks of zeros are left out, so that idle terrain costs
+/// almost nothing.
 template <class Archive, class T>
 void serialise(Archive& archive, ZeroArray<T>& array) {
     constexpr std::size_t k_block = 4096;
@@ -136,7 +136,7 @@ void serialise(Archive& archive, ZeroArray<T>& array) {
     const auto empty = [&](std::uint64_t block) {
         return std::memcmp(data + block * k_block, k_zeros.data(), length(block)) == 0;
     };
-    // Runs of blocks: [first, last), until an empty run.
+    // Runs of non-zero blocks: [first, last), until an empty run.
     std::uint64_t first = 0, last = 0;
     do {
         if constexpr (!Archive::k_reads) {
@@ -149,8 +149,7 @@ void serialise(Archive& archive, ZeroArray<T>& array) {
     } while (first < last);
 }
 
-/// One value, in whichever way it is serialised: by its own member function, a free one beside its type, or, for
-/// numbers, by its bytes.
+/// One value, serialised by its own member function, by a free function beside its type or, for numbers, as bytes.
 template <class Archive, class T>
 void transfer(Archive& archive, T& value) {
     if constexpr (requires { value.serialise(archive); }) {

@@ -10,8 +10,8 @@
 namespace frana {
 namespace {
 
-// Anchors of viridis, inferno and plasma (all CC0) at equal steps, read from the light end. Inferno's palest
-// tone would vanish on a white hillside and is replaced.
+// Anchors of viridis, inferno and plasma (all CC0) at equal steps, from the light end. Inferno's palest tone would be
+// invisible on a white hillside and is replaced.
 const std::array<Palette, 3>& palettes() {
     static const std::array<Palette, 3> all{
         Palette{"depth",

@@ -7,12 +7,12 @@
 
 namespace frana {
 
-/// Messages of which there may be very many alike: of each kind the first few are told, the rest are counted.
+/// Messages of which there may be very many alike: the first few of each kind are kept, the rest are counted.
 class CountedTexts {
   public:
     void add(const std::string& kind, const std::string& text);
 
-    /// Kinds in the order in which they came: the first texts of each, then "and 497 more like it".
+    /// Returns, in order of first occurrence, the first texts of each kind, then "and 497 more like it".
     [[nodiscard]] std::vector<std::string> texts() const;
 
   private:

@@ -31,7 +31,7 @@ std::string describe(const Problem& problem) {
         text += ')';
     }
     if (!problem.remedy.empty()) text += ". " + problem.remedy;
-    // Names of files may hold what a terminal takes for commands.
+    // File names may contain terminal control sequences.
     return one_line(text);
 }
 

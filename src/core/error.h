@@ -7,15 +7,15 @@
 
 namespace frana {
 
-/// What went wrong, which decides the program's exit code.
+/// The kind of error; it decides the program's exit code.
 enum class ErrorKind {
     input,        ///< usage, configuration or input data: nothing was computed (exit code 2)
     numerical,    ///< the computation failed, the last state was written (exit code 3)
     environment,  ///< disk full, unwritable output, missing font (exit code 4)
 };
 
-/// One problem, in the words a user needs: what, where, the value met, the limit it broke, what to do about it.
-/// Empty parts are left out of the message.
+/// One problem, in words for the user: what, where, the value, the limit it violates, the remedy. Empty parts are left
+/// out of the message.
 struct Problem {
     std::string what;    ///< "basal friction coefficient is out of range"
     std::string where;   ///< "scene.ini: material.friction-coefficient"
@@ -27,8 +27,8 @@ struct Problem {
 /// One line: "where: what (value V; allowed L). Remedy."
 std::string describe(const Problem& problem);
 
-/// The only exception frana throws for users' and environment's problems; thrown at set-up and I/O, caught in
-/// main.
+/// The only exception frana throws for problems of the user's input and of the environment; thrown during set-up and
+/// I/O, caught in main.
 class Error : public std::runtime_error {
   public:
     Error(ErrorKind kind, std::vector<Problem> problems);
@@ -42,15 +42,15 @@ class Error : public std::runtime_error {
     std::vector<Problem> problems_;
 };
 
-/// Collects every problem of a scene so that all are reported in one pass.
+/// Collects all problems of a scene so that they are reported in one pass.
 class Problems {
   public:
     void add(Problem problem);
-    /// Takes over the problems of an Error of kind input; rethrows any other kind.
+    /// Adds the problems of an Error of kind input; rethrows any other kind.
     void add(const Error& error);
     [[nodiscard]] bool empty() const noexcept { return list_.empty(); }
     [[nodiscard]] const std::vector<Problem>& list() const noexcept { return list_; }
-    /// Throws Error(input) with everything collected, if there is anything.
+    /// Throws Error(input) with everything collected, unless that is nothing.
     void throw_if_any() const;
 
   private:

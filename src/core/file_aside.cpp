@@ -37,14 +37,15 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-// Whether a file of this name is in the making by a process that runs: more digits are no process's number.
+// Whether the process is running, so that its file is still being written; a number with more digits is no process
+// number.
 bool is_being_made_by(const std::string& process) {
     constexpr std::size_t k_most_digits = 9;
     return process.size() > k_most_digits || ::kill(static_cast<pid_t>(std::stol(process)), 0) == 0 || errno != ESRCH;
 }
 
-// What killed processes left in the folders that this process writes to. Each folder is looked through once:
-// a result may hold ten thousand frames.
+// Files that killed processes left in the folders this process writes to. Each folder is scanned once: a result may
+// contain ten thousand frames.
 class AbandonedFiles {
   public:
     void remove_those_of(const fs::path& file) {
@@ -58,7 +59,7 @@ class AbandonedFiles {
     }
 
   private:
-    using Left = std::multimap<std::string, fs::path>;  // by the name that each was to get
+    using Left = std::multimap<std::string, fs::path>;  // by the name each was to get
 
     static void search(const fs::path& folder, Left& left) {
         std::error_code ignored;
@@ -146,9 +147,9 @@ void FileAside::rename_into_place() {
         };
         done_ = link(path_);
         if (done_) return;
-        // There is one of that name: only a file with a name can take its place.
+        // The name exists: only a named file can replace it.
         const int refusal = errno;
-        ::unlink(named_.c_str());  // of a program that had our number
+        ::unlink(named_.c_str());  // of a program that had our process number
         if (refusal != EEXIST) fail("a finished file cannot be renamed", refusal);
         if (!link(named_)) fail("a finished file cannot be renamed", errno);
     }

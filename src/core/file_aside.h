@@ -7,17 +7,17 @@
 
 namespace frana {
 
-/// A file in the making in the folder of its final place. It takes its name when complete and vanishes otherwise, so
-/// that no reader meets half a file and a failed run leaves the old one. Where the file system can, it has no name
-/// until then and vanishes with the program, however that ends; else it is NAME.partialPID.EXTENSION, and what killed
-/// programs have left of the same file is removed by the next one that writes it.
+/// A file being written in the folder of its final path. It gets its name when it is complete and is removed otherwise,
+/// so that no reader finds half a file and a failed run keeps the old one. Where the file system supports it, the file
+/// has no name until then and disappears with the process, however that ends; otherwise it is
+/// NAME.partialPID.EXTENSION, and the next process that writes the same file removes what killed processes left of it.
 class FileAside {
   public:
     enum class Kind {
-        unnamed,  ///< if it can be
-        named,    ///< to be made under partial_path() by whoever writes it
+        unnamed,  ///< if the file system supports it
+        named,    ///< to be created at partial_path() by the caller
     };
-    /// Never fails: what hinders shows when the file is written.
+    /// Does not throw: an obstacle is reported when the file is written.
     explicit FileAside(std::string path, Kind kind = Kind::unnamed);
     ~FileAside();
     FileAside(const FileAside&) = delete;
@@ -25,9 +25,9 @@ class FileAside {
 
     [[nodiscard]] const std::string& path() const noexcept { return path_; }             ///< final
     [[nodiscard]] const std::string& partial_path() const noexcept { return partial_; }  ///< to be opened and written
-    /// Waits until the bytes are on the disk. Throws Error(environment) when the disk could not take them.
+    /// Waits until the bytes are on the disk. Throws Error(environment) if the disk cannot store them.
     void bring_to_disk() const;
-    /// Throws Error(environment) when the file cannot take its name.
+    /// Throws Error(environment) if the file cannot be renamed.
     void rename_into_place();
 
   private:
@@ -35,22 +35,22 @@ class FileAside {
     [[noreturn]] void fail(const std::string& what, int reason) const;
 
     std::string path_, named_, partial_;
-    int descriptor_ = -1;  ///< of the file without a name
+    int descriptor_ = -1;  ///< of the unnamed file
     bool done_ = false;
 };
 
-/// What a name of the form NAME.partialPID.EXTENSION says.
+/// The parts of a name of the form NAME.partialPID.EXTENSION.
 struct FileInMaking {
-    std::string name;  ///< that the file was to get
-    bool is_beside;    ///< a library's own file beside it: NAME.partialPID.gpkg-journal
-    bool abandoned;    ///< its process runs no more
+    std::string name;  ///< the final name
+    bool is_beside;    ///< an auxiliary file of a library: NAME.partialPID.gpkg-journal
+    bool abandoned;    ///< its process no longer runs
 };
-/// None where a name is not of that form.
+/// Returns nothing for a name not of that form.
 std::optional<FileInMaking> file_in_making(const std::string& name);
 
 enum class Sync { no, yes };
 
-/// Writes a whole file aside, sees that every byte was taken, brings it to the disk if asked to, and gives it its name.
+/// Writes a whole file aside, checks that every byte was written, syncs it to the disk if requested, and renames it.
 /// Throws Error(environment).
 void write_file(const std::string& path, std::string_view bytes, Sync sync = Sync::no);
 

@@ -7,9 +7,8 @@
 
 namespace frana {
 
-/// What lies in a folder, sorted by name; nothing where there is no such folder. A look that a signal
-/// interrupts is repeated. Throws Error(environment) where the folder cannot be read: that is not the same as
-/// empty.
+/// Returns the entries of a folder, sorted by name; none if the folder does not exist. A read interrupted by a signal
+/// is repeated. Throws Error(environment) if the folder cannot be read: that is not the same as empty.
 std::vector<std::filesystem::directory_entry> folder_entries(const std::filesystem::path& folder);
 
 }  // namespace frana

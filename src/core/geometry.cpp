@@ -8,7 +8,7 @@ namespace frana {
 
 double area(const Ring& ring) {
     if (ring.size() < 3) return 0;
-    // Relative to the first point: map coordinates of 5e6 m would cost seven digits.
+    // Relative to the first point: map coordinates of 5e6 m would lose seven digits.
     const Point origin = ring.front();
     double twice = 0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) {

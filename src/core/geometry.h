@@ -20,26 +20,26 @@ struct Polygon {
 };
 using MultiPolygon = std::vector<Polygon>;
 
-/// One feature of a vector layer: its parts and its numeric attributes (text attributes are kept as text).
+/// One feature of a vector layer: its polygons and its numeric attributes (text attributes are kept as text).
 struct PolygonFeature {
     MultiPolygon parts;
     std::map<std::string, double> numbers;
     std::map<std::string, std::string> texts;
 };
 
-/// Area of a ring [m2], positive whatever its direction.
+/// Returns the area of a ring [m2], positive for either orientation.
 double area(const Ring& ring);
-/// Area of a polygon [m2]: outer ring less its holes.
+/// Returns the area of a polygon [m2]: outer ring minus its holes.
 double area(const Polygon& polygon);
 double area(const MultiPolygon& polygons);
 
-/// Whether a point lies inside (even-odd rule, holes respected). Points exactly on an edge belong to one side
+/// Returns whether a point lies inside (even-odd rule, holes excluded). Points exactly on an edge belong to one side
 /// only, so that neighbours sharing an edge never count a point twice.
 bool contains(const Ring& ring, Point point);
 bool contains(const Polygon& polygon, Point point);
 bool contains(const MultiPolygon& polygons, Point point);
 
-/// The smallest rectangle round all outer rings; all zero when there is none.
+/// Returns the smallest rectangle around all outer rings; all zero if there is none.
 Bounds bounds(const MultiPolygon& polygons);
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 
 namespace frana {
 
-/// A point or vector in the plane: map coordinates (easting, northing) or local metres, as the context says.
+/// A point or vector in the plane: map coordinates (easting, northing) or local metres, depending on the context.
 struct Point {
     double x = 0;
     double y = 0;
@@ -18,17 +18,16 @@ struct Bounds {
 
     [[nodiscard]] double width() const noexcept { return east - west; }
     [[nodiscard]] double height() const noexcept { return north - south; }
-    /// Whether a point is inside, the western and southern edges included; not one that is no number.
+    /// Returns whether a point is inside; the western and southern edges are included, non-finite points are not.
     [[nodiscard]] bool contains(double x, double y) const noexcept {
         return x >= west && y >= south && x < east && y < north;
     }
 };
 
-/// A north-up grid of square cells. Row 0 is the northernmost, as in GDAL; a value belongs to a cell's
-/// centre.
+/// A north-up grid of square cells. Row 0 is the northernmost, as in GDAL; a value belongs to the centre of its cell.
 ///
-/// The engine works in local metres with y to the north, counted from a cell's south-western corner (see
-/// local_from_map): one near what moves, so that how far the grid reaches beyond it changes no bit.
+/// The engine uses local metres with y to the north, counted from the south-western corner of one cell (see
+/// local_from_map): one near the release, so that the extent of the grid beyond it changes no bit.
 struct GridSpec {
     double west = 0;       ///< easting of the grid's western edge [m]
     double north = 0;      ///< northing of the grid's northern edge [m]
@@ -52,19 +51,19 @@ struct GridSpec {
         return {west + cell_size * static_cast<double>(origin_column),
                 south() + cell_size * static_cast<double>(origin_row)};
     }
-    /// Local metres; the subtraction happens once, in double.
+    /// Converts to local metres; the subtraction happens once, in double precision.
     [[nodiscard]] Point local_from_map(Point map) const noexcept { return {map.x - origin().x, map.y - origin().y}; }
     [[nodiscard]] Point map_from_local(Point local) const noexcept {
         return {local.x + origin().x, local.y + origin().y};
     }
-    /// The grid's edges in local metres.
+    /// Returns the grid's edges in local metres.
     [[nodiscard]] Bounds local_bounds() const noexcept {
         return {-cell_size * static_cast<double>(origin_column), -cell_size * static_cast<double>(origin_row),
                 cell_size * static_cast<double>(columns - origin_column),
                 cell_size * static_cast<double>(rows - origin_row)};
     }
 
-    /// Same cells in the same place (to 1e-6 of a cell); the CRS text is not compared.
+    /// Returns whether the cells coincide (to 1e-6 of a cell); the CRS text is not compared.
     [[nodiscard]] bool same_cells(const GridSpec& other) const noexcept;
 };
 

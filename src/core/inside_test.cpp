@@ -28,7 +28,7 @@ InsideTest::InsideTest(const MultiPolygon& polygons) {
         north_ = std::max({north_, e.a.y, e.b.y});
         heights += std::abs(e.a.y - e.b.y);
     }
-    // As many bands as edges, but so few that an edge is in eight of them on average at most.
+    // As many bands as edges, but few enough that an edge is in eight of them on average at most.
     const double n = static_cast<double>(edges_.size());
     const auto bands = static_cast<std::size_t>(std::max(1.0, std::min(n, 7 * n * (north_ - south_) / heights)));
     height_ = (north_ - south_) / static_cast<double>(bands);

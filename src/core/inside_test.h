@@ -8,8 +8,8 @@
 
 namespace frana {
 
-/// `contains` for many points: the edges are kept by their heights, so that a point is compared with those
-/// beside it. Says the same as `contains`, to the last point.
+/// `contains` for many points: the edges are sorted into bands by y, so that a point is compared only with the edges of
+/// its band. The result equals that of `contains` for every point.
 class InsideTest {
   public:
     explicit InsideTest(const MultiPolygon& polygons);
@@ -26,8 +26,8 @@ class InsideTest {
 
     double south_ = 0, north_ = 0, height_ = 1;
     std::vector<Edge> edges_;            // by polygon and ring
-    std::vector<std::size_t> begins_;    // of each band in `listed_`, and the end
-    std::vector<std::uint32_t> listed_;  // edges that a band meets, in their order
+    std::vector<std::size_t> begins_;    // of each band in `listed_`, and the end of the last
+    std::vector<std::uint32_t> listed_;  // edges that cross each band, in their order
 };
 
 }  // namespace frana

@@ -6,13 +6,13 @@
 
 namespace frana {
 
-/// What lets a formula be written once for one value (double) and for four (Quad, core/quad.h): comparisons give a
-/// Mask, select, any and counts read it. Everything is always inlined: the fast sweeps, compiled for another
-/// instruction set, must share no function with the rest.
+/// Lets one formula serve one value (double) and four (Quad, core/quad.h): comparisons return a Mask, which select, any
+/// and count use. Everything is always inlined: the fast kernels, compiled for another instruction set, must share no
+/// function with the rest.
 template <class Number>
 struct Lanes;
 
-/// double or Quad; what is no such number (the 0 of an int) does not compile.
+/// double or Quad; any other type (the int 0) does not compile.
 template <class Number>
 concept LaneNumber = requires {
     typename Lanes<Number>::Mask;

@@ -8,11 +8,10 @@
 
 namespace frana {
 
-/// A text for HTML and XML, in elements and in attributes: what they read as their own is written out, and so are bytes
-/// that are not UTF-8 (valid_utf8).
+/// Escapes a text for HTML and XML, for elements and attributes; bytes that are not UTF-8 are escaped too (valid_utf8).
 std::string escaped_markup(std::string_view text);
 
-/// "#0072b2", as HTML, SVG and the styles of layers write colours.
+/// Returns a colour as "#0072b2", the form of HTML, SVG and layer styles.
 std::string hex(Rgb colour);
 
 }  // namespace frana

@@ -9,7 +9,7 @@ namespace frana {
 namespace {
 
 constexpr std::size_t k_leaf = 8;
-// Boxes are larger by this: rounding may bring a segment a little nearer than its box [m].
+// Margin of the boxes: rounding may bring a segment slightly nearer than its box [m].
 constexpr double k_rounding = 1e-6;
 
 double square_to(const Segment& s, Point point) {

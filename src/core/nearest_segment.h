@@ -10,25 +10,25 @@
 namespace frana {
 
 struct Segment {
-    Point from, to;  // differ
+    Point from, to;  // never equal
 };
 
-/// Finds the segment nearest to a point among many: boxes in boxes, halved by the segments' middles. The
-/// distance is that of comparing with every one, to the bit.
+/// Finds the segment nearest to a point among many with a tree of bounding boxes, halved at the medians of the
+/// segments. The distance equals that of comparing with every segment, to the bit.
 class NearestSegment {
   public:
     NearestSegment() = default;
     explicit NearestSegment(std::vector<Segment> segments);
 
     [[nodiscard]] const std::vector<Segment>& segments() const noexcept { return segments_; }
-    /// Square of the distance; infinite where there is no segment.
+    /// Returns the square of the distance; infinite if there is no segment.
     [[nodiscard]] double square_of_distance(Point point) const;
 
   private:
     struct Box {
         Bounds bounds;
         std::size_t first, last;              // segments
-        std::array<std::size_t, 2> halves{};  // boxes; both 0: none
+        std::array<std::size_t, 2> halves{};  // child boxes; both 0: none
     };
 
     std::size_t build(std::size_t first, std::size_t last);

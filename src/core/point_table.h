@@ -9,7 +9,7 @@
 
 namespace frana {
 
-/// Points in map coordinates with named numbers, an array a column, each as long as `places`.
+/// Points in map coordinates with named numbers: one array per column, each as long as `places`.
 struct PointTable {
     struct Column {
         std::string name;  ///< with its unit: "depth_m"
@@ -18,13 +18,13 @@ struct PointTable {
     std::vector<Point> places;
     std::vector<Column> columns;
 
-    /// The values of a column; null where there is none of that name.
+    /// Returns the values of a column; null if no column has that name.
     [[nodiscard]] const std::vector<double>* find(const std::string& name) const {
         for (const Column& column : columns)
             if (column.name == name) return &column.values;
         return nullptr;
     }
-    /// A column of zeros, to be filled; valid until the next is added.
+    /// Adds a column of zeros to be filled; the reference is valid until the next call.
     std::vector<double>& add(std::string name) {
         columns.push_back({std::move(name), std::vector<double>(places.size())});
         return columns.back().values;

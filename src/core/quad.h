@@ -9,9 +9,9 @@
 
 namespace frana {
 
-// Four doubles that are computed with at once: one 256-bit register where the instruction set has them, two of
-// 128 bits elsewhere (SSE2, NEON). The type lives in an unnamed namespace: sources that are compiled for different
-// instruction sets must not share a single function, or the linker might keep the wrong one.
+// Four doubles in one value: one 256-bit register where the instruction set has them, two of 128 bits elsewhere (SSE2,
+// NEON). The type is in an unnamed namespace: sources compiled for different instruction sets must not share a single
+// function, or the linker might keep the wrong one.
 namespace {
 
 #define FRANA_INLINE inline __attribute__((always_inline))
@@ -49,7 +49,7 @@ struct Quad {
 FRANA_INLINE Quad select(Quad::Mask where, Quad a, Quad b) {
     return Quad(where ? a.v : b.v);
 }
-// As std::max and std::min: the first where the two cannot be ordered.
+// As std::max and std::min: returns the first argument if the two are unordered.
 FRANA_INLINE Quad max(Quad a, Quad b) {
     return select(a < b, b, a);
 }
@@ -65,7 +65,7 @@ FRANA_INLINE Quad sqrt(Quad a) {
 FRANA_INLINE Quad floor(Quad a) {
     return {__builtin_floor(a[0]), __builtin_floor(a[1]), __builtin_floor(a[2]), __builtin_floor(a[3])};
 }
-/// How often a mask was true, for sums of masks (true is -1).
+/// Number of true lanes, for sums of masks (true is -1).
 FRANA_INLINE long long count(Quad::Mask m) {
     return -(m[0] + m[1] + m[2] + m[3]);
 }
@@ -78,7 +78,7 @@ FRANA_INLINE Quad::Mask first_lanes(std::size_t n) {
     const auto limit = static_cast<long long>(n);
     return lane < Quad::Mask{limit, limit, limit, limit};
 }
-/// The greatest lane; the sum of all lanes, always in the same order.
+/// The greatest lane.
 FRANA_INLINE double greatest(Quad a) {
     double r = a[0];
     for (int i = 1; i < 4; ++i) r = r < a[i] ? a[i] : r;
@@ -92,7 +92,6 @@ FRANA_INLINE Quad sum_everywhere(Quad a) {
     const Quad halves = a + Quad(__builtin_shufflevector(a.v, a.v, 2, 3, 0, 1));
     return halves + Quad(__builtin_shufflevector(halves.v, halves.v, 1, 0, 3, 2));
 }
-/// Rows become columns.
 FRANA_INLINE void transpose(Quad& a, Quad& b, Quad& c, Quad& d) {
     const auto ab_even = __builtin_shufflevector(a.v, b.v, 0, 4, 2, 6);
     const auto ab_odd = __builtin_shufflevector(a.v, b.v, 1, 5, 3, 7);
@@ -121,7 +120,8 @@ FRANA_INLINE void store_some(Quad q, double* to, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) to[i] = q.v[i];
 }
 
-/// Calls work(p, n) for a run of values, n = 4 at a time and then those that are left; the 4 is known when compiling.
+/// Calls work(p, n) over a range of values, with n = 4 as long as possible and then with the rest; the 4 is a
+/// compile-time constant.
 template <class Work>
 FRANA_INLINE void for_chunks(std::size_t begin, std::size_t end, const Work& work) {
     std::size_t p = begin;

@@ -13,8 +13,7 @@ namespace frana {
 
 inline constexpr double k_no_data = std::numeric_limits<double>::quiet_NaN();
 
-/// One value per cell of a GridSpec, row by row from the north. Inside frana "no data" is NaN; files get
-/// -9999.
+/// One value per cell of a GridSpec, row by row from the north. In memory "no data" is NaN; in files it is -9999.
 struct Raster {
     GridSpec grid;
     std::vector<double> values;  ///< rows x columns

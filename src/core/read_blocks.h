@@ -7,9 +7,9 @@
 
 namespace frana {
 
-/// Hands a file's bytes over, block by block from its beginning; a read that a signal interrupts is repeated.
-/// Returns 0, or why not all could be read (errno; EINVAL: a FIFO, a device or another that is no regular
-/// file).
+/// Passes a file's bytes to `consume`, block by block from the beginning; a read interrupted by a signal is repeated.
+/// Returns 0, or the reason why not everything could be read (errno; EINVAL: a FIFO, a device or another file that is
+/// not regular).
 int read_blocks(const std::string& path, const std::function<void(std::string_view)>& consume);
 
 }  // namespace frana

@@ -9,7 +9,7 @@
 namespace frana {
 namespace {
 
-// Of a descriptor that is only looked at, or of a file system that knows no such thing, nothing is wanted.
+// Descriptors opened for reading only, and file systems that do not support syncing, are no disk problem.
 bool is_disk_problem(int reason) {
     return reason == EIO || reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
 }

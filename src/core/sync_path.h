@@ -5,11 +5,11 @@
 
 namespace frana {
 
-/// Waits until an open file's bytes, or a folder's names, are on the disk and outlast a power cut. Returns 0,
-/// or why the disk could not take them (errno); a file system that knows no such thing is no problem.
+/// Waits until an open file's bytes, or a folder's names, are on the disk and survive a power failure. Returns 0, or
+/// the reason why the disk could not store them (errno); a file system that does not support syncing is no problem.
 int sync_descriptor(int descriptor);
 
-/// The same of a file or folder by its path; one that cannot be opened is left.
+/// The same for a file or folder given by path; one that cannot be opened is ignored.
 int sync_path(const std::string& path);
 
 }  // namespace frana

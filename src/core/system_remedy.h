@@ -5,8 +5,8 @@
 
 namespace frana {
 
-/// What a user can do about a call to the system that failed for this reason (errno), as a sentence without
-/// its full stop.
+/// Returns what a user can do about a system call that failed for this reason (errno), as a sentence without its full
+/// stop.
 std::string system_remedy(int reason);
 
 }  // namespace frana

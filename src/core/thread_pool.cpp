@@ -4,10 +4,9 @@
 namespace frana {
 namespace {
 
-// A step has a dozen short loops: waking a sleeping thread for each would cost more than the loops. Threads
-// therefore look again this many times (some tens of microseconds) before they sleep.
-// Where there are more threads than processors, looking only takes the processor from the thread that is
-// waited for.
+// A step has a dozen short loops: waking a sleeping thread for each would cost more than the loops. Threads therefore
+// check again this many times (some tens of microseconds) before they sleep.
+// With more threads than processors, checking only takes the processor from the thread that is waited for.
 int checks_before_sleep(int threads) {
     constexpr int k_looks = 4000;
     return threads <= static_cast<int>(std::thread::hardware_concurrency()) ? k_looks : 0;
@@ -41,7 +40,7 @@ void ThreadPool::start(std::size_t count, Call call, const void* task) {
     epoch_.fetch_add(1, std::memory_order_release);
     epoch_.notify_all();
     work();
-    // Only tasks in hand are waited for: a thread that has not even woken up does not hold the loop back.
+    // Waits only for tasks already taken: a thread that has not yet woken up does not delay the loop.
     int looks = 0;
     for (std::size_t done = done_.load(std::memory_order_acquire); done != count;
          done = done_.load(std::memory_order_acquire)) {
@@ -53,9 +52,8 @@ void ThreadPool::start(std::size_t count, Call call, const void* task) {
     }
 }
 
-// Takes tasks until none is left. A ticket carries the loop's number and the tasks left in it, and changes as
-// one: who takes one knows that its loop cannot end before that task does, so call_ and task_ are that
-// loop's.
+// Runs tasks until none is left. A ticket contains the loop's number and the tasks left in it and changes atomically: a
+// thread that takes one knows that its loop cannot end before that task does, so call_ and task_ belong to that loop.
 void ThreadPool::work() {
     constexpr std::uint64_t k_left = (std::uint64_t{1} << k_count_bits) - 1;
     std::uint64_t ticket = tickets_.load(std::memory_order_acquire);

@@ -9,12 +9,11 @@
 
 namespace frana {
 
-/// A fixed team of threads for loops over independent tasks. Which thread runs which task is not determined,
-/// so a task may write only what no other task of the loop touches; then results do not depend on the number
-/// of threads.
+/// A fixed set of threads for loops over independent tasks. Which thread runs which task is not determined, so a task
+/// may write only what no other task of the loop accesses; then results do not depend on the number of threads.
 class ThreadPool {
   public:
-    /// A team of `threads` (at least 1), the calling thread included.
+    /// Starts a pool of `threads` (at least 1), including the calling thread.
     explicit ThreadPool(int threads);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
@@ -52,7 +51,7 @@ class ThreadPool {
     std::vector<std::thread> workers_;
     std::atomic<std::uint32_t> epoch_{0};
     static constexpr int k_count_bits = 32;
-    std::atomic<std::uint64_t> tickets_{0};  ///< number of the loop, and in the low bits how many tasks are left
+    std::atomic<std::uint64_t> tickets_{0};  ///< number of the loop and, in the low bits, the tasks left
     std::atomic<std::size_t> done_{0};
     std::atomic<bool> stop_{false};
     Call call_ = nullptr;

@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-/// Lead bytes, and what the second byte may be: that leaves out overlong forms, surrogates and codes beyond Unicode.
+/// Lead bytes and the range of the second byte, which excludes overlong forms, surrogates and codes beyond Unicode.
 struct Form {
     unsigned char first, last;  ///< lead bytes
     std::size_t length;

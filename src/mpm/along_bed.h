@@ -8,18 +8,18 @@
 
 namespace frana {
 
-/// Speed along the bed of what moves by (u, v) in map view and climbs by v . grad Z [m/s].
+/// Returns the speed along the bed [m/s] for a velocity (u, v) in map view and the vertical velocity `climb` = v . grad
+/// Z.
 inline double speed_along_bed(double u, double v, double climb) noexcept {
     return std::sqrt(u * u + v * v + climb * climb);
 }
 
-/// What a velocity in map view climbs by, from the nodes beside one: v . grad Z [m/s].
-/// @param bed at that node, in rows of `stride`
+/// Returns the vertical velocity v . grad Z of a velocity in map view [m/s], from the neighbouring nodes.
 inline double climb_at(const double* bed, std::int64_t stride, double half_inverse_dx, double u, double v) noexcept {
     return half_inverse_dx * (u * (bed[1] - bed[-1]) + v * (bed[stride] - bed[-stride]));
 }
 
-/// Velocities in map view, measured along a bed of slope grad Z: u . v + (u . grad Z)(v . grad Z).
+/// Inner product of velocities in map view, measured along a bed of slope grad Z: u . v + (u . grad Z)(v . grad Z).
 struct AlongBed {
     double slope_x = 0, slope_y = 0;
 
@@ -37,8 +37,8 @@ struct MapVector {
     Number x, y;
 };
 
-/// What BedFrame::in_map makes of (x, y). Always inlined: the fast sweeps, compiled for another instruction set, must
-/// share no function with the rest.
+/// BedFrame::in_map of (x, y). Always inlined: the fast kernels, compiled for another instruction set, must share no
+/// function with the rest.
 template <class Number>
 [[gnu::always_inline]] inline MapVector<Number> in_map(Number x, Number y, Number slope_x, Number slope_y,
                                                        Number root) {
@@ -50,9 +50,9 @@ template <class Number>
 ///
 ///     w = u + (u . grad Z) grad Z / (root + 1),   root = sqrt(1 + |grad Z|^2),
 ///
-/// so that |w| is the speed along the bed, |w|^2 = |u|^2 + (u . grad Z)^2, for the velocity u in map view. Linear, so
-/// that on a plane nothing differs whichever of them is exchanged; and across an edge from plane to plane w stays as it
-/// is, however steep they are.
+/// so that |w| is the speed along the bed, |w|^2 = |u|^2 + (u . grad Z)^2, for the velocity u in map view. The map is
+/// linear, so that on a plane the exchange of either velocity is equivalent; across an edge from plane to plane w is
+/// unchanged, however steep they are.
 struct BedFrame {
     double slope_x = 0, slope_y = 0, root = 1;
 

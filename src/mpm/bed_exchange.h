@@ -16,7 +16,7 @@
 
 namespace frana {
 
-/// The ground under a node that the flow can take up or has laid down, averaged over the cell, vertical.
+/// The erodible and the deposited bed under a node, averaged over the cell, vertical.
 struct ErodibleBed {
     double erodible;   ///< at the start [m]
     double eroded;     ///< so far [m]
@@ -26,10 +26,10 @@ struct ErodibleBed {
     double change;     ///< of the bed in this step [m]
 };
 
-/// What went from the bed to the flow and back.
+/// Amounts exchanged between bed and flow.
 struct ExchangeReport {
     double eroded = 0, deposited = 0;       ///< [m3]
-    double momentum_x = 0, momentum_y = 0;  ///< of what was deposited, over density [m4/s]
+    double momentum_x = 0, momentum_y = 0;  ///< of the deposited material, over density [m4/s]
 
     void merge(const ExchangeReport& r) noexcept {
         eroded += r.eroded;
@@ -45,11 +45,10 @@ void serialise(Archive& archive, ExchangeReport& report) {
     archive(eroded, deposited, momentum_x, momentum_y);
 }
 
-/// Erosion and deposition at a tile's nodes: what is eroded (or, where nothing is, deposited) in this step.
-/// Comes after update_nodes, whose friction says how the bed resists. What lies on the bed can be taken up
-/// again. Deposition leaves a film of the flow, so that particles keep a volume. Reads NodeMotion mass,
-/// velocity, share; BedState; bed; reads and writes ErodibleBed. Nodes outside the terrain and solid ones do not
-/// exchange.
+/// Computes erosion (or, where nothing is eroded, deposition) at a tile's nodes in this step. Follows update_nodes,
+/// whose friction gives the bed resistance. Deposited material can be eroded again. Deposition leaves a film of the
+/// flow, so that particles keep a volume. Reads NodeMotion mass, velocity, fraction; BedState; bed; reads and writes
+/// ErodibleBed. Nodes outside the terrain and solid ones do not exchange.
 /// @param density [kg/m3]  @param dt [s]  @param film least depth that deposition leaves [m]
 template <bool Metric, class Erosion, class Deposition>
 void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Deposition& deposition, double density,
@@ -97,16 +96,16 @@ void exchange_at_nodes(const NodeRange& range, const Erosion& erosion, const Dep
     });
 }
 
-/// The bed after it; apart, since slopes are read across tiles.
+/// Moves the bed; a separate sweep, since slopes are read across tiles.
 inline void move_bed(const NodeRange& range, const ErodibleBed* beds, NodeGrid& nodes) {
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t, std::int64_t) { nodes.bed[i] += beds[i].change; });
 }
 
-/// Particles take up what their nodes gained and give what they lost, in proportion to their volume, area
-/// unchanged: the sum over particles is the sum over nodes, exactly. What is taken up is at rest, so the
-/// particle's velocity falls and its momentum stays; what is laid down leaves with its momentum. Must come
-/// before particles move. Reads x, y, ErodibleBed; reads and writes volume; writes the fraction of their velocity
-/// that particles keep.
+/// Adds to particles what their nodes gained and removes what they lost, in proportion to their volume, area unchanged:
+/// the sum over particles equals the sum over nodes exactly. Eroded material is at rest, so the particle's velocity
+/// decreases and its momentum is unchanged; deposited material leaves with its momentum. Must precede the motion of the
+/// particles. Reads x, y, ErodibleBed; reads and writes volume; writes the fraction of their velocity that particles
+/// keep.
 template <class Shape>
 void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid& nodes, const ErodibleBed* beds,
                              ParticleSet& particles, double* kept, double* lost, ExchangeReport& report) {
@@ -131,7 +130,7 @@ void exchange_with_particles(std::size_t begin, std::size_t end, const NodeGrid&
     }
 }
 
-/// Gives particles the velocity that is left to them, after nodes_to_particles.
+/// Reduces the particles' velocities to these fractions, after nodes_to_particles.
 inline void slow_particles(std::size_t begin, std::size_t end, const double* kept, const double* lost,
                            ParticleSet& particles, ExchangeReport& report) {
     for (const Field f : {Field::u, Field::v, Field::c_xx, Field::c_xy, Field::c_yx, Field::c_yy}) {

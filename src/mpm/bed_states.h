@@ -5,8 +5,8 @@
 
 namespace frana {
 
-/// Thickness and support of each node that holds mass; the laws then add their parts. Reads NodeForces mass,
-/// area, px, py (curved only), bed; writes BedState.
+/// Sets thickness and support of each node with mass; the laws then add their parts. Reads NodeForces mass, area, px,
+/// py (curved only), bed; writes BedState.
 template <class Slope>
 void fill_bed_states(const NodeRange& range, const NodeUpdate& k, const NodeGrid& nodes, BedState* states) {
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {

@@ -8,7 +8,7 @@ namespace {
 
 // Calls visit(ghost, inner, normal_is_x) for the pairs of the first ghost column and row on each side. Rows
 // come after columns and span the ghost columns too, so corners are folded twice, once in each direction.
-// Ghosts of the second ring are never touched by a particle inside.
+// A particle inside never touches ghosts of the second ring.
 template <class Visit>
 void for_each_mirror_pair(const NodeGrid& nodes, const Visit& visit) {
     const std::int64_t nx = nodes.columns(), ny = nodes.rows();

@@ -6,21 +6,21 @@
 
 namespace frana {
 
-/// Walls by mirroring (share/doc/numerics.md, "Walls"). The wall runs along the outer edge of the outermost cells,
-/// half a cell beyond the nodes there, so a ghost node is the mirror image of a node inside: what particles
-/// gave to the ghost belongs to that node, with the normal component turned round.
+/// Walls by mirroring (share/doc/numerics.md, "Walls"). The wall is along the outer edge of the outermost cells, half a
+/// cell beyond the nodes there, so a ghost node is the mirror image of a node inside: contributions of particles to the
+/// ghost belong to that node, with the normal component reversed.
 ///
 /// Adds the ghosts' mass, momentum, area (sums) to the inner nodes and makes the ghosts their mirror images.
 void mirror_sums(NodeGrid& nodes);
-/// Gives the ghosts the reference levels of their mirror images.
+/// Copies the reference levels of the mirror images to the ghosts.
 void mirror_levels(NodeGrid& nodes);
-/// Adds the ghosts' forces to the inner nodes; the ghosts' forces become zero.
+/// Adds the ghosts' forces to the inner nodes and sets them to zero.
 void fold_forces(NodeGrid& nodes);
-/// Gives the ghosts the mirror image of the inner nodes' updated velocities, shares and supports.
+/// Sets the ghosts to the mirror image of the inner nodes' updated velocities, fractions and supports.
 void mirror_velocities(NodeGrid& nodes);
-/// Gives the ghosts their mirror images' fractions of what is exchanged with the bed.
+/// Copies the mirror images' fractions of exchange with the bed to the ghosts.
 void mirror_exchange(const NodeGrid& nodes, ErodibleBed* beds);
-/// Makes the ghosts' bed the mirror image of the bed inside.
+/// Sets the ghosts' bed to the mirror image of the bed inside.
 void mirror_bed(NodeGrid& nodes);
 
 }  // namespace frana

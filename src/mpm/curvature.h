@@ -8,24 +8,25 @@
 
 namespace frana {
 
-/// What the motion over a curved bed adds to gravity [m/s2]:
+/// Acceleration that motion over a curved bed adds to gravity [m/s2]:
 ///
 ///     load = v . grad grad Z . v = u^2 Z_xx + 2 u v Z_xy + v^2 Z_yy
 ///
-/// u, v velocity in map view [m/s]. The bed then supports (g + load) / sqrt(n) per mass, n = 1 + |grad Z|^2,
-/// which is g cos(theta) + speed^2 / radius along the motion: more in hollows, less over edges, none where it
-/// would be negative; and it pushes by -(g + load) grad Z / n in map view, which keeps the speed along the
-/// bed where friction does not act. A point mass on a surface, exact (share/doc/model.md, "Curvature").
-/// Where it would be negative the mass would fly. Depth-averaged it stays on its bed, without friction, and
-/// keeps its energy: were its map velocity kept, as in flight, the steep bed under it would read as speed.
-/// Second derivatives are those of the quadric through the nine nodes by least squares (Evans 1980, Z.
-/// Geomorphol. Suppl. 36, 274), smoother than plain differences by sqrt(3) on noisy terrain.
-/// Nothing at speed zero; depth does not enter.
+/// u, v velocity in map view [m/s]. The bed then supports (g + load) / sqrt(n) per mass, n = 1 + |grad Z|^2, which is g
+/// cos(theta) + speed^2 / radius along the motion: more in hollows, less over edges, 0 instead of negative; and it
+/// pushes by -(g + load) grad Z / n in map view, which conserves the speed along the bed where friction does not act.
+/// Exact for a point mass on a surface (share/doc/model.md, "Curvature").
+/// Where the support would be negative the mass would fly. The depth-averaged flow stays on its bed, without friction,
+/// and keeps its energy: if its map velocity were kept, as in flight, the steep bed under it would turn it into a
+/// higher speed.
+/// Second derivatives are those of the quadric through the nine nodes by least squares (Evans 1980, Z. Geomorphol.
+/// Suppl. 36, 274), smoother than plain differences by sqrt(3) on noisy terrain.
+/// 0 at speed zero; independent of depth.
 struct BedCurvature {
     double xx = 0, xy = 0, yy = 0;  ///< grad grad Z [1/m]
-    double x = 0, y = 0;            ///< grad Z by Sobel's weights [-]: across an edge that runs askew to the grid,
-                                    ///< differences along rows and columns alone point aside, and would turn what
-                                    ///< crosses it (from 45 to 70 degrees by up to 33 degrees; with these by 5)
+    double x = 0, y = 0;            ///< grad Z by Sobel's weights [-]: across an edge oblique to the grid, differences
+                                    ///< along rows and columns alone are off in direction and would deflect the flow
+                                    ///< that crosses it (from 45 to 70 degrees by up to 33 degrees; with these by 5)
 
     [[nodiscard]] double load(double u, double v) const noexcept { return u * u * xx + 2 * u * v * xy + v * v * yy; }
 };
@@ -47,12 +48,12 @@ inline BedCurvature bed_curvature(const NodeGrid& nodes, std::size_t i, std::int
     return {xx, xy, yy, x, y};
 }
 
-/// A velocity in map view [m/s] after a time dt in which nothing but the bed turned it. Where the fall line turns under
-/// the motion, w turns as well, at the rate
+/// Turns a velocity in map view [m/s] over a time dt by the bed alone. Where the fall line turns along the motion, w
+/// turns as well, at the rate
 ///
 ///     (grad Z x grad grad Z u) / (root (root + 1)),
 ///
-/// which makes the way a shortest one (a geodesic); its size, the speed along the bed, stays.
+/// which makes the path a geodesic; its magnitude, the speed along the bed, is unchanged.
 inline void turn_by_bed(const BedCurvature& k, const BedFrame& frame, double dt, double& u, double& v) noexcept {
     const double rise_x = k.xx * u + k.xy * v, rise_y = k.xy * u + k.yy * v;
     const double root = std::sqrt(1 + k.x * k.x + k.y * k.y);

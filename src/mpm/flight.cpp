@@ -14,7 +14,7 @@
 namespace frana {
 namespace {
 
-// How fine a way over the bed is looked at [cells], and how often an end of a free fall is halved: to 1e-9 of that.
+// Interval at which a path over the bed is sampled [cells]; bisection finds an end of a free fall to 1e-9 of it.
 constexpr double k_look = 0.25;
 constexpr int k_halvings = 30;
 
@@ -59,14 +59,14 @@ Point at(Point from, Point velocity, double time) noexcept {
     return {from.x + velocity.x * time, from.y + velocity.y * time};
 }
 
-// The velocity at the end loses its part normal to the bed.
+// Returns the velocity after landing, without its part normal to the bed.
 Point landed_velocity(const NodeGrid& nodes, Point place, Point velocity, double climb) {
     const Interpolated z = ground_at(nodes, place);
     const double into = (climb - velocity.x * z.dx - velocity.y * z.dy) / (1 + z.dx * z.dx + z.dy * z.dy);
     return BedFrame::of({z.dx, z.dy}).along_bed(velocity.x + into * z.dx, velocity.y + into * z.dy);
 }
 
-// From jump.from on, until it lands. Returns the steepest fall of the edge in its direction.
+// Computes the free fall from jump.from until it lands. Returns the steepest fall of the edge in its direction.
 double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
     const NodeScale grid = nodes.scale();
     const double search_distance = k_look * grid.dx, start = ground_at(nodes, jump.from).value;
@@ -129,7 +129,7 @@ std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Poi
         Bed bed = bed_at(nodes, place);
         Point velocity = bed.map_velocity(along);
         if (bed.throws(velocity, rules.gravity)) {
-            // The place where this begins, between the last one looked at and this one.
+            // The place where this begins, between the previous sample and this one.
             double supported = 0, thrown = time - before;
             for (int i = 0; i < k_halvings && thrown > supported; ++i) {
                 const double middle = 0.5 * (supported + thrown);
@@ -173,9 +173,9 @@ double Flights::kinetic(double time, double gravity) const noexcept {
 
 namespace {
 
-// In the air neighbours fly apart, or together, as their velocities differed when they left: x -> x + T v(x), whose
-// gradient is F = I + T C. The area grows by det F, the shape becomes F Q F^T; neither by more than splitting and the
-// sums of area can make good.
+// In the air neighbours diverge, or converge, by the difference of their velocities at take-off: x -> x + T v(x), whose
+// gradient is F = I + T C. The area changes by det F, the shape becomes F Q F^T; both within what splitting and the
+// area relaxation can restore.
 void stretch(ParticleRow& row, double time, double cell_area) {
     const double xx = 1 + time * get(row, Field::c_xx), xy = time * get(row, Field::c_xy);
     const double yx = time * get(row, Field::c_yx), yy = 1 + time * get(row, Field::c_yy);
@@ -240,7 +240,7 @@ bool may_hold_edge(const NodeRange& range, const NodeGrid& nodes, double edge) {
 
 }  // namespace
 
-// The answer is kept while the bed is the terrain's.
+// The result is cached while the bed equals the terrain.
 bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, double edge) {
     std::uint8_t& known = edges_[static_cast<std::size_t>(tile)];
     if (known == k_unknown || nodes.bed_changes)
@@ -276,7 +276,7 @@ void Flights::take_off(const ParticleSet& particles, const TileOrder& order, con
                 found[t].emplace_back(p, std::move(*jump));
         }
     });
-    for (const auto& jumps : found) {  // in the particles' order, whatever the threads
+    for (const auto& jumps : found) {  // in the particles' order, independent of threads
         for (const auto& [p, jump] : jumps) {
             if (keep.empty()) keep.assign(particles.size(), 1);
             keep[p] = 0;

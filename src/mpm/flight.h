@@ -16,23 +16,23 @@
 
 namespace frana {
 
-/// A jump must clear the ground by the flow's own depth, and by this fraction of a cell, under which the terrain's
-/// cells tell no edge from roughness.
+/// A jump must clear the ground by the flow's depth and by this fraction of a cell; below it, cells of the terrain do
+/// not resolve an edge from roughness.
 inline constexpr double k_least_clearance = 0.1;
 
-/// How wide an edge may be, from where it begins to throw to its steepest fall [cells]: the splines make two of a step.
+/// Greatest width of an edge, from the take-off to its steepest fall [cells]: the splines make two of a step.
 inline constexpr double k_edge_width = 2;
 
 /// A free fall from a place on the bed to the next.
 struct Jump {
     Point from;           ///< local metres
-    double glide = 0;     ///< time along the bed until it begins there [s]
+    double glide = 0;     ///< time along the bed until it begins [s]
     Point velocity;       ///< in map view [m/s]
-    double climb = 0;     ///< vertical velocity at the begin [m/s]
-    double duration = 0;  ///< from there until it lands [s]
+    double climb = 0;     ///< vertical velocity at the beginning [m/s]
+    double duration = 0;  ///< from the beginning to landing [s]
     Point to;             ///< local metres, inside of the terrain
-    Point landed;         ///< velocity along the bed (BedFrame) of what has landed [m/s]
-    double height = 0;    ///< greatest above the ground [m]
+    Point landed;         ///< velocity along the bed (BedFrame) after landing [m/s]
+    double height = 0;    ///< greatest height above the ground [m]
     bool left = false;    ///< across an open edge
     struct Place {
         std::size_t node;  ///< whose cell is flown over
@@ -41,23 +41,23 @@ struct Jump {
     std::vector<Place> over;
 };
 
-/// What decides about jumps.
+/// Conditions of jumps.
 struct JumpRules {
     double gravity = 9.81;  ///< [m/s2]
-    bool wall = false;      ///< edges are walls; what meets one falls down it
+    bool wall = false;      ///< edges of the terrain are walls; a particle that meets one falls down it
     double edge = 0;        ///< least fall of an edge in the direction of motion [-]
 };
 
-/// The jump of a particle that moves straight on along its bed for a time `reach` [s], if it makes one: it begins at
-/// the first place where the bed of the quadratic splines falls away faster than a free fall,
+/// Returns the jump, if there is one, of a particle that moves straight on along its bed for a time `reach` [s]: it
+/// begins at the first place where the bed of the quadratic splines falls away faster than a free fall,
 ///
 ///     v . grad grad Z . v < -g,
 ///
 /// from which the parabola clears the ground by more than `clearance` [m], if the edge falls by JumpRules::edge or more
-/// in its direction within k_edge_width. A fast flow bends away from gentler ground too, but not as a whole: what the
-/// bed no longer bears there the layer's upper part, and drag, still hold. Without that bound every bump of a gully
-/// threw particles, which then had no friction: 71 m/s where most codes have 41 to 53 (share/doc/model.md). On landing
-/// the part of the velocity normal to the bed is lost.
+/// in its direction within k_edge_width. A fast flow also separates from gentler ground, but not as a whole: what the
+/// bed no longer supports there, the upper part of the flow and drag still retain. Without that bound every bump of a
+/// gully threw particles, which then had no friction: 71 m/s where most codes have 41 to 53 (share/doc/model.md). On
+/// landing the part of the velocity normal to the bed is lost.
 /// @param along velocity along the bed (BedFrame) [m/s]
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,
                               double clearance);
@@ -76,9 +76,9 @@ struct JumpStatistics {
     }
 };
 
-/// Particles in free fall, kept apart from those on the ground, which pay nothing for them. Where the bed falls away
-/// faster than a free fall, a depth-averaged layer has no bed: no friction and no pressure act until it lands. The
-/// whole way is known when it begins, since nothing but gravity acts.
+/// Particles in free fall, stored apart from those on the ground, so that those have no extra cost. Where the bed falls
+/// away faster than a free fall, a depth-averaged flow has no bed: no friction and no pressure act until it lands. The
+/// whole path is known at take-off, since only gravity acts.
 class Flights {
   public:
     Flights() = default;
@@ -87,17 +87,18 @@ class Flights {
 
     [[nodiscard]] bool empty() const noexcept { return flights_.empty(); }
     [[nodiscard]] std::size_t size() const noexcept { return flights_.size(); }
-    /// When the first of them lands [s]; infinite when there is none.
+    /// Returns when the first of them lands [s]; infinite if there is none.
     [[nodiscard]] double next_landing() const noexcept { return next_landing_; }
     [[nodiscard]] double volume() const noexcept;
-    /// Sum of V v^2 / 2 with the vertical part [m5/s2].
+    /// Returns the sum of V v^2 / 2 including the vertical part [m5/s2].
     [[nodiscard]] double kinetic(double time, double gravity) const noexcept;
     [[nodiscard]] const JumpStatistics& statistics() const noexcept { return statistics_; }
     /// Greatest height above the ground at which each padded node's cell was flown over [m]; 0 where it was not.
     [[nodiscard]] const ZeroArray<float>& heights() const noexcept { return heights_; }
 
-    /// Takes the particles that leave the bed within the time `reach`: marks them 0 in `keep`, one byte a particle,
-    /// which stays empty when there are none. Looks near nodes whose motion lifts them off (NodeReport::unsupported).
+    /// Takes over the particles that leave the bed within the time `reach` and marks them 0 in `keep`, one byte per
+    /// particle, which stays empty if there are none. Searches near nodes whose motion lifts them off
+    /// (NodeReport::unsupported).
     /// @param seen by tile
     /// @param time of the particles' positions [s]
     void take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const NodeReport* seen,
@@ -107,13 +108,13 @@ class Flights {
         std::size_t count = 0;  ///< particles appended
         double left = 0;        ///< volume that crossed open edges instead [m3]
     };
-    /// Appends what has landed by `time`.
+    /// Appends the particles that have landed by `time`.
     Landed land(double time, ParticleSet& particles);
 
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [flights, heights, next_landing, statistics, edges] = *this;
-        archive(flights, heights, next_landing, statistics);  // edges are those of the bed
+        archive(flights, heights, next_landing, statistics);  // edges follow from the bed
     }
 
   private:
@@ -138,7 +139,7 @@ class Flights {
     ZeroArray<float> heights_;
     double next_landing_ = std::numeric_limits<double>::infinity();
     JumpStatistics statistics_;
-    std::vector<std::uint8_t> edges_;  // by tile: whether its bed is anywhere as steep as an edge
+    std::vector<std::uint8_t> edges_;  // by tile: whether its bed is as steep as an edge anywhere
 };
 
 }  // namespace frana

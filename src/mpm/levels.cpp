@@ -11,11 +11,10 @@ namespace frana {
 namespace {
 
 constexpr double k_level_ratio = 0.2 * 0.2, k_sloping_ratio = 0.5 * 0.5;
-// Squared spread of the bed, in cells, under which it counts as level: both references are then the same.
+// Squared spread of the bed, in cells, below which it counts as level: both references are then equal.
 constexpr double k_flat = 1e-6;
 
-// Fraction of a cell to which it is known how much of its ground a level floods: less than that does not make a shore a
-// front.
+// Accuracy, as a fraction of a cell, of the area that a level floods: less than that does not make a shore a front.
 constexpr double k_known_fraction = 0.06;
 
 double smooth_step(double from, double to, double value) {
@@ -23,8 +22,8 @@ double smooth_step(double from, double to, double value) {
     return t * t * (3 - 2 * t);
 }
 
-/// Integral of the quadratic spline of a node up to a distance from it [cells]: the fraction of the node's
-/// ground that lies on the near side of a straight shoreline.
+/// Integral of the quadratic spline of a node up to a distance from it [cells]: the fraction of the node's area on the
+/// near side of a straight shoreline.
 double near_side(double distance) {
     const double far = 1.5 - std::min(std::abs(distance), 1.5);
     const double beyond =
@@ -32,7 +31,7 @@ double near_side(double distance) {
     return distance > 0 ? 1 - beyond : beyond;
 }
 
-/// Fraction of a node's ground that lies under a level, the bed taken as the plane through its neighbours.
+/// Returns the fraction of a node's area below a level; the bed is the plane through its neighbours.
 double under_level(const double* bed, std::int64_t stride, double level, double dx) {
     const double slope = std::hypot(bed[1] - bed[-1], bed[stride] - bed[-stride]) / (2 * dx);
     const double clearance = level - *bed;
@@ -84,7 +83,7 @@ void node_references(const NodeRange& range, NodeGrid& nodes) {
             const NodeForces* row = forces + n + b * stride;
             least = std::min(least, std::min(row[-1].area, std::min(row[0].area, row[1].area)));
         }
-        if (least * inverse_dx2 >= k_filled_fraction) {  // filled all round, as most nodes are
+        if (least * inverse_dx2 >= k_filled_fraction) {  // filled all around, as most nodes are
             level.support = 1;
             return;
         }

@@ -8,13 +8,13 @@
 
 namespace frana {
 
-/// What each node has seen at its worst, folded in at every step. Padded like the nodes.
+/// Maxima of each node over time, updated at every step. Padded as the nodes are.
 struct Maxima {
     ZeroArray<double> depth;           ///< [m]; 0: never reached
     ZeroArray<double> speed;           ///< along the bed [m/s]
     ZeroArray<double> arrival_plus_1;  ///< first time reached, plus one so that zero means never [s]
 
-    static constexpr std::size_t k_bytes = 3 * sizeof(double);  ///< a node
+    static constexpr std::size_t k_bytes = 3 * sizeof(double);  ///< per node
 
     Maxima() = default;
     explicit Maxima(std::size_t size) : depth(size), speed(size), arrival_plus_1(size) {}

@@ -10,46 +10,46 @@
 
 namespace frana {
 
-/// What a step tells the nodes' stages.
+/// Parameters of a step for the nodes' stages.
 struct NodeUpdate {
     double dt = 0;
     double gravity = 0;                   ///< g_z [m/s2]
     double gravity_x = 0, gravity_y = 0;  ///< tilted gravity for verification [m/s2]
     double minimum_depth = 0;             ///< depth from which a node counts in the maxima [m]
-    double effective_fraction = 1;        ///< 1 - r_u: what pore pressure leaves of the normal stress [-]
+    double effective_fraction = 1;        ///< 1 - r_u: effective fraction of the normal stress under pore pressure [-]
     double moving_speed = 0;              ///< speed from which a node's volume counts as moving [m/s]
     bool change_only = false;             ///< particles take the change of the velocity (FLIP), not the velocity
     bool wall = false;                    ///< ghost nodes mirror those inside
-    Point* brought = nullptr;  ///< padded, for those who look: velocity that the particles brought, in map view [m/s]
+    Point* brought = nullptr;             ///< padded, if recorded: velocity in map view before the update [m/s]
 };
 
-/// How the nodes' stages meet friction: Voellmy with the same parameters everywhere, nothing stored.
+/// Friction at the nodes: Voellmy with uniform parameters, nothing stored.
 struct UniformFriction {
     static constexpr bool remembers = false;
     const VoellmyFriction& law;
 
     [[nodiscard]] bool active() const noexcept { return law.active(); }
     [[nodiscard]] bool keeps_rest() const noexcept { return law.friction_coefficient > 0; }
-    /// Speed that yield takes off in a step [m/s].
+    /// Returns the reduction of speed by yield in a step [m/s].
     [[nodiscard]] double stopped_in_step(std::size_t, const NodeUpdate& k) const noexcept {
         return k.dt * law.friction_coefficient * k.gravity;
     }
-    /// A node's share in the bound that holds it: in map view the bound (g + load) tan(phi) / sqrt(n) acts over
-    /// sqrt(n).
+    /// Returns a node's contribution to the bound that holds it: in map view the bound (g + load) tan(phi) / sqrt(n)
+    /// acts over sqrt(n).
     [[nodiscard]] double held(double mass, std::size_t, double n, double supported) const noexcept {
         return mass * supported / n;
     }
-    /// What turns the sum of shares into a momentum.
+    /// Returns the factor from the sum of contributions to a momentum.
     [[nodiscard]] double held_in_step(const NodeUpdate& k) const noexcept { return k.dt * law.friction_coefficient; }
-    /// @param supported what the bed supports along the vertical, g + load [m/s2]
+    /// @param supported vertical acceleration supported by the bed, g + load [m/s2]
     [[nodiscard]] double speed_after(std::size_t, double speed, const NodeUpdate& k, double root, double supported,
                                      double depth) const noexcept {
         return law.speed_after(speed, k.dt, supported / root, k.gravity, depth / root);
     }
 };
 
-/// The sum of any laws, with parameters that may differ from node to node: each node's BedState, filled
-/// beforehand, and at most one law that is no polynomial of the speed.
+/// The sum of any laws, with parameters that may vary from node to node: each node's BedState, computed before, and at
+/// most one law that is no polynomial of the speed.
 template <class Excess>
 struct SummedFriction {
     static constexpr bool remembers = true;
@@ -72,7 +72,7 @@ struct SummedFriction {
         states[node].resistance = (speed - after) / k.dt;
         return after;
     }
-    /// A node that is held: the bed resists all that drives it.
+    /// A node that is held: the resistance equals the driving force.
     void remember(std::size_t node, double speed, const NodeUpdate& k) const noexcept {
         states[node].resistance = speed / k.dt;
     }

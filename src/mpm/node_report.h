@@ -8,7 +8,7 @@
 
 namespace frana {
 
-/// What a tile's nodes showed in a step.
+/// Results of a tile's nodes in a step.
 struct NodeReport {
     double max_depth = 0;          ///< [m]
     double max_speed = 0;          ///< along the bed [m/s]
@@ -18,9 +18,9 @@ struct NodeReport {
     double moving = 0;             ///< volume that is faster than NodeUpdate::moving_speed, however thin [m3]
     double thin = 0;               ///< volume on nodes that are not as deep as the minimum [m3]
     double volume = 0;             ///< of all nodes [m3]
-    double energy = 0;             ///< kinetic and potential, over density, when the positions were as now [m5/s2]
+    double energy = 0;             ///< kinetic and potential, over density, at the present positions [m5/s2]
     double kinetic = 0;            ///< of which kinetic
-    double dissipated = 0;         ///< energy over density that friction and walls took [m5/s2]
+    double dissipated = 0;         ///< energy over density dissipated by friction and walls [m5/s2]
 
     template <class Archive>
     void serialise(Archive& archive) {
@@ -42,9 +42,9 @@ struct NodeReport {
         dissipated += r.dissipated;
     }
 
-    /// Counts a node's energy in the step in which its velocity in map view goes from `before` (`turned` by the bed)
-    /// over `driven`, with all that drives it, to `after`, with friction and walls too. Those take what they change of
-    /// the velocity times the mean of before and after: what is held in place does no work.
+    /// Adds a node's energy in the step in which its velocity in map view goes from `before` (`turned` by the bed) over
+    /// `driven`, with all driving forces, to `after`, with friction and walls too. Friction and walls dissipate their
+    /// change of the velocity times the mean of before and after: a held node does no work.
     /// @param height of its middle [m]
     void count_energy(double node_volume, double height, double gravity, const AlongBed& bed, Point before,
                       Point turned, Point driven, Point after) noexcept {

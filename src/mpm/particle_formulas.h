@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a particle makes of what it gathered from its nodes. One formula for one particle (double) and for four (Quad),
-// always inlined (core/lanes.h).
+// Formulas for the values that a particle gathers from its nodes. One formula for one particle (double) and for four
+// (Quad), always inlined (core/lanes.h).
 #pragma once
 
 #include <algorithm>
@@ -11,35 +11,35 @@
 namespace frana {
 
 /// Gain per Courant number of the relaxation of areas (share/doc/numerics.md, "Area relaxation"); 0.2 bounds it.
-/// Particles that crowd (k_crowded_fraction) shrink faster: friction and maps would see a layer thinner than the ground
-/// does. Not from a fraction of 1 on, where half of all evenly spread irregular particles are: ritter-irregular would
-/// be worse by 1/3.
+/// Crowded particles (k_crowded_fraction) shrink faster: otherwise friction and maps would use a depth smaller than
+/// that on the ground. Not from a fraction of 1 on, where half of all evenly spread irregular particles are:
+/// ritter-irregular would be worse by 1/3.
 inline constexpr double k_relaxation_gain = 0.03, k_crowded_gain = 0.2, k_relaxation_limit = 0.2;
 
 /// Least factor by which an area may change in a step; the stable step keeps well clear of it.
 inline constexpr double k_least_growth = 0.1;
 
-/// Bound of a particle's area, and of its shape's trace, in cells: what cannot be split (films) grows no
+/// Bound of a particle's area, and of its shape's trace, in cells: particles that cannot be split (films) grow no
 /// further.
 inline constexpr double k_largest_claim = 4;
 
-/// Greatest difference of a particle's affine velocity over a cell at a free front, in celerities sqrt(g h), where no
-/// support is left; with support s it is this over (1 - s). In a simple wave u + 2 sqrt(g h) is constant, so velocity
-/// cannot vary by more than twice the celerity over the cell in which the depth goes to zero; without the bound the
-/// foremost particles outrun 2 sqrt(g h) at every split.
+/// Greatest difference of a particle's affine velocity over a cell at a free front, in celerities sqrt(g h), at support
+/// 0; at support s it is this over (1 - s). In a simple wave u + 2 sqrt(g h) is constant, so velocity cannot vary by
+/// more than twice the celerity over the cell in which the depth goes to zero; without the bound the foremost particles
+/// outrun 2 sqrt(g h) at every split.
 inline constexpr double k_front_shear = 0.7;
 
 /// A particle this many times deeper than its cells' mean depth is not compressed further.
 inline constexpr double k_tower = 2;
 
-/// Fraction of a cell from which it counts as full when material converges. Rounding must not decide about a lattice
-/// that fills its cells exactly.
+/// Fraction of a cell from which it counts as full when material converges. Rounding must not decide for a lattice that
+/// fills its cells exactly.
 inline constexpr double k_full_fraction = 1 - 1e-9;
 
-/// Greatest share by which gravity's work sets the speed of a particle right in a step.
+/// Greatest relative correction of a particle's speed by gravity's work in a step.
 inline constexpr double k_work_limit = 0.5;
 
-/// How far the velocities on a stencil are from linear.
+/// Deviation of the velocities on a stencil from linear.
 template <class Number>
 struct Bend {
     Number bend;    ///< |v0 - 2 v1 + v2| along both axes [m/s]
@@ -54,8 +54,8 @@ template <class Number>
             (abs(u1 - u0) + abs(u2 - u1)) + (abs(v1 - v0) + abs(v2 - v1))};
 }
 
-/// Rate of compression that the artificial viscosity acts on [1/s]: -div v, weighted by bend over change. 1 behind a
-/// shock that rings, 0 where a flow converges smoothly: there a viscosity would only cost energy.
+/// Rate of compression in the artificial viscosity [1/s]: -div v, weighted by bend over change. 1 behind a shock with
+/// oscillations, 0 where a flow converges smoothly: there a viscosity would only dissipate energy.
 template <class Number>
 [[gnu::always_inline]] inline Number shock_compression(Number divergence, const Bend<Number>& b) {
     return select((divergence < 0) & (b.change > 0), -divergence * b.bend / b.change, Number(0.0));
@@ -67,9 +67,8 @@ struct Gradient {
     Number xx, xy, yx, yy;
 };
 
-/// Bounds the affine velocity at a free front (k_front_shear): no more than the celerity allows. Squares, since few
-/// particles are at one.
-/// @param celerity2 bound of the celerity [m2/s2]
+/// Bounds the affine velocity at a free front (k_front_shear) by the celerity. Compares squares first, since few
+/// particles are at a front.
 template <class Number>
 [[gnu::always_inline]] inline Gradient<Number> bounded_at_front(const Gradient<Number>& c, Number support, double dx,
                                                                 Number bound2) {
@@ -81,8 +80,8 @@ template <class Number>
     return {fit * c.xx, fit * c.xy, fit * c.yx, fit * c.yy};
 }
 
-/// By what part gravity's work changes a particle's velocity (nodes_to_particles.h).
-/// @param most twice the energy that the work is measured against [m2/s2]
+/// Relative change of a particle's velocity by gravity's work (nodes_to_particles.h).
+/// @param most twice the energy to which the work is related [m2/s2]
 template <class Number>
 [[gnu::always_inline]] inline Number change_by_work(Number work, Number most) {
     using std::max;
@@ -91,10 +90,8 @@ template <class Number>
     return min(max(select(most > 0, work / most, Number(0.0)), least), greatest);
 }
 
-/// Where the cells are not full, converging material first fills the gaps: only a full cell gets deeper, and no
-/// particle gets much deeper than the cells round it, however long it is pressed into a corner.
-/// @param growth of its area by the flow  @param fraction of the cells that particles claim
-/// @param cell_depth volume of the cells' nodes
+/// Where the cells are not full, converging material first fills the gaps: only a full cell becomes deeper, and no
+/// particle becomes much deeper than the cells around it, however long it is pressed into a corner.
 template <class Number>
 [[gnu::always_inline]] inline Number filling_growth(Number growth, Number volume, Number area, Number fraction,
                                                     Number cell_depth, double cell_area) {
@@ -102,10 +99,10 @@ template <class Number>
     return select((growth < 1) & ((fraction < k_full_fraction) | tower), Number(1.0), growth);
 }
 
-/// Area relaxation, which ties a particle's depth to the mass on the grid: its area grows or shrinks with what the
-/// particles claim of each cell, and only shrinks at a free front. A film too thin to be split claims no more than a
-/// few cells: beyond that its support would be a fiction.
-/// @param grown area as the flow makes it  @param area before the step  @param courant |v| dt/dx
+/// Area relaxation, which ties a particle's depth to the mass on the grid: its area grows or shrinks with the fraction
+/// of each cell that particles claim, and only shrinks at a free front. A film too thin to be split claims at most a
+/// few cells: beyond that its support would be meaningless.
+/// @param grown area after deformation by the flow  @param area before the step  @param courant |v| dt/dx
 template <class Number>
 [[gnu::always_inline]] inline Number relaxed_area(Number grown, Number area, Number fraction, Number support,
                                                   Number speed, double courant, double cell_area) {

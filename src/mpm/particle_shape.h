@@ -9,8 +9,8 @@ struct ParticleShape {
     Number xx, xy, yy;
 };
 
-/// F Q F^T, which a motion x -> F x makes of Q. One formula for one particle (double) and for four (Quad). Always
-/// inlined: the fast sweeps, compiled for another instruction set, must share no function with the rest.
+/// Returns F Q F^T, the shape after a motion x -> F x. One formula for one particle (double) and for four (Quad).
+/// Always inlined: the fast kernels, compiled for another instruction set, must share no function with the rest.
 template <class Number>
 [[gnu::always_inline]] inline ParticleShape<Number> deformed(const ParticleShape<Number>& q, Number fxx, Number fxy,
                                                              Number fyx, Number fyy) {

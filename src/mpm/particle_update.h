@@ -12,16 +12,16 @@
 namespace frana {
 
 struct ParticleUpdate {
-    double dt = 0;  ///< for which the positions move [s]
+    double dt = 0;  ///< time of the positions' motion [s]
     double gravity = 0;
-    double film = 0;    ///< depth under which a particle is not split [m]
+    double film = 0;    ///< depth below which a particle is not split [m]
     bool wall = false;  ///< particles are kept inside; otherwise they may leave
     Point origin;       ///< release centroid, for the front distance, local metres
-    double pull = 0;    ///< gravity times the time for which forces acted [m/s]; for what follows the bed
+    double pull = 0;    ///< gravity times the duration of the forces [m/s]; for velocities along the bed
     double shift = 0;   ///< particle shifting: s of shifting.h, 0 in steps without it
 };
 
-/// What a tile's particles showed in a step; combined tile by tile in their order.
+/// Results of a tile's particles in a step; combined tile by tile in their order.
 struct ParticleReport {
     double wave_speed = 0;     ///< greatest |v| + sqrt(g h) [m/s]
     double speed = 0;          ///< greatest |v| [m/s]
@@ -47,21 +47,21 @@ struct ParticleReport {
     }
 };
 
-/// What one particle (double) or four (Quad) gather from their nodes.
+/// The values that one particle (double) or four (Quad) gather from their nodes.
 template <class Number>
 struct Gathered {
     Number cell_depth, fraction, climb, support;
     Number depth_x, depth_y, fraction_x, fraction_y,
         least;                      // for shifting: gradients of the first two; least fraction of any node
-    Number u, v, back_u, back_v;    // nodal velocity in map view; what the particles take back
+    Number u, v, back_u, back_v;    // nodal velocity in map view; velocity that the particles take over
     Number u_x, u_y, v_x, v_y;      // gradient of the former
     Number m_xx, m_xy, m_yx, m_yy;  // first moments of the latter (hat functions: its gradient)
     Number bed_x, bed_y;            // gradient of the bed, through the splines
     Bend<Number> bend;              // of the nodal velocity
 };
 
-/// A particle does not enter a wall's cell: it goes as far along the wall as either axis allows. Its cell then keeps it
-/// a whole cell away from the nodes behind a wall one cell thick.
+/// A particle does not enter a wall's cell: it moves along the wall as far as either axis allows. Its cell then keeps
+/// it a whole cell away from the nodes behind a wall one cell thick.
 [[gnu::always_inline]] inline void slide_along_walls(const NodeGrid &nodes, double x, double y, double &px,
                                                      double &py) noexcept {
     const NodeScale grid = nodes.scale();
@@ -79,8 +79,8 @@ struct Gathered {
     }
 }
 
-/// What nodes_to_particles (mpm/nodes_to_particles.h) does after the gather, for one particle or for four.
-/// Affine, Increment: of the transfer. Shifts: whether ParticleUpdate::shift may not be 0.
+/// The part of nodes_to_particles (mpm/nodes_to_particles.h) after the gather, for one particle or for four. Affine,
+/// Increment: of the transfer. Shifts: whether ParticleUpdate::shift may be other than 0.
 template <class Number, bool Affine, bool Increment, class Stress, bool Relaxed, bool FollowsBed, bool Shifts>
 struct ParticleSweep {
     using L = Lanes<Number>;
@@ -214,7 +214,7 @@ struct ParticleSweep {
                 L::set(py, l, along_y);
             }
         }
-        // What is not finite stays where it was; the run stops after this step.
+        // Non-finite particles keep their position; the run stops after this step.
         const Number wave = speed + sqrt(k.gravity * depth);
         const Mask finite = (wave < 1e9) & (abs(px) < 1e12) & (abs(py) < 1e12);
         L::store(select(finite, px, old_x), x + p, n);

@@ -9,11 +9,11 @@
 
 namespace frana {
 
-/// Bilinear hat functions (paper, equations 20-21): two nodes a direction, gradient discontinuous at nodes.
+/// Bilinear hat functions (paper, equations 20-21): two nodes per direction, gradient discontinuous at nodes.
 struct HatShape {
     static constexpr int width = 2;
 
-    /// Weights and derivatives (per node spacing) at position s in node spacings; returns the first node
+    /// Computes weights and derivatives (per node spacing) at position s in node spacings; returns the first node
     /// touched.
     static std::int64_t evaluate(double s, double (&weight)[2], double (&slope)[2]) noexcept {
         const double base = std::floor(s);
@@ -26,8 +26,8 @@ struct HatShape {
     }
 };
 
-/// Quadratic B-splines: three nodes a direction, continuous gradient, no cell-crossing noise
-/// (Steffen, Kirby, Berzins 2008).
+/// Quadratic B-splines: three nodes per direction, continuous gradient, no cell-crossing noise (Steffen, Kirby, Berzins
+/// 2008).
 struct QuadraticSplineShape {
     static constexpr int width = 3;
 
@@ -44,8 +44,8 @@ struct QuadraticSplineShape {
     }
 };
 
-/// The nodes that a particle touches: index of the south-western one, weights and gradients a direction, and
-/// the vector from the particle to that first node.
+/// The nodes that a particle touches: index of the south-western one, weights and gradients per direction, and the
+/// vector from the particle to that first node.
 template <class Shape>
 struct Stencil {
     static constexpr int width = Shape::width;

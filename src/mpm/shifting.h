@@ -7,39 +7,38 @@
 
 namespace frana {
 
-/// Particle shifting: a particle in a filled part of the flow drifts from where particles crowd to where they are few,
+/// Particle shifting: a particle in a filled part of the flow drifts from crowded to sparse particles,
 ///
 ///     x <- x - s dx^2 grad phi,   phi the fraction of the cell that particles claim,
 ///
-/// so that a flow's particles become as even as a lattice. Its depth follows the nodes' own depth M / phi:
-/// A <- A (1 - dx . grad h / h). Volume and velocity stay with it, so that volume, momentum and kinetic energy are kept
+/// so that a flow's particles become as even as a lattice. Its depth follows the nodes' own depth M / phi: A <- A (1 -
+/// dx . grad h / h). Its volume and velocity are unchanged, so that volume, momentum and kinetic energy are conserved
 /// to the last bit; potential energy is not. (After Lind et al. 2012, J. Comput. Phys. 231, 1499.)
 ///
-/// Bounds: none without motion, so that still water stays; none where a cell of its stencil is far from full, since
-/// grad phi is there the flow's own edge; none where particles lie on top of each other, since it would press them out
-/// of their pile.
+/// Bounds: none without motion, so that still water stays at rest; none where a cell of its stencil is far from full,
+/// since grad phi is there that of the flow's edge; none where particles overlap strongly, since it would press them
+/// out of their pile.
 inline constexpr double k_shift = 0.2;  ///< s, in one step of k_shift_steps
 inline constexpr int k_shift_steps = 4;
 inline constexpr double k_shift_courant = 30;     ///< s is reduced where |v| dt/dx times this is less than 1
 inline constexpr double k_shift_farthest = 0.1;   ///< along either axis, reduced likewise [cells]
 inline constexpr double k_shift_deepening = 0.2;  ///< greatest relative change of depth by one shift
 inline constexpr double k_shift_from = 0.7,
-                        k_shift_full = 0.9;  ///< least fraction of a stencil's nodes: none, all of it
-inline constexpr double k_shift_until = k_crowded_fraction, k_shift_none = 1.2;  ///< share: all of it, none
+                        k_shift_full = 0.9;  ///< least fraction of a stencil's nodes: no shift, full shift
+inline constexpr double k_shift_until = k_crowded_fraction, k_shift_none = 1.2;  ///< fraction: full shift, no shift
 
-/// How far particles may shift along an axis in a step [cells].
-/// @param courant greatest |v| dt/dx
+/// Returns how far particles may shift along an axis in a step [cells].
 inline double shift_reach(double courant) {
     return k_shift_farthest * std::min(1.0, k_shift_courant * courant);
 }
 
-/// How far a particle moves, and the factor by which its area changes.
+/// Displacement of a particle, and the factor by which its area changes.
 template <class Number>
 struct Shift {
     Number x, y, growth;
 };
 
-/// One formula for one particle (double) and for four (Quad). Always inlined: the fast sweeps, compiled for another
+/// One formula for one particle (double) and for four (Quad). Always inlined: the fast kernels, compiled for another
 /// instruction set, must share no function with the rest.
 /// @param s see above  @param courant |v| dt/dx  @param support NodeLevel::support
 /// @param least fraction of any node of the stencil

@@ -9,7 +9,7 @@
 
 namespace frana {
 
-/// What the particles claim of a node's cell, and what would be all of it: as an area before the motion [m2], as a
+/// The area of a node's cell that particles claim, and that of the full cell: as an area before the motion [m2], as a
 /// fraction after it.
 inline double claimed(const NodeForces& node) noexcept {
     return node.area;
@@ -24,8 +24,8 @@ inline double full_claim(const NodeGrid&, const NodeMotion*) noexcept {
     return 1;
 }
 
-/// Fraction of the cells round a node that particles claim, itself included, with binomial weights over (2 Reach + 1)^2
-/// nodes. All of them must exist.
+/// Fraction of the cells around a node that particles claim, itself included, with binomial weights over (2 Reach +
+/// 1)^2 nodes. All of them must exist.
 template <std::int64_t Reach, class Node>
 double mean_fraction(const Node* node, std::int64_t stride, double full) noexcept {
     static_assert(Reach >= 1 && Reach <= 3);
@@ -46,13 +46,13 @@ double mean_fraction(const Node* node, std::int64_t stride, double full) noexcep
     return sum / (all * full);
 }
 
-/// Mean fraction of 7 x 7 nodes from which particles crowd for good, and from which all of it counts. What is less is
-/// the unevenness of an arrangement: 0.01 where particles lie at random.
+/// Mean fraction of 7 x 7 nodes from which particles are permanently crowded, and from which the crowding counts in
+/// full. Less is the unevenness of an arrangement: 0.01 for random particles.
 inline constexpr double k_lasting_from = 1.015, k_lasting_full = 1.03;
 
-/// By how much particles round a node claim more than the ground has, at least 1. Where flow converges, in deposits and
-/// in gullies they do, and lie deeper on the ground by as much than each of them says.
-/// @param records of the grid  @param column, row padded numbers of a node inside the ghosts
+/// Returns by how much particles around a node claim more than the available area, at least 1. They do where flow
+/// converges, in deposits and in gullies, and are deeper on the ground by that factor than each particle's own depth.
+/// @param records of the grid  @param column, row padded indices of a node inside the ghosts
 template <class Node>
 double crowding(const NodeGrid& nodes, const Node* records, std::size_t node, std::int64_t column,
                 std::int64_t row) noexcept {
@@ -66,9 +66,9 @@ double crowding(const NodeGrid& nodes, const Node* records, std::size_t node, st
     return 1 + std::clamp(lasting, 0.0, 1.0) * (near - 1);
 }
 
-/// Depth that a node shows [m]: the mean depth of its particles times their crowding where it is filled, itself and all
-/// round, free of the unevenness of their arrangement; volume over cell area at fronts and films, where the cell is
-/// only partly covered.
+/// Returns the depth of a node for maps [m]: the mean depth of its particles times their crowding where the node and
+/// its surroundings are filled, independent of the unevenness of their arrangement; volume over cell area at fronts and
+/// films, where the cell is only partly covered.
 inline double shown_depth(double mass, double area, double support, double crowding,
                           double inverse_cell_area) noexcept {
     const double by_volume = mass * inverse_cell_area;
@@ -77,7 +77,7 @@ inline double shown_depth(double mass, double area, double support, double crowd
     return by_volume + support * filled * (crowding * mass / area - by_volume);
 }
 
-/// The depth that a node inside the ghosts shows after a step [m].
+/// Returns the depth for maps of a node inside the ghosts after a step [m].
 inline double shown_depth(const NodeGrid& nodes, std::size_t node) noexcept {
     const NodeMotion& motion = nodes.motion()[node];
     const double cell_area = nodes.cell_size() * nodes.cell_size();

@@ -6,12 +6,11 @@
 
 namespace frana {
 
-/// The stable time step [s]. The paper's (22) bounds |v| dt / dx only and would allow any step at rest; here:
-///   - wave: nothing travels more than cfl cells, with w = max(|v| + sqrt(g h)) and what gravity adds within
-///   the step,
+/// Returns the stable time step [s]. The paper's (22) bounds only |v| dt / dx and would allow any step at rest; here:
+///   - wave: nothing travels more than cfl cells, with w = max(|v| + sqrt(g h)) and the increase by gravity within the
+///     step,
 ///     (w + g dt) dt <= cfl dx;
-///   - in-plane viscosity, explicit in two dimensions: dt <= dx^2 / (4 D), D = (2 mu + tau_Y / sqrt(I2)) /
-///   rho.
+///   - in-plane viscosity, explicit in two dimensions: dt <= dx^2 / (4 D), D = (2 mu + tau_Y / sqrt(I2)) / rho.
 inline double stable_step(double cell_size, double cfl, double wave_speed, double gravity,
                           double diffusivity) noexcept {
     const double reach = cfl * cell_size;

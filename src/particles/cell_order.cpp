@@ -25,7 +25,7 @@ void CellOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& ke
     columns_ = any ? static_cast<std::int64_t>((east_ - west_) / side_) + 1 : 0;
     rows_ = any ? static_cast<std::int64_t>((north_ - south_) / side_) + 1 : 0;
 
-    // A stable counting sort. Keys and moves are worked out side by side; counting alone is too short to be worth it.
+    // A stable counting sort. Keys and moves are computed in parallel; counting alone is too short to benefit.
     keys_.resize(n);
     pool.for_blocks(n, k_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {

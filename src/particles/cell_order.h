@@ -16,35 +16,35 @@ struct ParticleRun {
     std::size_t begin = 0, end = 0;
 };
 
-/// The order of particles by square cells, row after row, for methods in which particles see their neighbours within
-/// a fixed reach. Cells are a little over half the reach wide, so that all neighbours of a cell's particles lie in
-/// five runs, one for each of five rows of five cells:
+/// The order of particles by square cells, row after row, for methods in which particles interact within a fixed reach.
+/// Cells are slightly wider than half the reach, so that all neighbours of a cell's particles are in five runs, one for
+/// each of five rows of five cells:
 ///
 ///     row + 2   [ - - - - - ]
 ///     row       [ - - x - - ]      cell side = (reach + slack) / 2
 ///     row - 2   [ - - - - - ]
 ///
-/// until two particles have come nearer to each other by `slack`. The order depends on positions and former order
-/// alone, not on threads.
+/// until two particles have approached each other by `slack`. The order depends only on positions and the former order,
+/// not on threads.
 class CellOrder {
   public:
     static constexpr std::int64_t k_near = 2;  ///< cells on either side
     static constexpr std::size_t k_rows_near = 2 * k_near + 1;
     static constexpr double k_slack = 0.125;  ///< over the reach
 
-    /// @param reach greatest distance at which particles see each other [m]
+    /// @param reach greatest distance at which particles interact [m]
     explicit CellOrder(double reach) : reach_(reach), side_(0.5 * reach * (1 + k_slack)) {}
 
     /// Sorts the particles by cell (stable) and drops those for which `keep` is 0.
-    /// @param keep one byte a particle, or empty to keep all
+    /// @param keep one byte per particle, or empty to keep all
     void sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool);
 
     [[nodiscard]] double side() const noexcept { return side_; }
-    /// How much nearer two particles may come to each other until the next sort [m].
+    /// How much two particles may approach each other until the next sort [m].
     [[nodiscard]] double slack() const noexcept { return reach_ * k_slack; }
-    /// The least rectangle round all particles at the last sort.
+    /// The smallest rectangle around all particles at the last sort.
     [[nodiscard]] Bounds bounds() const noexcept { return {west_, south_, east_, north_}; }
-    /// Rows and columns that may hold particles; empty cells surround them.
+    /// Rows and columns that may contain particles; empty cells surround them.
     [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }
     [[nodiscard]] std::int64_t columns() const noexcept { return columns_; }
 
@@ -70,9 +70,9 @@ class CellOrder {
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [reach, cell_side, west, south, east, north, n_rows, n_columns, starts, keys, source] =
             *this;
-        archive(west, south, east, north, n_rows, n_columns, starts);  // keys and source serve a sort alone
+        archive(west, south, east, north, n_rows, n_columns, starts);  // keys and source are used by a sort only
     }
-    /// After reading: whether it is an order of so many particles.
+    /// After reading: whether this is an order of `count` particles.
     [[nodiscard]] bool orders(std::size_t count) const;
 
   private:
@@ -83,7 +83,7 @@ class CellOrder {
     double reach_, side_;
     double west_ = 0, south_ = 0, east_ = 0, north_ = 0;
     std::int64_t rows_ = 0, columns_ = 0;
-    std::vector<std::uint32_t> starts_;  // of each cell, those around included, and one more
+    std::vector<std::uint32_t> starts_;  // of each cell, the surrounding ones included, and one more
     std::vector<std::uint32_t> keys_, source_;
 };
 

@@ -7,18 +7,18 @@
 namespace frana {
 namespace {
 
-// Where parts may overlap, their edges cross at heights that are not looked for: a row is divided this often
-// besides.
+// Edges of overlapping parts may cross within a row; the crossings are not computed: the row is divided this often
+// instead.
 constexpr int k_divisions = 8;
 constexpr double k_gauss = 0.57735026918962576;  // 1 / sqrt(3)
-// Crossings of lines with edges in a row, beyond which going along the edges is faster.
+// Crossings of lines with edges in a row, beyond which following the edges is faster.
 constexpr double k_most_crossings = 4e6;
 
 struct Interval {
     double from, to;
 };
 
-// Sorts and joins intervals that overlap: parts drawn twice count once.
+// Sorts and joins intervals that overlap: area covered twice counts once.
 void join(std::vector<Interval>& intervals) {
     std::sort(intervals.begin(), intervals.end(), [](Interval a, Interval b) { return a.from < b.from; });
     std::size_t kept = 0;
@@ -40,7 +40,7 @@ bool counter_clockwise(const Ring& ring) {
     return twice > 0;
 }
 
-// Whether no two parts can share ground, as far as their boxes tell; many parts are not looked at.
+// Whether no two parts can overlap, judged by their bounding boxes; with many parts this is not checked.
 bool apart(const MultiPolygon& outline) {
     constexpr std::size_t k_few = 100;
     if (outline.size() > k_few) return false;
@@ -93,7 +93,7 @@ void LatticeCover::enter_row(double from, double to) {
         if (edges_[entered_].high > from) active_.push_back(entered_);
 }
 
-// Heights within a row at which the outline bends or passes from one column to the next, with the row's ends:
+// Returns the y at which the outline bends or crosses from one column to the next within a row, with the row's ends:
 // between two of them the outline's edges are straight within each cell.
 std::vector<double> LatticeCover::strip_heights(const Band& band) const {
     const auto [from, to] = band;
@@ -116,8 +116,8 @@ std::vector<double> LatticeCover::strip_heights(const Band& band) const {
     return heights;
 }
 
-// Whether strips would meet edges and columns too often for going by them. Their number is estimated first: a
-// million long edges would make too many to be listed.
+// Whether there are too many strips for integration strip by strip. Their number is estimated first: a million long
+// edges would give too many to list.
 bool LatticeCover::too_many_strips(const Band& band) const {
     double strips = 0;
     for (const std::size_t e : active_) {
@@ -138,7 +138,7 @@ bool LatticeCover::too_many_strips(const Band& band) const {
 
 void LatticeCover::cover_by_strips(const std::vector<double>& heights) {
     std::vector<std::size_t> crossed;
-    std::vector<std::pair<std::size_t, double>> crossings;  // polygon, where
+    std::vector<std::pair<std::size_t, double>> crossings;  // polygon, x
     std::vector<Interval> inside;
     std::size_t next = 0;
     const auto cut = [&](double y) {
@@ -151,7 +151,7 @@ void LatticeCover::cover_by_strips(const std::vector<double>& heights) {
         }
         std::sort(crossings.begin(), crossings.end());
         inside.clear();
-        // Every ring closes: each polygon is crossed an even number of times.
+        // Every ring is closed: each polygon is crossed an even number of times.
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
             inside.push_back({crossings[i].second, crossings[i + 1].second});
         join(inside);
@@ -159,7 +159,7 @@ void LatticeCover::cover_by_strips(const std::vector<double>& heights) {
     for (std::size_t strip = 0; strip + 1 < heights.size(); ++strip) {
         const double half = 0.5 * (heights[strip + 1] - heights[strip]);
         if (!(half > 0)) continue;
-        // Gauss's two lines: exact for the area and the moments, which are quadratic in y within a strip.
+        // Gauss's two points: exact for the area and the moments, which are quadratic in y within a strip.
         for (const double side : {-1.0, 1.0}) {
             const double y = heights[strip] + half * (1 + side * k_gauss);
             cut(y);
@@ -181,8 +181,8 @@ void LatticeCover::cover_by_strips(const std::vector<double>& heights) {
     }
 }
 
-// A piece of an edge within one cell bounds what lies to its west: in its own cell by Green's theorem, of the
-// cells further west everything between its heights.
+// A piece of an edge within one cell bounds the area to its west: in its own cell by Green's theorem, in the cells
+// further west the full width between its ends.
 void LatticeCover::add_piece(const Band& band, std::int64_t column, Point from, Point to, double sense) {
     const auto c = static_cast<std::size_t>(std::clamp(column, first_column_, last_column_) - first_column_);
     const double west = static_cast<double>(first_column_ + static_cast<std::int64_t>(c)) * spacing_;
@@ -216,7 +216,7 @@ void LatticeCover::cover_along_edges(const Band& band) {
         }
         add_piece(band, last, at, end, sense);
     }
-    double height = 0, moment = 0;  // of what is bounded further east
+    double height = 0, moment = 0;  // of the area bounded further east
     for (std::size_t c = cells_.size(); c-- > 0;) {
         Covered& cell = cells_[c];
         cell.area += spacing_ * height;

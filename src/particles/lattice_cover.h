@@ -10,16 +10,16 @@
 
 namespace frana {
 
-/// What an outline covers of one cell of a lattice: the area and its first moments about the origin.
+/// The part of a lattice cell covered by an outline: its area and first moments about the origin.
 struct Covered {
     double area = 0, moment_x = 0, moment_y = 0;
 };
 
-/// Which part of each cell of a square lattice an outline covers: exactly, but where edges of overlapping
-/// parts cross. Holes count as outside, ground in several parts counts once. The lattice is anchored at the
+/// Computes the part of each cell of a square lattice that an outline covers: exactly, except where edges of
+/// overlapping parts cross. Holes count as outside, area in several parts counts once. The lattice is anchored at the
 /// origin.
 ///
-/// The work grows with the vertices times the logarithm of their number, whatever the outline's form.
+/// The cost grows with the number of vertices times its logarithm, whatever the outline's shape.
 class LatticeCover {
   public:
     LatticeCover(const MultiPolygon& outline, double spacing);
@@ -27,8 +27,8 @@ class LatticeCover {
     [[nodiscard]] std::int64_t first_row() const noexcept { return first_row_; }
     [[nodiscard]] std::int64_t last_row() const noexcept { return last_row_; }
 
-    /// The cells of one row from west to east; valid until the next call. Rows must be asked for from the
-    /// south on.
+    /// Returns the cells of one row from west to east; valid until the next call. Rows must be requested from south to
+    /// north.
     const std::vector<Covered>& row(std::int64_t row);
 
   private:
@@ -36,7 +36,7 @@ class LatticeCover {
         Point from, to;  // in the ring's order
         double low, high;
         std::size_t polygon;
-        double sense;  // +1: the polygon's inside lies to the left
+        double sense;  // +1: the polygon's inside is to the left
     };
     struct Band;
 

@@ -14,8 +14,7 @@
 
 namespace frana {
 
-/// The fields a particle may carry. k_field_table describes them; a scene allocates only those its terms
-/// declare.
+/// The fields a particle may have. k_field_table describes them; a scene allocates only those its terms declare.
 enum class Field : unsigned char {
     x,
     y,  // position
@@ -27,17 +26,17 @@ enum class Field : unsigned char {
     c_xy,
     c_yx,
     c_yy,         // affine velocity (APIC): rows are components, columns directions
-    compression,  // rate that the artificial viscosity acts on, last step
+    compression,  // rate used by the artificial viscosity, of the last step
     s_xx,
     s_xy,
     s_yy,  // in-plane viscous stress over density
     q_xx,
     q_xy,
-    q_yy,  // squared extents: the shape that the flow has given the particle
-    // What structured solids carry besides; `volume` is their solids alone, depth is (volume + confined) / area.
+    q_yy,  // squared extents: the shape into which the flow has deformed the particle
+    // Further fields of structured solids; `volume` is of the solids alone, depth is (volume + confined) / area.
     confined,        // volume of the confined fluid
-    confined_start,  // that it held when it was placed
-    pores,           // volume of the pores between the solids when they were placed
+    confined_start,  // when the particle was placed
+    pores,           // volume of the pores between the solids when the particle was placed
     t_xx,
     t_yy,
     t_zz,
@@ -53,10 +52,10 @@ enum class Field : unsigned char {
     grain_density,
     grain_diameter,
     push_x,
-    push_y,       // acceleration that the grid gives through the present step
+    push_y,       // acceleration by the grid in the present step
     flatness,     // 1 / (1 + |grad b|^2) of the bed
-    submergence,  // fraction of the pores that free fluid fills
-    released,     // of the confined fluid, what the present step has set free
+    submergence,  // fraction of the pores filled by free fluid
+    released,     // confined fluid released in the present step
     divergence,   // of the velocity, in the last substep
     count
 };
@@ -134,7 +133,7 @@ inline constexpr FieldMask k_affine_fields{Field::c_xx, Field::c_xy, Field::c_yx
 inline constexpr FieldMask k_stress_fields{Field::s_xx, Field::s_xy, Field::s_yy};
 inline constexpr FieldMask k_shape_fields{Field::q_xx, Field::q_xy, Field::q_yy};
 
-/// One particle with all fields: for seeding, splitting and merging, never for the streaming loops.
+/// One particle with all fields: for seeding, splitting and merging, never for inner loops.
 using ParticleRow = std::array<double, k_fields>;
 
 /// Particles as one array per field, all in local metres. Fields outside the mask have no storage.
@@ -146,7 +145,7 @@ class ParticleSet {
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
     [[nodiscard]] std::size_t bytes_per_particle() const noexcept { return mask_.size() * sizeof(double); }
 
-    /// The array of a field; null when the field is not carried.
+    /// Returns the array of a field; null if the set does not have the field.
     [[nodiscard]] double* operator[](Field f) noexcept {
         return mask_.has(f) ? arrays_[static_cast<std::size_t>(f)].data() : nullptr;
     }
@@ -154,7 +153,7 @@ class ParticleSet {
         return mask_.has(f) ? arrays_[static_cast<std::size_t>(f)].data() : nullptr;
     }
 
-    /// Changes the count; new particles get the table's initial values.
+    /// Changes the number; new particles get the initial values of the table.
     void resize(std::size_t size) {
         for (std::size_t f = 0; f < k_fields; ++f) {
             if (mask_.has(static_cast<Field>(f))) arrays_[f].resize(size, k_field_table[f].initial);
@@ -177,9 +176,9 @@ class ParticleSet {
         resize(size_ + 1);
         set_row(size_ - 1, r);
     }
-    /// Makes all particles again, `size` of them, field by field in `tasks` parts side by side:
-    /// fill(field, from, to, part) writes its part of `to`, the field's new array, from the old one. One spare array
-    /// serves all fields and the next call.
+    /// Rebuilds all particles, `size` of them, field by field in `tasks` parallel parts: fill(field, from, to, part)
+    /// writes its part of `to`, the field's new array, from the old one. One spare array serves all fields and the next
+    /// call.
     template <class Fill>
     void rebuild(std::size_t size, std::size_t tasks, const Fill& fill, ThreadPool& pool) {
         for (std::size_t f = 0; f < k_fields; ++f) {
@@ -192,7 +191,7 @@ class ParticleSet {
         }
         size_ = size;
     }
-    /// The same fields on both sides.
+    /// Both sides must have the same fields.
     template <class Archive>
     void serialise(Archive& archive) {
         archive(size_);
@@ -205,7 +204,7 @@ class ParticleSet {
             if constexpr (Archive::k_reads) archive.require(arrays_[f].size() == size_);
         }
     }
-    /// A row with every field at its initial value.
+    /// Returns a row with every field at its initial value.
     static ParticleRow initial_row() {
         ParticleRow r;
         for (std::size_t f = 0; f < k_fields; ++f) r[f] = k_field_table[f].initial;

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-// The squared extents of a particle, symmetric.
+// Returns the squared extents of a particle as a symmetric matrix.
 Matrix2d shape_of(double xx, double xy, double yy) {
     return (Matrix2d() << xx, xy, xy, yy).finished();
 }
@@ -28,13 +28,13 @@ void set_shape(ParticleRow& r, const Matrix2d& q) {
     get(r, Field::q_yy) = q(1, 1);
 }
 
-// In closed form: every particle asks for it.
+// In closed form: it is needed for every particle.
 double largest_eigenvalue(const Matrix2d& q) {
     const double half = 0.5 * (q(0, 0) - q(1, 1));
     return 0.5 * q.trace() + std::sqrt(half * half + q(0, 1) * q(0, 1));
 }
 
-// Whether a shape has no longer axis, but for rounding.
+// Whether both axes are equally long, except for rounding.
 bool is_round(const Matrix2d& q) {
     const double mean = 0.5 * q.trace();
     return largest_eigenvalue(q) - mean < 1e-9 * mean;
@@ -51,7 +51,7 @@ double squared_extent(const Matrix2d& q, const Vector2d& n) {
     return n.x() * n.x() * q(0, 0) + 2 * n.x() * n.y() * q(0, 1) + n.y() * n.y() * q(1, 1);
 }
 
-// What merging looks at.
+// What merging needs of a particle.
 struct Outline {
     Vector2d place;
     double volume;
@@ -61,14 +61,14 @@ struct Outline {
         : place(get(r, Field::x), get(r, Field::y)), volume(get(r, Field::volume)), shape(shape_of(r)) {}
 };
 
-// Shape of two particles as one. The covariance of a uniform box of extents Q is Q / 12.
+// Returns the shape of two particles merged. The covariance of a uniform box of extents Q is Q / 12.
 Matrix2d merged_shape(const Outline& a, const Outline& b) {
     const double wa = a.volume / (a.volume + b.volume), wb = 1 - wa;
     const Vector2d apart = a.place - b.place;
     return wa * a.shape + wb * b.shape + (12 * wa * wb * apart) * apart.transpose();
 }
 
-// Two particles as one.
+// Returns two particles merged.
 ParticleRow merged(const ParticleRow& a, const ParticleRow& b) {
     ParticleRow r = a;
     const double va = get(a, Field::volume), vb = get(b, Field::volume), volume = va + vb;
@@ -83,8 +83,7 @@ ParticleRow merged(const ParticleRow& a, const ParticleRow& b) {
     return r;
 }
 
-// What resampling does to a tile: the numbers, within the tile, of the particles that go, ascending, and those that
-// come instead.
+// The changes of a tile: indices, within the tile, of the particles removed, ascending, and the particles added.
 struct TileChange {
     std::vector<std::size_t> gone;
     std::vector<ParticleRow> come;
@@ -126,7 +125,7 @@ class TileResampler {
         const std::int64_t i = grid_.node_x(x) - grid_.before_x(), j = grid_.node_y(y) - grid_.before_y();
         return limits_.marks[j * (grid_.columns + 2 * grid_.ghost) + i] == limits_.wall_mark;
     }
-    // Particles of the tile are numbered on through those that come.
+    // Indices continue from the particles of the tile to those added.
     [[nodiscard]] ParticleRow row(std::size_t i) const {
         return i < size_ ? particles_.row(begin_ + i) : change_.come[i - size_];
     }
@@ -149,7 +148,7 @@ class TileResampler {
         const Matrix2d q = shape_of(r);
         std::vector<ParticleRow> parts;
         if (is_round(q)) {
-            // As long as wide: four quarters, so that no axis is preferred.
+            // As long as wide: split into four quarters, so that no axis is preferred.
             for (const ParticleRow& half : halves(r, Vector2d::UnitX()))
                 for (const ParticleRow& quarter : halves(half, Vector2d::UnitY())) parts.push_back(quarter);
         } else {
@@ -166,11 +165,11 @@ class TileResampler {
         ++change_.counts.split;
     }
 
-    // The two halves of a particle along an axis (a unit vector).
+    // Returns the two halves of a particle along an axis (a unit vector).
     [[nodiscard]] std::vector<ParticleRow> halves(ParticleRow r, const Vector2d& axis) const {
         const Matrix2d q = shape_of(r);
         const double length2 = squared_extent(q, axis);
-        // Halves go at most half a cell away, which the sort's drift budget has room for.
+        // Halves move at most half a cell, for which the drift budget of the sort has room.
         const double quarter = std::min(0.25 * std::sqrt(length2), k_split_reach * limits_.cell_size);
         const Vector2d offset = quarter * axis;
         const Matrix2d gradient = (Matrix2d() << get(r, Field::c_xx), get(r, Field::c_xy),  //
@@ -193,11 +192,11 @@ class TileResampler {
         return both;
     }
 
-    // Looking at all pairs for each that merges takes the cube of a crowd: where areas of release lie on each
-    // other, neighbours along a curve through the cell merge first, all at once.
+    // Comparing all pairs for each merge costs the cube of the number: where release areas overlap, neighbours along a
+    // curve through the cell merge first, all at once.
     template <class Drop>
     void thin_out(std::vector<std::size_t>& cell, double limit, std::vector<std::uint8_t>& unwanted, const Drop& drop) {
-        constexpr std::size_t k_crowd = 8;  // times as many as may stay
+        constexpr std::size_t k_crowd = 8;  // times the allowed number
         while (cell.size() > k_crowd * static_cast<std::size_t>(limits_.max_per_cell)) {
             std::vector<std::pair<std::uint32_t, std::size_t>> along;
             for (const std::size_t i : cell) {
@@ -231,7 +230,7 @@ class TileResampler {
         }
     }
 
-    // Where a place lies on Morton's curve through its cell.
+    // Returns the position of a point on Morton's curve through its cell.
     [[nodiscard]] std::uint32_t place_on_curve(double x, double y) const {
         constexpr std::uint32_t k_bits = 10;
         const auto within = [&](double at) {
@@ -246,7 +245,7 @@ class TileResampler {
     }
 
     void merge() {
-        // Members of the cells that hold too many, in their order; none of them splits (ResampleLimits).
+        // Members of the cells that contain too many, in their order; none of them splits (ResampleLimits).
         std::array<std::vector<std::size_t>, k_cells> cells;
         for (std::size_t p = 0; p < size_; ++p) {
             const std::size_t cell = cell_of(particles_[Field::x][begin_ + p], particles_[Field::y][begin_ + p]);
@@ -268,13 +267,13 @@ class TileResampler {
             outlines.clear();
             for (const std::size_t i : cell) outlines.emplace_back(row(i));
             while (static_cast<int>(cell.size()) > limits_.max_per_cell) {
-                // The pair whose union is shortest: it blurs least.
+                // The pair whose union is shortest: it smooths least.
                 double best = limit * limit;
                 std::size_t best_a = 0, best_b = 0;
                 for (std::size_t a = 0; a < cell.size(); ++a) {
                     for (std::size_t b = a + 1; b < cell.size(); ++b) {
                         const Matrix2d shape = merged_shape(outlines[a], outlines[b]);
-                        if (0.5 * shape.trace() >= best) continue;  // the largest is no less than the mean
+                        if (0.5 * shape.trace() >= best) continue;  // the largest is at least the mean
                         const double length2 = largest_eigenvalue(shape);
                         if (length2 < best) {
                             best = length2;
@@ -307,8 +306,8 @@ class TileResampler {
     const TileGrid& grid_;
     const ParticleSet& particles_;
     const std::size_t begin_, size_;
-    // Particles in each cell before anything changes: halves may fall into a neighbour's tile, and where tiles
-    // lie must not decide. What falls into a cell counts in the next pass.
+    // Particles in each cell before anything changes: halves may land in a neighbouring tile, and the result must not
+    // depend on the position of tiles. Those landing in a cell count in the next pass.
     std::array<int, k_cells> counts_{};
     TileChange change_;
 };

@@ -11,30 +11,30 @@
 
 namespace frana {
 
-/// How far splitting may put a half, in cells: part of the drift since the last sort.
+/// Greatest distance that splitting moves a half, in cells: part of the drift since the last sort.
 inline constexpr double k_split_reach = 0.5;
 
 /// Splitting and merging (share/doc/numerics.md, "Splitting and merging").
 struct ResampleLimits {
     double cell_size = 1;
-    double split_extent = 0.7;     ///< in cells: a particle longer than this becomes two along its longer axis, or four
+    double split_extent = 0.7;     ///< in cells: a longer particle is split into two along its longer axis, or into
+                                   ///< four
     double merge_extent = 0.9;     ///< in cells: two particles merge only if the result is not longer
     int split_below = 6;           ///< only in cells with fewer particles than this: elsewhere neighbours fill the gap
-    int max_per_cell = 10;         ///< more than this in a cell: pairs merge; not less than split_below - 1
+    int max_per_cell = 10;         ///< more than this in a cell: pairs merge; at least split_below - 1
     double minimum_depth = 0.001;  ///< thinner particles are not split [m]
-    Bounds edges;                  ///< of the terrain, local metres: no half is put outside
+    Bounds edges;                  ///< of the terrain, local metres: no half is placed outside
     const std::uint8_t* marks = nullptr;  ///< of the padded nodes; none: no walls
-    std::uint8_t wall_mark = 0;           ///< the mark of a wall: no half is put there
+    std::uint8_t wall_mark = 0;           ///< the mark of a wall: no half is placed there
 };
 
 struct ResampleCounts {
     std::int64_t split = 0, merged = 0;
 };
 
-/// Splits and merges tile by tile, in the particles' order. Volume, area and momentum are conserved; a merged
-/// pair loses the kinetic energy of its relative motion only. Needs c_* and q_*; particles must be sorted and
-/// stay sorted.
-/// @param left_alone one byte a tile: not 0 where nothing splits or merges; or empty
+/// Splits and merges tile by tile, in the particles' order. Volume, area and momentum are conserved; a merged pair
+/// loses only the kinetic energy of its relative motion. Needs c_* and q_*; particles must be sorted and remain sorted.
+/// @param left_alone one byte per tile: not 0 where nothing splits or merges; or empty
 ResampleCounts resample(ParticleSet& particles, TileOrder& order, const ResampleLimits& limits,
                         const std::vector<std::uint8_t>& left_alone, ThreadPool& pool);
 

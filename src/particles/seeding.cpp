@@ -6,10 +6,10 @@
 namespace frana {
 namespace {
 
-// Of a lattice cell: so little beyond the edge of the rest is thrown out by the surface's slope at its only
-// node.
+// Of the area of a lattice cell: at the edge of the material at rest a smaller particle is ejected by the surface slope
+// at its only node.
 constexpr double k_sliver = 1e-5;
-// Of what is filled: more in slivers is an outline of nothing else, a line's.
+// Of the filled volume: an outline with more than this in slivers consists of nothing else, like that of a line.
 constexpr double k_spread = 1e-4;
 
 }  // namespace

@@ -9,12 +9,11 @@
 
 namespace frana {
 
-/// Fills an outline with particles on a square lattice, whatever the resolution of any raster.
+/// Fills an outline with particles on a square lattice, independent of the resolution of any raster.
 ///
-/// Each lattice cell that the outline covers, wholly or in part, gives one particle at the centroid of the
-/// covered part, with the area really covered (exact, but where edges of overlapping parts cross) and the
-/// thickness there. Holes and overlapping parts are respected: ground is never filled twice. Slivers are
-/// spread.
+/// Each lattice cell that the outline covers, wholly or in part, gives one particle at the centroid of the covered
+/// part, with the area covered (exact, except where edges of overlapping parts cross) and the thickness there. Holes
+/// and overlapping parts are respected: no area is filled twice. Slivers are redistributed.
 /// @param outline in local metres
 /// @param spacing of the lattice [m]; the lattice is anchored at the origin
 /// @param thickness vertical thickness [m] at a local point; NaN or <= 0: no particle
@@ -22,9 +21,8 @@ namespace frana {
 double fill_outline(const MultiPolygon& outline, double spacing, const std::function<double(Point)>& thickness,
                     ParticleSet& particles);
 
-/// Takes particles that stand for less than a hundred thousandth of a lattice cell out of those from the
-/// first on; the others take their area and volume over, in proportion to theirs. Where there is little else,
-/// all stay.
+/// Removes particles, from `first` on, with less than a hundred thousandth of a lattice cell's area; their area and
+/// volume are distributed over the others in proportion. If there is little else, all remain.
 void spread_slivers(std::size_t first, double spacing, ParticleSet& particles);
 
 }  // namespace frana

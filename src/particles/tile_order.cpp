@@ -6,7 +6,7 @@
 namespace frana {
 namespace {
 
-// The tile, in one direction, of a node; the nearest for those before and beyond all tiles.
+// Returns the tile of a node in one direction; the nearest for nodes outside all tiles.
 std::int64_t tile_at(std::int64_t node, std::int64_t count) {
     return std::clamp<std::int64_t>(node / k_tile, 0, count - 1);
 }
@@ -14,8 +14,8 @@ std::int64_t tile_at(std::int64_t node, std::int64_t count) {
 }  // namespace
 
 void TileOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool) {
-    // Blocks are counted side by side and placed one after another, tile by tile: a stable counting sort whose result
-    // does not depend on the blocks, let alone on the threads.
+    // Blocks are counted in parallel and placed one after another, tile by tile: a stable counting sort whose result
+    // depends neither on the blocks nor on the threads.
     constexpr std::size_t k_smallest_block = 16384, k_most_blocks = 64;
     const std::size_t n = particles.size();
     const std::size_t block = std::max(k_smallest_block, (n + k_most_blocks - 1) / k_most_blocks);
@@ -67,7 +67,7 @@ void TileOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& ke
     index_tiles(particles, pool);
 }
 
-// The tiles that any block met, in ascending order, and their ranks.
+// Lists the tiles of all blocks, in ascending order, and their ranks.
 void TileOrder::list_tiles() {
     for (const ParticleTile& tile : tiles_) rank_[static_cast<std::size_t>(tile.tile)] = 0;
     tiles_.clear();
@@ -84,7 +84,7 @@ void TileOrder::list_tiles() {
     for (const ParticleTile& tile : tiles_) rank_[static_cast<std::size_t>(tile.tile)] = ++rank;
 }
 
-// Turns the blocks' counts into places, and sets the tiles' runs.
+// Converts the counts of the blocks to places, and sets the runs of the tiles.
 void TileOrder::place_blocks() {
     std::uint32_t place = 0;
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
@@ -145,7 +145,7 @@ bool TileOrder::contains(const ParticleTile& tile, double x, double y) const noe
     const double dx = grid_.cell_size, reach = 1.5 * dx;
     const auto on = [dx](double place, std::int64_t cells, std::int64_t origin) {
         return place >= -dx * static_cast<double>(origin) && place <= dx * static_cast<double>(cells - origin);
-    };  // false for what is no number
+    };  // false for non-finite values
     return on(x, grid_.columns, grid_.origin_x) && on(y, grid_.rows, grid_.origin_y) &&
            tile_at(grid_.node_x(x - reach), grid_.tiles_x()) >= tile.x0 &&
            tile_at(grid_.node_x(x + reach), grid_.tiles_x()) <= tile.x1 &&

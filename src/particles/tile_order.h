@@ -14,11 +14,11 @@ namespace frana {
 
 /// Side of a tile, in nodes.
 inline constexpr std::int64_t k_tile = 16;
-/// How many cells particles may drift from the cell they were ordered in before they are ordered again. With
-/// the stencil's own node it must stay under half a tile: then tiles of one colour never touch the same node.
+/// How many cells a particle may drift from the cell in which it was sorted before the next sort. With one node of the
+/// stencil it must stay below half a tile: then tiles of one colour never touch the same node.
 inline constexpr double k_drift_limit = 3;
 
-/// A run of particles that lie in one tile (give or take the drift), and the nodes that they can touch.
+/// A run of particles in one tile (up to the drift), and the nodes that they can touch.
 struct ParticleTile {
     std::size_t begin = 0, end = 0;
     std::int64_t tile = 0;                          ///< row-major number of the tile
@@ -31,13 +31,13 @@ void serialise(Archive& archive, ParticleTile& tile) {
     archive(begin, end, number, x0, x1, y0, y1);
 }
 
-/// Where particles may be: the grid in cells.
+/// The region of particles: the grid in cells.
 struct TileGrid {
     std::int64_t columns = 0, rows = 0;  ///< of cells
     std::int64_t ghost = 0;              ///< nodes before cell 0
     double cell_size = 1;
-    /// Cell of the local origin. Tiles and their colours lie the same about it however far the grid reaches, so that
-    /// sums keep their order: tiles begin before the grid where they must.
+    /// Cell of the local origin. Tiles and their colours are anchored at it independent of the extent of the grid, so
+    /// that sums keep their order: tiles begin outside the grid if necessary.
     std::int64_t origin_x = 0, origin_y = 0;
 
     [[nodiscard]] std::int64_t before_x() const noexcept { return before(origin_x); }  ///< nodes before the grid
@@ -48,13 +48,13 @@ struct TileGrid {
     [[nodiscard]] std::int64_t tiles_y() const noexcept {
         return (before_y() + rows + 2 * ghost + k_tile - 1) / k_tile;
     }
-    /// Numbers of the node of a local position, counted from the first tile's first.
+    /// Index of the node of a local position, counted from the first node of the first tile.
     [[nodiscard]] std::int64_t node_x(double x) const noexcept { return cells(x) + origin_x + ghost + before_x(); }
     [[nodiscard]] std::int64_t node_y(double y) const noexcept { return cells(y) + origin_y + ghost + before_y(); }
 
   private:
     [[nodiscard]] static std::int64_t before(std::int64_t origin) noexcept {
-        constexpr std::int64_t k_pair = 2 * k_tile;  // of unlike colours
+        constexpr std::int64_t k_pair = 2 * k_tile;  // of different colours
         return (k_pair - origin % k_pair) % k_pair;
     }
     [[nodiscard]] std::int64_t cells(double position) const noexcept {
@@ -62,24 +62,22 @@ struct TileGrid {
     }
 };
 
-/// The order of particles by tile. It fixes the order of every sum over particles, whatever the number of
-/// threads: tiles of one colour run side by side, colours one after another, particles of a tile in their
-/// order.
+/// The order of particles by tile. It fixes the order of every sum over particles, for any number of threads: tiles of
+/// one colour run in parallel, colours one after another, particles of a tile in their order.
 class TileOrder {
   public:
     explicit TileOrder(TileGrid grid) : grid_(grid), rank_(static_cast<std::size_t>(grid.tiles_x() * grid.tiles_y())) {}
 
     /// Sorts the particles by tile (stable) and drops those for which `keep` is 0. At most 2^32 particles.
-    /// @param keep one byte a particle, or empty to keep all
+    /// @param keep one byte per particle, or empty to keep all
     void sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool);
-    /// Rebuilds the tile runs for particles that are sorted by tile already, with these counts per run of
-    /// tiles().
+    /// Rebuilds the tile runs for particles already sorted by tile, with these counts per run of tiles().
     void set_counts(const std::vector<std::size_t>& counts);
 
     [[nodiscard]] const std::vector<ParticleTile>& tiles() const noexcept { return tiles_; }
     /// Indices into tiles(), by colour.
     [[nodiscard]] const std::array<std::vector<std::uint32_t>, 4>& colours() const noexcept { return colours_; }
-    /// Tiles whose nodes any particle can touch until the next sort, in ascending order.
+    /// Tiles with nodes that any particle can touch until the next sort, in ascending order.
     [[nodiscard]] const std::vector<std::int64_t>& node_tiles() const noexcept { return node_tiles_; }
     [[nodiscard]] const TileGrid& grid() const noexcept { return grid_; }
 
@@ -90,17 +88,17 @@ class TileOrder {
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [grid, tiles, colours, node_tiles, rank, keys, source, blocks] = *this;
-        archive(tiles);  // the rest follows from them or serves a sort alone
+        archive(tiles);  // the rest is derived or used by a sort only
     }
-    /// After reading: whether the tiles are those of such particles, all of them on the grid; if so, what follows from
-    /// the tiles is there again.
+    /// After reading: returns whether the tiles are consistent with these particles, all of them on the grid; if so,
+    /// the derived data is restored.
     [[nodiscard]] bool restore(const ParticleSet& particles);
 
   private:
-    // What one block of particles, as they lay before the sort, adds to each tile.
+    // What one block of particles, in the order before the sort, adds to each tile.
     struct Block {
-        std::vector<std::int32_t> met;      // tiles, in the order met, each at least once
-        std::vector<std::uint32_t> places;  // by rank of the tile: first a count, then where the next goes
+        std::vector<std::int32_t> met;      // tiles, in order of first occurrence, each at least once
+        std::vector<std::uint32_t> places;  // by rank of the tile: first a count, then the place of the next
         bool in_order = true;
     };
 
@@ -114,9 +112,9 @@ class TileOrder {
     std::vector<ParticleTile> tiles_;
     std::array<std::vector<std::uint32_t>, 4> colours_;
     std::vector<std::int64_t> node_tiles_;
-    ZeroArray<std::int32_t> rank_;       // of each tile of the grid among those met, plus one; 0 elsewhere
+    ZeroArray<std::int32_t> rank_;       // rank of each tile of the grid, plus one; 0 for others
     std::vector<std::int32_t> keys_;     // tile of each particle, -1 for those dropped
-    std::vector<std::uint32_t> source_;  // where the particle at each place comes from
+    std::vector<std::uint32_t> source_;  // former index of the particle at each place
     std::vector<Block> blocks_;
 };
 

@@ -7,16 +7,16 @@
 
 namespace frana {
 
-/// Deposition where the shear stress falls below what keeps material moving:
+/// Deposition where the shear stress is below that which keeps material moving:
 ///
 ///     rate = w (1 - tau / tau_d) for tau < tau_d, otherwise 0      [m/s]
 ///
-/// w deposition rate of still material [m/s], tau shear stress with which the bed really resists, tau_d the
-/// stress from which nothing settles [Pa]; depths vertical. Range: w, tau_d > 0. Limits: at speed zero tau is
-/// what drives, so a mass at rest on level ground settles at w and one on a slope may stay; at depth zero
-/// there is nothing to deposit. Source: the form of Krone 1962 (Flume studies of the transport of sediment in
-/// estuarial shoaling processes, Univ. of California, Berkeley), there for cohesive sediment with w its
-/// settling velocity times concentration; its use for mass flows is ours.
+/// w deposition rate of material at rest [m/s], tau shear stress with which the bed resists, tau_d the stress from
+/// which nothing settles [Pa]; depths vertical. Range: w, tau_d > 0. Limits: at speed zero tau equals the driving
+/// stress, so a mass at rest on level ground settles at w and one on a slope may stay; at depth zero there is nothing
+/// to deposit. Source: the form of Krone 1962 (Flume studies of the transport of sediment in estuarial shoaling
+/// processes, Univ. of California, Berkeley), there for cohesive sediment with w its settling velocity times
+/// concentration; its use for mass flows is our extension.
 struct ShearStressDeposition {
     static constexpr bool active = true;
     double rate = 0.01;            ///< w [m/s]

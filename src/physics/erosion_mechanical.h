@@ -15,11 +15,11 @@ namespace frana {
 /// tau shear stress of the flow, tau_r strength of the bed [Pa], c its cohesion [Pa], phi_b its friction
 /// angle, r_b its pore pressure over total normal stress sigma [-], rho density [kg/m3], s mean speed [m/s],
 /// lambda velocity at the base over mean velocity [-]. Range: 0 < lambda <= 1.5, 0 <= r_b <= 1. Limits: at
-/// depth zero tau = sigma = 0 and nothing is eroded; the law has no limit at speed zero, so below 0.1 m/s the
-/// rate falls in proportion to s (ours). Sources: momentum jump at the bed, Fraccarollo and Capart 2002, J.
-/// Fluid Mech. 461, 183; Iverson 2012, J. Geophys. Res. 117, F03006; the mechanical erosion rate of Pudasaini
-/// and Fischer 2020, Int. J. Multiphase Flow 132, 103416, has this form for one phase with equal densities,
-/// lambda being their drift.
+/// depth zero tau = sigma = 0 and nothing is eroded; the law has no limit at speed zero, so below 0.1 m/s the rate
+/// decreases in proportion to s (our choice). Sources: momentum jump at the bed, Fraccarollo and Capart 2002, J. Fluid
+/// Mech. 461, 183; Iverson 2012, J. Geophys. Res. 117, F03006; the mechanical erosion rate of Pudasaini and Fischer
+/// 2020, Int. J. Multiphase Flow 132, 103416, has this form for one phase with equal densities, lambda being their
+/// drift.
 struct MechanicalErosion {
     static constexpr bool active = true;
     static constexpr double k_slow = 0.1;  ///< [m/s]

@@ -12,17 +12,17 @@ namespace frana {
 ///     rate = E while eroded < e_m, e_m = k (tau - tau_c), for tau > tau_c; otherwise 0      [m/s]
 ///
 /// tau shear stress at the bed, tau_c critical shear stress [Pa], k potential depth per stress [m/Pa], E
-/// erosion rate [m/s]; depths vertical. Range: E, k > 0, tau_c >= 0. Limits: at speed zero the bed resists no
-/// more than what drives, so a thick mass at rest under tau_c erodes nothing; it is 0 at speed zero and at
-/// depth zero (tau = 0). Source: Frank, McArdell, Huggel, Vieli 2015, Nat. Hazards Earth Syst. Sci. 15, 2569:
-/// E = 0.025 m/s, k = 0.1 m/kPa, tau_c = 1 kPa.
+/// erosion rate [m/s]; depths vertical. Range: E, k > 0, tau_c >= 0. Limits: at speed zero the bed resistance does not
+/// exceed the driving stress, so a mass at rest with tau below tau_c erodes nothing; 0 at depth zero (tau = 0). Source:
+/// Frank, McArdell, Huggel, Vieli 2015, Nat. Hazards Earth Syst. Sci. 15, 2569: E = 0.025 m/s, k = 0.1 m/kPa, tau_c = 1
+/// kPa.
 struct ShearStressErosion {
     static constexpr bool active = true;
     double rate = 0.025;            ///< E [m/s]
     double critical_shear = 1000;   ///< tau_c [Pa]
     double potential_depth = 1e-4;  ///< k [m/Pa]
 
-    /// Erosion rate [m/s], vertical.
+    /// Returns the erosion rate [m/s], vertical.
     double operator()(const BedContact& c) const noexcept {
         if (!(c.speed > 0)) return 0;
         const double open = potential_depth * (c.shear - critical_shear) - c.eroded;

@@ -15,19 +15,19 @@ namespace frana {
 ///     48 zeta^2 - (114 + 32 a) zeta + 65 = 0,   a = 6 mu s / (tau_Y d),   R = tau_Y / (zeta rho d) [m/s2]
 ///
 /// mu viscosity [Pa s], tau_Y yield stress [Pa], d thickness [m], s mean speed [m/s], rho density [kg/m3].
-/// Range: tau_Y > 0, mu > 0. Limits: at speed zero zeta is 0.951, so that its bound is 1.051 tau_Y / (rho d);
-/// for d -> 0 the flow stops. For the exact root see friction_herschel_bulkley.h with m = 1.
+/// Range: tau_Y > 0, mu > 0. Limits: at speed zero zeta is 0.951, so that the bound is 1.051 tau_Y / (rho d); for d ->
+/// 0 the flow stops. The exact root is in friction_herschel_bulkley.h with m = 1.
 struct BinghamQuadraticExcess {
     double density = 2000;      ///< [kg/m3]
     double yield_stress = 100;  ///< tau_Y [Pa]
     double viscosity = 10;      ///< mu [Pa s]
 
-    /// Bed stress at rest, this law's own bound [Pa].
+    /// Returns the bed stress at rest, this law's bound [Pa].
     [[nodiscard]] double bound() const noexcept { return yield_stress / QuadraticYieldRatio{}(0.0); }
 
     void operator()(BedState& bed, std::size_t) const noexcept { bed.yield += bound() / (density * bed.thickness); }
 
-    /// Mean speed under a bed stress that exceeds the bound by x [Pa]: the quadratic, solved for a.
+    /// Returns the mean speed under a bed stress that exceeds the bound by x [Pa]: the quadratic, solved for a.
     [[nodiscard]] double speed(double x, double thickness) const noexcept {
         if (!(x > 0)) return 0;
         const double zeta = yield_stress / (bound() + x);

@@ -10,8 +10,8 @@ namespace frana {
 ///     R(s) = g s^2 / (C^2 d)      [m/s2]
 ///
 /// C Chezy coefficient [m^(1/2)/s], d thickness [m], s speed [m/s]. Range: fully rough, turbulent flow; C 10
-/// to 100. Limits: nothing at speed zero; infinitely stiff for d -> 0, applied implicitly. Source: Chow,
-/// Open-Channel Hydraulics, 1959, section 5-4, with the friction slope s^2 / (C^2 d).
+/// to 100. Limits: 0 at speed zero; infinitely stiff for d -> 0, applied implicitly. Source: Chow, Open-Channel
+/// Hydraulics, 1959, section 5-4, with the friction slope s^2 / (C^2 d).
 struct ChezyFriction {
     double gravity = 9.81;  ///< [m/s2]
     double chezy = 30;      ///< C [m^(1/2)/s]

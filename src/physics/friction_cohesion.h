@@ -5,14 +5,13 @@
 
 namespace frana {
 
-/// Cohesion (adhesion) to the bed, whatever the normal stress:
+/// Cohesion (adhesion) to the bed, independent of the normal stress:
 ///
 ///     R = c / (rho d)      [m/s2]
 ///
-/// c cohesion [Pa], rho density [kg/m3], d thickness [m]. Range: c >= 0. Limits: all of it is yield; for d ->
-/// 0 it holds everything, so that a layer thinner than c / (rho g sin(theta)) stays on the slope. Source:
-/// Mohr-Coulomb strength; with Voellmy's friction e.g. Christen, Kowalski, Bartelt 2010, Cold Reg. Sci.
-/// Technol. 63, 1.
+/// c cohesion [Pa], rho density [kg/m3], d thickness [m]. Range: c >= 0. Limits: all of it is yield; for d -> 0 it
+/// holds all material, so that a film thinner than c / (rho g sin(theta)) stays on the slope. Source: Mohr-Coulomb
+/// strength; with Voellmy's friction e.g. Christen, Kowalski, Bartelt 2010, Cold Reg. Sci. Technol. 63, 1.
 struct CohesiveFriction {
     double density = 2000;  ///< [kg/m3]
     NodeValue cohesion;     ///< c [Pa]

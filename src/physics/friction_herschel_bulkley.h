@@ -9,8 +9,8 @@
 
 namespace frana {
 
-/// Bed resistance of a Herschel-Bulkley fluid, tau = tau_Y + K (du/dz)^m, in steady simple shear: the bed
-/// stress tau_B that goes with the mean speed s over a plug and a sheared layer,
+/// Bed resistance of a Herschel-Bulkley fluid, tau = tau_Y + K (du/dz)^m, in steady simple shear: the bed stress tau_B
+/// for the mean speed s of a plug over a sheared zone,
 ///
 ///     s = d/(1 + 1/m) (x / K)^(1/m) (x / tau_B) ( 1 - x / ((2 + 1/m) tau_B) ),   x = tau_B - tau_Y
 ///     R = tau_B / (rho d)      [m/s2]
@@ -32,7 +32,7 @@ struct HerschelBulkleyExcess {
         bed.yield += yield_stress / (density * bed.thickness);
     }
 
-    /// Mean speed under a bed stress that exceeds the yield stress by x [Pa].
+    /// Returns the mean speed under a bed stress that exceeds the yield stress by x [Pa].
     [[nodiscard]] double speed(double x, double thickness) const noexcept {
         if (!(x > 0)) return 0;
         const double p = 1 / flow_index, fraction = x / (yield_stress + x);
@@ -40,7 +40,7 @@ struct HerschelBulkleyExcess {
         return thickness * rate * fraction / (1 + p) * (1 - fraction / (2 + p));
     }
 
-    /// Backward Euler: the speed of excess x, plus what all parts take off, is `left`.
+    /// Backward Euler: the speed at excess x, plus the reductions by all parts, equals `left`.
     [[nodiscard]] double speed_after(const BedState& bed, std::size_t, double left, double dt) const noexcept {
         const double mass = density * bed.thickness;
         const double x = increasing_root(

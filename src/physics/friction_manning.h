@@ -12,13 +12,13 @@ namespace frana {
 ///     R(s) = g n^2 s^2 / d^(4/3)      [m/s2]
 ///
 /// n Manning roughness [s/m^(1/3)], d thickness [m], s speed [m/s]. Range: fully rough, turbulent flow; n
-/// 0.01 to 0.2. Limits: nothing at speed zero; infinitely stiff for d -> 0, applied implicitly. Source: Chow,
-/// Open-Channel Hydraulics, 1959, section 5-6, hydraulic radius = depth. This is the factor of s^2 [1/m].
+/// 0.01 to 0.2. Limits: 0 at speed zero; infinitely stiff for d -> 0, applied implicitly. Source: Chow, Open-Channel
+/// Hydraulics, 1959, section 5-6, hydraulic radius = depth. This is the factor of s^2 [1/m].
 inline double manning_resistance(double gravity, double manning, double thickness) noexcept {
     return gravity * manning * manning / (thickness * std::cbrt(thickness));
 }
 
-/// Manning's resistance as a law of the sum.
+/// Manning's resistance as a term of the sum.
 struct ManningFriction {
     double gravity = 9.81;  ///< [m/s2]
     double manning = 0.05;  ///< n [s/m^(1/3)]

@@ -10,11 +10,11 @@ namespace frana {
 ///     R(s) = tau_y / (rho d) + K eta s / (8 rho d^2) + g n^2 s^2 / d^(4/3)      [m/s2]
 ///
 /// tau_y yield stress [Pa], eta Bingham viscosity [Pa s], K laminar resistance (24 for a smooth wide channel,
-/// to 50000 on rough ground) [-], n Manning roughness that stands for turbulence and dispersion [s/m^(1/3)],
-/// d thickness [m], s speed [m/s]. Range: slurries with 20 to 55 % sediment by volume. Limits: tau_y is a
-/// bound at speed zero; all parts are stiff for d -> 0 and applied implicitly. Sources: Julien and Lan 1991,
-/// J. Hydraul. Eng. 117, 346; O'Brien, Julien, Fullerton 1993, J. Hydraul. Eng. 119, 244 (friction slope S_f
-/// = R / g). The exact wide-channel Newtonian limit, 3 eta s / (rho d^2), is K = 24.
+/// to 50000 on rough ground) [-], n Manning roughness for turbulence and dispersion [s/m^(1/3)], d thickness [m], s
+/// speed [m/s]. Range: slurries with 20 to 55 % sediment by volume. Limits: tau_y is a bound at speed zero; all parts
+/// are stiff for d -> 0 and applied implicitly. Sources: Julien and Lan 1991, J. Hydraul. Eng. 117, 346; O'Brien,
+/// Julien, Fullerton 1993, J. Hydraul. Eng. 119, 244 (friction slope S_f = R / g). The exact wide-channel Newtonian
+/// limit, 3 eta s / (rho d^2), is K = 24.
 struct OBrienJulienFriction {
     double gravity = 9.81;           ///< [m/s2]
     double density = 2000;           ///< [kg/m3]

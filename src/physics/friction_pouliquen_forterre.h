@@ -9,7 +9,7 @@
 
 namespace frana {
 
-/// Friction of dry grains that grows with the flow's inertia, mu(I) in its depth-averaged form:
+/// Friction of dry grains, increasing with the flow's inertia, mu(I) in its depth-averaged form:
 ///
 ///     R(s) = (1 - r_u) g_n ( mu_1 + (mu_2 - mu_1) / (1 + beta d / (L Fr)) ),   Fr = s / sqrt(g_n d) [m/s2]
 ///
@@ -17,8 +17,8 @@ namespace frana {
 /// 0.136 and L (of the order of a grain's diameter) [m] of the deposit h_stop, d thickness [m], g_n normal
 /// gravity [m/s2]. Range: mu_1 <= mu_2, L > 0; dry grains. Limits: mu_1 g_n is a bound at speed zero; for d
 /// -> 0 or fast flow friction is mu_2; without support there is none. Sources: Pouliquen and Forterre 2002,
-/// J. Fluid Mech. 453, 133 (the dynamic branch, Fr > beta; it is continued here to Fr = 0, without their
-/// hysteresis of starting); as mu(I): Jop, Forterre, Pouliquen 2006, Nature 441, 727.
+/// J. Fluid Mech. 453, 133 (the dynamic branch, Fr > beta; continued here to Fr = 0, without their hysteresis at the
+/// start of motion); as mu(I): Jop, Forterre, Pouliquen 2006, Nature 441, 727.
 struct PouliquenForterreExcess {
     NodeValue slow_coefficient;     ///< mu_1 [-]
     double fast_coefficient = 0.6;  ///< mu_2 [-]

@@ -5,15 +5,15 @@
 
 namespace frana {
 
-/// The yield term of RAMMS, cohesion that grows with the normal stress N = rho g_n d up to (1 - mu) N_0:
+/// The yield term of RAMMS, cohesion that increases with the normal stress N = rho g_n d up to (1 - mu) N_0:
 ///
 ///     R = (1 - mu) N_0 (1 - exp(-N / N_0)) / (rho d)      [m/s2]
 ///
-/// mu friction coefficient of the Coulomb part that it comes with [-], N_0 yield stress of the flowing
-/// material [Pa], rho density [kg/m3], d thickness [m]. Range: 0 <= mu <= 1, N_0 > 0 (0 to 2000 Pa for snow).
-/// Limits: all of it is yield; for d -> 0 it tends to (1 - mu) g_n, which with mu g_n is friction of 45
-/// degrees; no support, no yield. Source: Bartelt, Valero, Feistl, Christen, Buhler, Buser 2015, J. Glaciol.
-/// 61, 837, with the RAMMS form S = mu N + rho g u^2 / xi + (1 - mu) N_0 - (1 - mu) N_0 exp(-N / N_0).
+/// mu friction coefficient of the Coulomb part used with it [-], N_0 yield stress of the flowing material [Pa], rho
+/// density [kg/m3], d thickness [m]. Range: 0 <= mu <= 1, N_0 > 0 (0 to 2000 Pa for snow). Limits: all of it is yield;
+/// for d -> 0 it tends to (1 - mu) g_n, which with mu g_n is friction of 45 degrees; no support, no yield. Source:
+/// Bartelt, Valero, Feistl, Christen, Buhler, Buser 2015, J. Glaciol. 61, 837, with the RAMMS form S = mu N + rho g u^2
+/// / xi + (1 - mu) N_0 - (1 - mu) N_0 exp(-N / N_0).
 struct RammsYield {
     double density = 2000;           ///< [kg/m3]
     double yield_stress = 0;         ///< N_0 [Pa]

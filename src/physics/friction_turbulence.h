@@ -10,16 +10,16 @@ namespace frana {
 ///     R(s) = g s^2 / (xi d)      [m/s2]
 ///
 /// xi turbulence coefficient [m/s2], d thickness normal to the bed [m], s speed along the bed [m/s]. Range:
-/// xi > 0; infinite: off. Limits: nothing at speed zero; infinitely stiff for d -> 0, so it is applied
-/// implicitly. Source: Voellmy 1955; Fois, de Falco, Formaggia 2024, equation 2. Chezy's law is the same with
-/// xi = C^2. This is the factor of s^2 [1/m].
+/// xi > 0; infinite: off. Limits: 0 at speed zero; infinitely stiff for d -> 0, so it is applied implicitly. Source:
+/// Voellmy 1955; Fois, de Falco, Formaggia 2024, equation 2. Chezy's law is the same with xi = C^2. This is the factor
+/// of s^2 [1/m].
 ///
 /// @param inverse_turbulence 1 / xi
 inline double turbulent_resistance(double gravity, double inverse_turbulence, double thickness) noexcept {
     return gravity * inverse_turbulence / thickness;
 }
 
-/// The turbulent part as a law of the sum.
+/// The turbulent part as a term of the sum.
 struct TurbulentFriction {
     double gravity = 9.81;  ///< [m/s2]
     NodeValue turbulence;   ///< xi [m/s2]

@@ -6,26 +6,25 @@
 
 namespace frana {
 
-/// Voellmy bed friction (paper, equation 2), as a deceleration of the speed along the bed, with parameters that are the
-/// same everywhere and nothing else in the sum (friction_coulomb.h, friction_turbulence.h):
+/// Voellmy bed friction (paper, equation 2), as a deceleration of the speed along the bed, with uniform parameters and
+/// no other term (friction_coulomb.h, friction_turbulence.h):
 ///
 ///     R(s) = g_n tan(phi) + g s^2 / (xi d)     [m/s2]
 ///
 /// g_n  gravity normal to the bed [m/s2], d thickness normal to the bed [m], s speed along the bed [m/s],
 /// phi friction angle, xi turbulence coefficient [m/s2] (infinite: off).
 ///
-/// Limits: at s = 0 the first part is a bound, not a force: what drives less than the bound stays at
-/// rest. At d -> 0 the turbulent part is infinitely stiff, so the update below is implicit; at d = 0 the
-/// result is rest.
+/// Limits: at s = 0 the first part is a bound, not a force: material driven by less stays at rest. At d -> 0 the
+/// turbulent part is infinitely stiff, so the update below is implicit; at d = 0 the result is rest.
 struct VoellmyFriction {
     double friction_coefficient = 0;  ///< tan(phi) [-]
     double inverse_turbulence = 0;    ///< 1 / xi [s2/m]
 
     [[nodiscard]] bool active() const noexcept { return friction_coefficient > 0 || inverse_turbulence > 0; }
 
-    /// Speed after dt, by backward Euler: s1 + dt R(s1) = s0, never below zero. A constant drive then reaches
-    /// the exact terminal speed, and friction cannot turn the motion round.
-    /// @param s0 speed before friction, with the drive of this step already added [m/s]
+    /// Returns the speed after dt, by backward Euler: s1 + dt R(s1) = s0, never below zero. A constant driving force
+    /// then reaches the exact terminal speed, and friction cannot reverse the motion.
+    /// @param s0 speed before friction, including the driving forces of this step [m/s]
     [[nodiscard]] double speed_after(double s0, double dt, double normal_gravity, double gravity,
                                      double thickness) const noexcept {
         if (!(thickness > 0)) return 0;

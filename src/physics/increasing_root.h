@@ -6,9 +6,9 @@
 
 namespace frana {
 
-/// Root of an increasing function with f(0) < 0 <= f(highest), to 1e-14 of itself. A guess within a few
-/// orders of magnitude is closed in by factors of four; then regula falsi with the Illinois weights, and
-/// bisection where three steps have not halved the bracket. The count is bounded.
+/// Returns the root of an increasing function with f(0) < 0 <= f(highest), to a relative 1e-14. A guess within a few
+/// orders of magnitude is bracketed by factors of four; then regula falsi with the Illinois weights, and bisection if
+/// three steps have not halved the bracket. The number of steps is bounded.
 template <class Function>
 double increasing_root(const Function& f, double highest, double guess) noexcept {
     double high = guess > 0 && guess < highest ? guess : highest, low = 0, f_high = f(high), f_low = 0;

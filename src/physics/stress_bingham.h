@@ -7,7 +7,7 @@
 
 namespace frana {
 
-/// Rate of strain in the plane, with what the depth-integrated invariant needs; of one particle (double) or of four
+/// Rate of strain in the plane, with the terms of the depth-integrated invariant; of one particle (double) or of four
 /// (Quad).
 template <class Number>
 struct StrainRate {
@@ -23,7 +23,7 @@ struct PlaneStress {
     Number diffusivity;  ///< (2 mu + tau_Y / sqrt(I2)) / rho [m2/s]
 };
 
-/// No in-plane stress: nothing is stored or computed.
+/// No in-plane stress.
 struct NoStress {
     static constexpr bool active = false;
 };
@@ -33,9 +33,8 @@ struct NoStress {
 ///     sigma = ( 2 mu + tau_Y / sqrt(I2 + r^2) ) D,      I2 = 1/2 Dbar : Dbar
 ///
 /// Dbar: D, D33 = -(D11 + D22), and vertical shear 3 / (2 + zeta) v / h (equations 5-6). r is the shear rate
-/// under which the yield part is softened into a very viscous one; share/doc/model.md shows that results do
-/// not depend on it over two decades. Limits: at rest sigma = 0; at depth 0 the shear is infinite and the
-/// yield part vanishes.
+/// below which the yield part is replaced by a very viscous one; share/doc/model.md shows that results do not depend on
+/// it over two decades. Limits: at rest sigma = 0; at depth 0 the shear is infinite and the yield part vanishes.
 struct BinghamStress {
     static constexpr bool active = true;
 

@@ -8,19 +8,17 @@
 
 namespace frana {
 
-/// Earth pressure of a granular mass that slides on its bed: pressure in the plane is K times what the weight
-/// gives,
+/// Earth pressure of a granular mass sliding on its bed: the pressure in the plane is K times that of the weight,
 ///
 ///     K_act, K_pass = 2 ( 1 -+ sqrt( 1 - cos^2(phi_i) (1 + tan^2(delta)) ) ) / cos^2(phi_i) - 1
 ///     sigma = -(K - 1) g h / 2 I, over density      [m2/s2]
 ///
-/// phi_i internal friction angle, delta friction angle of the bed, h depth [m]. K is K_act where the mass
-/// spreads and K_pass where it is compressed, alike in both directions of the plane, by the sign of div v;
-/// between -r and r it passes through K(0), 1 or the nearer of the two. Range: delta <= phi_i. Limits: phi_i
-/// = delta gives K = 1 + 2 tan^2(delta) for both; at rest K(0); at depth 0 nothing. Sources: Savage and
-/// Hutter 1989, J. Fluid Mech. 199, 177 (the coefficients); isotropic by the sign of div v: Iverson and
-/// Denlinger 2001, J. Geophys. Res. 106, 537. The transition is ours: without it K jumps with the last digit
-/// of div v.
+/// phi_i internal friction angle, delta friction angle of the bed, h depth [m]. K is K_act where the mass spreads and
+/// K_pass where it is compressed, equal in both directions of the plane, by the sign of div v; between -r and r it is
+/// interpolated through K(0), which is 1 or the nearer of the two. Range: delta <= phi_i. Limits: phi_i = delta gives K
+/// = 1 + 2 tan^2(delta) for both; at rest K(0); 0 at depth 0. Sources: Savage and Hutter 1989, J. Fluid Mech. 199, 177
+/// (the coefficients); isotropic by the sign of div v: Iverson and Denlinger 2001, J. Geophys. Res. 106, 537. The
+/// transition is our addition: without it K jumps with the last digit of div v.
 struct EarthPressureStress {
     static constexpr bool active = true;
 

@@ -13,11 +13,11 @@ namespace frana {
 ///
 ///     zeta^3 - (3 + a) zeta + 2 = 0,   a = 6 mu |v| / (tau_Y h) >= 0
 ///
-/// (from |v| = tau_B h / (6 mu) (2 + zeta)(1 - zeta)^2; the paper's equations 7-8 carry misprints). zeta is 1
-/// at rest (a = 0) and goes to 2 / (3 + a) for fast flow.
+/// (from |v| = tau_B h / (6 mu) (2 + zeta)(1 - zeta)^2; the paper's equations 7-8 have misprints). zeta is 1 at rest (a
+/// = 0) and tends to 2 / (3 + a) for fast flow.
 struct ExactYieldRatio {
-    /// Newton from a start that is within 1 % of the root everywhere and far closer at both ends: two steps reach 1e-9,
-    /// three what rounding allows (1e-10 at a = 1e-12, where the root is nearly double).
+    /// Newton's method from a start within 1 % of the root everywhere and much closer at both ends: two steps reach
+    /// 1e-9, three the limit of rounding (1e-10 at a = 1e-12, where the root is nearly double).
     template <LaneNumber Number>
     [[nodiscard, gnu::always_inline]] Number operator()(Number a) const noexcept {
         using std::max;
@@ -36,7 +36,7 @@ struct ExactYieldRatio {
     }
 };
 
-/// The paper's quadratic (9), 48 zeta^2 - (114 + 32 a) zeta + 65 = 0: the smaller root. Off by up to 0.043.
+/// The paper's quadratic (9), 48 zeta^2 - (114 + 32 a) zeta + 65 = 0: the smaller root. Error up to 0.043.
 struct QuadraticYieldRatio {
     template <LaneNumber Number>
     [[nodiscard, gnu::always_inline]] Number operator()(Number a) const noexcept {

@@ -14,19 +14,18 @@
 
 namespace frana::voellmy_bingham {
 
-/// A law's sweep over the nodes of a tile; called once a tile and step.
+/// A law's sweep over the nodes of a tile; called once per tile and step.
 using FrictionSweep = std::function<void(const NodeRange&, const NodeUpdate&, const NodeGrid&, BedState*)>;
 
-/// Bed friction of a scene: Voellmy with uniform parameters, or a sum of laws, one of which may be no
-/// polynomial.
+/// Bed friction of a scene: Voellmy with uniform parameters, or a sum of laws, of which one may be non-polynomial.
 struct BedFriction {
     bool summed = false;
-    VoellmyFriction voellmy;            ///< where not summed
-    std::vector<FrictionSweep> sweeps;  ///< where summed, one a law
+    VoellmyFriction voellmy;            ///< used if not summed
+    std::vector<FrictionSweep> sweeps;  ///< used if summed, one per law
     std::tuple<NoExcess, HerschelBulkleyExcess, BinghamQuadraticExcess, PouliquenForterreExcess> excess;
     bool yields = false;  ///< whether any law of the sum holds material at rest
     PorePressure pore_pressure;
-    std::vector<std::vector<double>> node_values;  ///< what the laws' NodeValue point to, padded like the nodes
+    std::vector<std::vector<double>> node_values;  ///< targets of the laws' NodeValue, padded as the nodes are
 
     [[nodiscard]] bool keeps_rest() const noexcept { return summed ? yields : voellmy.friction_coefficient > 0; }
 };

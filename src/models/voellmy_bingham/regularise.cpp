@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between two steps: the order and the number of the particles, what goes into the air and comes back.
+// Between two steps: order and number of the particles, take-off and landing.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,8 +11,8 @@
 namespace frana::voellmy_bingham {
 namespace {
 
-// Particles whose shape has a trace above this many cells' areas wait no longer for the next sort to be split (a
-// front that does tears: the error of the dry dam break is a third smaller so), but sorts come at least this many
+// Particles whose shape has a trace above this many cells' areas do not wait for the next sort to be split (a front
+// that does tears: splitting early reduces the error of the dry dam break by a third), but sorts are at least this many
 // steps apart.
 constexpr double k_long_shape = 1;
 constexpr int k_sort_pause = 3;
@@ -30,15 +30,15 @@ void activate_where_crossed(State& state, ThreadPool& pool) {
     }
 }
 
-// One byte a tile of particles: those that rest need neither splitting nor merging.
+// One byte per tile of particles: those at rest need neither splitting nor merging.
 std::vector<std::uint8_t> resting(const State& state) {
     std::vector<std::uint8_t> rests;
     for (const ParticleTile& tile : state.order.tiles()) rests.push_back(state.active.rests(tile) ? 1 : 0);
     return rests;
 }
 
-// Sorts by tile, dropping what has left (if any may have) and where `keep` is 0 (if it is not empty), and forgets the
-// nodes that no particle can touch any more: their old sums must not be read as a neighbour's.
+// Sorts by tile, drops particles outside the terrain (if there may be any) and those with `keep` 0 (if it is not
+// empty), and clears the nodes that no particle can touch any more: their old sums must not be read as a neighbour's.
 void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, ThreadPool& pool) {
     if (drop) {
         const double *x = state.particles[Field::x], *y = state.particles[Field::y];
@@ -62,14 +62,14 @@ void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, Thr
     }
 }
 
-// The same when particles may have drifted as far as they are let.
+// The same when particles may have drifted to the limit.
 void sort_again(State& state, bool drop, ThreadPool& pool) {
     sort_particles(state, drop, {}, pool);
     state.drift = 0;
     state.since_sort = 0;
 }
 
-// Greatest speed of a particle with its wave [m/s].
+// Returns the greatest speed of a particle including its wave [m/s].
 double wave_of(const ParticleSet& particles, std::size_t p, const Laws& laws) {
     return std::hypot(particles[Field::u][p], particles[Field::v][p]) +
            std::sqrt(laws.gravity * laws.stress.wave_factor * particles[Field::volume][p] / particles[Field::area][p]);
@@ -135,7 +135,8 @@ void leave_and_land(Step& now) {
         state.wave_speed = std::max(state.wave_speed, wave_of(state.particles, p, now.laws));
         state.active.activate_round(state.order.tile_of(state.particles[Field::x][p], state.particles[Field::y][p]));
     }
-    sort_particles(state, false, std::move(keep), now.pool);  // neither shifted nor split: that keeps its own schedule
+    sort_particles(state, false, std::move(keep), now.pool);  // neither shifted nor split: those keep their own
+                                                              // schedule
     now.watch.ends(Stage::sort);
 }
 

@@ -7,13 +7,13 @@
 
 namespace frana::voellmy_bingham {
 
-/// The parts of a time step whose cost is watched.
+/// The parts of a time step that are timed.
 enum class Stage : unsigned char {
-    particles_to_nodes,  ///< clearing the nodes, and mass, momentum, area, sums for the levels to them
+    particles_to_nodes,  ///< clearing the nodes; mass, momentum, area and sums for the levels to the nodes
     levels,              ///< still level or mean depth, and support, per node
     pressure,            ///< pressure, slope and in-plane stress to the nodes
-    nodes,               ///< what drives them, friction, maxima
-    nodes_to_particles,  ///< velocity, position, depth, shape; stress where there is some
+    nodes,               ///< driving forces, friction, maxima
+    nodes_to_particles,  ///< velocity, position, depth, shape; stress if there is any
     sort,
     resample,
     count
@@ -30,7 +30,7 @@ inline constexpr std::array<const char*, k_stages> k_stage_names{"particles to n
 /// Wall time of a step's stages [s].
 using StageSeconds = std::array<double, k_stages>;
 
-/// A watch that books the time since it was last asked to the stage that has just ended.
+/// Adds the time since the last call to the stage that has just ended.
 class StageWatch {
   public:
     explicit StageWatch(StageSeconds& seconds) : seconds_(seconds) {}

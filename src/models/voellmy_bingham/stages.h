@@ -7,9 +7,9 @@
 
 namespace frana::voellmy_bingham {
 
-/// The compile-time variants of a step's stages, chosen once at set-up. Each is called once a tile, so
-/// choosing by pointer costs nothing inside the streaming loops, and variants multiply only where they share
-/// a loop. A stage that a scene does not need is null.
+/// The compile-time variants of a step's stages, chosen once at set-up. Each is called once per tile, so the function
+/// pointer costs nothing inside the inner loops, and variants multiply only where they share a loop. A stage that a
+/// scene does not need is null.
 struct Stages {
     void (*particles_to_nodes)(const ParticleTile&, const ParticleSet&, NodeGrid&) = nullptr;
     void (*pressure_to_nodes)(const ParticleTile&, const ParticleSet&, double gravity, NodeGrid&) = nullptr;
@@ -23,13 +23,13 @@ struct Stages {
                                     ParticleSet&, double* kept, double* lost, ExchangeReport&) = nullptr;
     ParticleReport (*nodes_to_particles)(const ParticleTile&, const ParticleUpdate&, const StressLaws&, const NodeGrid&,
                                          ParticleSet&) = nullptr;
-    bool references = false;   ///< pressure is measured against a still level or mean depth per node
-    bool leapfrog = false;     ///< velocities live half a step before positions; otherwise at the same time
+    bool references = false;   ///< pressure is relative to a still level or mean depth per node
+    bool leapfrog = false;     ///< velocities are half a step before the positions; otherwise at the same time
     bool resamples = false;    ///< particles split and merge
-    bool flies = false;        ///< particles leave a bed that falls away faster than they would (Flights)
+    bool flies = false;        ///< particles leave a bed that falls away faster than free fall (Flights)
     bool follows_bed = false;  ///< particles carry the velocity along the bed (Curved), otherwise in map view
-    bool change_only = false;  ///< nodes give the change of the velocity back, otherwise the velocity
-    FieldMask fields;          ///< what the particles carry for all of this
+    bool change_only = false;  ///< nodes return the change of the velocity, otherwise the velocity
+    FieldMask fields;          ///< fields of the particles for all of this
 };
 
 }  // namespace frana::voellmy_bingham

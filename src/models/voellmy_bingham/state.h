@@ -23,7 +23,7 @@
 
 namespace frana::voellmy_bingham {
 
-/// Everything that changes while the flow runs.
+/// Everything that changes during a run.
 struct State {
     State(ParticleSet set, NodeGrid grid, TileOrder tiles)
         : particles(std::move(set)),
@@ -41,17 +41,17 @@ struct State {
     ZeroArray<ParticleReport> particle_reports;  ///< by tile: of the last step that moved its particles
     double time = 0;                             ///< of positions [s]
     double velocity_lag = 0;                     ///< how far the velocities are behind the positions [s]
-    double drift = 0;                            ///< how far particles may have moved since the last sort [cells]
+    double drift = 0;                            ///< bound of the particles' displacement since the last sort [cells]
     int since_sort = 0;                          ///< [steps]
     double wave_speed = 0;                       ///< greatest |v| + sqrt(g h) [m/s]
     double diffusivity = 0;                      ///< greatest of the in-plane stress [m2/s]
     double volume_left = 0;                      ///< through open boundaries [m3]
-    Flights flights;                             ///< particles in the air; none where Stages::flies is off
-    ZeroArray<BedState> bed_states;              ///< padded; empty where friction is uniform Voellmy
-    ZeroArray<ErodibleBed> erodible_beds;        ///< padded; empty where the bed stays as it is
+    Flights flights;                             ///< particles in the air; none if Stages::flies is off
+    ZeroArray<BedState> bed_states;              ///< padded; empty if friction is uniform Voellmy
+    ZeroArray<ErodibleBed> erodible_beds;        ///< padded; empty if the bed does not change
     ExchangeReport exchanged;                    ///< with the bed, so far
     std::vector<double> kept, lost;              ///< by each particle, within a step
-    ZeroArray<Point> brought;  ///< padded; velocity in map view that the particles brought; empty: not kept
+    ZeroArray<Point> brought;                    ///< padded; velocity in map view before the update; empty: not stored
 };
 
 template <class Archive>
@@ -65,11 +65,11 @@ void serialise(Archive& archive, State& state) {
     if constexpr (Archive::k_reads) archive.require(order.restore(particles));
 }
 
-/// In-plane stress; the stages use one of them, or none.
+/// In-plane stress; the stages use one of these laws, or none.
 struct StressLaws {
     BinghamStress bingham;
     EarthPressureStress earth_pressure;
-    double wave_factor = 1;  ///< what pressure waves run faster by, squared
+    double wave_factor = 1;  ///< square of the factor on the speed of pressure waves
 };
 
 /// Erosion and deposition; the stages use one law of each, or none.
@@ -81,7 +81,7 @@ struct BedExchange {
     double density = 2000;  ///< [kg/m3]
 };
 
-/// Parameters and laws; const while the flow runs.
+/// Parameters and laws; constant during a run.
 struct Laws {
     double gravity = 9.81;                ///< vertical, or normal to a tilted flat bed [m/s2]
     double gravity_x = 0, gravity_y = 0;  ///< of a tilted frame, for verification [m/s2]
@@ -89,7 +89,7 @@ struct Laws {
     double minimum_depth = 0.01;  ///< [m]
     bool wall = false;
     double flight_slope = 0;  ///< JumpRules::edge
-    bool skips_rest = true;   ///< what is at rest is not computed while nothing near it moves
+    bool skips_rest = true;   ///< material at rest is not computed while nothing near it moves
     Point origin;             ///< release centroid, local metres
     double moving_speed = 0;  ///< speed from which volume counts as moving [m/s]
     BedFriction friction;
@@ -98,7 +98,7 @@ struct Laws {
     ResampleLimits resample;
 };
 
-/// What a step did.
+/// Results of one step.
 struct StepReport {
     double dt = 0;
     NodeReport nodes;
@@ -106,8 +106,8 @@ struct StepReport {
     ResampleCounts resampled;
     double aloft = 0;          ///< volume in the air [m3]
     double aloft_kinetic = 0;  ///< its kinetic energy over density [m5/s2]
-    std::size_t moved = 0;     ///< particles that were computed; the others rest
-    StageSeconds seconds{};    ///< what each stage took
+    std::size_t moved = 0;     ///< particles that were computed; the others are at rest
+    StageSeconds seconds{};    ///< of each stage
 };
 
 }  // namespace frana::voellmy_bingham

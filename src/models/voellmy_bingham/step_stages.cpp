@@ -11,7 +11,7 @@
 namespace frana::voellmy_bingham {
 namespace {
 
-// Runs a stage over the particle tiles that bring something, colour after colour: tiles of one colour share no node.
+// Runs a stage over the active particle tiles, colour after colour: tiles of one colour share no node.
 template <class Task>
 void for_tiles_by_colour(const State& state, ThreadPool& pool, const Task& task) {
     for (const auto& colour : state.active.bringing()) {
@@ -24,8 +24,8 @@ void for_node_tiles(const State& state, const std::vector<std::int64_t>& tiles, 
     pool.for_each(tiles.size(), [&](std::size_t t) { task(NodeRange(tiles[t], state.order.grid(), state.nodes)); });
 }
 
-// Whether what is at rest stays as it is while nothing near it moves: with friction that holds, and nothing that
-// changes with time or reaches across the edges.
+// Whether material at rest stays unchanged while nothing near it moves: with friction that holds it, and without terms
+// that change with time or act across the edges.
 bool may_rest(const Laws& laws, const Stages& stages) {
     return laws.skips_rest && laws.friction.keeps_rest() && !laws.friction.pore_pressure.active() && !laws.wall &&
            stages.exchange_at_nodes == nullptr;
@@ -89,7 +89,7 @@ void reference_levels(Step& now) {
 
 void forces_to_nodes(Step& now) {
     State& state = now.state;
-    if (now.stages.follows_bed) {  // momenta in map view; levels tell what ponds
+    if (now.stages.follows_bed) {  // momenta in map view; levels show ponding
         for (const auto* tiles : {&state.active.updated(), &state.active.gathered()})
             for_node_tiles(state, *tiles, now.pool,
                            [&](const NodeRange& range) { momenta_to_map(range, state.nodes); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages of a time step (step.h). Stop-watches, walls, active tiles and reports live here.
+// The stages of a time step (step.h), with their timers, walls, active tiles and reports.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace frana::voellmy_bingham {
 
-/// A step on its way.
+/// The data of one step.
 struct Step {
     Step(State& s, const Laws& l, const Stages& chosen, Maxima& m, ThreadPool& p)
         : state(s), laws(l), stages(chosen), maxima(m), pool(p) {}
@@ -28,7 +28,7 @@ struct Step {
     StepReport report;
     StageWatch watch{report.seconds};
 
-    /// Whether the bed gives or takes: only while positions move.
+    /// Whether material is exchanged with the bed: only while positions move.
     [[nodiscard]] bool exchanges() const noexcept { return stages.exchange_at_nodes != nullptr && drift > 0; }
 };
 
@@ -42,31 +42,31 @@ void particles_to_nodes(Step& now);
 void reference_levels(Step& now);
 /// Reads particles and NodeLevel; adds NodeForces fx, fy.
 void forces_to_nodes(Step& now);
-/// Reads NodeForces; writes BedState, and NodeForces::held. Holding looks at neighbours, so it is
+/// Reads NodeForces; writes BedState, and NodeForces::held. Whether a node is held depends on its neighbours, so it is
 /// decided before any node is updated.
 void bed_resistance(Step& now);
 /// From NodeForces to NodeMotion; maxima, NodeReport.
 void update_nodes(Step& now);
-/// Erosion and deposition: decided at the nodes, taken and given by the particles where they still are.
+/// Erosion and deposition: computed at the nodes, then applied to the particles before they move.
 void exchange_with_bed(Step& now);
 /// Reads NodeMotion; writes all fields of the particles.
 void nodes_to_particles(Step& now);
 /// State::time and the bounds of the next step.
 void advance_time(Step& now);
-/// Order and number of the particles, once they may have drifted too far, have left, or are torn.
+/// Order and number of the particles, if they may have drifted too far, have left the terrain, or are torn.
 void regularise(Step& now);
-/// What leaves the bed within the next step goes into the air, what has come down lies on the ground again (Flights).
+/// Moves particles that leave the bed within the next step into the air, and those that have landed back to the ground
+/// (Flights).
 void leave_and_land(Step& now);
 
-/// Brings particles into tile order and works out the first step's bounds. Call before the first step, and
-/// whenever particles were added or the bed changed between steps.
+/// Sorts particles into tiles and computes the first step's bounds. Call before the first step, and whenever particles
+/// were added or the bed changed between steps.
 void prepare(State& state, const Laws& laws, ThreadPool& pool);
 
-/// Mass, momentum, area and reference levels on the nodes for the particles as they are now, without moving
-/// anything.
+/// Computes mass, momentum, area and reference levels on the nodes for the current particles, without moving anything.
 void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, Maxima& maxima, ThreadPool& pool);
 
-/// Shifting needs what splitting does: the default scheme with its affine velocities.
+/// Shifting has the requirements of splitting: the default scheme with its affine velocities.
 [[nodiscard]] bool shifts_now(const State& state, const Stages& stages);
 
 }  // namespace frana::voellmy_bingham

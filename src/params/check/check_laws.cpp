@@ -18,7 +18,7 @@ bool asks(const std::vector<const Law*>& laws, LawKind kind, const std::string& 
     return std::find(laws.begin(), laws.end(), &find_law(kind, word)) != laws.end();
 }
 
-/// Whether [zones] gives what the key of another section would: nothing outside the zones is then a fair default.
+/// Whether [zones] gives the same quantity as the key of another section: the default then applies outside the zones.
 bool by_place(const std::set<std::string>& given, const std::string& name) {
     return given.count("zones." + name.substr(name.find('.') + 1)) > 0;
 }
@@ -30,7 +30,7 @@ void check_keys(const SceneSpec& scene, const std::set<std::string>& given, cons
     for (const std::string& name : law_keys()) {
         const Parameter& key = *find_parameter(parameters, name);
         const std::string preset = key.default_text(), value = key.write(scene).value_or("");
-        // Whoever writes down a default asks for nothing.
+        // A key given with its default value requests nothing.
         const bool is_given = given.count(name) > 0 && (preset.empty() || value != preset);
         if (is_given && readers_of(name, asked).empty()) {
             problems.add({"is given, but no law of the scene uses it", file + ": " + name, "", "",
@@ -78,7 +78,7 @@ void check_angles(const SceneSpec& scene, const std::string& file, Problems& pro
     const std::vector<const Law*> laws = laws_of(scene);
     const auto check = [&](LawKind kind, const std::string& law, const std::string& key,
                            const std::optional<double>& angle_deg) {
-        // A grain of tolerance, so that an angle equals the arctangent of its tangent.
+        // The tolerance makes an angle equal the arctangent of its tangent.
         if (!angle_deg || !asks(laws, kind, law) || *angle_deg >= bed_deg - 1e-9) return;
         problems.add({"is less than the friction angle of the bed", file + ": material." + key,
                       shortest_text(*angle_deg) + " degrees", "at least " + shortest_text(bed_deg) + " degrees",
@@ -97,7 +97,7 @@ void check_rest(const SceneSpec& scene, const std::string& file, Problems& probl
         problems.add({"is given without a pore pressure", file + ": material.pore-dissipation-time", "", "",
                       "Set material.pore-pressure-ratio, or remove it"});
     }
-    // One clock for all particles: what joins later would come with pore pressure that has already gone.
+    // One time for all particles: material that enters later would start with pore pressure already dissipated.
     const auto& start = scene.release.start;
     const bool fails_late = start && (start->kind != SourceSpec::Kind::number || start->number > 0);
     if (scene.material.pore_dissipation_time && (fails_late || scene.inflow.line)) {

@@ -9,8 +9,8 @@
 
 namespace frana {
 
-/// Whether the laws of [material] and [entrainment] have the keys they need, and no key is given that no law
-/// reads.
+/// Checks that the laws of [material] and [entrainment] have the keys they need and that no given key is unread by
+/// every law.
 void check_laws(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                 Problems& problems);
 

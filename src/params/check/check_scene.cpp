@@ -30,7 +30,7 @@ void check_required(const SceneSpec& scene, const std::set<std::string>& given, 
             {"is missing", file + ": release.perimeter", "", "", "Name the polygon layer of the release area"});
 }
 
-/// A key that says nothing without another one.
+/// A key that has no effect without another one.
 struct Pair {
     std::string key;
     bool given;
@@ -77,7 +77,7 @@ void check_pairs(const SceneSpec& scene, const std::string& file, Problems& prob
     }
 }
 
-/// How the thickness is meant, where several keys speak of it.
+/// Checks the keys that together define the thickness.
 void check_thickness(const ReleaseSpec& release, const std::string& file, Problems& problems) {
     using Kind = ThicknessSpec::Kind;
     if (!release.thickness) return;

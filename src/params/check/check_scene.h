@@ -9,8 +9,8 @@
 
 namespace frana {
 
-/// What no key can say alone: keys that are required and keys that contradict each other. `given` holds every
-/// key that was written, rightly or wrongly, so that a key with a bad value is not called missing as well.
+/// Checks what involves several keys: required keys and contradictions between keys. `given` contains every key present
+/// in the input, valid or not, so that a key with an invalid value is not also reported as missing.
 void check_scene(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                  Problems& problems);
 

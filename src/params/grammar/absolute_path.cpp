@@ -15,7 +15,7 @@ std::string counted_from(const std::string& path, const std::string& directory) 
     return (std::filesystem::path(directory) / trimmed(path)).lexically_normal().string();
 }
 
-/// Length of "/vsizip/", "/vsigzip/" and their like at the start, which stand before a path of their own.
+/// Returns the length of a leading "/vsizip/", "/vsigzip/" or similar, which precedes a path of its own.
 std::size_t archive_prefix(const std::string& path) {
     std::size_t length = 0;
     for (bool more = true; more;) {
@@ -29,7 +29,7 @@ std::size_t archive_prefix(const std::string& path) {
     return length;
 }
 
-/// Where the file's name begins and ends in DRIVER:"file":part or DRIVER:file:part; {0, 0}: no such thing.
+/// Returns where the file name begins and ends in DRIVER:"file":part or DRIVER:file:part; {0, 0}: not of this form.
 std::pair<std::size_t, std::size_t> named_file(const std::string& path, std::size_t colon) {
     const std::size_t quote = path.find('"');
     if (quote != std::string::npos && path.find('"', quote + 1) != std::string::npos)

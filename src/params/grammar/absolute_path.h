@@ -5,9 +5,9 @@
 
 namespace frana {
 
-/// A path as a scene says it, counted from `directory`. What GDAL puts round a path stays: a layer after '|',
-/// archives ("/vsizip/tiles.zip/dtm.tif", the archive's path counted), rasters inside a file
-/// (NETCDF:"file.nc":band). Connections to databases stay as they are.
+/// Makes a path given in a scene absolute, relative to `directory`. GDAL's syntax around a path is kept: a layer after
+/// '|', archives ("/vsizip/tiles.zip/dtm.tif", the archive's path made absolute), rasters inside a file
+/// (NETCDF:"file.nc":band). Database connections are unchanged.
 std::string absolute_path(const std::string& path, const std::string& directory);
 
 }  // namespace frana

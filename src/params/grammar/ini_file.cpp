@@ -43,7 +43,7 @@ std::vector<IniEntry> read_ini(const std::string& path) {
     std::vector<IniEntry> entries;
     try {
         std::istringstream stream(text);
-        // Nothing is registered: keys are matched by the caller, who can name the nearest one.
+        // No option is registered: the caller matches the keys and can suggest the nearest one.
         const auto parsed = options::parse_config_file(stream, options::options_description{}, true);
         for (const auto& option : parsed.options)
             entries.push_back({option.string_key, option.value.empty() ? "" : trimmed(option.value.front())});

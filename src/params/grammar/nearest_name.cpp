@@ -32,15 +32,15 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known) {
     std::string best;
-    // A third of the word wrong is still a misspelling; more is another word.
+    // Up to a third of the letters wrong is a misspelling; more is another word.
     int best_distance = std::max<int>(2, static_cast<int>(without_section(name).size()) / 3) + 1;
-    // No pair is nearer than its lengths differ: names of any length cost nothing.
+    // A distance is at least the difference of the lengths, so that names of any length cost nothing.
     const auto distance_within = [&](std::string_view a, std::string_view b) {
         const auto lengths = static_cast<std::size_t>(best_distance) + std::min(a.size(), b.size());
         return lengths <= std::max(a.size(), b.size()) ? best_distance : edit_distance(a, b);
     };
     for (const std::string& candidate : known) {
-        // In another section (or in none) the key counts by its own spelling, with one problem for the section.
+        // A key of another section (or of none) is compared without its section, which counts as one error.
         const int elsewhere = distance_within(without_section(name), without_section(candidate)) + 1;
         const int distance = std::min(distance_within(name, candidate), elsewhere);
         if (distance < best_distance) {

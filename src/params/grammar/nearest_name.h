@@ -7,11 +7,12 @@
 
 namespace frana {
 
-/// Letters to insert, delete, replace or swap with their neighbour to turn one word into the other.
+/// Returns the number of letters to insert, delete, replace or swap with their neighbour to turn one word into the
+/// other.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The "section.key" a user most likely meant: nearest by spelling, or the same key in another section.
-/// Empty when nothing is near enough to be a help.
+/// Returns the "section.key" most likely meant: nearest by spelling, or the same key in another section. Empty if none
+/// is near enough to help.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known);
 
 }  // namespace frana

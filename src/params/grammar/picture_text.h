@@ -9,21 +9,21 @@ namespace frana {
 struct Size {
     int width = 0;
     int height = 0;
-    double dots_per_inch = 150;  ///< where the picture is printed
+    double dots_per_inch = 150;  ///< of the printed picture
 };
-/// The sizes that size_from_text knows, for messages.
+/// The sizes that size_from_text accepts, for messages.
 inline constexpr const char* k_sizes =
     "WIDTHxHEIGHT, 640x480 to 8000x8000, or A4, A3, A4-portrait, A3-portrait, with "
     "@DPI (150 to 300; 150 where absent)";
-/// A picture's size in pixels: "1600x1200", or a page of ISO 216 with its resolution: "A4", "A3-portrait@300".
+/// Reads a picture's size in pixels: "1600x1200", or an ISO 216 page with its resolution: "A4", "A3-portrait@300".
 std::optional<Size> size_from_text(const std::string& text);
 
-/// Where a view is taken from, in degrees.
+/// The direction a view is seen from, in degrees.
 struct CameraText {
     double azimuth = 0, elevation = 35, zoom = 1;
 };
 inline constexpr const char* k_cameras = "AZIMUTH, ELEVATION[, ZOOM]: 0 to 360, 1 to 89, 0.1 to 20";
-/// "210, 30" or "210, 30, 1.5".
+/// Reads "210, 30" or "210, 30, 1.5".
 std::optional<CameraText> camera_from_text(const std::string& text);
 
 }  // namespace frana

@@ -6,7 +6,7 @@
 
 namespace frana {
 
-/// Where a quantity comes from: one number, a column of the layer it belongs to, or a raster.
+/// The source of a quantity: one number, a column of its vector layer, or a raster.
 struct SourceSpec {
     enum class Kind { number, attribute, raster };
     Kind kind = Kind::number;
@@ -14,7 +14,7 @@ struct SourceSpec {
     std::string name;   ///< attribute: the column; raster: the file
 };
 
-/// Reads "12.5", "attribute:NAME" or "raster:FILE"; none: not understood.
+/// Reads "12.5", "attribute:NAME" or "raster:FILE"; none: invalid.
 std::optional<SourceSpec> source_from_text(const std::string& text);
 std::string text_of(const SourceSpec& source);
 

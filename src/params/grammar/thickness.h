@@ -6,9 +6,9 @@
 
 namespace frana {
 
-/// How thick the release is: a number, a column of the perimeter, a raster, the difference of two DTMs, the
-/// DTM above a slip surface (a raster of its elevation, or one fitted to the perimeter), the sum of the
-/// depths of solids and fluid.
+/// The thickness of the release: a number, a column of the perimeter, a raster, the difference of two DTMs, the DTM
+/// minus a slip surface (a raster of its elevation, or one fitted to the perimeter), or the sum of the depths of solids
+/// and fluid.
 struct ThicknessSpec {
     enum class Kind { number, attribute, raster, difference, slip_surface, phases };
     Kind kind = Kind::number;
@@ -17,14 +17,14 @@ struct ThicknessSpec {
     std::string raster;     ///< raster, slip surface: the file; difference: the DTM before the failure; phases: solids
     std::string post;       ///< difference: the DTM after the failure; phases: fluid
 
-    /// Thickness by place, from rasters alone: a perimeter is not needed.
+    /// Whether the thickness comes from rasters alone: no perimeter is needed.
     [[nodiscard]] bool by_raster() const noexcept { return !raster.empty(); }
-    /// The slip surface is to be fitted to each polygon.
+    /// Whether the slip surface is fitted to each polygon.
     [[nodiscard]] bool fitted() const noexcept { return kind == Kind::slip_surface && raster.empty(); }
 };
 
 /// Reads "12.5", "attribute:NAME", "raster:FILE", "difference:PRE,POST", "slip-surface",
-/// "slip-surface:FILE" or "phases:SOLIDS,FLUID"; none: not understood.
+/// "slip-surface:FILE" or "phases:SOLIDS,FLUID"; none: invalid.
 std::optional<ThicknessSpec> thickness_from_text(const std::string& text);
 std::string text_of(const ThicknessSpec& thickness);
 

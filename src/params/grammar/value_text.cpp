@@ -9,7 +9,7 @@ namespace {
 
 template <class Number>
 std::optional<Number> whole_text(const std::string& text) {
-    const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars knows no leading plus
+    const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // from_chars does not accept a leading plus
     const std::string body = plus ? text.substr(1) : text;
     Number value{};
     const char* const end = body.data() + body.size();

@@ -10,9 +10,8 @@
 #include "params/grammar/value_text.h"
 #include "params/keys/parameter.h"
 
-// The kinds of parameter there are. Each function turns "which member, what limits, what it means" into a
-// Parameter. `Member` is a callable that takes a SceneSpec (const or not) and returns a reference to the
-// member.
+// The kinds of parameter. Each function makes a Parameter from a member, its limits and its meaning. `Member` is a
+// callable that takes a SceneSpec (const or not) and returns a reference to the member.
 
 namespace frana::declare {
 
@@ -35,7 +34,7 @@ struct is_optional : std::false_type {};
 template <class T>
 struct is_optional<std::optional<T>> : std::true_type {};
 
-/// The member's value, or none for an optional that holds none.
+/// Returns the member's value; none for an empty optional.
 template <class Value>
 auto given(const Value& value) {
     if constexpr (is_optional<Value>::value)
@@ -44,7 +43,7 @@ auto given(const Value& value) {
         return std::optional<Value>(value);
 }
 
-/// The frame every kind shares; `from_text` gives Refusal or stores, `to_text` formats the plain value.
+/// Common to all kinds; `from_text` returns a Refusal or stores the value, `to_text` formats the plain value.
 template <class Member, class Read, class Write>
 Parameter parameter(const std::string& name, const std::string& type, Member member, Read from_text, Write to_text) {
     Parameter result;
@@ -108,7 +107,7 @@ Parameter on_off(const std::string& name, Member member, const std::string& mean
     return result;
 }
 
-/// One of the words in `choices`; those in `not_yet` are known but refused, saying so.
+/// One of the words in `choices`; those in `not_yet` are refused as not yet available.
 template <class Member>
 Parameter choice(const std::string& name, Member member, const std::vector<std::string>& choices,
                  const std::string& meaning, const std::vector<std::string>& not_yet = {}) {
@@ -144,14 +143,15 @@ Parameter text(const std::string& name, Member member, const std::string& type, 
     if (type == "file" || type == "folder") {
         result.map_files = [read = result.read, write = result.write](SceneSpec& scene, const FileMap& map) {
             const auto path = write(scene);
-            const bool column = path && path->rfind("attribute:", 0) == 0;  // of a layer, that names the files
+            const bool column = path && path->rfind("attribute:", 0) == 0;  // of the vector layer, which names the
+                                                                            // files
             if (path && !path->empty() && !column) read(scene, map(*path));
         };
     }
     return result;
 }
 
-/// A number, attribute:NAME or raster:FILE, as far as `kinds` allows them.
+/// A number, attribute:NAME or raster:FILE, restricted to `kinds`.
 template <class Member>
 Parameter source(const std::string& name, Member member, const std::string& unit, Range range,
                  const std::vector<SourceSpec::Kind>& kinds, const std::string& meaning, const std::string& absent) {
@@ -185,7 +185,7 @@ Parameter source(const std::string& name, Member member, const std::string& unit
     return result;
 }
 
-/// A list whose words come from a fixed set; a word in `alone` must stand by itself.
+/// A list of words from a fixed set; a word in `alone` must be the only one.
 template <class Member>
 Parameter word_list(const std::string& name, Member member, const std::vector<std::string>& alone,
                     const std::vector<std::string>& words, const std::string& meaning) {
@@ -215,5 +215,5 @@ Parameter word_list(const std::string& name, Member member, const std::vector<st
 
 }  // namespace frana::declare
 
-// The member a parameter stands for, of a scene that may or may not be const.
+// The member of a parameter, of a scene that may or may not be const.
 #define FRANA_MEMBER(path) ([](auto& scene) -> auto& { return scene.path; })

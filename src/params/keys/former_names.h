@@ -6,16 +6,16 @@
 
 namespace frana {
 
-/// A key that had another name in earlier versions, which scenes may still use, with a warning.
+/// A key that had another name in earlier versions. Scenes may still use that name, with a warning.
 struct FormerName {
     const char* former;
     const char* now;
 };
 
-/// In the order of the reference; CHANGELOG.md has the same table (a test compares).
+/// In the order of the reference; CHANGELOG.md contains the same table (a test compares).
 [[nodiscard]] const std::vector<FormerName>& former_names();
 
-/// The present name of a key; `name` itself where it has no former one.
+/// Returns the present name of a key; `name` itself if it is no former name.
 [[nodiscard]] std::string present_name(const std::string& name);
 
 }  // namespace frana

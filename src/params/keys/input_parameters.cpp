@@ -18,7 +18,7 @@ void insert(std::vector<Parameter>& list, const Parameter& parameter) {
     list.insert(last.base(), parameter);
 }
 
-/// How to read the vector file of KEY: KEY-layer, KEY-filter, KEY-crs. `layer`: the LayerSpec of a scene.
+/// KEY-layer, KEY-filter and KEY-crs: how to read the vector file of KEY. `layer`: the LayerSpec of a scene.
 template <class Layer>
 void add_layer_choice(std::vector<Parameter>& list, const std::string& key, Layer layer) {
     insert(list, text(

@@ -7,7 +7,7 @@
 
 namespace frana {
 
-/// Keys that say how to read an input file where it does not say so itself, each at the end of its section.
+/// Keys that specify how to read an input file that does not specify it itself, each at the end of its section.
 void add_input_parameters(std::vector<Parameter>& list);
 
 }  // namespace frana

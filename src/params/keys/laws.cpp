@@ -18,14 +18,14 @@ Words operator+(Words a, const Words& b) {
     return a;
 }
 
-/// "cohesion" of "material.cohesion" and of "zones.cohesion".
+/// Returns "cohesion" for "material.cohesion" and "zones.cohesion".
 std::string quantity_of(const std::string& key) {
     return key.substr(key.find('.') + 1);
 }
 
 std::vector<Law> table_of_laws() {
     using enum LawKind;
-    // What several laws read, and what several are about.
+    // Keys that several laws read, and resistances of several laws.
     const Words friction{"material.friction-angle", "material.friction-coefficient"};
     const Words pore_pressure{"material.pore-pressure-ratio", "material.pore-dissipation-time"};
     const Words yield{"material.yield-stress"}, viscous{"material.yield-stress", "material.viscosity"};
@@ -37,7 +37,7 @@ std::vector<Law> table_of_laws() {
              .resists_with_friction = true},
             {.word = "turbulence", .sentence = "turbulent bed friction", .reads = {"material.turbulence"}},
             {.word = "cohesion", .sentence = "cohesion at the bed", .needs = {"material.cohesion"}},
-            // Resists with (1 - mu) N_0: the less, the greater mu is.
+            // Resists with (1 - mu) N_0, which decreases with mu.
             {.word = "ramms-yield",
              .sentence = "RAMMS yield term",
              .reads = friction,
@@ -58,7 +58,7 @@ std::vector<Law> table_of_laws() {
              .resists_alike = {fluid}},
             {.word = "manning", .sentence = "Manning bed resistance", .needs = {"material.manning"}},
             {.word = "chezy", .sentence = "Chezy bed resistance", .needs = {"material.chezy"}},
-            // mu(I) is nowhere less than its slowest.
+            // mu(I) is at least its value at rest.
             {.word = "pouliquen-forterre",
              .sentence = "Pouliquen-Forterre bed friction",
              .reads = friction + pore_pressure + Words{"material.friction-beta"},
@@ -67,7 +67,7 @@ std::vector<Law> table_of_laws() {
              .resists_with_friction = true},
             {.word = "bingham",
              .kind = in_plane_stress,
-             .sentence = "",  // of its two parts
+             .sentence = "",  // in its two terms
              .reads = viscous + Words{"material.yield-regularisation", "material.yield-ratio"}},
             {.word = "earth-pressure",
              .kind = in_plane_stress,

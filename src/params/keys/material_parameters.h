@@ -7,9 +7,9 @@
 
 namespace frana {
 
-/// The keys of [material].
+/// Adds the keys of [material].
 void add_material(std::vector<Parameter>& list);
-/// The keys of [entrainment].
+/// Adds the keys of [entrainment].
 void add_entrainment(std::vector<Parameter>& list);
 
 }  // namespace frana

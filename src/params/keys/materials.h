@@ -8,16 +8,16 @@
 
 namespace frana {
 
-/// A file of share/materials: keys of [material] with where they come from.
+/// A file of share/materials: keys of [material] and their sources.
 struct MaterialPreset {
-    std::string name;                   ///< file name without .ini
-    std::string file;                   ///< path
+    std::string name;  ///< file name without .ini
+    std::string file;
     std::vector<std::string> comments;  ///< source and range of validity, line by line
     std::vector<IniEntry> entries;
 };
 
-/// The presets of a folder in alphabetical order. Throws Error(input) for a preset that cannot be read,
-/// Error(environment) when the folder is missing.
+/// Returns the presets of a folder in alphabetical order. Throws Error(input) for a preset that cannot be read,
+/// Error(environment) if the folder is missing.
 std::vector<MaterialPreset> material_presets(const std::string& directory);
 
 }  // namespace frana

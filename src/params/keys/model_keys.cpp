@@ -10,12 +10,12 @@ bool in_section(const std::string& name, const std::string& section) {
     return name.rfind(section + ".", 0) == 0;
 }
 
-// Keys outside [material], [zones] and [entrainment] that belong to the particles of the first model.
+// Keys outside [material], [zones] and [entrainment] for the particles of the first model only.
 const std::set<std::string> k_voellmy_bingham_only{
     "material.preset",        "terrain.friction-zones", "numerics.scheme", "numerics.shape",       "numerics.transfer",
     "numerics.well-balanced", "numerics.curvature",     "numerics.flight", "numerics.flight-slope"};
 
-// Keys of [structured] that fluid alone reads too.
+// Keys of [structured] that pure fluid reads too.
 const std::set<std::string> k_fluid_keys{"structured.phases",          "structured.fluid-density",
                                          "structured.fluid-viscosity", "structured.velocity-profile-factor",
                                          "structured.manning",         "structured.dry-depth",
@@ -80,7 +80,7 @@ void check_model(const SceneSpec& scene, const std::set<std::string>& given, con
                  Problems& problems) {
     const bool structured = scene.material.model == "structured";
     for (const std::string& name : given) {
-        // What a preset brought is not the scene's word: the preset itself is refused.
+        // Keys of a preset are not keys of the scene: the preset itself is refused.
         if (model_reads(scene, name) || scene.origin_of(name) == Origin::preset) continue;
         const bool solids_key = structured && in_section(name, "structured");
         const std::string reader = solids_key ? "structured.phases = " + scene.structured.phases.value_or("(missing)")

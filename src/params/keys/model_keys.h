@@ -9,11 +9,11 @@
 
 namespace frana {
 
-/// Whether the model of a scene reads a key.
+/// Returns whether the model of a scene reads a key.
 bool model_reads(const SceneSpec& scene, const std::string& name);
 
-/// What a scene says that its model does not read, and what the structured model needs or cannot do.
-/// @param given names that the file or the command line gave  @param file for messages
+/// Reports keys of the scene that its model does not read, and what the structured model needs or does not support.
+/// @param given names given in the file or on the command line  @param file for messages
 void check_model(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                  Problems& problems);
 

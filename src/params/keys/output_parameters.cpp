@@ -12,7 +12,7 @@ using declare::on_off;
 using declare::Range;
 using declare::text;
 
-/// Numbers greater than 0, each greater than the one before; none by default.
+/// Positive numbers in strictly rising order; none by default.
 template <class Member>
 Parameter rising_numbers(const std::string& name, Member member, const std::string& unit, const std::string& meaning) {
     Parameter result = declare::parameter(

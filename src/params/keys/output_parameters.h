@@ -7,11 +7,11 @@
 
 namespace frana {
 
-/// The keys of [output] beyond maps, frames and animation: names, report, gauges, cross-sections, profiles.
+/// Adds the keys of [output] beyond maps, frames and animation: names, report, gauges, cross-sections, profiles.
 void add_extra_output(std::vector<Parameter>& list);
-/// The keys of [hazard].
+/// Adds the keys of [hazard].
 void add_hazard(std::vector<Parameter>& list);
-/// The keys of [scar] for what was surveyed besides its outline.
+/// Adds the keys of [scar] for surveyed data besides the outline.
 void add_survey(std::vector<Parameter>& list);
 
 }  // namespace frana

@@ -10,36 +10,37 @@
 
 namespace frana {
 
-/// Why a text was not accepted; the reader adds file and key.
+/// The reason a text was refused; the reader adds file and key.
 struct Refusal {
     std::string what;    ///< "is not a number"
     std::string remedy;  ///< what to write instead; may be empty
 };
 
-/// What a path becomes.
+/// Maps a path to another.
 using FileMap = std::function<std::string(const std::string&)>;
 
-/// One key of a scene file. Declared once, in scene_parameters.cpp; the parser, --set, `frana params`, the
-/// echo and every message about the key are made from it.
+/// One key of a scene file. Declared once, in scene_parameters.cpp; the parser, --set, `frana params`, the echo and
+/// every message about the key are generated from it.
 struct Parameter {
     std::string section;
     std::string key;
     std::string type;     ///< "number", "integer", "on | off", "choice", "file", "folder", "text", "list"
     std::string unit;     ///< empty: none
-    std::string limits;   ///< what is allowed, for people
-    std::string absent;   ///< what happens when the key is not given and has no fixed default
+    std::string limits;   ///< allowed values, for messages
+    std::string absent;   ///< the effect if the key is not given and has no fixed default
     std::string meaning;  ///< one sentence
     std::function<std::optional<Refusal>(SceneSpec&, const std::string&)> read;
     std::function<std::optional<std::string>(const SceneSpec&)> write;  ///< none: not given
-    std::function<void(SceneSpec&)> reset;                              ///< back to the default
-    std::function<bool(double)> fits;  ///< whether a number is within the limits; empty: not a number
-    std::function<void(SceneSpec&, const FileMap&)> map_files;  ///< each path the value names; empty: none
+    std::function<void(SceneSpec&)> reset;                              ///< restores the default
+    std::function<bool(double)> fits;  ///< whether a number is within the limits; empty: not a numeric key
+    std::function<void(SceneSpec&, const FileMap&)> map_files;  ///< calls the map for each path in the value; empty:
+                                                                ///< none
 
     /// Whether it can name files that are read.
     [[nodiscard]] bool reads_files() const { return map_files && type != "folder"; }
 
     [[nodiscard]] std::string name() const { return section + "." + key; }
-    /// The default as text; empty where there is no fixed one (see `absent`).
+    /// Returns the default as text; empty if there is no fixed one (see `absent`).
     [[nodiscard]] std::string default_text() const { return write(SceneSpec{}).value_or(""); }
 };
 

@@ -14,7 +14,7 @@ using declare::Range;
 using declare::text;
 using declare::word_list;
 
-/// A text that some function must understand.
+/// A text that a given function must be able to read.
 template <class Member, class Understood>
 Parameter understood_text(const std::string& name, Member member, const std::string& limits, const std::string& remedy,
                           const std::string& meaning, Understood understood, const std::string& absent = {}) {

@@ -7,7 +7,7 @@
 
 namespace frana {
 
-/// The keys of [output] that say how maps, views and charts are made.
+/// Adds the keys of [output] for the appearance of maps, views and charts.
 void add_pictures(std::vector<Parameter>& list);
 
 }  // namespace frana

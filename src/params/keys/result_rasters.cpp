@@ -14,7 +14,7 @@ constexpr bool k_progressive = true, k_even = false;
 
 class Table {
   public:
-    /// Of the rasters that follow.
+    /// For the rasters that follow.
     void when(const std::string& sentence, bool (*can_come)(const SceneSpec&)) {
         when_ = sentence;
         can_come_ = can_come;

@@ -8,13 +8,13 @@
 
 namespace frana {
 
-/// Every key of a scene file, in the order in which they are documented and echoed.
+/// Returns every key of a scene file, in the order of the documentation and the echo.
 std::vector<Parameter> scene_parameters();
 
-/// One of them by "section.key"; null: there is none.
+/// Returns the parameter "section.key"; null if there is none.
 const Parameter* find_parameter(const std::vector<Parameter>& parameters, const std::string& name);
 
-/// "section.key" of every parameter.
+/// Returns "section.key" of every parameter.
 std::vector<std::string> names_of(const std::vector<Parameter>& parameters);
 
 /// The sections in order, each with one sentence.

@@ -10,7 +10,7 @@
 namespace frana {
 namespace {
 
-/// The nearest of 1, 2, 5 times a power of ten above a value.
+/// Returns the nearest of 1, 2, 5 times a power of ten above a value.
 double round_up(double value) {
     const double decade = std::pow(10.0, std::floor(std::log10(value)));
     for (const double factor : {1.0, 2.0, 5.0})
@@ -56,7 +56,7 @@ std::string scene_name(const SceneSpec& scene) {
     const std::filesystem::path file = scene.file;
     const std::string folder = file.parent_path().filename().string();
     std::string name = trimmed(file.stem() == "scene" && !folder.empty() ? folder : file.stem().string());
-    // It must mean the same once it stands in a scene file.
+    // The name must have the same meaning in a scene file.
     for (char& c : name)
         if (c == '#' || static_cast<unsigned char>(c) < 0x20) c = '_';
     return name.empty() ? "scene" : name;

@@ -14,7 +14,7 @@
 
 namespace frana {
 
-/// Where a parameter's value came from, in rising order of precedence.
+/// The source of a parameter's value, in rising order of precedence.
 enum class Origin { default_value, preset, scene_file, command_line };
 
 /// [terrain]
@@ -34,11 +34,11 @@ struct TerrainSpec {
     std::optional<std::string> walls;
 };
 
-/// How to read a vector file, beyond its name.
+/// How to read a vector file, besides its path.
 struct LayerSpec {
     std::optional<std::string> name;
     std::optional<std::string> filter;  ///< SQL condition on its attributes
-    std::optional<std::string> crs;     ///< instead of the file's own
+    std::optional<std::string> crs;     ///< replaces that of the file
 };
 
 /// [release]
@@ -65,7 +65,7 @@ struct ZonesSpec {
     std::string beyond_dtm = "stop";
 };
 
-/// [material], in the units a user writes (degrees).
+/// [material], in the units of scene files (degrees).
 struct MaterialSpec : MaterialValues {
     std::optional<std::string> preset;
     std::string model = "voellmy-bingham";
@@ -82,7 +82,7 @@ struct MaterialSpec : MaterialValues {
     std::string yield_ratio = "exact";
 };
 
-/// [structured], where material.model = structured; in the units a user writes (degrees).
+/// [structured], for material.model = structured; in the units of scene files (degrees).
 struct StructuredSpec : StructuredValues {
     std::optional<std::string> phases;
     std::string manning_depth = "free";
@@ -104,7 +104,7 @@ struct StructuredSpec : StructuredValues {
     std::string virtual_mass = "pudasaini-2012";
 };
 
-/// [entrainment], in the units a user writes (degrees, metres per kPa).
+/// [entrainment], in the units of scene files (degrees, metres per kPa).
 struct EntrainmentSpec {
     std::string erosion = "off";
     std::optional<double> erodible_depth, erosion_rate, critical_shear, potential_depth, growth_rate;
@@ -177,11 +177,11 @@ struct ScarSpec {
     std::optional<double> threshold;
 };
 
-/// Format of scene files; counts up when a key comes to mean something else. A file that tells none is of the first.
+/// Format of scene files; increases when the meaning of a key changes. A file without a format is of the first.
 inline constexpr std::int64_t k_scene_format = 1;
 
-/// A scene as its file says it: validated one by one, paths absolute, units as written. Nothing has been
-/// opened yet.
+/// A scene as specified in its file: each value validated, paths absolute, units as written. No file has been opened
+/// yet.
 struct SceneSpec {
     std::string file;  ///< the scene file, absolute
     std::int64_t format = k_scene_format;
@@ -197,7 +197,7 @@ struct SceneSpec {
     OutputSpec output;
     HazardSpec hazard;
     ScarSpec scar;
-    std::map<std::string, Origin> origins;  ///< "section.key" -> where its value came from; absent: default
+    std::map<std::string, Origin> origins;  ///< "section.key" -> source of its value; absent: default
 
     [[nodiscard]] Origin origin_of(const std::string& name) const {
         const auto found = origins.find(name);
@@ -205,26 +205,26 @@ struct SceneSpec {
     }
 };
 
-/// mu = tan(phi): the one place where the friction angle leaves degrees.
-/// 0 where neither is given, which read_scene accepts only where no law reads it.
+/// Returns mu = tan(phi): the one conversion of the friction angle from degrees.
+/// 0 if neither is given, which read_scene accepts only if no law reads it.
 double friction_coefficient(const MaterialSpec& material);
 /// `auto` resolved: `normal` for the default scheme, `none` for the paper's.
 std::string slope_correction(const NumericsSpec& numerics);
-/// Resolved: on where there is a slope correction.
+/// Resolved: on if there is a slope correction.
 bool curvature(const NumericsSpec& numerics);
-/// Whether the scheme has what flight needs: curvature, the default scheme, affine velocities.
+/// Whether the scheme meets the requirements of flight: curvature, the default scheme, affine velocities.
 bool can_fly(const NumericsSpec& numerics);
 bool flight(const NumericsSpec& numerics);
 /// Resolved: on for the default scheme, off for the paper's.
 bool well_balanced(const NumericsSpec& numerics);
-/// The interval of frames [s]: as given, else a round number near a sixtieth of the end time; 0 where nothing
+/// Returns the interval of frames [s]: as given, else a round number near a sixtieth of the end time; 0 if nothing
 /// needs frames.
 double frame_interval(const SceneSpec& scene);
-/// What to call a scene: its file's name, or its folder's where the file is just "scene.ini".
+/// Returns the name of a scene: that of its file, or of its folder if the file is just "scene.ini".
 std::string scene_name(const SceneSpec& scene);
-/// The result directory: as given, else results/NAME beside the scene file.
+/// Returns the result directory: as given, else results/NAME beside the scene file.
 std::string output_directory(const SceneSpec& scene);
-/// The depth that counts as touched when compared with the scar [m]: as given, else the trace's.
+/// Returns the depth threshold of the comparison with the scar [m]: as given, else that of the trace.
 double scar_threshold(const SceneSpec& scene);
 
 }  // namespace frana

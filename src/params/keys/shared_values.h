@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene's file and the scene that the engine gets (simulation/scene.h) say alike: values in the engine's own
-// units and their defaults, each once.
+// Values common to scene files and the engine's scene (simulation/scene.h): in the engine's units, with their defaults,
+// each once.
 #pragma once
 
 namespace frana {
@@ -10,9 +10,9 @@ struct MaterialValues {
     double surface_pressure = 0;         ///< p_A, gauge [Pa]
     double viscosity = 0;                ///< mu [Pa s]
     double yield_stress = 0;             ///< tau_Y [Pa]
-    double yield_regularisation = 0.01;  ///< shear rate under which yield is softened in the plane [1/s]
+    double yield_regularisation = 0.01;  ///< shear rate below which yield is softened in the plane [1/s]
 };
-// Of single laws, where a scene gives none.
+// Defaults of single laws.
 inline constexpr double k_laminar_resistance = 24;  ///< O'Brien-Julien K [-]
 inline constexpr double k_friction_beta = 0.136;    ///< Pouliquen-Forterre beta [-]
 inline constexpr double k_erosion_rate = 0.025;     ///< [m/s]
@@ -42,26 +42,26 @@ struct StructuredValues {
     double quadratic_viscosity = 1;     ///< artificial [-]
     double artificial_stress = 0.5;     ///< [-]
 };
-// Of its release, where it is the same everywhere.
+// Defaults of the release where it is uniform.
 inline constexpr double k_solid_fraction = 0.5;   ///< of what is released [-]
-inline constexpr double k_confined_share = 1;     ///< f_fc, of its fluid what is confined [-]
+inline constexpr double k_confined_share = 1;     ///< f_fc, confined fraction of its fluid [-]
 inline constexpr double k_grain_density = 2400;   ///< [kg/m3]
 inline constexpr double k_grain_diameter = 1e-3;  ///< [m]
 
 struct NumericsValues {
     double cfl = 0.5;
     double gravity = 9.81;        ///< [m/s2]
-    double minimum_depth = 0.01;  ///< depth from which a cell counts as reached in maxima and arrival [m]
+    double minimum_depth = 0.01;  ///< depth from which a cell counts as reached in maxima and arrival time [m]
 };
 inline constexpr int k_particles_per_cell = 4;
 inline constexpr double k_flight_slope_degrees = 70;
 
 struct TimeValues {
     bool stop_when_still = true;      ///< end early once nothing moves
-    double stop_energy_fraction = 0;  ///< end once kinetic energy is under this fraction of its peak; 0: never
-    double stop_moving_fraction = 0;  ///< end once the moving volume is under this fraction of its peak; 0: never
-    double moving_speed = 0.1;        ///< what counts as moving [m/s]
-    double stop_window = 0.25;        ///< fraction of the time since something came in last
+    double stop_energy_fraction = 0;  ///< end once the kinetic energy is below this fraction of its peak; 0: never
+    double stop_moving_fraction = 0;  ///< end once the moving volume is below this fraction of its peak; 0: never
+    double moving_speed = 0.1;        ///< speed that counts as moving [m/s]
+    double stop_window = 0.25;        ///< fraction of the time since material last entered
 };
 inline constexpr double k_trace_threshold = 0.1;  ///< depth from which a cell belongs to the trace [m]
 

@@ -7,7 +7,7 @@
 
 namespace frana {
 
-// What is surveyed on site: the ground, what fails or flows in, and where the ground differs.
+// Surveyed data of the site: the ground, the release and inflow, and where the ground differs.
 
 void add_terrain(std::vector<Parameter>& list);
 void add_release(std::vector<Parameter>& list);

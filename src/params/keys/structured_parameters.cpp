@@ -12,7 +12,7 @@ using declare::Range;
 using declare::source;
 using declare::text;
 
-/// A property that may differ from place to place.
+/// A property that may vary from place to place.
 template <class Member>
 Parameter by_place(const std::string& name, Member member, const std::string& unit, Range range,
                    const std::string& meaning, const std::string& absent = {}) {

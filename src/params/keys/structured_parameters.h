@@ -7,7 +7,7 @@
 
 namespace frana {
 
-/// The keys of [structured].
+/// Adds the keys of [structured].
 void add_structured(std::vector<Parameter>& list);
 
 }  // namespace frana

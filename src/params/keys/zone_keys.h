@@ -9,19 +9,19 @@
 
 namespace frana {
 
-/// A key of [zones] that gives a quantity by place. The one list: declaration, columns of the zones' layer, reading,
-/// and what is refused because no law reads it follow from it. Which laws read it, laws.cpp says; where its raster
-/// goes, k_zone_rasters of simulation/scene.h.
+/// A key of [zones] that gives a quantity by place. The one list: declaration, columns of the zones' vector layer,
+/// reading, and the refusal of keys that no law reads follow from it. laws.cpp lists the laws that read it;
+/// k_zone_rasters of simulation/scene.h lists the rasters that receive it.
 struct ZoneKey {
-    std::string name;  ///< "zones.friction-angle": the key without its section is that of the quantity elsewhere
+    std::string name;  ///< "zones.friction-angle": the key without its section equals that of the quantity elsewhere
     std::optional<SourceSpec> ZonesSpec::*source;
-    std::string what;  ///< it gives, "friction": two keys may give the same
+    std::string what;  ///< the quantity, "friction": two keys may give the same
     std::string unit;
-    declare::Range range;              ///< that of the quantity's key elsewhere
-    std::vector<std::string> columns;  ///< names of columns that are taken for it where no key names one
+    declare::Range range;              ///< that of the same key elsewhere
+    std::vector<std::string> columns;  ///< names of columns used for it if no key names one
     std::string meaning;
 
-    /// An angle, of which the tangent is kept.
+    /// An angle, stored as its tangent.
     [[nodiscard]] bool degrees() const { return unit == "degrees"; }
 };
 const std::vector<ZoneKey>& zone_keys();

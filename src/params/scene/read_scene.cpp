@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Entries of one source; a later layer overrides an earlier one.
+/// Entries of one source; a later source overrides an earlier one.
 struct Source {
     Origin origin;
     std::string file;  ///< for messages; empty: the command line
@@ -34,14 +34,14 @@ struct Source {
     }
 };
 
-/// Applies layers to a scene and keeps the problems.
+/// Applies sources to a scene and collects the problems.
 class Reader {
   public:
     Reader(SceneReading& reading, std::string directory)
         : reading_(reading), directory_(std::move(directory)), parameters_(scene_parameters()) {}
 
     void apply(Source source);
-    /// Forgets what a preset gave for laws that the scene does not ask for.
+    /// Drops values of a preset for laws that the scene does not select.
     void drop_unread_of_preset();
     [[nodiscard]] const std::set<std::string>& given() const { return given_; }
 
@@ -53,7 +53,7 @@ class Reader {
     SceneReading& reading_;
     std::string directory_;
     std::vector<Parameter> parameters_;
-    std::set<std::string> given_;  ///< by the preset, the file or the command line, rightly or wrongly
+    std::set<std::string> given_;  ///< by the preset, the file or the command line, valid or not
 };
 
 void Reader::use_present_names(Source& source) {
@@ -73,8 +73,7 @@ void Reader::apply(Source source) {
         reading_.problems.add({"contradicts material.friction-coefficient: both give the bed friction",
                                source.where(k_angle), "", "", "Keep one of the two"});
     }
-    // The two are one quantity: what a later layer says replaces what an earlier one said under the other
-    // name.
+    // The two are one quantity: a later source replaces the value that an earlier one gave under the other name.
     if (source.has(k_angle)) reading_.scene.material.friction_coefficient.reset();
     if (source.has(k_coefficient)) reading_.scene.material.friction_angle.reset();
 
@@ -127,12 +126,12 @@ void Reader::drop_unread_of_preset() {
     }
 }
 
-/// A line of a scene file cannot hold it: line breaks and their like.
+/// Whether a text contains line breaks and other characters that a line of a scene file cannot contain.
 bool has_control_characters(const std::string& text) {
     return std::any_of(text.begin(), text.end(), [](unsigned char c) { return (c < 0x20 && c != '\t') || c == 0x7F; });
 }
 
-/// The same with every such character shown as '?'.
+/// Returns the text with every such character replaced by '?'.
 std::string shown(std::string text) {
     for (char& c : text)
         if (has_control_characters({c})) c = '?';
@@ -154,7 +153,7 @@ void Reader::make_paths_absolute(const Parameter& parameter, const std::string& 
     }
 }
 
-/// The preset a scene names, the command line before the file; none: not named.
+/// Returns the preset that a scene names, the command line first; none: not named.
 std::optional<std::pair<std::string, std::string>> preset_of(const Source& file, const Source& command_line) {
     for (const Source* source : {&command_line, &file})
         for (const IniEntry& entry : source->entries)

@@ -8,13 +8,12 @@
 
 namespace frana {
 
-/// A scene as a scene file: every key with its unit and where its value came from; keys without a value as
-/// comments, those that its model does not read left out. Reading it back gives the same scene. `resolved`
-/// adds, for keys that were left to frana
-/// ("terrain.cell-size"), what it chose, as a comment.
+/// Writes a scene as a scene file: every key with its unit and the source of its value; keys without a value as
+/// comments, keys that its model does not read left out. Reading it back gives the same scene. `resolved` adds, as a
+/// comment, the values that frana chose for keys not given ("terrain.cell-size").
 std::string scene_text(const SceneSpec& scene, const std::map<std::string, std::string>& resolved);
 
-/// "default", "preset", "scene file", "command line".
+/// Returns "default", "preset", "scene file" or "command line".
 std::string describe(Origin origin);
 
 }  // namespace frana
