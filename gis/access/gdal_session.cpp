@@ -21,11 +21,11 @@ void CPL_STDCALL keep(CPLErr kind, CPLErrorNum, const char* message) {
     static_cast<GdalSession*>(CPLGetErrorHandlerUserData())->record(kind != CE_Warning, message);
 }
 
-/// Users set these for work of their own; a file that somebody sent must not profit by it.
+/// Users set these for their own work; an input file from others must not use them.
 constexpr std::pair<const char*, const char*> k_settings[] = {
     {"GDAL_VRT_ENABLE_PYTHON", "NO"},          // a VRT's pixel functions are programs
     {"OGR_SQLITE_LOAD_EXTENSIONS", ""},        // SQLite's extensions are programs
-    {"GML_SKIP_RESOLVE_ELEMS", "ALL"},         // GML's references are followed anywhere, and a file written
+    {"GML_SKIP_RESOLVE_ELEMS", "ALL"},         // references in GML are followed anywhere, and a file is written
     {"SHAPE_RESTORE_SHX", "NO"},               // writes beside the shapefile
     {"CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO"},  // writes beside the archive
 };
@@ -46,7 +46,7 @@ void disable_other_access() {
         GDALDeregisterDriver(driver);
         GDALDestroyDriver(driver);
     }
-    // A map must not depend on what a server answers, whatever PROJ_NETWORK says.
+    // A map must not depend on a server's answers, whatever PROJ_NETWORK is.
     OSRSetPROJEnableNetwork(FALSE);
 }
 
@@ -59,8 +59,8 @@ GdalSession::GdalSession() {
         disable_other_access();
         guard_local_files();
         if (!network_allowed()) disable_network();
-        // Tiles are unpacked and warped side by side; the values are the same. Who set it otherwise meant it.
-        // GDAL waits for ever for a thread that it was not given for want of memory to map.
+        // Tiles are compressed and warped in parallel; the values are the same. A value set by the user is kept. GDAL
+        // waits for ever for a thread that could not be started for lack of address space.
         if (CPLGetConfigOption("GDAL_NUM_THREADS", nullptr) == nullptr)
             CPLSetConfigOption("GDAL_NUM_THREADS", mapping_is_limited() ? "1" : "ALL_CPUS");
     });

@@ -7,8 +7,8 @@
 
 namespace frana::gis {
 
-/// While one lives, GDAL is ready and its messages on this thread are kept here instead of reaching stderr.
-/// Sessions nest: each function of gis opens its own, and the innermost collects.
+/// While an instance exists, GDAL is ready and its messages on this thread are collected here instead of going to
+/// stderr. Sessions nest: each function of gis opens its own, and the innermost collects.
 class GdalSession {
   public:
     GdalSession();
@@ -32,7 +32,7 @@ class GdalSession {
     std::string last_error_;
 };
 
-/// Sets one of GDAL's options for this thread while it lives; then it is as it was before.
+/// Sets one of GDAL's options for this thread during its lifetime, then restores it.
 class ThreadOption {
   public:
     ThreadOption(std::string key, const char* value);
@@ -45,7 +45,7 @@ class ThreadOption {
     std::optional<std::string> before_;
 };
 
-/// Keeps GDAL from writing .aux.xml beside a file while one lives.
+/// Prevents GDAL from writing .aux.xml beside a file during its lifetime.
 class NoSideFiles : ThreadOption {
   public:
     NoSideFiles() : ThreadOption("GDAL_PAM_ENABLED", "NO") {}

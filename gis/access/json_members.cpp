@@ -6,7 +6,7 @@
 namespace frana::gis {
 namespace {
 
-constexpr std::size_t k_longest = 65536;  // of a key or value that is kept
+constexpr std::size_t k_longest = 65536;  // of a stored key or value
 constexpr std::size_t k_most = 100;
 
 }  // namespace

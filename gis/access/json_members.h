@@ -8,13 +8,13 @@ namespace frana::gis {
 
 /// A member of an object in a JSON text.
 struct JsonMember {
-    std::string text;     ///< its value as it stands there
-    bool at_top = false;  ///< of the outermost object, or of each one where several follow each other
+    std::string text;     ///< its value as in the text
+    bool at_top = false;  ///< of the outermost object, or of each one if several follow each other
 };
 
-/// Finds the members of one name in JSON that comes in pieces and may be larger than the memory; those in
-/// objects under the member `besides` are left out. It accepts what GDAL reads and strict parsers refuse: NaN, texts
-/// that are not UTF-8, documents that follow each other.
+/// Finds the members of one name in JSON that is read in pieces and may be larger than the memory; those in objects
+/// under the member `besides` are left out. It accepts what GDAL reads and strict parsers refuse: NaN, texts that are
+/// not UTF-8, several documents in sequence.
 class JsonMembers {
   public:
     JsonMembers(std::string name, std::string besides) : name_(std::move(name)), besides_(std::move(besides)) {}

@@ -23,7 +23,7 @@ bool refuse_writing() {
     return reading_only > 0;
 }
 
-/// GDAL's own handler behind the door.
+/// Wraps GDAL's own handler and refuses special files.
 class LocalFiles : public VSIFilesystemHandler {
   public:
     explicit LocalFiles(VSIFilesystemHandler& files) : files_(files) {}
@@ -54,7 +54,7 @@ class LocalFiles : public VSIFilesystemHandler {
     VSIFilesystemHandler& files_;
 };
 
-/// Stands where reading would take what is typed into the program.
+/// Replaces the handler of standard input, which would read the user's typing.
 class NoStream : public VSIFilesystemHandler {
   public:
     VSIVirtualHandle* Open(const char* path, const char*, bool, CSLConstList) override {
@@ -71,7 +71,7 @@ class NoStream : public VSIFilesystemHandler {
 }  // namespace
 
 void guard_local_files() {
-    // GDAL keeps handlers until the program ends, but forgets those that others replace.
+    // GDAL keeps handlers until the program ends, but drops those that others replace.
     static VSIFilesystemHandler* const plain = VSIFileManager::GetHandler("");
     VSIFileManager::InstallHandler("", new LocalFiles(*plain));
     static VSIFilesystemHandler* const streams[] = {VSIFileManager::GetHandler("/vsistdin/"),

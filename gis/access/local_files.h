@@ -3,15 +3,15 @@
 
 namespace frana::gis {
 
-/// Puts a door before the files of this machine through which GDAL and its drivers go: FIFOs, devices and
-/// sockets are not opened (a Refusal says so), whatever file names them. GdalSession does so once.
+/// Filters all access of GDAL and its drivers to local files: FIFOs, devices and sockets are not opened (a Refusal is
+/// noted), whatever file names them. GdalSession calls it once.
 void guard_local_files();
 
-/// The same for a path that a driver would not even try; true if it is such.
+/// The same for a path that a driver would not even try to open; returns true for such a path.
 bool refuse_special_file(const char* path);
 
-/// While one lives, no library writes a file on this thread: GML's .gfs, .aux.xml, .properties of an archive.
-/// Nothing that frana reads gets a file beside it.
+/// While an instance exists, no library writes a file on this thread: GML's .gfs, .aux.xml, .properties of an archive.
+/// No file is created beside one that frana reads.
 class ReadingOnly {
   public:
     ReadingOnly() noexcept;

@@ -12,8 +12,7 @@ struct GdalDatasetClose {
 };
 using GdalDataset = std::unique_ptr<void, GdalDatasetClose>;
 
-/// A one-band dataset of GDAL's that lives in an array of ours, with NaN as nodata. The array must outlive
-/// it.
+/// Wraps an array as a one-band dataset of GDAL, with NaN as nodata. The array must outlive it.
 GdalDataset wrap_values(double* values, int columns, int rows);
 
 }  // namespace frana::gis

@@ -10,7 +10,7 @@ namespace frana::gis {
 
 namespace fs = std::filesystem;
 
-// No two of them live at one address.
+// The address makes the name unique.
 MemoryFolder::MemoryFolder() : folder_("/vsimem/frana_" + std::to_string(reinterpret_cast<std::uintptr_t>(this))) {
     VSIMkdir(folder_.c_str(), 0700);
 }

@@ -47,7 +47,7 @@ void note_asked(const std::string& place) {
     note_refusal({"the file refers to data on the network", place, k_remedy});
 }
 
-/// Holds nothing: stands where a file system of the network was.
+/// Contains no files: replaces a network file system.
 class NoFiles : public VSIFilesystemHandler {
   public:
     VSIVirtualHandle* Open(const char* path, const char*, bool, CSLConstList) override {
@@ -62,7 +62,7 @@ class NoFiles : public VSIFilesystemHandler {
     }
 };
 
-/// What every driver that speaks HTTP by itself goes through, and the CRSs that are URLs.
+/// Replaces the requests of every driver that uses HTTP itself, and of CRSs that are URLs.
 CPLHTTPResult* fetch_nothing(const char* url, CSLConstList, GDALProgressFunc, void*, CPLHTTPFetchWriteFunc, void*,
                              void*) {
     note_asked(url);
@@ -99,10 +99,10 @@ std::optional<std::string> network_remedy(const std::string& path) {
 }
 
 void disable_network() {
-    // GDAL keeps handlers until the program ends, but forgets those that others replace.
+    // GDAL keeps handlers until the program ends, but drops those that others replace.
     static auto* const replaced = new std::vector<VSIFilesystemHandler*>;
     for (const char* name : k_file_systems) {
-        for (const char* ending : {"/", "?"}) {  // "/vsicurl?" carries options
+        for (const char* ending : {"/", "?"}) {  // "/vsicurl?" is followed by options
             const std::string prefix = std::string(name) + ending;
             replaced->push_back(VSIFileManager::GetHandler(prefix.c_str()));
             VSIFileManager::InstallHandler(prefix, new NoFiles);
@@ -115,7 +115,7 @@ void disable_network() {
         GDALDestroyDriver(driver);
     }
     CPLHTTPSetFetchCallback(fetch_nothing, nullptr);
-    // A GML file may name a schema anywhere.
+    // A GML file may name a schema at any address.
     CPLSetConfigOption("GML_DOWNLOAD_SCHEMA", "NO");
 }
 

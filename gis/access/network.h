@@ -6,17 +6,16 @@
 
 namespace frana::gis {
 
-/// Lets inputs be read over the network (URLs, /vsicurl/, databases, map services). To be called before
-/// anything is opened; without it GDAL's drivers and file systems that go there are taken away. A scene
-/// cannot call it: whoever starts the program decides.
+/// Allows inputs to be read over the network (URLs, /vsicurl/, databases, map services). Must be called before anything
+/// is opened; otherwise GDAL's network drivers and file systems are removed. A scene cannot call it: the user who
+/// starts the program decides.
 void allow_network();
 [[nodiscard]] bool network_allowed();
 
-/// What to do about a path that names something not on this machine; none where it is here, or the network
-/// allowed.
+/// Returns the remedy for a path that is not on this machine; none if it is, or if the network is allowed.
 [[nodiscard]] std::optional<std::string> network_remedy(const std::string& path);
 
-/// Takes away what reaches the network; GdalSession does so once, where it was not allowed.
+/// Removes access to the network; GdalSession calls it once unless it was allowed.
 void disable_network();
 
 }  // namespace frana::gis

@@ -7,7 +7,7 @@
 namespace frana::gis {
 namespace {
 
-// Libraries read on threads of their own too.
+// Libraries also read on their own threads.
 std::mutex guard;
 std::optional<Refusal> first;
 

@@ -6,17 +6,17 @@
 
 namespace frana::gis {
 
-/// What a library wanted while it read a file, and was not given: a place on the network, a file that is no
+/// An access that a library requested while reading a file and that was refused: an address on the network, a special
 /// file.
 struct Refusal {
     std::string what, value, remedy;  ///< as in Problem
 };
 
-/// For the doors through which libraries read (network, local_files). Whoever reads the file learns of the
+/// Called by the filters of the libraries' access (network, local_files). The function that reads the file reports the
 /// first.
 void note_refusal(Refusal refusal);
 
-/// The first since the last call, if there was any: the cause of whatever the library says then.
+/// Returns the first since the last call, if any: the cause of the library's error.
 [[nodiscard]] std::optional<Refusal> pop_refusal();
 
 }  // namespace frana::gis

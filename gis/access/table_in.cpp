@@ -32,7 +32,7 @@ Table read_table(const std::string& path, const std::string& where) {
                                               "Check the path: a scene's is relative to the scene file, an "
                                               "option's to the current folder"});
     }
-    // "CSV:" keeps the driver from asking for the ending .csv.
+    // "CSV:" makes the driver accept names without .csv.
     const char* const drivers[] = {"CSV", nullptr};
     const char* const options[] = {"HEADERS=YES", "AUTODETECT_TYPE=NO", "KEEP_GEOM_COLUMNS=YES", nullptr};
     (void)refuse_special_file(path.c_str());

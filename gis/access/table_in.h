@@ -12,8 +12,8 @@ struct Table {
     std::vector<std::vector<std::string>> rows;
 };
 
-/// A CSV file with a header; comma, semicolon or tab between the columns. `where` names the key.
-/// Throws Error(input): missing file, not a table, no row.
+/// Reads a CSV file with a header; comma, semicolon or tab between the columns. `where` names the key. Throws
+/// Error(input): missing file, not a table, no row.
 Table read_table(const std::string& path, const std::string& where);
 
 }  // namespace frana::gis

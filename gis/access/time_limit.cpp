@@ -21,7 +21,7 @@ std::int64_t now() {
     return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
 }
 
-/// Lives until the process ends: its thread may wait longer than main.
+/// Exists until the process ends: its thread may wait longer than main.
 struct Watch {
     std::mutex guard;
     std::condition_variable changed;
@@ -48,7 +48,7 @@ void watch_over() {
         const std::int64_t time = now(), left = next->deadline() - time;
         std::int64_t wait = left;
         if (w.warn != nullptr) {
-            // The outermost is the file that the user named.
+            // The outermost is the file named by the user.
             const TimeLimit& file = *w.limits.front();
             if (file.begun() != told_of) next_word = file.begun() + k_first_word_ms;
             told_of = file.begun();

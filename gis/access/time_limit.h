@@ -9,9 +9,9 @@
 
 namespace frana::gis {
 
-/// While one lives, what the libraries do with a file has a limit: where a single call takes longer (a query
-/// in a database that never ends, a file that never comes), `when_time_is_up` hears of it on another thread.
-/// No library can be stopped in the middle, so what it does is to end the program.
+/// Limits the time of the libraries' calls on a file during its lifetime: if a single call takes longer (a query in a
+/// database that never ends, a file that never arrives), `when_time_is_up` is called on another thread. No library can
+/// be interrupted, so that function ends the program.
 class TimeLimit {
   public:
     /// `where` names key and file.
@@ -20,7 +20,7 @@ class TimeLimit {
     TimeLimit(const TimeLimit&) = delete;
     TimeLimit& operator=(const TimeLimit&) = delete;
 
-    /// A call came back: the next has the whole limit again.
+    /// Called after a call returned: the next one has the whole limit again.
     void again() noexcept;
 
     /// For the watching thread only.
@@ -34,11 +34,11 @@ class TimeLimit {
     std::atomic<std::int64_t> deadline_;  ///< [ms] of the steady clock
 };
 
-/// Sets what happens then, once, before files are read; without it there is no limit. `seconds` for a call.
+/// Sets the function called then, once, before files are read; without it there is no limit. `seconds` per call.
 void when_time_is_up(double seconds, void (*end)(const Problem&));
 
-/// Sets what is told of a file over which the libraries have been for some seconds, every ten: its `where`
-/// and how long. To be set before the other.
+/// Sets the function that reports a file on which the libraries have spent some seconds, every ten seconds: its `where`
+/// and the duration. Must be set before the other.
 void on_slow_reading(void (*warn)(const std::string& where, double seconds));
 
 }  // namespace frana::gis

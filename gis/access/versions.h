@@ -5,7 +5,7 @@
 
 namespace frana::gis {
 
-/// GDAL with GEOS, and PROJ, as they run: one "NAME VERSION" a line.
+/// Returns the versions of GDAL with GEOS, and PROJ, at run time: one "NAME VERSION" per line.
 std::string library_versions();
 
 }  // namespace frana::gis

@@ -7,7 +7,7 @@
 namespace frana::gis {
 namespace {
 
-constexpr double k_least_area_degrees = 0.005;  // some 500 m: small against any operation's area
+constexpr double k_least_area_degrees = 0.005;  // some 500 m: small compared with any operation's area
 
 ProjPointer<PJ> make_crs(PJ_CONTEXT* context, const std::string& wkt) {
     ProjPointer<PJ> crs(proj_create(context, wkt.c_str()));
@@ -25,13 +25,13 @@ ProjPointer<PJ_OBJ_LIST> operations(PJ_CONTEXT* context, const PJ* from, const P
                                                          PROJ_SPATIAL_CRITERION_PARTIAL_INTERSECTION);
     proj_operation_factory_context_set_grid_availability_use(context, factory.get(), grids);
     if (degrees) {
-        // In an area without extent PROJ takes every operation to be equally near, also one for another
-        // country.
+        // For an area without extent PROJ takes every operation to be equally near, including those for other
+        // countries.
         degrees->west -= k_least_area_degrees;
         degrees->south -= k_least_area_degrees;
         degrees->east += k_least_area_degrees;
         degrees->north += k_least_area_degrees;
-        // PROJ tells an area across the antimeridian by west > east.
+        // PROJ marks an area across the antimeridian by west > east.
         if (degrees->east > 180) degrees->east -= 360;
         if (degrees->west < -180) degrees->west += 360;
         proj_operation_factory_context_set_area_of_interest(context, factory.get(), degrees->west, degrees->south,
@@ -56,7 +56,7 @@ ProjPointer<PJ> first(PJ_CONTEXT* context, const ProjPointer<PJ_OBJ_LIST>& list)
     return ProjPointer<PJ>(some ? proj_list_get(context, list.get(), 0) : nullptr);
 }
 
-/// The first grid file an operation needs that is not at hand.
+/// Returns the first grid file that an operation needs and that is not installed.
 std::string missing_grid(PJ_CONTEXT* context, const PJ* operation) {
     for (int i = 0; i < proj_coordoperation_get_grid_used_count(context, operation); ++i) {
         const char* name = nullptr;

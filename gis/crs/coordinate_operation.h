@@ -23,7 +23,7 @@ struct ProjDelete {
 template <class T>
 using ProjPointer = std::unique_ptr<T, ProjDelete>;
 
-/// A silent context that never reaches for the network: a run must not depend on it.
+/// Returns a silent context that never uses the network: a run must not depend on it.
 ProjPointer<PJ_CONTEXT> make_proj_context();
 
 /// A coordinate operation ready for use, x to the east (longitude in degrees) on both sides.
@@ -32,8 +32,8 @@ struct CoordinateOperation {
     TransformInfo info;
 };
 
-/// PROJ's best operation between two CRSs (WKT) among those whose grids are installed; `degrees` is the area
-/// of interest in longitude and latitude. Throws Error(input) when there is none.
+/// Returns PROJ's best operation between two CRSs (WKT) among those whose grids are installed; `degrees` is the area of
+/// interest in longitude and latitude. Throws Error(input) if there is none.
 CoordinateOperation choose_operation(PJ_CONTEXT* context, const std::string& from_wkt, const std::string& to_wkt,
                                      std::optional<Bounds> degrees);
 

@@ -29,7 +29,7 @@ std::string wkt2(const OGRSpatialReference& crs) {
 
 std::optional<OGRSpatialReference> parse(const std::string& text) {
     OGRSpatialReference crs;
-    // A CRS is text here: a name must never make the program read a file or the network.
+    // A CRS is text here: a name must never make the program read a file or use the network.
     const char* const options[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
     if (text.empty() || crs.SetFromUserInput(text.c_str(), options) != OGRERR_NONE) return std::nullopt;
     crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -50,7 +50,7 @@ bool axes_run_east_and_north(const OGRSpatialReference& crs) {
         north += direction == OAO_North;
         south += direction == OAO_South;
     }
-    // Round a pole both axes run along meridians, away from the north pole or towards it from the south pole.
+    // Around a pole both axes run along meridians, away from the north pole or towards it from the south pole.
     return (east == 1 && north == 1) || south == 2 || north == 2;
 }
 
@@ -58,7 +58,7 @@ bool axes_run_east_and_north(const OGRSpatialReference& crs) {
 
 std::string layer_crs(const OGRSpatialReference* crs) {
     if (!crs || !(crs->IsProjected() || crs->IsGeographic() || crs->IsCompound())) return {};
-    // GeoPackage's name for "not known", which it dresses up as degrees.
+    // GeoPackage's name for "unknown", which GDAL presents in degrees.
     if (std::string(crs->GetName()).rfind("Undefined", 0) == 0) return {};
     return wkt2(*crs);
 }
@@ -146,7 +146,7 @@ double meridian_convergence_deg(const std::string& wkt, Point map) {
     if (wkt.empty()) return 0;
     const CrsTransform to_degrees(wkt, "OGC:CRS84", Bounds{map.x, map.y, map.x, map.y});
     const Point here = to_degrees(map);
-    // Some 100 m either way along the meridian: long against rounding, short against its curvature.
+    // Some 100 m either way along the meridian: long compared with rounding, short compared with its curvature.
     const double step = 1e-3;
     const Point north = to_degrees.inverse({here.x, here.y + step});
     const Point south = to_degrees.inverse({here.x, here.y - step});

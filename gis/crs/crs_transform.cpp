@@ -24,7 +24,7 @@ std::string text_of(Point point) {
     return text.str();
 }
 
-/// Points round a rectangle's edges.
+/// Returns points along a rectangle's edges.
 std::vector<Point> rim(const Bounds& b) {
     std::vector<Point> points;
     for (int i = 0; i < k_points_per_edge; ++i) {
@@ -44,8 +44,8 @@ bool good(const PJ_COORD& coordinate) {
     return std::isfinite(coordinate.xy.x) && std::isfinite(coordinate.xy.y);
 }
 
-/// Whether an operation leaves the points where they are to a millimetre (1e-8 degrees). ETRS89 and WGS 84,
-/// for one, are held to be the same, yet their ellipsoids move a point by a tenth of a millimetre.
+/// Whether an operation moves the points by less than a millimetre (1e-8 degrees). ETRS89 and WGS 84, for one, are
+/// treated as the same, although their ellipsoids move a point by a tenth of a millimetre.
 bool leaves_in_place(PJ* operation, const std::vector<Point>& points, bool degrees) {
     const double tolerance = degrees ? 1e-8 : 1e-3;
     return std::all_of(points.begin(), points.end(), [&](Point point) {
@@ -76,8 +76,7 @@ std::optional<Bounds> in_degrees(PJ_CONTEXT* context, const std::string& wkt, co
     }
     const std::optional<Bounds> plain = box(found);
     if (!plain || plain->width() <= 180) return plain;
-    // Across the antimeridian the points lie on both ends of the scale: counted from 0 to 360 they are one
-    // group.
+    // Across the antimeridian the points are at both ends of the scale: from 0 to 360 they are one group.
     for (Point& point : found) point.x += point.x < 0 ? 360 : 0;
     const std::optional<Bounds> shifted = box(found);
     return shifted->width() < plain->width() ? shifted : plain;

@@ -10,38 +10,37 @@
 
 namespace frana::gis {
 
-/// What was done between two CRSs, for the log and the check of inputs.
+/// The operation applied between two CRSs, for the log and the check of inputs.
 struct TransformInfo {
-    std::string operation;            ///< PROJ's name for it; "none" where coordinates stay as they are
+    std::string operation;            ///< PROJ's name for it; "none" if coordinates are unchanged
     double accuracy_m = 0;            ///< stated accuracy [m]; below 0: unknown
     bool needs_missing_grid = false;  ///< a more accurate operation exists, but its grid file is not installed
-    std::string missing_grid;         ///< that file's name, where PROJ knows it
+    std::string missing_grid;         ///< that file's name, if PROJ knows it
     double missing_accuracy_m = -1;   ///< stated accuracy with that file [m]; below 0: unknown
 };
 
-/// Coordinates from one CRS to another, x to the east (longitude) and y to the north (latitude) on both sides
-/// whatever the authority's axis order; heights are left alone. One operation serves the whole area, PROJ's
-/// best that can be computed with the grids at hand, so that no seam runs through a scene.
+/// Transforms coordinates from one CRS to another, x to the east (longitude) and y to the north (latitude) on both
+/// sides whatever the authority's axis order; heights are unchanged. One operation is used for the whole area, PROJ's
+/// best with the installed grids, so that no seam crosses a scene.
 class CrsTransform {
   public:
-    /// `area_of_interest` is in coordinates of `from_wkt`; without it the operation is chosen for the CRSs'
-    /// whole common area. An empty WKT on either side, or CRSs that agree to 1 mm, leave
-    /// coordinates as they are. Throws
-    /// Error(input) when there is no way between the two.
+    /// `area_of_interest` is in coordinates of `from_wkt`; without it the operation is chosen for the CRSs' whole
+    /// common area. With an empty WKT on either side, or CRSs that agree to 1 mm, coordinates are unchanged. Throws
+    /// Error(input) if there is no operation between the two.
     CrsTransform(const std::string& from_wkt, const std::string& to_wkt,
                  std::optional<Bounds> area_of_interest = std::nullopt);
     ~CrsTransform();
     CrsTransform(CrsTransform&&) noexcept;
     CrsTransform& operator=(CrsTransform&&) noexcept;
 
-    /// Throws Error(input) naming the point when it cannot be transformed.
+    /// Throws Error(input) naming the point if it cannot be transformed.
     [[nodiscard]] Point operator()(Point from) const;
-    /// The other way; throws likewise.
+    /// The inverse; throws likewise.
     [[nodiscard]] Point inverse(Point to) const;
-    /// In place; a point that cannot be transformed becomes NaN. Returns whether all went well.
+    /// In place; a point that cannot be transformed becomes NaN. Returns whether all were transformed.
     bool apply(std::span<double> x, std::span<double> y, bool backwards) const;
 
-    /// The smallest rectangle round a transformed one, its edges followed by 21 points each.
+    /// Returns the smallest rectangle around a transformed one, with 21 points along each edge.
     [[nodiscard]] Bounds around(const Bounds& from) const;
 
     [[nodiscard]] const TransformInfo& info() const noexcept;

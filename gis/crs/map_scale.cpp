@@ -11,7 +11,7 @@
 namespace frana::gis {
 namespace {
 
-// Long against the rounding of degrees, short against the curvature of any map.
+// Long compared with the rounding of degrees, short compared with the curvature of any map.
 constexpr double k_baseline = 100;  // [m]
 constexpr double k_wgs84_a = 6378137, k_wgs84_f = 1 / 298.257223563;
 

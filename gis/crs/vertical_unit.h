@@ -5,18 +5,18 @@
 
 namespace frana::gis {
 
-/// The unit in which a raster's values are given.
+/// The unit of a raster's values.
 struct VerticalUnit {
     std::string name = "metre";
     double metres = 1;    ///< per unit
-    bool known = true;    ///< false: the file names a unit that is not a length; values stay as they are
-    bool stated = false;  ///< the file says so itself
+    bool known = true;    ///< false: the file names a unit that is not a length; values are unchanged
+    bool stated = false;  ///< specified in the file
 };
 
-/// From a band's unit text ("m", "ft", "US survey foot", "" for unsaid), else from the CRS's vertical part.
+/// Returns the unit of a band's unit text ("m", "ft", "US survey foot", "" for none), else of the CRS's vertical part.
 VerticalUnit vertical_unit_of(const std::string& band_unit, const std::string& crs_wkt);
 
-/// From a user's choice: "metre", "foot", "us-survey-foot". Throws Error(input) for another word.
+/// Returns the unit of a user's choice: "metre", "foot", "us-survey-foot". Throws Error(input) for another word.
 VerticalUnit vertical_unit_named(const std::string& name);
 
 }  // namespace frana::gis

@@ -22,7 +22,7 @@ std::vector<ElevationSample> sample_elevations(const RasterInfo& dtm, const std:
         vertical_unit == "auto" ? dtm.vertical_scale_to_metres : vertical_unit_named(vertical_unit).metres;
     const CrsTransform back(target_crs_wkt, target_crs_wkt.empty() ? "" : dtm.crs_wkt, window);
     const CrsTransform to_target(target_crs_wkt.empty() ? "" : dtm.crs_wkt, target_crs_wkt, back.around(window));
-    // A grid as coarse as the sample, only to find the part of the file that lies under it.
+    // A grid as coarse as the sample, only to find the part of the file below it.
     GridSpec grid{window.west,   window.north,  std::max(window.width(), window.height()) / most_per_side,
                   most_per_side, most_per_side, target_crs_wkt};
     const Window cells = RasterWarp(source, to_target, GRA_NearestNeighbour, unit).source_window(grid, Point{1, 1});

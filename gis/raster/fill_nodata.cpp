@@ -25,7 +25,7 @@ std::int64_t fill_nodata(Raster& raster, double max_distance_cells) {
         throw Error(ErrorKind::input, Problem{"cells without data cannot be filled: " + session.last_message(), "", "",
                                               "", "Use nodata-policy = stop or wall"});
     }
-    // GDAL computes in single precision; cells that had data keep theirs to the last bit.
+    // GDAL computes in single precision; cells that had data keep it to the last bit.
     std::int64_t count = 0;
     for (std::size_t i = 0; i < filled.size(); ++i) {
         if (!std::isnan(raster.values[i]) || std::isnan(filled[i])) continue;

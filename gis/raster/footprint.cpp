@@ -17,7 +17,7 @@
 namespace frana::gis {
 namespace {
 
-/// The part of a grid round an outline, and where it begins.
+/// The part of a grid around an outline, and its first cell.
 struct Window {
     GridSpec grid;
     std::int64_t row = 0, column = 0;
@@ -37,8 +37,8 @@ Window window_round(const MultiPolygon& outline, const GridSpec& grid) {
     return window;
 }
 
-/// Whether cells taken by their centres might leave gaps: shrunk by half a cell's diagonal the polygon vanishes or
-/// falls apart.
+/// Whether cells selected by their centres might leave gaps: shrunk by half a cell's diagonal the polygon vanishes or
+/// is divided.
 bool is_thin(const OGRPolygon& polygon, double cell_size) {
     const double half_diagonal = cell_size * std::numbers::sqrt2 / 2;
     const std::unique_ptr<OGRGeometry> core(polygon.Buffer(-half_diagonal));

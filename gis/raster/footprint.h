@@ -9,15 +9,15 @@
 
 namespace frana::gis {
 
-/// Which cells a polygon takes.
+/// Which cells a polygon covers.
 enum class Cover {
-    centres,  ///< those whose centre lies inside
-    closed,   ///< the same; where the polygon is narrower than a cell's diagonal, all that it touches, so that
-              ///< a thin dam has no gaps
+    centres,  ///< those whose centre is inside
+    closed,   ///< the same; where the polygon is narrower than a cell's diagonal, all cells that it touches, so that a
+              ///< thin dam has no gaps
 };
 
-/// Calls visit(row, column) for the cells of an outline, row by row; parts beyond the grid are left out.
-/// Returns whether touched cells were taken for want of width.
+/// Calls visit(row, column) for the cells of an outline, row by row; parts beyond the grid are left out. Returns
+/// whether touched cells were included because the outline is narrow.
 bool visit_cells(const MultiPolygon& outline, const GridSpec& grid, Cover cover,
                  const std::function<void(std::int64_t row, std::int64_t column)>& visit);
 

@@ -92,12 +92,12 @@ FrameStack::FrameStack(std::string path, StackFormat format, const GridSpec& gri
     crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     if (!grid.crs_wkt.empty()) crs.importFromWkt(grid.crs_wkt.c_str());
     if (!netcdf && !grid.crs_wkt.empty()) {
-        // GDAL keeps the CRS of a Zarr array in an attribute of its own; CF readers look for a grid mapping, by one of
-        // two names for its text.
+        // GDAL stores the CRS of a Zarr array in its own attribute; CF readers look for a grid mapping, by one of two
+        // names for its text.
         const Array mapping =
             p.must(p.root->CreateMDArray(k_mapping, {}, GDALExtendedDataType::Create(GDT_Int32), nullptr));
         for (const char* name : {"crs_wkt", "spatial_ref"}) set_text(*mapping, name, grid.crs_wkt);
-        const std::int32_t any = 1;  // readers ask for it, though it says nothing
+        const std::int32_t any = 1;  // required by readers, value without meaning
         if (!mapping->Write(nullptr, nullptr, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Int32), &any))
             p.refuse();
     }

@@ -12,9 +12,9 @@ namespace frana::gis {
 
 enum class StackFormat { netcdf, zarr };
 
-/// Frames as arrays (time, y, x) in one NetCDF-4 file or Zarr (version 2) folder, after the CF conventions
-/// (1.8): coordinates of cell centres with standard names, units, grid mapping, _FillValue -9999. Depth and
-/// velocity, Float32, compressed. Frames are written one by one, so that memory holds one.
+/// Frames as arrays (time, y, x) in one NetCDF-4 file or Zarr (version 2) folder, following the CF conventions (1.8):
+/// coordinates of cell centres with standard names, units, grid mapping, _FillValue -9999. Depth and velocity, Float32,
+/// compressed. Frames are written one by one, so that memory contains only one.
 class FrameStack {
   public:
     /// Creates the file or folder. `times` [s] of all frames to come. Throws Error(environment).
@@ -24,9 +24,9 @@ class FrameStack {
     FrameStack(const FrameStack&) = delete;
     FrameStack& operator=(const FrameStack&) = delete;
 
-    /// Writes one frame at its place in `times`. Throws Error(environment).
+    /// Writes one frame at its index in `times`. Throws Error(environment).
     void add(std::size_t index, const Raster& depth, const Raster& velocity);
-    /// Writes what is left and closes. Throws Error(environment), on a full disk too.
+    /// Writes the rest and closes. Throws Error(environment), also for a full disk.
     void close();
 
   private:

@@ -8,18 +8,18 @@
 
 namespace frana::gis {
 
-/// Looks, while a raster is read, for values that were meant as "no data" though the file does not say so.
+/// Detects, while a raster is read, values meant as "no data" that the file does not declare.
 class NodataSuspicion {
   public:
-    /// `values` as stored, row by row, NaN where the file itself says "no data".
+    /// `values` as stored, row by row, NaN where the file declares "no data".
     void examine(const std::vector<double>& values, int columns);
 
-    /// Cells read that hold 0 and of whose neighbours most jump by more than `steep` (in the units stored): a
-    /// frame of zeros round a terrain model. None where zeros meet their neighbours gently, as the sea does.
+    /// Returns the number of cells read with value 0 most of whose neighbours differ by more than `steep` (in the units
+    /// stored): a frame of zeros around a terrain model. None if zeros join their neighbours gently, as the sea does.
     [[nodiscard]] std::int64_t zero_rim(double steep) const;
 
-    /// A warning about a customary value (-9999 and its like; 9999 and its like where they stand like walls), or
-    /// nothing.
+    /// Returns a warning about a common value (-9999 and similar; 9999 and similar if they form walls), or an empty
+    /// text.
     [[nodiscard]] std::string warning(const std::string& path) const;
 
   private:
@@ -27,14 +27,14 @@ class NodataSuspicion {
         -9999.0, -99999.0, -32767.0, -32768.0, -3.4028234663852886e38, -1e32, 1e20, 3.4028234663852886e38};
     std::array<std::int64_t, k_customary.size()> found_{};
 
-    /// Customary too, but a model in centimetres may hold them: suspect where they stand like walls.
+    /// Common too, but a model in centimetres may contain them: suspect if they form walls.
     struct Plateau {
         double value = 0;
         std::int64_t cells = 0, borders = 0, walls = 0;
     };
     std::array<Plateau, 4> plateaus_{Plateau{9999}, Plateau{99999}, Plateau{32767}, Plateau{65535}};
     std::int64_t zeros_ = 0;
-    std::vector<float> jumps_;  ///< between a zero and each of its neighbours that is none
+    std::vector<float> jumps_;  ///< between a zero and each of its neighbours other than zero
 };
 
 }  // namespace frana::gis

@@ -59,8 +59,8 @@ GdalDataset opened(const std::string& path, const std::string& crs_wkt, const st
     return dataset;
 }
 
-/// Checksum of the blocks of a file, of a large one of some, among them the first and the last; none: they cannot be
-/// read.
+/// Returns a checksum of the blocks of a file, of a large one of some, including the first and the last; none: they
+/// cannot be read.
 std::optional<std::uint32_t> content_of(GDALDatasetH picture) {
     constexpr std::int64_t k_most_blocks = 400;
     GDALRasterBandH band = GDALGetRasterBand(picture, 1);
@@ -88,7 +88,7 @@ std::optional<std::uint32_t> content_of(GDALDatasetH picture) {
     return static_cast<std::uint32_t>(sum);
 }
 
-/// Three or four bands of what has a colour table or a single one, as a view of it.
+/// Returns three or four bands as a view of a file with a colour table or a single band.
 GdalDataset in_colours(GDALDatasetH source) {
     GDALRasterBandH first = GDALGetRasterBand(source, 1);
     CPLStringList words;

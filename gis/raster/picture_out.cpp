@@ -60,7 +60,7 @@ void write(const std::string& path, GDALDatasetH dataset, const char* driver, co
                                                  FALSE, options.List(), nullptr, nullptr));
         if (!written) refuse(path, session);
     }
-    // Closing writes the last bytes and reports only through the error handler.
+    // Closing writes the last bytes and reports errors only through the error handler.
     if (session.failed()) refuse(path, session);
     memory.write_to_disk(path, Sync::no);
 }
@@ -111,7 +111,7 @@ void write_picture_pdf(const std::string& path, const PicturePixels& picture, do
     options.SetNameValue("DPI", shortest_text(dots_per_inch).c_str());
     options.SetNameValue("GEO_ENCODING", on_earth ? "ISO32000" : "NONE");
     options.SetNameValue("TITLE", valid_utf8(title).c_str());
-    // On more than one thread GDAL notes a stream's place and length before it is packed (OSGeo/gdal#6270).
+    // With more than one thread GDAL records a stream's place and length before it is compressed (OSGeo/gdal#6270).
     const ThreadOption one_thread("GDAL_NUM_THREADS", "1");
     write(path, dataset.get(), "PDF", options, session);
 }

@@ -19,7 +19,7 @@ Raster read_result_raster(const std::string& path) {
     };
     const GeoTransform& g = source.geo_transform();
     if (info.rotated || g[1] <= 0 || g[5] >= 0) throw refuse("the raster is not north up", "");
-    // Files round their geotransform; over all columns the two sides may part by a thousandth of a cell.
+    // Files round their geotransform; over all columns the two sides may differ by a thousandth of a cell.
     const double longest = static_cast<double>(std::max(info.columns, info.rows));
     if (std::abs(info.cell_x - info.cell_y) * longest > 1e-3 * info.cell_x) {
         throw refuse("the raster's cells are not square",

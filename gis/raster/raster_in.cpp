@@ -14,16 +14,16 @@
 namespace frana::gis {
 namespace {
 
-// Cells that lie within a thousandth of a cell of each other are the same cells: files round their corners.
+// Cells within a thousandth of a cell of each other are the same cells: files round their corners.
 constexpr double k_same_place_cells = 1e-3;
-// A source up to this much finer than the grid is interpolated: an average over about one cell only blurs.
+// A source up to this much finer than the grid is interpolated: an average over about one cell would only smooth it.
 constexpr double k_average_from = 1.25;
 constexpr int k_cells_at_once = 4'000'000;
 // Ground that rises by two cells from one cell to the next (63 degrees) is a wall.
 constexpr double k_wall_cells = 2;
 
-/// The grid's upper left corner in the source's rows and columns, when the cells of both are the same. The
-/// source may be stored from the south.
+/// Returns the grid's upper left corner in the source's rows and columns, if the cells of both coincide. The source may
+/// be stored from the south.
 bool cells_coincide(const RasterSource& source, const CrsTransform& to_grid, const GridSpec& grid, Point& corner) {
     const GeoTransform& g = source.geo_transform();
     if (!to_grid.is_identity() || source.info().rotated || g[1] <= 0) return false;
@@ -84,7 +84,7 @@ Method method_for(Resampling wanted, Point source_cells_per_cell) {
     return ratio > k_average_from ? Method{GRA_Average, "average"} : Method{GRA_Bilinear, "bilinear"};
 }
 
-/// Problems met inside a transform know nothing of files; here they learn which one.
+/// Errors inside a transform do not know the file; its name is added here.
 [[noreturn]] void rethrow_naming(const std::string& path, const Error& error) {
     std::vector<Problem> problems = error.problems();
     for (Problem& problem : problems) {

@@ -11,11 +11,11 @@
 
 namespace frana::gis {
 
-/// What a raster file says about itself.
+/// The properties of a raster file.
 struct RasterInfo {
     std::string path;
     std::string crs_wkt;    ///< empty: the file names none
-    std::string crs_label;  ///< for people
+    std::string crs_label;  ///< for messages
     std::string driver;     ///< "GTiff"
     std::string data_type;  ///< "Float32"
     Bounds bounds;          ///< in its own CRS
@@ -23,22 +23,21 @@ struct RasterInfo {
     double cell_x = 0, cell_y = 0;  ///< sides of a cell, positive, in units of its CRS
     bool has_nodata = false;
     double nodata = 0;
-    std::string band_unit;                ///< of the values, as the file spells it; empty: unsaid
-    std::string vertical_unit;            ///< "metre" where the file says nothing
+    std::string band_unit;                ///< of the values, as in the file; empty: none
+    std::string vertical_unit;            ///< "metre" if the file has none
     bool vertical_unit_stated = false;    ///< by the band or by the CRS
     double vertical_scale_to_metres = 1;  ///< of that unit
     bool rotated = false;                 ///< rows do not run to the east
 };
 
-/// The file seen as being in another CRS, from which its vertical unit may follow.
+/// Returns the properties with another CRS, which may specify its vertical unit.
 RasterInfo with_crs(RasterInfo info, const std::string& crs_wkt);
 
-/// Throws Error(input): missing, not a raster, no position on the ground, no band. `where` names the key.
+/// Reads them. Throws Error(input): missing, not a raster, no position on the ground, no band. `where` names the key.
 RasterInfo inspect_raster(const std::string& path, const std::string& where);
 
 enum class Resampling {
-    automatic,  ///< exact copy where the cells coincide, else average to coarser cells, bilinear to finer
-                ///< ones
+    automatic,  ///< exact copy if the cells coincide, else average to coarser cells, bilinear to finer ones
     nearest,
     bilinear,
     cubic,
@@ -51,25 +50,23 @@ struct RasterRead {
     std::string resampling_used;  ///< "exact copy", "average", ...
     TransformInfo transform;
     std::vector<std::string> warnings;
-    std::int64_t zero_rim_cells = 0;  ///< source cells of 0 that stand like walls; see NodataSuspicion
+    std::int64_t zero_rim_cells = 0;  ///< source cells of value 0 that form walls; see NodataSuspicion
 };
 
-/// Band 1 of a raster on a grid: only the needed part is read; scale and offset applied; feet become metres.
-/// Cells without data (nodata value, mask, NaN, infinity) give nothing to their neighbours.
-/// `source_crs_override` stands in for the file's own CRS; a grid without CRS (local) means no reprojection.
-/// `vertical_unit`: "auto" (as the file says), "metre", "foot", "us-survey-foot". `nodata_value`: one more
-/// stored value that means "no data". `where` names the key for messages.
+/// Reads band 1 of a raster onto a grid: only the needed part is read; scale and offset applied; feet become metres.
+/// Cells without data (nodata value, mask, NaN, infinity) do not contribute to their neighbours. `source_crs_override`
+/// replaces the file's own CRS; a grid without CRS (local) means no reprojection. `vertical_unit`: "auto" (from the
+/// file), "metre", "foot", "us-survey-foot". `nodata_value`: one more stored value that means "no data". `where` names
+/// the key for messages.
 /// Throws Error(input).
 RasterRead read_raster_on(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
                           Resampling resampling, const std::string& vertical_unit = "auto",
                           std::optional<double> nodata_value = std::nullopt, const std::string& where = {});
 
-/// A whole raster on its own grid, as frana writes them: north up, square cells. Throws Error(input)
-/// otherwise.
+/// Reads a whole raster on its own grid, as frana writes them: north up, square cells. Throws Error(input) otherwise.
 Raster read_result_raster(const std::string& path);
 
-/// Fills cells without data by interpolation from cells at most so many cells away. Returns how many were
-/// filled.
+/// Fills cells without data by interpolation from cells at most so many cells away. Returns the number of cells filled.
 std::int64_t fill_nodata(Raster& raster, double max_distance_cells);
 
 }  // namespace frana::gis

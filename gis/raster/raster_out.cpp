@@ -21,7 +21,7 @@
 namespace frana::gis {
 namespace {
 
-constexpr int k_block = 256;  // cells; a landslide's raster is small, so that 512 would leave it without overviews
+constexpr int k_block = 256;  // cells; a landslide's raster is small, so that 512 would give no overviews
 constexpr std::uint8_t k_no_class = 0;
 
 [[noreturn]] void refuse(const std::string& path, const GdalSession& session) {
@@ -55,7 +55,7 @@ void set_texts(GDALDatasetH dataset, const BandText& text) {
         GDALSetMetadataItem(dataset, key.c_str(), valid_utf8(value).c_str(), nullptr);
 }
 
-/// Of what the file holds, not of what it was rounded from.
+/// Of the values in the file, not of those before rounding.
 void set_statistics(GDALDatasetH dataset, const std::vector<float>& values) {
     double least = HUGE_VAL, greatest = -HUGE_VAL, sum = 0, squares = 0;
     std::size_t count = 0;
@@ -82,7 +82,7 @@ void set_statistics(GDALDatasetH dataset, const std::vector<float>& values) {
     set("STATISTICS_VALID_PERCENT", 100.0 * static_cast<double>(count) / static_cast<double>(values.size()));
 }
 
-/// Halved until one block holds all. Made in memory, the writer needs no temporary file for them.
+/// Halved until one block contains all. Made in memory, they need no temporary file.
 void build_overviews(GDALDatasetH dataset, const char* resampling, const std::string& path,
                      const GdalSession& session) {
     std::vector<int> factors;
@@ -106,14 +106,14 @@ void write_cog(const std::string& path, GDALDatasetH dataset, const char* resamp
     options.SetNameValue("BLOCKSIZE", std::to_string(k_block).c_str());
     options.SetNameValue("OVERVIEWS", "AUTO");
     options.SetNameValue("OVERVIEW_RESAMPLING", resampling);
-    options.SetNameValue("NUM_THREADS", "ALL_CPUS");  // the file is the same for any number
+    options.SetNameValue("NUM_THREADS", "ALL_CPUS");  // the file does not depend on the number
     {
         const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("COG"), memory.place_of(path).c_str(), dataset,
                                                  TRUE, options.List(), nullptr, nullptr));
         if (!written) refuse(path, session);
         GDALFlushCache(written.get());
     }
-    // Closing writes the last bytes and reports only through the error handler.
+    // Closing writes the last bytes and reports errors only through the error handler.
     if (session.failed()) refuse(path, session);
     memory.write_to_disk(path);
 }

@@ -11,10 +11,10 @@
 
 namespace frana::gis {
 
-/// The value that stands for "no data" in Float32 files.
+/// The "no data" value of Float32 files.
 inline constexpr double k_file_nodata = -9999;
 
-/// What a band tells its reader.
+/// The texts of a band.
 struct BandText {
     std::string name;                             ///< "max_depth"
     std::string description;                      ///< "Maximum flow depth, vertical"
@@ -22,13 +22,13 @@ struct BandText {
     std::map<std::string, std::string> metadata;  ///< program, version, ...
 };
 
-/// A Float32 cloud-optimised GeoTIFF with nodata -9999, overviews, statistics and texts inside; nothing
-/// beside it. Made in memory, written aside, brought to the disk and renamed: on failure an older file stays, and what
-/// the disk did not take is never left as if it were whole. Throws Error(environment), on a full disk too.
+/// Writes a Float32 cloud-optimised GeoTIFF with nodata -9999, overviews, statistics and texts inside; no file beside
+/// it. Made in memory, written aside, synced to the disk and renamed: on failure an older file remains, and an
+/// incomplete file never gets the name. Throws Error(environment), also for a full disk.
 void write_geotiff(const std::string& path, const Raster& raster, const BandText& text);
 
-/// An ESRI ASCII grid (.asc, and .prj where there is a CRS), six significant digits, nodata -9999: for
-/// programs that read no GeoTIFF. Throws Error(environment).
+/// Writes an ESRI ASCII grid (.asc, and .prj if there is a CRS), six significant digits, nodata -9999: for programs
+/// that read no GeoTIFF. Throws Error(environment).
 void write_ascii_grid(const std::string& path, const Raster& raster);
 
 /// One class of a classified raster.
@@ -38,8 +38,8 @@ struct ClassEntry {
     Rgb colour;
 };
 
-/// The same with one byte per cell (NaN becomes 0, which is nodata), the classes' names and colours inside.
-/// Throws Error(input) for a value that is no class.
+/// The same with one byte per cell (NaN becomes 0, which is nodata), the classes' names and colours inside. Throws
+/// Error(input) for a value that is no class.
 void write_class_geotiff(const std::string& path, const Raster& raster, const std::vector<ClassEntry>& classes,
                          const BandText& text);
 

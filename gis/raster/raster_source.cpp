@@ -28,7 +28,7 @@ namespace {
     throw Error(ErrorKind::input, Problem{what, where, path, "", remedy});
 }
 
-/// What was refused while the file was read is the cause of all that follows.
+/// A refusal while the file was read is the cause of all errors that follow.
 void throw_if_refused(const std::string& where, const std::string& path) {
     if (const auto cause = pop_refusal()) refuse(cause->what + ": " + cause->value, where, path, cause->remedy);
 }
@@ -60,12 +60,12 @@ std::string crs_of(GDALDatasetH dataset) {
     const bool good = OSRExportToWktEx(crs, &text, options) == OGRERR_NONE;
     std::string wkt = good && text ? text : "";
     CPLFree(text);
-    // An engineering CRS ("local") places nothing on the Earth.
+    // An engineering CRS ("local") has no position on the Earth.
     const bool on_earth = OSRIsProjected(crs) || OSRIsGeographic(crs) || OSRIsCompound(crs);
     return on_earth ? wkt : std::string();
 }
 
-/// The names by which the rasters inside a file (NetCDF, HDF, GeoPackage) are opened.
+/// Returns the names by which the rasters inside a file (NetCDF, HDF, GeoPackage) are opened.
 std::string subdatasets(GDALDatasetH dataset) {
     std::string names;
     char** items = GDALGetMetadata(dataset, "SUBDATASETS");
@@ -93,8 +93,8 @@ Bounds bounds_of(const GeoTransform& g, double columns, double rows) {
     return b;
 }
 
-// A raster is read in blocks of its file's making. GDAL holds at least one of them, and where bands are interleaved
-// those of all bands, however small the part that is asked for.
+// A raster is read in blocks whose size the file sets. GDAL stores at least one of them, and for interleaved bands
+// those of all bands, however small the requested part.
 void refuse_huge_blocks(GDALDatasetH dataset, GDALRasterBandH band, const std::string& where, const std::string& path) {
     constexpr double k_most_bytes = 1e9;
     int columns = 0, rows = 0;
@@ -205,7 +205,7 @@ std::vector<double> RasterSource::read_coarse(const Window& window, int columns,
 }
 
 std::int64_t RasterSource::zero_rim(double steep, double unit) const {
-    // Only where 0 is stored for an elevation of 0.
+    // Only if 0 is stored for an elevation of 0.
     return offset_ == 0 ? suspicion_.zero_rim(steep / (std::abs(scale_) * unit)) : 0;
 }
 

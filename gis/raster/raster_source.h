@@ -14,7 +14,7 @@
 
 namespace frana::gis {
 
-/// Where cell corners lie: x = g[0] + column g[1] + row g[2], y = g[3] + column g[4] + row g[5].
+/// Position of cell corners: x = g[0] + column g[1] + row g[2], y = g[3] + column g[4] + row g[5].
 using GeoTransform = std::array<double, 6>;
 
 /// A rectangle of cells.
@@ -27,28 +27,30 @@ struct Window {
 /// Band 1 of a raster file, open for reading.
 class RasterSource {
   public:
-    /// Throws Error(input) as inspect_raster. A class raster carries a colour table, as pictures do: only
-    /// where classes are expected is a colour table accepted.
+    /// Throws Error(input) as inspect_raster. A class raster has a colour table, as pictures do: a colour table is
+    /// accepted only if classes are expected.
     RasterSource(const std::string& path, const std::string& where, bool accept_colour_table = false);
 
     [[nodiscard]] const RasterInfo& info() const noexcept { return info_; }
     [[nodiscard]] const GeoTransform& geo_transform() const noexcept { return geo_; }
-    /// Position in cells (column, row) from the upper left corner to map coordinates and back.
+    /// Converts a position in cells (column, row) from the upper left corner to map coordinates and back.
     [[nodiscard]] Point map_from_cell(Point cell) const noexcept;
     [[nodiscard]] Point cell_from_map(Point map) const noexcept;
 
-    /// Values with scale and offset applied, times `unit` (metres per vertical unit); NaN where there is no
-    /// data. Throws Error(input) when the file cannot be read there.
+    /// Returns values with scale and offset applied, times `unit` (metres per vertical unit); NaN where there is no
+    /// data. Throws Error(input) if the part cannot be read.
     [[nodiscard]] std::vector<double> read(const Window& window, double unit) const;
 
-    /// The same at so many columns and rows, each value that of one cell somewhere in its part of the window.
+    /// The same at a reduced number of columns and rows, each value that of one cell somewhere in its part of the
+    /// window.
     [[nodiscard]] std::vector<double> read_coarse(const Window& window, int columns, int rows, double unit) const;
 
-    /// One more stored value that means "no data", whatever the file says.
+    /// Adds a stored value that means "no data", besides the file's.
     void declare_nodata(double stored) noexcept { declared_ = stored; }
-    /// A warning when what was read holds customary "no data" that the file does not declare, else nothing.
+    /// Returns a warning if the values read include a common "no data" value that the file does not declare, else an
+    /// empty text.
     [[nodiscard]] std::string suspicion() const { return suspicion_.warning(info_.path); }
-    /// Cells read that look like a frame of zeros: see NodataSuspicion. `steep` in metres.
+    /// Returns the number of cells read that look like a frame of zeros: see NodataSuspicion. `steep` in metres.
     [[nodiscard]] std::int64_t zero_rim(double steep, double unit) const;
 
   private:
@@ -62,7 +64,7 @@ class RasterSource {
     GeoTransform geo_{}, inverse_{};
     double scale_ = 1, offset_ = 0;
     std::optional<double> declared_;
-    mutable NodataSuspicion suspicion_;  // what read() saw in passing
+    mutable NodataSuspicion suspicion_;  // statistics of the values read
 };
 
 }  // namespace frana::gis

@@ -25,8 +25,8 @@ constexpr double k_cells_at_once = 4e6;      // 36 MB with the mask
 constexpr double k_kernel_radius_cells = 3;  // cubic reaches 2 cells; one more for rounding
 constexpr double k_approximation_cells = 0.01;
 
-/// Points in a cell at which an average looks at the surface, along each side. Where the cell holds whole square source
-/// cells one for each, which is their plain mean; else two or more, so that every source cell counts nearly alike.
+/// Points in a cell at which an average samples the surface, along each side. If the cell contains whole square source
+/// cells, one for each, which is their plain mean; else two or more, so that every source cell has almost equal weight.
 int points_per_side(Point source_cells_per_cell) {
     constexpr double k_whole = 1e-9, k_most = 1000;
     const auto [x, y] = source_cells_per_cell;
@@ -37,7 +37,7 @@ int points_per_side(Point source_cells_per_cell) {
 
 }  // namespace
 
-/// What the transformer knows. GDAL looks at the head to tell its own transformers from others.
+/// The transformer's data. GDAL reads the head to distinguish its own transformers from others.
 struct RasterWarp::Strip {
     GDALTransformerInfo head{};
     const RasterWarp* warp = nullptr;
@@ -78,7 +78,7 @@ int RasterWarp::transform(void* self, int to_source, int count, double* x, doubl
 }
 
 Point RasterWarp::source_cell(Point map) const noexcept {
-    // A raster across the antimeridian runs from 179 to 181; PROJ answers -179.
+    // A raster across the antimeridian runs from 179 to 181; PROJ returns -179.
     if (const double turn = to_grid_.source_turn(); turn > 0) {
         const Bounds& box = source_.info().bounds;
         map.x += turn * std::round(((box.west + box.east) / 2 - map.x) / turn);
@@ -156,13 +156,13 @@ void RasterWarp::fill_strip(const GridSpec& grid, Point scale, double* values) c
     GDALWarpInitDstNoDataReal(options.get(), k_no_data);
     options->pfnTransformer = to_grid_.is_identity() ? &RasterWarp::transform : GDALApproxTransform;
     options->pTransformerArg = to_grid_.is_identity() ? static_cast<void*>(&strip) : approximate.get();
-    // The kernel's width must follow from the cells alone, not from how the strips happen to be cut.
+    // The kernel's width must follow from the cells alone, not from the division into strips.
     const auto kernel = [](double cells) { return shortest_text(cells > 1 ? 1 / cells : 1); };
     char** words = nullptr;
     words = CSLSetNameValue(words, "INIT_DEST", "NO_DATA");
     words = CSLSetNameValue(words, "XSCALE", kernel(scale.x).c_str());
     words = CSLSetNameValue(words, "YSCALE", kernel(scale.y).c_str());
-    // Other threads would each want a copy of the transformer, which only GDAL's own can make.
+    // Other threads would each need a copy of the transformer, which only GDAL's own can make.
     words = CSLSetNameValue(words, "NUM_THREADS", "1");
     options->papszWarpOptions = words;
 

@@ -8,24 +8,23 @@
 
 namespace frana::gis {
 
-/// Brings a raster onto a grid in strips of rows, so that memory stays bounded however fine the source is.
+/// Resamples a raster onto a grid in strips of rows, so that memory is bounded however fine the source is.
 class RasterWarp {
   public:
-    /// `to_grid` leads from the source's CRS to the grid's. `unit`: metres per unit of the source's values.
+    /// `to_grid` transforms from the source's CRS to the grid's. `unit`: metres per unit of the source's values.
     RasterWarp(const RasterSource& source, const CrsTransform& to_grid, GDALResampleAlg algorithm, double unit);
 
     /// Source cells per cell of the grid along columns and rows at the grid's centre.
     [[nodiscard]] Point source_cells_per_cell(const GridSpec& grid) const;
 
-    /// The cells of the source that lie under a part of the grid, with what a resampling kernel needs round
-    /// them.
+    /// Returns the cells of the source below a part of the grid, with the margin of the resampling kernel.
     [[nodiscard]] Window source_window(const GridSpec& strip, Point source_cells_per_cell) const;
 
     /// Fills `target`; NaN where the source has no data or does not reach. Throws Error(input).
     ///
-    /// GRA_Average is the mean of the surface that runs straight from cell centre to cell centre. GDAL's own mean
-    /// takes each source cell as a step: where cells are cut by the grid's, a plane comes out uneven, by up to an
-    /// eighth of a source cell times its slope.
+    /// GRA_Average is the mean of the surface interpolated linearly between cell centres. GDAL's own mean treats each
+    /// source cell as a step: where the grid's edges divide cells, a plane becomes uneven, by up to an eighth of a
+    /// source cell times its slope.
     void fill(Raster& target) const;
 
     /// GDAL's transformer: cells of a strip to cells of a source window and back.
@@ -33,7 +32,7 @@ class RasterWarp {
 
   private:
     struct Strip;
-    /// The source's cell at a place in its CRS; longitudes counted the way the source counts them.
+    /// Returns the source's cell at a place in its CRS; longitudes in the source's range.
     [[nodiscard]] Point source_cell(Point map) const noexcept;
     void fill_strip(const GridSpec& strip, Point scale, double* values) const;
     void average_strip(const GridSpec& strip, Point scale, int points, double* values) const;

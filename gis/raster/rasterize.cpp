@@ -27,7 +27,7 @@ GdalDataset on_grid(Raster& raster) {
     return dataset;
 }
 
-/// A layer in memory for GDAL to write into; the dataset owns it.
+/// A vector layer in memory for GDAL to write to; the dataset owns it.
 struct MemoryLayer {
     GDALDatasetUniquePtr dataset;
     OGRLayer* layer = nullptr;

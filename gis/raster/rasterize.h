@@ -6,10 +6,10 @@
 
 namespace frana::gis {
 
-/// 1 in cells whose centre lies inside, 0 elsewhere. Holes are outside.
+/// Returns 1 in cells whose centre is inside, 0 elsewhere. Holes are outside.
 Raster coverage(const MultiPolygon& polygons, const GridSpec& grid);
 
-/// Outlines along cell edges of all cells that are neither 0 nor NaN, with holes; cells that touch only at a
+/// Returns outlines along cell edges of all cells that are neither 0 nor NaN, with holes; cells that touch only at a
 /// corner belong to different polygons.
 MultiPolygon polygonise(const Raster& mask);
 

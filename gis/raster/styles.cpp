@@ -49,7 +49,7 @@ std::string qml(const std::vector<ColourStop>& stops, const std::string& unit, S
         << "      <rastershader>\n        <colorrampshader colorRampType=\"" << qgis_ramp_type(kind)
         << "\" classificationMode=\"1\" clip=\"0\" labelPrecision=\"4\">\n";
     for (std::size_t i = 0; i < stops.size(); ++i) {
-        // QGIS leaves what lies above the last class uncoloured; its maps always end in infinity.
+        // QGIS leaves values above the last class uncoloured; its maps always end in infinity.
         const bool last_class = kind == StyleKind::classed && i + 1 == stops.size();
         out << "          <item value=\"" << (last_class ? "inf" : shortest_text(stops[i].value)) << "\" color=\""
             << hex(stops[i].colour) << "\" alpha=\"255\" label=\"" << escaped_markup(stops[i].label) << "\"/>\n";
@@ -72,7 +72,7 @@ std::string sld(const std::string& name, const std::vector<ColourStop>& stops, c
         << escaped_markup(title) << "</Title>\n      <FeatureTypeStyle>\n        <Rule>\n          <RasterSymbolizer>\n"
         << "            <ColorMap type=\"" << sld_map_type(kind) << "\">\n";
     for (std::size_t i = 0; i < stops.size(); ++i) {
-        // The same open end as in the QGIS style, in the largest number a Float32 raster holds.
+        // The same open end as in the QGIS style, as the largest Float32 number.
         const bool last_class = kind == StyleKind::classed && i + 1 == stops.size();
         out << "              <ColorMapEntry quantity=\"" << (last_class ? "3.4e+38" : shortest_text(stops[i].value))
             << "\" color=\"" << hex(stops[i].colour) << "\" opacity=\"1\" label=\"" << escaped_markup(stops[i].label)
@@ -84,7 +84,7 @@ std::string sld(const std::string& name, const std::vector<ColourStop>& stops, c
     return out.str();
 }
 
-// Half transparent, so that the ground under the zones can be read.
+// Half transparent, so that the ground below the zones is visible.
 constexpr double k_zone_opacity = 0.6;
 
 std::string polygon_qml(const std::string& attribute, const std::vector<ColourStop>& stops) {

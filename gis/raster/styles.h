@@ -17,22 +17,22 @@ struct ColourStop {
 };
 
 enum class StyleKind {
-    ramp,     ///< colours run straight between stops
+    ramp,     ///< colours interpolated linearly between stops
     classed,  ///< one colour up to each stop's value
-    exact,    ///< one colour for each stop's very value
+    exact,    ///< one colour for each stop's exact value
 };
 
-/// Classes bounds[0]..bounds[1], bounds[1]..bounds[2], ... in colours spread evenly over the palette, the
-/// first class at its start and the last at its end, as on the maps. `bounds` as from nice_classes.
+/// Returns classes bounds[0]..bounds[1], bounds[1]..bounds[2], ... in colours spread evenly over the palette, the first
+/// class at its start and the last at its end, as on the maps. `bounds` as from nice_classes.
 std::vector<ColourStop> class_stops(const Palette& palette, const std::vector<double>& bounds, const std::string& unit);
 
-/// Writes NAME.qml (QGIS) and NAME.sld (OGC) beside NAME.tif; cells without data stay transparent.
-/// Throws Error(environment).
+/// Writes NAME.qml (QGIS) and NAME.sld (OGC) beside NAME.tif; cells without data are transparent. Throws
+/// Error(environment).
 void write_styles(const std::string& tif_path, const std::vector<ColourStop>& stops, const std::string& unit,
                   StyleKind kind);
 
-/// Writes NAME.qml and NAME.sld beside a polygon layer NAME.gpkg: one fill for each value of a whole-number
-/// attribute, half transparent. Throws Error(environment).
+/// Writes NAME.qml and NAME.sld beside a polygon layer NAME.gpkg: one fill for each value of an integer attribute, half
+/// transparent. Throws Error(environment).
 void write_polygon_styles(const std::string& gpkg_path, const std::string& attribute,
                           const std::vector<ColourStop>& stops);
 

@@ -12,7 +12,7 @@
 namespace frana::gis {
 namespace {
 
-// Beyond this the rasters of a run alone need tens of gigabytes: almost surely a slip of the cell size.
+// Beyond this the rasters of a run alone need tens of gigabytes: almost surely an error of the cell size.
 constexpr double k_most_cells = 1e9;
 constexpr double k_same = 1e-6;  // relative; the tolerance of GridSpec::same_cells
 
@@ -26,7 +26,7 @@ double rounded_to_two_digits(double value) {
     return power < 1 ? std::round(value / power) / std::round(1 / power) : std::round(value / power) * power;
 }
 
-/// The DTM's resolution on the ground in the working CRS, at its centre.
+/// Returns the DTM's resolution on the ground in the working CRS, at its centre.
 double ground_resolution(const RasterInfo& dtm, const CrsTransform& to_working) {
     const Point centre{(dtm.bounds.west + dtm.bounds.east) / 2, (dtm.bounds.south + dtm.bounds.north) / 2};
     const auto length = [&](double dx, double dy) {
@@ -37,7 +37,7 @@ double ground_resolution(const RasterInfo& dtm, const CrsTransform& to_working) 
     return std::min(length(dtm.cell_x, 0), length(0, dtm.cell_y));
 }
 
-/// Whole cells from a grid's edge, outwards, forgiving the rounding of coordinates.
+/// Returns whole cells from a grid's edge, rounded outwards with a tolerance for the rounding of coordinates.
 double cells_down(double distance, double cell) {
     return std::floor(distance / cell + k_same * 1e3);
 }
@@ -86,12 +86,11 @@ GridSpec working_grid(const RasterInfo& dtm, const std::string& working_crs_wkt,
                             "at most " + shortest_text(k_most_cells) + " cells",
                             "Set terrain.bounds around the slope, or a larger terrain.cell-size"});
     }
-    // The DTM's own lattice where its cells are ours, else multiples of the cell size.
+    // The DTM's own lattice if its cells are the grid's, else multiples of the cell size.
     const bool own_cells = same_crs && square && !dtm.rotated && std::abs(cell - dtm.cell_x) <= k_same * dtm.cell_x;
     const Point origin = own_cells ? Point{dtm.bounds.west, dtm.bounds.north} : Point{0, 0};
     if (own_cells) grid.cell_size = dtm.cell_x;
-    // Bounds asked for are widened to whole cells, but no cell reaches beyond the DTM: it would have no
-    // elevation.
+    // Requested bounds are widened to whole cells, but no cell reaches beyond the DTM: it would have no elevation.
     const double west = std::max(cells_down(wanted.west - origin.x, cell), cells_up(have.west - origin.x, cell));
     const double east = std::min(cells_up(wanted.east - origin.x, cell), cells_down(have.east - origin.x, cell));
     const double south = std::max(cells_down(wanted.south - origin.y, cell), cells_up(have.south - origin.y, cell));

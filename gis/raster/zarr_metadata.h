@@ -5,9 +5,9 @@
 
 namespace frana::gis {
 
-/// Makes of the metadata that GDAL wrote into a Zarr (version 2) folder what zarr and xarray read: every
-/// array says which dimensions it has, one without any too (_ARRAY_DIMENSIONS), and the files hold nothing
-/// but ASCII, for zarr decodes them as such. Throws Error(environment).
+/// Converts the metadata that GDAL wrote into a Zarr (version 2) folder to the form that zarr and xarray read: every
+/// array lists its dimensions, also one without any (_ARRAY_DIMENSIONS), and the files contain only ASCII, for zarr
+/// decodes them as such. Throws Error(environment).
 void finish_zarr_metadata(const std::string& folder);
 
 }  // namespace frana::gis

@@ -15,7 +15,7 @@
 namespace frana::gis {
 namespace {
 
-/// Those of a data set's files that are text in braces, and the "crs" in them outside attributes.
+/// Returns the "crs" members outside attributes in those files of a data set that are text in braces.
 std::vector<JsonMember> crs_members(GDALDataset& dataset) {
     std::vector<JsonMember> all;
     char** const files = dataset.GetFileList();
@@ -28,7 +28,7 @@ std::vector<JsonMember> crs_members(GDALDataset& dataset) {
         for (bool first = true; is_json; first = false) {
             const std::size_t count = VSIFReadL(block.data(), 1, block.size(), file.get());
             if (count == 0) break;
-            // Marks that may stand before: of UTF-8, and of records in a sequence.
+            // Marks that may come first: of UTF-8, and of records in a sequence.
             const std::string begin(block.data(), std::min<std::size_t>(count, 64));
             const auto start = begin.find_first_not_of(" \t\r\n\xEF\xBB\xBF\x1E");
             if (first) is_json = start == std::string::npos || begin[start] == '{';
@@ -40,7 +40,7 @@ std::vector<JsonMember> crs_members(GDALDataset& dataset) {
     return all;
 }
 
-/// The name that the member gives, to be looked up; none where it is of no kind that is known.
+/// Returns the CRS name that the member contains; none if its kind is unknown.
 std::optional<std::string> name_in(const std::string& member) {
     const auto json = nlohmann::json::parse(member, nullptr, false);
     const auto at = [&](const char* pointer) -> std::optional<std::string> {
@@ -63,7 +63,7 @@ bool is_link(const std::string& member) {
     return member.find("\"link\"") != std::string::npos || member.find("\"URL\"") != std::string::npos;
 }
 
-/// Whether a name is found, and where it does not stand at the top, whether it is the layer's.
+/// Whether a name is known and, if it is not at the top, whether it is that of the layer.
 bool is_understood(const std::string& name, const OGRSpatialReference* layers, bool at_top) {
     const GdalSession session;
     OGRSpatialReference crs;
@@ -81,9 +81,9 @@ std::string declared_crs(GDALDataset& dataset, OGRLayer& layer, const VectorSour
     const std::string driver = dataset.GetDriverName();
     if (driver != "GeoJSON" && driver != "GeoJSONSeq" && driver != "OGR_VRT") return layer_crs(crs);
     for (const JsonMember& member : crs_members(dataset)) {
-        if (member.text == "null") return {};  // GeoJSON's word for "not known"
+        if (member.text == "null") return {};  // GeoJSON's value for "unknown"
         const bool at_top = member.at_top && driver != "GeoJSONSeq";
-        if (at_top && is_link(member.text)) continue;  // GDAL follows it, or was refused
+        if (at_top && is_link(member.text)) continue;  // GDAL follows it, or it was refused
         const auto name = name_in(member.text);
         if (name && is_understood(*name, crs, at_top)) continue;
         constexpr std::size_t k_printed = 200;

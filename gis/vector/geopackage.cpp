@@ -22,7 +22,7 @@ namespace {
 void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt,
                       const std::function<bool(GDALDataset&, OGRSpatialReference*)>& write_layers) {
     const GdalSession session;
-    FileAside file(gpkg_path, FileAside::Kind::named);  // SQLite puts its journal beside it
+    FileAside file(gpkg_path, FileAside::Kind::named);  // SQLite creates its journal beside it
     OGRSpatialReference crs;
     crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     if (crs_wkt.empty()) {
@@ -37,7 +37,7 @@ void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt,
         if (!dataset || !write_layers(*dataset, &crs)) refuse(gpkg_path, session);
         dataset->FlushCache();
     }
-    // Closing writes the last bytes and reports only through the error handler.
+    // Closing writes the last bytes and reports errors only through the error handler.
     if (session.failed()) refuse(gpkg_path, session);
     file.bring_to_disk();
     file.rename_into_place();

@@ -14,7 +14,7 @@
 namespace frana::gis {
 namespace {
 
-/// The line of a feature; parts that join are put together.
+/// Returns the line of a feature; parts that join are merged.
 Polyline line_of(const OGRFeature& feature, const VectorSource& source) {
     const std::string name = "feature " + std::to_string(feature.GetFID());
     const OGRGeometry* geometry = feature.GetGeometryRef();

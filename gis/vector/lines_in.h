@@ -19,14 +19,15 @@ struct LineInput {
 struct LineInputLayer {
     std::vector<LineInput> features;  ///< in the target CRS
     std::string crs_wkt;              ///< of the file; empty: none
-    std::string crs_label;            ///< of the file, for people
+    std::string crs_label;            ///< of the file, for messages
     Bounds own_bounds;                ///< in the file's CRS
     TransformInfo transform;
 };
 
-/// Every line of a vector layer in the target CRS (empty: coordinates as they are); "FILE|layer=NAME" picks one of
-/// several layers. A line of several parts that join end to end is one line; curves become straight pieces, heights
-/// are dropped. `where` names the key. Throws Error(input): missing file, no CRS, no lines, parts that do not join.
+/// Returns every line of a vector layer in the target CRS (empty: coordinates unchanged); "FILE|layer=NAME" selects one
+/// of several layers. A line of several parts that join end to end is one line; curves become straight segments,
+/// heights are dropped. `where` names the key. Throws Error(input): missing file, no CRS, no lines, parts that do not
+/// join.
 LineInputLayer read_lines(const std::string& path, const std::string& target_crs_wkt, const std::string& where);
 
 }  // namespace frana::gis

@@ -11,11 +11,11 @@
 namespace frana::gis {
 namespace {
 
-// The words of GEOS for a ring that crosses itself or its hole; every other problem leaves the inside certain.
+// GEOS's message for a ring that crosses itself or its hole; with any other problem the inside is still certain.
 const std::string k_crossing = "Self-intersection";
 const std::string k_place = " at or near point ";
 
-/// What GEOS has against a geometry; nothing if it is in order.
+/// Returns GEOS's message about a geometry; empty if it is valid.
 std::string geometry_error(const OGRGeometry& geometry) {
     const GdalSession session;
     if (geometry.IsValid()) return {};
@@ -59,7 +59,7 @@ void repair(const OGRGeometry& geometry, const std::string& error_text, double a
     for (auto& polygon : polygons) found.polygons.push_back(std::move(polygon));
 }
 
-/// Of an outline of many vertices. GEOS compares all edges whose boxes overlap: long spikes have it compare each with
+/// For an outline of many vertices. GEOS compares all edges whose boxes overlap: long spikes make it compare each with
 /// each.
 OutlineVerdict verdict_on(const OGRPolygon& polygon) {
     constexpr int k_many = 5000;

@@ -8,13 +8,13 @@
 
 namespace frana::gis {
 
-/// Points of a vector layer with some of their numbers: `columns[k][i]` is the k-th number asked of point i.
+/// Points of a vector layer with some of their numbers: `columns[k][i]` is the k-th requested number of point i.
 struct ValuedPoints {
     std::vector<Point> places;
     std::vector<std::vector<double>> columns;
 };
 
-/// The points of the only point layer of a file, in its own coordinates, with the numeric attributes named.
+/// Returns the points of the only point layer of a file, in its own coordinates, with the named numeric attributes.
 /// Throws Error(input): missing or damaged file, no such attribute.
 ValuedPoints read_valued_points(const std::string& path, const std::vector<std::string>& names,
                                 const std::string& where);

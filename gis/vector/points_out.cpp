@@ -35,7 +35,7 @@ bool write_layer(GDALDataset& dataset, OGRSpatialReference* crs, const std::stri
 void write_points(const std::string& gpkg_path, const std::string& crs_wkt, const std::string& layer_name,
                   const PointTable& table) {
     write_geopackage(gpkg_path, crs_wkt, [&](GDALDataset& dataset, OGRSpatialReference* crs) {
-        // One transaction: without, every row would be written to disk by itself.
+        // One transaction: otherwise every row would be written to disk separately.
         return dataset.StartTransaction() == OGRERR_NONE && write_layer(dataset, crs, layer_name, table) &&
                dataset.CommitTransaction() == OGRERR_NONE;
     });

@@ -7,8 +7,8 @@
 
 namespace frana::gis {
 
-/// A GeoPackage with one layer of points, a column of real numbers for each of the table's; NaN becomes NULL. Written
-/// aside and renamed. An empty CRS stays unknown. Throws Error(environment).
+/// Writes a GeoPackage with one layer of points and a column of real numbers for each of the table's; NaN becomes NULL.
+/// Written aside and renamed. An empty CRS is stored as undefined. Throws Error(environment).
 void write_points(const std::string& gpkg_path, const std::string& crs_wkt, const std::string& layer_name,
                   const PointTable& table);
 

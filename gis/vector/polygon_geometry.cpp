@@ -10,7 +10,7 @@ namespace {
 
 constexpr int k_deepest_split = 12;  // 4096 pieces of an edge
 
-// Whether all points have coordinates that a map can have: areas and distances can be computed.
+// Whether all points have coordinates possible on a map, so that areas and distances can be computed.
 bool on_a_map(const OGRLineString& line) {
     for (int i = 0; i < line.getNumPoints(); ++i) {
         if (!(std::abs(line.getX(i)) <= k_furthest && std::abs(line.getY(i)) <= k_furthest)) return false;
@@ -67,7 +67,7 @@ void add_polygon(const OGRPolygon& polygon, PolygonParts& parts) {
             return;
         }
         if (ring->get_IsClosed()) continue;
-        // Not closed by us: where points were lost, the shortest way back is not the outline.
+        // Not closed here: if points were lost, the shortest closing edge is not the outline.
         note_open(*ring, parts);
         return;
     }
@@ -115,7 +115,7 @@ struct Bend {
         out.push_back(to_b);
     }
 
-    /// Looked at in two places, so that an S-shaped edge does not pass for a straight one.
+    /// Checked at two places, so that an S-shaped edge does not count as straight.
     [[nodiscard]] bool away(Point a, Point b, Point to_a, Point to_b) const {
         for (const double t : {0.5, 0.25}) {
             const Point to = transform(Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});

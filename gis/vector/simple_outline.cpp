@@ -10,19 +10,19 @@
 namespace frana::gis {
 namespace {
 
-/// Nothing can be said: edges touch, or rounding hides whether they do.
+/// No verdict: edges touch, or rounding hides whether they do.
 struct Doubt {};
 
-/// West before east, south before north: the order in which the sweep meets points.
+/// West before east, south before north: the order of points in the sweep.
 bool earlier(Point a, Point b) {
     return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
-/// On which side of the line from a to b: +1 left, -1 right; 0 where rounding hides it.
+/// Returns the side of a point from the line a to b: +1 left, -1 right; 0 if rounding hides it.
 int side(Point a, Point b, Point p) {
     const double left = (b.x - a.x) * (p.y - a.y), right = (b.y - a.y) * (p.x - a.x);
     const double turn = left - right;
-    // Five differences and two products, each rounded to 1.1e-16 of itself.
+    // Five differences and two products, each with a relative rounding error of 1.1e-16.
     const double rounding = 1e-15 * (std::abs(left) + std::abs(right));
     if (!(std::abs(turn) > rounding)) return 0;
     return turn > 0 ? 1 : -1;
@@ -34,14 +34,14 @@ int certain(int known_side) {
 }
 
 struct Edge {
-    Point first, last;  // as the sweep meets them
+    Point first, last;  // in the order of the sweep
 };
 
 bool same(Point a, Point b) {
     return a.x == b.x && a.y == b.y;
 }
 
-/// Which of two edges that the sweep line meets lies further south; they meet nowhere but perhaps in an end.
+/// Returns which of two edges on the sweep line is further south; they meet at most in an end.
 bool further_south(const Edge& a, const Edge& b) {
     if (same(a.first, b.first)) return certain(side(a.first, a.last, b.last)) > 0;
     if (earlier(a.first, b.first)) return certain(side(a.first, a.last, b.first)) > 0;
@@ -114,13 +114,13 @@ class Sweep {
     void compare(std::size_t one, std::size_t other) {
         const Edge &a = edges_[one], &b = edges_[other];
         if (same(a.first, b.first) || same(a.last, b.last) || same(a.first, b.last) || same(a.last, b.first)) {
-            // Neighbours along the ring meet in their vertex alone unless one lies on the other: in line, and
-            // both to the same side of it.
+            // Neighbours along the ring meet only in their vertex unless one lies on the other: collinear, and both on
+            // the same side of it.
             if (same(a.first, b.first)) (void)certain(side(a.first, a.last, b.last));
             if (same(a.last, b.last)) (void)certain(side(a.last, a.first, b.first));
             return;
         }
-        // Apart where both ends of either lie on one side of the other.
+        // Apart if both ends of either are on one side of the other.
         const int b_first = side(a.first, a.last, b.first), b_last = side(a.first, a.last, b.last);
         if (b_first * b_last > 0) return;
         const int a_first = side(b.first, b.last, a.first), a_last = side(b.first, b.last, a.last);
@@ -131,11 +131,11 @@ class Sweep {
 
     std::vector<Edge> edges_;
     std::vector<Vertex> vertices_;
-    Met met_;  // by the sweep line, from the south
+    Met met_;  // along the sweep line, from the south
     std::vector<Met::iterator> places_;
 };
 
-/// Of rings that meet nowhere: whether each hole lies in the outline and in no other hole.
+/// Of rings that do not meet: whether each hole is inside the outline and in no other hole.
 bool nested_once(const Polygon& polygon) {
     for (const Ring& hole : polygon.holes) {
         if (!contains(polygon.outer, hole.front())) return false;
@@ -148,7 +148,7 @@ bool nested_once(const Polygon& polygon) {
 }  // namespace
 
 OutlineVerdict sweep(const Polygon& polygon) {
-    constexpr std::size_t k_most_holes = 100;  // each is looked for in all others
+    constexpr std::size_t k_most_holes = 100;  // each is tested against all others
     if (polygon.holes.size() > k_most_holes) return {};
     try {
         const Sweep swept(polygon);

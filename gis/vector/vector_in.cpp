@@ -21,18 +21,18 @@
 namespace frana::gis {
 namespace {
 
-constexpr double k_bend_tolerance = 1e-3;          // 1 mm where the target is in metres
+constexpr double k_bend_tolerance = 1e-3;          // 1 mm if the target is in metres
 constexpr double k_bend_tolerance_degrees = 1e-8;  // the same on the ground
 
 constexpr const char* k_crs_key = "perimeter-crs";
 
-constexpr double k_overlap_fraction = 1e-3;  // less comes from digitising neighbours apart
+constexpr double k_overlap_fraction = 1e-3;  // less results from separate digitising of neighbours
 
-constexpr std::size_t k_most_overlaps = 1'000'000;  // by then the layer is wrong as a whole
+constexpr std::size_t k_most_overlaps = 1'000'000;  // beyond it the layer is wrong as a whole
 
 constexpr std::size_t k_most_problems = 10;  // a layer of lines would fill the screen
 
-/// A layer that can hold areas: closed lines count, points do not.
+/// Whether a layer can have areas: closed lines count, points do not.
 bool may_contain_areas(OGRLayer& layer) {
     const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
     return type != wkbNone && type != wkbPoint && type != wkbMultiPoint;
@@ -52,7 +52,7 @@ void read_attributes(const OGRFeature& from, PolygonFeature& feature) {
     }
 }
 
-/// One feature in its own CRS; adds to `problems` what keeps it from being used.
+/// Returns one feature in its own CRS; adds to `problems` why it cannot be used.
 PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, Problems& problems,
                             CountedTexts& warnings) {
     PolygonFeature feature;
@@ -100,12 +100,12 @@ PolygonFeature read_feature(const OGRFeature& from, const VectorSource& source, 
 bool plausible(const std::string& crs, const Bounds& box) {
     OGRSpatialReference reference;
     if (reference.SetFromUserInput(crs.c_str()) != OGRERR_NONE || !reference.IsGeographic()) return true;
-    // Longitudes may run to 360; a radian-free check against metres labelled as degrees.
+    // Longitudes may run to 360; detects metres labelled as degrees.
     return box.west >= -360 && box.east <= 360 && box.south >= -90.000001 && box.north <= 90.000001;
 }
 
-/// An edge longer than half a turn of longitude crosses the antimeridian; drawn as it is, it would enclose
-/// the rest of the Earth.
+/// An edge longer than half a turn of longitude crosses the antimeridian; unchanged it would enclose the rest of the
+/// Earth.
 std::optional<std::string> long_way_round(const std::vector<PolygonFeature>& features, double turn) {
     if (turn == 0) return std::nullopt;
     for (const PolygonFeature& feature : features) {
@@ -169,7 +169,7 @@ bool same_vertices(const MultiPolygon& a, const MultiPolygon& b) {
     });
 }
 
-/// Ground that lies in two features: what that means, the caller knows.
+/// Area common to two features: the caller decides what it means.
 bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorSource& source, TimeLimit& limit,
                       std::vector<std::string>& warnings) {
     std::vector<Bounds> boxes;
@@ -178,7 +178,7 @@ bool warn_of_overlaps(const std::vector<PolygonFeature>& features, const VectorS
         boxes.push_back(bounds(feature.parts));
         areas.push_back(area(feature.parts));
     }
-    // From west to east, so that features far apart are not compared; told in the layer's order.
+    // From west to east, so that features far apart are not compared; reported in the layer's order.
     std::vector<std::size_t> order(features.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return boxes[a].west < boxes[b].west; });
@@ -220,7 +220,7 @@ bool has_layer(const std::string& file, const std::string& layer, const std::str
     const GDALDatasetUniquePtr dataset = open_vector(source, true);
     OGRLayer* const found = dataset->GetLayerByName(layer.c_str());
     const bool keeps_rest = found != nullptr && found->GetFeatureCount() > 0;
-    // OGR is silent where it cannot read the list of layers.
+    // OGR reports no error if it cannot read the list of layers.
     if (session.failed() || dataset->GetLayerCount() == 0)
         throw vector_error(source, "cannot be read completely: " + session.last_message(), "", "The file is damaged");
     return keeps_rest;

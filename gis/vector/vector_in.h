@@ -12,32 +12,32 @@ namespace frana::gis {
 struct PolygonLayer {
     std::vector<PolygonFeature> features;  ///< in the target CRS
     std::string crs_wkt;                   ///< of the file; empty: none
-    std::string crs_label;                 ///< of the file, for people
+    std::string crs_label;                 ///< of the file, for messages
     std::string layer_name;
     TransformInfo transform;
     Bounds bounds;      ///< in the target CRS
     Bounds own_bounds;  ///< in the file's
     std::vector<std::string> warnings;
-    bool overlap = false;  ///< features share ground
+    bool overlap = false;  ///< features overlap
 };
 
 /// What to read of a vector file; an empty text leaves the choice to the file.
 struct LayerChoice {
     std::string name;    ///< of the layer; empty: the only one with areas
     std::string filter;  ///< SQL condition on the attributes ("kind = 'release'")
-    std::string crs;     ///< WKT, instead of the file's own
+    std::string crs;     ///< WKT, replaces that of the file
 };
 
-/// Every polygon of a vector layer in the target CRS (empty: coordinates as they are). `path` may name a
-/// layer: "file.gpkg|layer=release". Curves become straight pieces, heights are dropped, closed lines count
-/// as polygons, long edges are bent as the projection bends them (to 1 mm). An outline that touches itself is
-/// repaired with a warning; one that crosses itself is refused with the place. `where` names the key. Throws
-/// Error(input) with every feature's problem: missing file, no CRS, empty layer, no polygon, crossing.
+/// Returns every polygon of a vector layer in the target CRS (empty: coordinates unchanged). `path` may name a layer:
+/// "file.gpkg|layer=release". Curves become straight segments, heights are dropped, closed lines count as polygons,
+/// long edges are curved as by the projection (to 1 mm). An outline that touches itself is repaired with a warning; one
+/// that crosses itself is refused with the place. `where` names the key. Throws Error(input) with every feature's
+/// problem: missing file, no CRS, empty layer, no polygon, crossing.
 PolygonLayer read_polygons(const std::string& path, const std::string& target_crs_wkt, const std::string& where,
                            const LayerChoice& choice = {});
 
-/// Whether a vector file of a result has a layer of this name with something in it. Throws Error(input) where
-/// the file cannot be read whole.
+/// Returns whether a vector file of a result has a layer of this name with at least one feature. Throws Error(input) if
+/// the file cannot be read completely.
 bool has_layer(const std::string& file, const std::string& layer, const std::string& where);
 
 }  // namespace frana::gis

@@ -19,7 +19,7 @@ struct Fields {
     std::set<std::string> numbers, texts;
 };
 
-/// How one kind of feature becomes OGR's: its measure in a column of its own, if it has one, and its shape.
+/// Conversion of one kind of feature to OGR's: its measure in a separate column, if it has one, and its shape.
 struct OutlineKind {
     static constexpr OGRwkbGeometryType type = wkbMultiPolygon;
     static constexpr const char* measure = "area_m2";
@@ -50,7 +50,7 @@ struct PointKind {
     }
 };
 
-/// GeoPackage keeps two names for itself, and the measure's is taken; an attribute may not bear them.
+/// GeoPackage reserves two names, and the measure's is used; an attribute may not have them.
 template <class Kind>
 bool reserved(const std::string& name) {
     if constexpr (Kind::measure != nullptr) {
@@ -70,7 +70,7 @@ Fields fields_of(const std::vector<Feature>& features) {
             if (!reserved<Kind>(name)) fields.texts.insert(name);
         }
     }
-    // A name that is a number in one feature and text in another is kept as a number where it is one.
+    // A name that is a number in one feature and text in another is stored as a number where it is one.
     for (const std::string& name : fields.numbers) fields.texts.erase(name);
     return fields;
 }

@@ -34,11 +34,11 @@ struct PointLayer {
     std::vector<PointFeature> features;
 };
 
-/// A GeoPackage with one multipolygon layer per entry, with an area_m2 column and the features' own
-/// attributes. Written aside and renamed. An empty CRS stays unknown. Throws Error(environment).
+/// Writes a GeoPackage with one multipolygon layer per entry, with an area_m2 column and the features' own attributes.
+/// Written aside and renamed. An empty CRS is stored as undefined. Throws Error(environment).
 void write_outlines(const std::string& gpkg_path, const std::string& crs_wkt, const std::vector<OutlineLayer>& layers);
 
-/// A GeoPackage of lines (with their length_m) and points; NaN attributes become NULL. Otherwise as
+/// Writes a GeoPackage of lines (with their length_m) and points; NaN attributes become NULL. Otherwise as
 /// write_outlines.
 void write_lines_and_points(const std::string& gpkg_path, const std::string& crs_wkt,
                             const std::vector<LineLayer>& lines, const std::vector<PointLayer>& points);

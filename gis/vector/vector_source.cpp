@@ -29,7 +29,7 @@ std::string attribute_names(OGRLayer& layer) {
     return names.empty() ? "it has none" : names;
 }
 
-/// Curves count by the points that define them.
+/// Curves count as the points that define them.
 class PointCounter : public OGRDefaultConstGeometryVisitor {
   public:
     using OGRDefaultConstGeometryVisitor::visit;
@@ -41,7 +41,7 @@ class PointCounter : public OGRDefaultConstGeometryVisitor {
     std::int64_t count = 0;
 };
 
-/// Whether a condition asks the database something of its own, which may never end: SELECT outside quotes.
+/// Whether a condition contains a query of the database, which may never end: SELECT outside quotes.
 bool has_query(const std::string& condition) {
     char quote = 0;
     std::string word;
@@ -155,7 +155,7 @@ void filter_features(OGRLayer& layer, const VectorSource& source, const std::str
         throw vector_error(source, "the filter contains a query", condition,
                            "Give a condition on the attributes: " + attribute_names(layer));
     }
-    // Some drivers see a problem only when the first feature is asked for.
+    // Some drivers detect a problem only when the first feature is requested.
     if (layer.SetAttributeFilter(condition.c_str()) == OGRERR_NONE) {
         const OGRFeatureUniquePtr first(layer.GetNextFeature());
         if (first) return;

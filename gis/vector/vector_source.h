@@ -12,32 +12,33 @@
 
 namespace frana::gis {
 
-/// A vector file, of which a layer may be named: "file.gpkg|layer=release".
+/// A vector file, optionally with a layer: "file.gpkg|layer=release".
 struct VectorSource {
     std::string file;
-    std::string layer;  ///< empty: the only one that suits
+    std::string layer;  ///< empty: the only suitable one
     std::string where;  ///< key and path, for messages
 };
 
 VectorSource vector_source(const std::string& path, const std::string& where);
 
-/// What is wrong with a source, as Error(input); a refusal while it was read is the cause and stands before.
+/// Returns the problem of a source as Error(input); a refusal while it was read is the cause and comes first.
 Error vector_error(const VectorSource& source, const std::string& what, const std::string& value,
                    const std::string& remedy);
 
-/// Throws Error(input): missing, or nothing that OGR reads; of a file that frana wrote also what OGR opens in
-/// part.
+/// Throws Error(input): missing, or nothing that OGR reads; for a file written by frana also if OGR reads only part of
+/// it.
 GDALDatasetUniquePtr open_vector(const VectorSource& source, bool is_ours = false);
 
-/// Throws Error(input) where reading its features met a problem or a refusal.
+/// Throws Error(input) if reading its features met a problem or a refusal.
 void require_sound(const GdalSession& session, const VectorSource& source,
                    const std::string& remedy = "Export it again");
 
-/// Counts what a layer holds. Views and archives can hold without end: beyond what any map needs, Error(input).
+/// Counts the features and vertices of a layer. Views and archives can be unbounded: beyond what any map needs,
+/// Error(input).
 class VertexCount {
   public:
     explicit VertexCount(const VectorSource& source) : source_(source) {}
-    /// One more feature; `geometry` may be none.
+    /// Counts one more feature; `geometry` may be null.
     void add(const OGRGeometry* geometry);
 
   private:
@@ -47,16 +48,16 @@ class VertexCount {
 
 using LayerTest = std::function<bool(OGRLayer&)>;
 
-/// The layer that the source names, or the only one that suits; `wanted` says of what ("areas"). Throws
-/// Error(input) with the names there are.
+/// Returns the layer that the source names, or the only suitable one; `wanted` describes it ("areas"). Throws
+/// Error(input) with the names of the layers.
 OGRLayer& choose_layer(GDALDataset& dataset, const VectorSource& source, const LayerTest& suits,
                        const std::string& wanted);
 
 /// GDAL reads a shapefile with a damaged .dbf as one without attributes: Error(input) instead.
 void check_attribute_table(GDALDataset& dataset, OGRLayer& layer, const VectorSource& source);
 
-/// Keeps the features that satisfy an SQL condition on the attributes. Throws Error(input): not understood,
-/// or none.
+/// Keeps the features that satisfy an SQL condition on the attributes. Throws Error(input) if it is invalid or no
+/// feature satisfies it.
 void filter_features(OGRLayer& layer, const VectorSource& source, const std::string& condition);
 
 }  // namespace frana::gis

@@ -10,7 +10,7 @@
 namespace frana::render {
 namespace {
 
-/// Frames share one scale; something must say how far it reaches.
+/// Frames share one scale, so its range must be specified.
 template <class Spec>
 const Spec& with_fixed_scale(const Spec& base) {
     const bool fixed = !base.classes.empty() || base.maximum || !base.categories.empty() ||
@@ -23,7 +23,7 @@ const Spec& with_fixed_scale(const Spec& base) {
     return base;
 }
 
-/// A value without a colour would vanish from the picture: better no animation than one that hides the highest
+/// A value without a colour would disappear from the picture: no animation is better than one that hides the highest
 /// flow.
 void check_value(double value, const ColourScale& scale) {
     if (scale.categorical() || scale.find(value) != nullptr) return;

@@ -11,21 +11,21 @@
 
 namespace frana::render {
 
-/// Draws many layers on one and the same map: page, window, relief, legend and colour scale are made once, so
-/// that a frame costs little and all frames agree.
+/// Draws many rasters on the same map: page, window, relief, legend and colour scale are made once, so that a frame
+/// costs little and all frames agree.
 class MapAnimator {
   public:
-    /// The colour scale comes from the base's classes or maximum, else from its layer, which is best the
-    /// maximum over time; so does the window. Rasters and texts are copied or drawn here: nothing of `base`
-    /// is kept. Throws as draw_map, and Error(input) when there is nothing to fix the scale with.
+    /// The colour scale follows from the base's classes or maximum, else from its raster, ideally the maximum over
+    /// time; so does the window. Rasters and texts are copied or drawn here: nothing of `base` is kept. Throws as
+    /// draw_map, and Error(input) if nothing defines the scale.
     explicit MapAnimator(const MapSpec& base);
     ~MapAnimator();
     MapAnimator(MapAnimator&&) noexcept;
     MapAnimator& operator=(MapAnimator&&) noexcept;
 
-    /// The map with this layer in place of the base's, and this subtitle.
+    /// Draws the map with this raster instead of the base's, and this subtitle.
     Image frame(const Raster& layer, const std::string& subtitle);
-    /// The map with these particles and no layer.
+    /// Draws the map with these particles and no raster.
     Image frame(const Dots& dots, const std::string& subtitle);
 
   private:
@@ -33,9 +33,8 @@ class MapAnimator {
     std::unique_ptr<Page> page_;
 };
 
-/// The same for a view in perspective: terrain, camera, legend and colour scale are made once. The surface is
-/// raised by each frame's own layer where the base's `thickness` is its `layer`, otherwise always by the
-/// base's thickness.
+/// The same for a perspective view: terrain, camera, legend and colour scale are made once. The surface is raised by
+/// each frame's own raster if the base's `thickness` is its `layer`, otherwise always by the base's thickness.
 class ViewAnimator {
   public:
     explicit ViewAnimator(const ViewSpec& base);
@@ -46,8 +45,8 @@ class ViewAnimator {
     Image frame(const Raster& layer, const std::string& subtitle);
     Image frame(const Dots& dots, const std::string& subtitle);
 
-    /// Brings the camera to its place on a flight along the flow, from the highest part of the base's layer (0) to
-    /// the lowest (1), close to the ground and turning slowly.
+    /// Moves the camera along a flight over the flow, from the highest part of the base's raster (0) to the lowest (1),
+    /// close to the ground and turning slowly.
     void fly(double fraction);
 
   private:

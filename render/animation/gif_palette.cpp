@@ -10,7 +10,7 @@ namespace frana::render {
 namespace {
 
 constexpr std::size_t k_most_colours = 255;
-constexpr unsigned k_bits = 5;  ///< kept of each channel while counting: cells of 8 levels are one to the eye
+constexpr unsigned k_bits = 5;  ///< kept of each channel while counting: cells of 8 levels are indistinguishable
 constexpr std::size_t k_cells = std::size_t{1} << (3 * k_bits);
 
 /// Pixels of similar colour, and the sum of their colours.
@@ -30,7 +30,7 @@ std::uint16_t key_of(const std::uint8_t* p) {
                                       (unsigned{p[1]} >> k_drop) << k_bits | unsigned{p[2]} >> k_drop);
 }
 
-/// A part of the colour cells and how badly one colour would stand for them.
+/// A part of the colour cells and the error of representing them by one colour.
 struct Box {
     std::span<Cell> cells;
     std::size_t widest = 0;

@@ -63,7 +63,7 @@ class MovieWriter::Encoder {
                                     std::to_string(frames_per_second) + " frames per second",
                                 "at least 2 x 2 pixels, over 0 and up to 1000 frames per second", ""});
         }
-        av_log_set_level(AV_LOG_QUIET);  // its problems come back as codes; its chatter would reach the terminal
+        av_log_set_level(AV_LOG_QUIET);  // its errors are returned as codes; its messages would go to the terminal
         open_codec(frames_per_second);
         open_file();
     }
@@ -135,12 +135,12 @@ class MovieWriter::Encoder {
             codec_->color_trc = AVCOL_TRC_BT709;
             codec_->color_range = AVCOL_RANGE_MPEG;
             codec_->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
-            // As many threads as processors would give other bytes on every machine.
+            // As many threads as processors would produce different bytes on each machine.
             codec_->thread_count = 1;
-            // "animation" suits flat colours with sharp edges; quality 20 shows no blur round letters.
+            // "animation" suits flat colours with sharp edges; at quality 20 letters have no visible blur.
             check(av_opt_set(codec_->priv_data, "preset", "veryfast", 0), "an animation's encoder refuses an option");
             check(av_opt_set(codec_->priv_data, "tune", "animation", 0), "an animation's encoder refuses an option");
-            // Without looking far ahead it needs a fifth of the memory, and flat pictures lose nothing.
+            // Without long look-ahead it needs a fifth of the memory, and flat pictures lose nothing.
             check(av_opt_set(codec_->priv_data, "x264-params",
                              "rc-lookahead=3:sync-lookahead=0:bframes=1:ref=2:cpu-independent=1", 0),
                   "an animation's encoder refuses an option");
@@ -191,7 +191,7 @@ class MovieWriter::Encoder {
         check(code, "an animation cannot be started");
     }
 
-    // The scaler reads a little beyond the end of every row: the picture goes through a frame that has room for it.
+    // The scaler reads slightly beyond the end of every row: the picture is copied to a frame with room for it.
     void fill_yuv(const Image& image) {
         for (int row = 0; row < codec_->height; ++row) {
             std::memcpy(picture_->data[0] + static_cast<std::ptrdiff_t>(row) * picture_->linesize[0],
@@ -204,7 +204,7 @@ class MovieWriter::Encoder {
 
     void fill_indexed(const Image& image) {
         const IndexedImage reduced = reduce_colours(image);
-        // An unused entry stays transparent: the encoder needs one to leave out what did not change.
+        // An unused entry remains transparent: the encoder needs one for unchanged pixels.
         std::array<std::uint32_t, 256> colours{};
         for (std::size_t i = 0; i < reduced.colours.size(); ++i) {
             const Rgb c = reduced.colours[i];
@@ -235,7 +235,7 @@ class MovieWriter::Encoder {
     int source_width_, source_height_;
     std::int64_t n_frames_ = 0;
     Codec codec_;
-    Frame frame_, picture_;  // to be coded; its colours as drawn
+    Frame frame_, picture_;  // encoded; its colours as drawn
     Packet packet_;
     std::unique_ptr<SwsContext, FreeScaler> scaler_;
     std::unique_ptr<AVFormatContext, FreeFormat> format_;

@@ -26,8 +26,8 @@
 namespace frana::render {
 namespace {
 
-/// Where inside a pixel the page is sampled: each row and each column of an 8 x 8 grid once. Averaging such
-/// pictures smooths edges with the memory of a single one.
+/// Sampling points of the page inside a pixel: each row and each column of an 8 x 8 grid once. Averaging these pictures
+/// smooths edges with the memory of a single one.
 constexpr std::array<std::array<double, 2>, 8> k_samples{{{-0.4375, -0.1875},
                                                           {-0.3125, 0.3125},
                                                           {-0.1875, -0.4375},
@@ -68,7 +68,7 @@ void Canvas::stroke(std::span<const Point> points, const LineStyle& style) {
         triangle(a1, a2, b1, colour);
         triangle(b1, a2, b2, colour);
     }
-    // Round joints; under two pixels, or where they would darken a translucent line, gaps cannot be seen.
+    // Round joints; gaps are invisible below two pixels, and in a translucent line joints would darken it.
     if (style.width_px < 1.9 || style.opacity < 1) return;
     constexpr int k_sides = 12;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -86,7 +86,7 @@ void Canvas::line(std::span<const Point> points, const LineStyle& style, bool cl
     Polyline whole(points.begin(), points.end());
     if (closed) {
         whole.push_back(points[0]);
-        if (style.dashes.empty()) whole.push_back(points[1]);  // the seam gets a round joint as well
+        if (style.dashes.empty()) whole.push_back(points[1]);  // the join of both ends gets a round joint as well
     }
     if (style.dashes.empty()) {
         stroke(whole, style);
@@ -123,7 +123,7 @@ OverlayImage Canvas::covered() const {
         low = std::min(low, corners_[i + 1]);
         high = std::max(high, corners_[i + 1]);
     }
-    // Samples lie up to half a pixel from a pixel's centre.
+    // Samples are up to half a pixel from a pixel's centre.
     const auto within = [](double edge, int length) {
         return static_cast<int>(std::clamp(edge, 0.0, static_cast<double>(length)));
     };
@@ -151,7 +151,7 @@ OverlayImage Canvas::draw() const {
     vtkNew<vtkCellArray> triangles;
     for (vtkIdType i = 0; i < n_corners; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        // Later triangles lie nearer to the eye, so that the depth test lets them cover earlier ones.
+        // Later triangles are nearer to the viewer, so that the depth test lets them cover earlier ones.
         const vtkIdType triangle = i / 3;
         const double height = 0.9 * static_cast<double>(triangle) / static_cast<double>(n_corners);
         positions->SetTuple3(i, corners_[2 * k], corners_[2 * k + 1], height);
@@ -174,7 +174,7 @@ OverlayImage Canvas::draw() const {
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->GetProperty()->LightingOff();
-    actor->ForceOpaqueOn();  // drawn in order and blended; the translucent pass would mix regardless of order
+    actor->ForceOpaqueOn();  // drawn in order and blended; the translucent pass would blend regardless of order
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(0, 0, 0);
     renderer->SetBackgroundAlpha(0);

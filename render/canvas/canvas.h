@@ -17,7 +17,7 @@ struct LineStyle {
     double width_px = 1;
     Rgb colour{0, 0, 0};
     double opacity = 1;
-    std::vector<double> dashes{};  ///< lengths of stroke, gap, stroke, gap... [px]; empty: unbroken
+    std::vector<double> dashes{};  ///< lengths of stroke, gap, stroke, gap... [px]; empty: solid
 };
 
 /// Lines and filled shapes on a transparent page, in pixels from the upper left corner; later ones cover
@@ -32,7 +32,7 @@ class Canvas {
     void fill(const PageBox& box, Rgb colour, double opacity = 1);
     void frame(const PageBox& box, const LineStyle& style);
 
-    /// Draws everything so far: the part of the page that it covers. Throws Error(environment) when VTK or OpenGL
+    /// Draws everything so far, on the part of the page that it covers. Throws Error(environment) if VTK or OpenGL
     /// fails.
     [[nodiscard]] OverlayImage draw() const;
 
@@ -40,7 +40,7 @@ class Canvas {
     using Colour = std::uint32_t;  ///< red, green, blue, opacity from the lowest byte up
     void triangle(Point a, Point b, Point c, Colour colour);
     void stroke(std::span<const Point> points, const LineStyle& style);
-    /// The smallest rectangle of whole pixels of the page round everything; empty when there is nothing on it.
+    /// The smallest rectangle of whole pixels of the page around everything; empty if there is nothing on it.
     [[nodiscard]] OverlayImage covered() const;
 
     int width_, height_;
@@ -48,7 +48,7 @@ class Canvas {
     std::vector<Colour> colours_;  ///< of each corner
 };
 
-/// Lays a layer over an opaque image, in which it must lie.
+/// Blends an overlay onto an opaque image, which must contain it.
 void compose(Image& page, const OverlayImage& overlay);
 
 }  // namespace frana::render

@@ -8,7 +8,7 @@
 namespace frana::render {
 
 std::vector<Polyline> dashed(std::span<const Point> points, const std::vector<double>& dashes) {
-    constexpr double k_shortest = 0.05;  // of the first stroke: a length of zero would never get on
+    constexpr double k_shortest = 0.05;  // of the first stroke: a length of zero would never advance
     std::vector<Polyline> strokes;
     std::size_t phase = 0;
     double left = dashes[0];

@@ -8,7 +8,7 @@
 
 namespace frana::render {
 
-/// The strokes of a dashed line; `dashes` are lengths of stroke, gap, stroke, gap... in the line's own unit.
+/// Returns the strokes of a dashed line; `dashes` are lengths of stroke, gap, stroke, gap... in the line's unit.
 std::vector<Polyline> dashed(std::span<const Point> points, const std::vector<double>& dashes);
 
 }  // namespace frana::render

@@ -9,7 +9,7 @@ namespace frana::render {
 namespace {
 
 constexpr std::size_t k_most_letters = 2000;  // of a paragraph
-constexpr std::size_t k_longest_line = 500;   // bytes; what is longer need not be measured
+constexpr std::size_t k_longest_line = 500;   // bytes; longer lines need not be measured
 
 }  // namespace
 
@@ -25,7 +25,7 @@ std::vector<std::string> Drawing::wrapped(const std::string& words, const TextSt
     const auto fits = [&](const std::string& candidate) {
         return candidate.size() <= k_longest_line && lettering_.width(candidate, style) <= width;
     };
-    // As much of it as fits is found by halving: setting a text to measure it is what costs.
+    // The longest part that fits is found by bisection: measuring a text is expensive.
     const auto cut = [&](const std::string& word) {
         std::size_t good = 1, bad = word.size() + 1;  // characters, with the ellipsis
         while (good + 1 < bad) {
@@ -39,7 +39,7 @@ std::vector<std::string> Drawing::wrapped(const std::string& words, const TextSt
     for (std::string word; stream >> word;) {
         parts.push_back(fits(word) ? std::move(word) : cut(word));
     }
-    // Each line takes as many words as fit, likewise.
+    // The number of words that fit on each line, likewise.
     for (std::size_t first = 0; first < parts.size();) {
         const auto line = [&](std::size_t end) {
             std::string all = parts[first];

@@ -10,8 +10,8 @@
 
 namespace frana::render {
 
-/// What a page is drawn on, in pixels from the upper left corner: lines and filled shapes, later ones over earlier
-/// ones, and texts over all of them, whatever the file becomes.
+/// A page to draw on, in pixels from the upper left corner: lines and filled shapes, later ones over earlier ones, and
+/// texts over all of them, independent of the file format.
 class Drawing {
   public:
     Drawing() = default;
@@ -25,9 +25,9 @@ class Drawing {
     virtual void frame(const PageBox& box, const LineStyle& style) = 0;
     virtual void text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) = 0;
 
-    /// The lines one below the other, from the capitals' top of the first; returns the y under the last.
+    /// Writes lines one below the other, from the capitals' top of the first; returns the y below the last.
     double lines(const std::vector<std::string>& words, Point top, const TextStyle& style, Across across);
-    /// Words broken into lines no wider than `width`; a single longer word is cut with an ellipsis.
+    /// Breaks a text into lines no wider than `width`; a single longer word is cut with an ellipsis.
     [[nodiscard]] std::vector<std::string> wrapped(const std::string& words, const TextStyle& style,
                                                    double width) const;
     /// From one line's capitals to the next line's [px].

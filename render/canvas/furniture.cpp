@@ -36,7 +36,7 @@ double scale_bar_height(const PageStyle& style) {
 
 ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, double width, double metres_per_pixel) {
     const Lettering& lettering = sheet.lettering();
-    // The labels stand centred under the bar's ends and must stay within the width as well.
+    // The labels are centred below the bar's ends and must fit the width as well.
     double metres = nice_step_below(width * metres_per_pixel);
     const auto overhang = [&](double length) {
         return (lettering.width("0", style.label) + lettering.width(length_words(length), style.label)) / 2;

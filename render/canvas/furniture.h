@@ -9,28 +9,27 @@
 
 namespace frana::render {
 
-/// A scale bar as placed.
+/// A placed scale bar.
 struct ScaleBar {
     PageBox box;  ///< of the bar alone
     double metres = 0;
 };
 
-/// Height that the scale bar with its labels takes [px].
+/// Height of the scale bar with its labels [px].
 double scale_bar_height(const PageStyle& style);
-/// A bar of a round length, as long as fits into `width` pixels with its labels; `corner` is its upper left
-/// one.
+/// Draws a bar of a round length, as long as fits into `width` pixels with its labels; `corner` is its upper left one.
 ScaleBar draw_scale_bar(Sheet& sheet, const PageStyle& style, Point corner, double width, double metres_per_pixel);
 
-/// Height that the north arrow takes [px], turned however.
+/// Height of the north arrow [px] at any angle.
 double north_arrow_height(const PageStyle& style);
-/// An arrow to the north, turned clockwise by `angle_deg`; `centre` is that of the box it turns in, which is
+/// Draws an arrow to the north, turned clockwise by `angle_deg`; `centre` is that of its bounding box, which is
 /// returned.
 PageBox draw_north_arrow(Sheet& sheet, const PageStyle& style, Point centre, double angle_deg);
-/// Words for the angle between true north and grid north; empty where it does not show.
+/// Returns the text for the angle between true north and grid north; empty if it is negligible.
 std::string convergence_words(double convergence_deg);
 
-/// Title and subtitle, shrunk or broken into lines to fit `width`; returns the y under them. With
-/// `subtitle_later` the subtitle's place is kept free and returned in `subtitle_at`.
+/// Title and subtitle, shrunk or broken into lines to fit `width`; returns the y below them. With `subtitle_later` the
+/// subtitle's place is left free and returned in `subtitle_at`.
 struct TitleResult {
     double bottom = 0;
     Point subtitle_at;
@@ -38,13 +37,13 @@ struct TitleResult {
 TitleResult draw_titles(Drawing& drawing, const PageStyle& style, const std::string& title, const std::string& subtitle,
                         bool subtitle_later, Point corner, double width);
 
-/// A style whose letters are shrunk, to `least_fraction` at most, so that a text fits `width`.
+/// Returns a style with letters shrunk, to `least_fraction` at most, so that a text fits `width`.
 TextStyle shrunk_to_fit(const Lettering& lettering, const std::string& words, TextStyle style, double width,
                         double least_fraction);
 
 /// Height of draw_foot's small print.
 double foot_height(const Drawing& drawing, const PageStyle& style, const std::vector<std::string>& parts, double width);
-/// Small print at the foot of the page, from below upwards; returns the y of its upper edge.
+/// Draws small print at the foot of the page, upwards from the bottom; returns the y of its upper edge.
 double draw_foot(Drawing& drawing, const PageStyle& style, const std::vector<std::string>& parts, double left,
                  double bottom, double width);
 

@@ -21,7 +21,7 @@ namespace {
                 Problem{what, path, std::strerror(errno), "", "check the folder, its permissions and the free space"});
 }
 
-/// False when libpng or the stream fails. libpng leaves by longjmp: nothing here may need a destructor.
+/// Returns false if libpng or the stream fails. libpng exits by longjmp: no object here may need a destructor.
 bool encode(std::FILE* stream, const Image& image, double dots_per_inch) {
     png_infop info = nullptr;
     png_structp png = png_create_write_struct(
@@ -41,7 +41,7 @@ bool encode(std::FILE* stream, const Image& image, double dots_per_inch) {
         const auto dots = static_cast<png_uint_32>(std::lround(dots_per_inch * k_inches_in_metre));
         png_set_pHYs(png, info, dots, dots, PNG_RESOLUTION_METER);
     }
-    // One filter and a low level: a third of the time of libpng's own choice, and a tenth more bytes.
+    // One filter and a low level: a third of the time of libpng's default, and a tenth more bytes.
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_set_compression_level(png, 2);
     png_write_info(png, info);

@@ -33,9 +33,9 @@ struct Image {
     }
 };
 
-/// Writes a PNG, aside first and then renamed, so that `path` is whole or untouched; `dots_per_inch`, where not 0,
-/// says how large it is to be printed.
-/// Throws Error(environment) when it cannot be written (unwritable folder, full disk) and on an empty image.
+/// Writes a PNG, aside first and then renamed, so that `path` is complete or unchanged; `dots_per_inch`, if not 0,
+/// specifies its printed size. Throws Error(environment) if it cannot be written (unwritable folder, full disk) or the
+/// image is empty.
 void write_png(const std::string& path, const Image& image, double dots_per_inch = 0);
 
 }  // namespace frana::render

@@ -33,10 +33,10 @@ std::string find_font(const std::string& name) {
                 Problem{"a font for maps is missing", folders[0] + name, "", "", "install Debian's fonts-dejavu-core"});
 }
 
-// More letters fit on no page; setting a text takes as long as its letters are many.
+// No page has room for more letters; the time is proportional to their number.
 constexpr std::size_t k_most_letters = 500;
 
-/// Text from file names and attributes may hold anything: line ends and other control characters become spaces.
+/// File names and attributes may contain any characters: line ends and other control characters become spaces.
 std::string printable(const std::string& text) {
     std::string clean = elided(valid_utf8(text), k_most_letters);
     for (char& c : clean)
@@ -67,7 +67,7 @@ double draw_with_vtk(const std::string& text, const std::string& font, int size,
         renderer->SetScaleToPowerOfTwo(false);
         std::array<int, 2> extent{};
         const vtkStdString words(text);
-        // Backend FreeType: the default one would read a pair of dollar signs as mathematics.
+        // Backend FreeType: the default one would interpret a pair of dollar signs as mathematics.
         good =
             renderer->GetMetrics(property, words, metrics, k_dots_per_inch, vtkTextRenderer::FreeType) &&
             renderer->RenderString(property, words, pixels, extent.data(), k_dots_per_inch, vtkTextRenderer::FreeType);
@@ -122,7 +122,7 @@ const Lettering::Drawn& Lettering::drawn(const std::string& text, const TextStyl
 
 Glyphs Lettering::set(const std::string& text, const TextStyle& style, Across across, Upright upright) const {
     if (style.angle_deg == 90) {
-        // Turned pixel by pixel, upright labels keep their letters and their exact place.
+        // Rotated pixel by pixel; upright labels keep their letters and their exact place.
         TextStyle level = style;
         level.angle_deg = 0;
         const Glyphs straight = set(text, level, across, upright);

@@ -19,11 +19,11 @@ struct TextStyle {
     Rgb colour{0, 0, 0};
     bool bold = false;
     double angle_deg = 0;  ///< counterclockwise
-    double halo_px = 0;    ///< width of a rim that lifts the letters off a busy ground
+    double halo_px = 0;    ///< width of a rim that separates the letters from a varied background
     Rgb halo{255, 255, 255};
 };
 
-/// Which point of a text lies at the place given for it.
+/// The point of a text that is at the place given for it.
 enum class Across { left, centre, right };
 enum class Upright { baseline, middle, top };  ///< of capital letters, so that lines of text align
 
@@ -36,14 +36,14 @@ struct Glyphs {
 
 TextBox text_box(const std::string& text, const Glyphs& glyphs, const TextStyle& style);
 
-/// Inks set letters, and before them their halo, on a page; what leaves it is cut off.
+/// Draws the letters, and before them their halo, on a page; anything outside it is cut off.
 void blend(Image& page, const Glyphs& glyphs, const TextStyle& style);
 
-/// Writes and measures one-line texts in DejaVu Sans, with VTK's FreeType. Belongs to one thread at a time: what was
-/// set once is kept.
+/// Writes and measures one-line texts in DejaVu Sans, with VTK's FreeType. Used by one thread at a time: rendered texts
+/// are cached.
 class Lettering {
   public:
-    /// Throws Error(environment) when the font is not installed.
+    /// Throws Error(environment) if the font is not installed.
     Lettering();
 
     /// Width of the ink [px] of an unturned text.
@@ -51,10 +51,10 @@ class Lettering {
     /// Height of a capital letter [px].
     [[nodiscard]] static double capital_height(const TextStyle& style) { return 0.729 * style.size_px; }
 
-    /// The letters of a text, put at a place.
+    /// Returns the letters of a text at a place.
     [[nodiscard]] Glyphs set(const std::string& text, Point at, const TextStyle& style, Across across,
                              Upright upright) const;
-    /// Where the ink of a text would be.
+    /// Returns where the ink of a text would be.
     [[nodiscard]] TextBox place(const std::string& text, Point at, const TextStyle& style, Across across,
                                 Upright upright) const;
     /// Writes a text and returns where its ink is.
@@ -64,12 +64,12 @@ class Lettering {
   private:
     /// Letters as VTK draws them, trimmed to the ink, which may be none.
     struct Drawn {
-        int first_column = 0, last_row = 0;  ///< of the ink in VTK's picture, whose rows rise
+        int first_column = 0, last_row = 0;  ///< of the ink in VTK's picture, whose rows go upwards
         double descent = 0;                  ///< from the lower edge of VTK's box to the baseline
         Glyphs glyphs;
     };
     [[nodiscard]] const Drawn& drawn(const std::string& text, const TextStyle& style) const;
-    /// Put at the origin.
+    /// Placed at the origin.
     [[nodiscard]] Glyphs set(const std::string& text, const TextStyle& style, Across across, Upright upright) const;
 
     using Key = std::tuple<std::string, int, bool, double>;  // text, size, bold, angle

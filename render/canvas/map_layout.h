@@ -31,7 +31,7 @@ struct TextBox {
     double size_px = 0;  ///< font size
 };
 
-/// One filled box of the legend and what it stands for.
+/// One filled box of the legend and its class.
 struct LegendEntry {
     std::string label;
     Rgb colour;
@@ -39,7 +39,7 @@ struct LegendEntry {
     double lower = 0, upper = 0;  ///< bounds of the class; for a category both are its value
 };
 
-/// Where things were drawn: facts for tests and for whoever places something on a map afterwards.
+/// Where things were drawn, for tests and for placing further things on a map.
 struct MapLayout {
     PageBox page;
     PageBox map;                  ///< inside of the frame
@@ -49,7 +49,7 @@ struct MapLayout {
     double scale_bar_metres = 0;
     double north_arrow_deg = 0;  ///< clockwise from straight up on the page
     PageBox north_arrow;
-    std::optional<PageBox> inset;  ///< inside of its frame, where there is one
+    std::optional<PageBox> inset;  ///< inside of its frame, if there is one
     Bounds inset_window;           ///< map coordinates shown in it
     double font_px = 0;            ///< of ordinary labels
     std::vector<TextBox> texts;

@@ -16,14 +16,13 @@
 #include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
 
-// Debian's VTK asks GLEW for OpenGL's functions, and Debian's GLEW asks GLX. These five functions answer in
-// place of libGLX: the program exports them, so the dynamic linker finds them first, and OSMesa is all the
-// OpenGL there is.
+// Debian's VTK asks GLEW for OpenGL's functions, and Debian's GLEW asks GLX. These five functions replace libGLX: the
+// program exports them, so the dynamic linker finds them first, and only OSMesa provides OpenGL.
 extern "C" {
 using GlFunction = void (*)();
 
 [[gnu::visibility("default"), gnu::used]] void* glXGetCurrentDisplay() {
-    static char not_null = 0;  // only compared with null, never looked into
+    static char not_null = 0;  // only compared with null, never dereferenced
     return &not_null;
 }
 
@@ -42,7 +41,7 @@ using GlFunction = void (*)();
 
 [[gnu::visibility("default"), gnu::used]] int glXQueryVersion(void*, int* major, int* minor) {
     *major = 1;
-    *minor = 2;  // so old that GLEW asks for no further GLX function
+    *minor = 2;  // old enough that GLEW needs no further GLX function
     return 1;
 }
 
@@ -58,7 +57,7 @@ namespace {
     throw Error(ErrorKind::environment, Problem{what, "off-screen drawing", value, "", remedy});
 }
 
-/// A wrong OpenGL would end in a segmentation fault deep inside a driver; say it here instead.
+/// A wrong OpenGL would end in a segmentation fault deep inside a driver; report it here instead.
 void check_that_opengl_is_osmesa() {
     const std::string remedy = "link libOSMesa before any other OpenGL library, and do not preload another libGL";
     Dl_info info{};
@@ -77,7 +76,7 @@ void check_that_opengl_is_osmesa() {
 class OsmesaWindow::Context {
   public:
     Context(int width, int height) {
-        // An unknown driver name in this variable makes OSMesa crash; llvmpipe is the one that is meant.
+        // An unknown driver name in this variable makes OSMesa crash; llvmpipe is the intended one.
         setenv("GALLIUM_DRIVER", "llvmpipe", 1);
         check_that_opengl_is_osmesa();
         const std::array<int, 15> wishes{OSMESA_FORMAT,
@@ -134,7 +133,7 @@ class OsmesaWindow::Context {
 
   private:
     bool make_current_quietly() {
-        // VTK draws into frame buffers of its own; OSMesa's only has to exist.
+        // VTK draws to its own frame buffers; OSMesa's only has to exist.
         return OSMesaMakeCurrent(osmesa_.get(), pixels_.data(), GL_UNSIGNED_BYTE, k_side, k_side) == GL_TRUE;
     }
 
@@ -160,7 +159,7 @@ OsmesaWindow::OsmesaWindow(int width, int height) {
 }
 
 OsmesaWindow::~OsmesaWindow() {
-    const VtkErrors silence;  // nothing can be done about an error any more
+    const VtkErrors silence;  // errors are ignored in a destructor
     context_.reset();
 }
 

@@ -11,8 +11,8 @@ class vtkRenderWindow;
 
 namespace frana::render {
 
-/// Pixels with opacity, colours already multiplied by it (as OpenGL blends over transparent black), from the
-/// top; `left` and `top` say where on a page the first one lies.
+/// Pixels with opacity, colours premultiplied by it (as OpenGL blends over transparent black), from the top; `left` and
+/// `top` are the position of the first one on a page.
 struct OverlayImage {
     int width = 0;
     int height = 0;
@@ -20,11 +20,11 @@ struct OverlayImage {
     int left = 0, top = 0;
 };
 
-/// A VTK render window that draws into memory through OSMesa: no display, no X server, no GPU.
-/// One window belongs to one thread at a time. Members of VTK's scene must be released before the window.
+/// A VTK render window that draws into memory through OSMesa: no display, no X server, no GPU. Used by one thread at a
+/// time. Members of VTK's scene must be released before the window.
 class OsmesaWindow {
   public:
-    /// Throws Error(environment) when OpenGL would not be OSMesa's or no context can be made.
+    /// Throws Error(environment) if OpenGL would not be OSMesa's or no context can be made.
     OsmesaWindow(int width, int height);
     ~OsmesaWindow();
     OsmesaWindow(const OsmesaWindow&) = delete;
@@ -33,10 +33,10 @@ class OsmesaWindow {
     [[nodiscard]] vtkRenderWindow& vtk() noexcept;
     void resize(int width, int height);
 
-    /// Draws the scene. Throws Error(environment) with VTK's words when VTK or OpenGL reports an error.
+    /// Draws the scene. Throws Error(environment) with VTK's message if VTK or OpenGL reports an error.
     void render();
 
-    /// What was drawn last.
+    /// Returns the last drawing.
     [[nodiscard]] Image read_rgb();
     [[nodiscard]] OverlayImage read_rgba();
 

@@ -5,10 +5,10 @@
 
 namespace frana::render {
 
-/// Sizes of everything on a page, from the page's own size: letters shrink more slowly than the page, since a
-/// small page is read from as near as a large one.
+/// Sizes of everything on a page, from the page's size: letters shrink more slowly than the page, since a small page is
+/// read from the same distance as a large one.
 struct PageStyle {
-    /// `density` under 1 makes letters and gaps smaller, to fit more on the page.
+    /// `density` below 1 makes letters and gaps smaller, to fit more on the page.
     PageStyle(int width, int height, double density = 1);
 
     double scale = 1;  ///< of lines and gaps; 1 on a page 1600 x 1200
@@ -17,19 +17,20 @@ struct PageStyle {
 
     /// A length given for a page 1600 x 1200.
     [[nodiscard]] double length(double at_full_size) const { return at_full_size * scale; }
-    /// The same for the width of a line, which stays visible.
+    /// The same for the width of a line, with a visible minimum.
     [[nodiscard]] double line(double at_full_size) const;
 };
 
-/// How much a page is crowded to get everything on it: one after the other until it fits.
+/// Ways of fitting more on a page, tried one after the other until everything fits.
 struct Crowding {
     double density = 1;          ///< of letters and gaps
-    bool notes_at_foot = false;  ///< side notes run across the page, where they take far less height than in the column
+    bool notes_at_foot = false;  ///< side notes at the foot of the page, where they need far less height than beside
+                                 ///< the map
 };
 inline constexpr Crowding k_crowdings[] = {{1, false}, {0.88, false}, {0.77, false}, {0.66, false}, {0.66, true}};
 
 inline constexpr Rgb k_ink{25, 28, 32};            ///< of letters and frames
-inline constexpr Rgb k_soft_ink{84, 90, 98};       ///< of what should step back
+inline constexpr Rgb k_soft_ink{84, 90, 98};       ///< of less prominent parts
 inline constexpr Rgb k_no_terrain{236, 237, 238};  ///< inside the frame where there is no terrain
 
 }  // namespace frana::render

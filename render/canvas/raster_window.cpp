@@ -65,7 +65,7 @@ std::optional<Bounds> data_bounds(const Raster& raster) {
 
 double interpolated(const Raster& raster, Point map) noexcept {
     const GridSpec& grid = raster.grid;
-    // Half a cell beyond the outermost centres the edge value goes on: the cell's area ends there, not its
+    // Up to half a cell beyond the outermost centres the edge value applies: the cell's area ends there, not its
     // centre.
     double column = (map.x - grid.west) / grid.cell_size - 0.5;
     double row = (grid.north - map.y) / grid.cell_size - 0.5;
@@ -77,8 +77,8 @@ double interpolated(const Raster& raster, Point map) noexcept {
     row = std::clamp(row, 0.0, static_cast<double>(grid.rows - 1));
     const auto c0 = static_cast<std::int64_t>(column), r0 = static_cast<std::int64_t>(row);
     const double u = column - static_cast<double>(c0), v = row - static_cast<double>(r0);
-    // On a centre line the neighbour beyond has no share; a gap there must not spoil the value (NaN times 0
-    // is NaN).
+    // On a centre line the neighbour beyond has weight zero; a gap there must not affect the value (NaN times 0 is
+    // NaN).
     constexpr double k_none = 1e-6;
     const std::int64_t c1 = u < k_none ? c0 : std::min(c0 + 1, grid.columns - 1);
     const std::int64_t r1 = v < k_none ? r0 : std::min(r0 + 1, grid.rows - 1);

@@ -7,18 +7,18 @@
 
 namespace frana::render {
 
-/// The part of a raster that a window needs, thinned by averaging blocks of cells so that neither side has
-/// more than `most_cells` of them (a block with a gap is a gap); one cell more on each side where there is
-/// one. Empty (no columns) when window and raster do not meet.
+/// Returns the part of a raster inside a window, reduced by averaging blocks of cells so that neither side has more
+/// than `most_cells` of them (a block with a gap is a gap); one cell more on each side if there is one. Empty (no
+/// columns) if window and raster do not overlap.
 Raster raster_window(const Raster& raster, const Bounds& window, std::int64_t most_cells);
 
-/// The smallest rectangle round all cells that have a value; nothing if none has.
+/// Returns the smallest rectangle around all cells with a value; none if there is no value.
 std::optional<Bounds> data_bounds(const Raster& raster);
 
-/// Value between cell centres, straight in both directions; NaN outside and beside gaps.
+/// Returns the value interpolated bilinearly between cell centres; NaN outside and beside gaps.
 double interpolated(const Raster& raster, Point map) noexcept;
 
-/// Value of the cell that holds a point; NaN outside.
+/// Returns the value of the cell that contains a point; NaN outside.
 inline double cell_value(const Raster& raster, Point map) noexcept {
     const double column = (map.x - raster.grid.west) / raster.grid.cell_size;
     const double row = (raster.grid.north - map.y) / raster.grid.cell_size;

@@ -8,7 +8,7 @@
 
 namespace frana::render {
 
-/// Drawn lines and shapes with the texts over them, ready to be put on one picture after the other.
+/// Drawn lines and shapes with the texts over them, to be blended onto several pictures.
 class Overlay {
   public:
     void put(Image& page) const;
@@ -23,7 +23,7 @@ class Overlay {
     std::vector<Text> texts_;
 };
 
-/// Lines, shapes and texts that will lie over a picture, and where the texts are.
+/// Lines, shapes and texts over a picture, and the positions of the texts.
 class Sheet : public Drawing {
   public:
     Sheet(int width, int height) : canvas_(width, height) {}
@@ -36,7 +36,7 @@ class Sheet : public Drawing {
     void frame(const PageBox& box, const LineStyle& style) override;
     void text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) override;
 
-    /// Throws Error(environment) when VTK or OpenGL fails.
+    /// Throws Error(environment) if VTK or OpenGL fails.
     [[nodiscard]] Overlay draw() const;
 
   private:

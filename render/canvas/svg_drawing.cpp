@@ -10,7 +10,7 @@
 namespace frana::render {
 namespace {
 
-// To a hundredth of a pixel.
+// Formats to a hundredth of a pixel.
 std::string px(double value) {
     return shortest_text(std::round(100 * value) / 100 + 0.0);  // no "-0"
 }

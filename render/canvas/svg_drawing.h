@@ -17,7 +17,7 @@ class SvgDrawing : public Drawing {
     void frame(const PageBox& box, const LineStyle& style) override;
     void text(const std::string& words, Point at, const TextStyle& style, Across across, Upright upright) override;
 
-    /// Everything so far.
+    /// Returns the drawing so far.
     [[nodiscard]] std::string svg() const { return head_ + shapes_ + texts_ + "</svg>\n"; }
 
   private:

@@ -8,7 +8,7 @@
 namespace frana::render {
 namespace {
 
-constexpr double k_slack = 1e-9;  // of a step: what decimal steps lose in binary
+constexpr double k_slack = 1e-9;  // of a step: rounding of decimal steps in binary
 
 double step(double value, bool above) {
     const double power = std::pow(10.0, std::floor(std::log10(value)));
@@ -39,8 +39,8 @@ std::vector<double> multiples(double from, double to, double step) {
 
 std::string number(double value) {
     std::array<char, 32> text{};
-    // Six digits hide what decimal steps lose in binary (0.30000000000000004) and keep every bound a person
-    // writes.
+    // Six digits hide the rounding of decimal steps in binary (0.30000000000000004) and keep every bound that users
+    // write.
     std::snprintf(text.data(), text.size(), std::fabs(value) >= 1e5 && std::fabs(value) < 1e12 ? "%.0f" : "%.6g",
                   value + 0.0);
     return text.data();

@@ -5,7 +5,7 @@
 
 namespace frana::render {
 
-/// VTK and FFmpeg's libav, as they run: one "NAME VERSION" a line.
+/// Returns the versions of VTK and FFmpeg's libav at run time: one "NAME VERSION" per line.
 std::string library_versions();
 
 }  // namespace frana::render

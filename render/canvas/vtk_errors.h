@@ -9,9 +9,9 @@
 
 namespace frana::render {
 
-/// Collects what VTK would print, for as long as it lives: VTK reports an error as text and goes on, so a
-/// wrong picture would look like success. Nothing reaches the terminal. A scope object: may be nested, must
-/// not outlive the block it is made in; messages go to the innermost.
+/// Collects VTK's messages during its lifetime: VTK reports an error as text and continues, so a wrong picture would
+/// look like success. Nothing reaches the terminal. A scope object: may be nested, must not outlive its block; messages
+/// go to the innermost.
 class VtkErrors {
   public:
     VtkErrors();
@@ -19,7 +19,7 @@ class VtkErrors {
     VtkErrors(const VtkErrors&) = delete;
     VtkErrors& operator=(const VtkErrors&) = delete;
 
-    /// Throws Error(environment) naming `what` with VTK's first message, if there was any; forgets them then.
+    /// Throws Error(environment) naming `what` with VTK's first message, if there was any; clears the messages.
     void throw_if_any(const std::string& what);
 
   private:

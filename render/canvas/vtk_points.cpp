@@ -32,7 +32,7 @@ void write_vtk_points(const std::string& path, const PointTable& table, const st
                       double time) {
     VtkErrors errors;
     vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();  // map coordinates need their digits
+    points->SetDataTypeToDouble();  // map coordinates need all digits
     vtkNew<vtkCellArray> vertices;
     for (std::size_t p = 0; p < table.places.size(); ++p) {
         const vtkIdType id = points->InsertNextPoint(table.places[p].x, table.places[p].y, heights[p]);

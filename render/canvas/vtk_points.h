@@ -8,9 +8,9 @@
 
 namespace frana::render {
 
-/// VTK XML polydata (.vtp, compressed): a vertex a point, the table's columns as point data, and the time as field data
-/// "TimeValue". Written aside and renamed. Throws Error(environment).
-/// @param heights z of the points [m], as many as there are
+/// Writes VTK XML polydata (.vtp, compressed): one vertex per point, the table's columns as point data, and the time as
+/// field data "TimeValue". Written aside and renamed. Throws Error(environment).
+/// @param heights z of the points [m], one per point
 void write_vtk_points(const std::string& path, const PointTable& table, const std::vector<double>& heights,
                       double time);
 

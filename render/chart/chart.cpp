@@ -15,7 +15,7 @@
 namespace frana::render {
 namespace {
 
-/// A panel's axes round its values.
+/// A panel's axes around its values.
 class Axes {
   public:
     Axes(const ChartPanel& panel, const PageBox& box, const PageStyle& style)
@@ -51,7 +51,8 @@ class Axes {
     ChartAxis x_, y_;
 };
 
-/// A run has one row a step: of what falls into a third of a pixel, its ends, its least and its greatest show.
+/// A run has one row per step: of the points within a third of a pixel, the first, the last, the least and the greatest
+/// are drawn.
 std::vector<Point> thinned(const std::vector<Point>& places) {
     constexpr double k_same = 0.3;
     const auto higher = [](Point a, Point b) { return a.y < b.y; };
@@ -77,7 +78,7 @@ void fill_under(Drawing& drawing, const ChartSeries& series, const Axes& axes) {
     }
 }
 
-/// Returns the places of its points.
+/// Draws a series; returns the places of its points.
 std::vector<Point> draw_series(Drawing& drawing, const PageStyle& style, const ChartSeries& series, const Axes& axes) {
     std::vector<Point> run, all;
     const auto flush = [&] {
@@ -136,7 +137,7 @@ std::vector<const ChartSeries*> kinds_of(const Chart& chart) {
     return kinds;
 }
 
-/// With its own key and the names of its axes, where panels are not alike.
+/// With its own key and axis names, if panels differ.
 void draw_panel(Drawing& drawing, const PageStyle& style, const Chart& chart, const ChartPanel& panel,
                 const PageBox& cell, ChartLayout& layout) {
     const double letter = style.small.size_px, above = panel.title.empty() ? 0 : 1.6 * style.heading.size_px;
@@ -156,7 +157,7 @@ void draw_panel(Drawing& drawing, const PageStyle& style, const Chart& chart, co
     draw_vertical_name(drawing, style.small, {cell.left + 0.6 * letter, (box.top + box.bottom) / 2}, panel.y_label);
 }
 
-/// Draws the names that alike panels share; returns the room that they leave.
+/// Draws the names that equal panels share; returns the remaining area.
 PageBox draw_common_names(Drawing& drawing, const PageStyle& style, const Chart& chart, PageBox room) {
     const double letter = style.label.size_px;
     const ChartKey key(drawing, style.label, kinds_of(chart), room.width());

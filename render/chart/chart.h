@@ -13,7 +13,7 @@
 
 namespace frana::render {
 
-/// Strokes tell lines apart where colours are not to be had: in print without colours.
+/// Strokes distinguish lines in print without colours.
 enum class Stroke { solid, dashed, dotted, dash_dot };
 
 /// Okabe and Ito's colours, safe for the colour-blind, the dark ones first.
@@ -22,15 +22,15 @@ inline constexpr Rgb k_chart_colours[] = {{0, 114, 178}, {213, 94, 0},   {0, 158
 
 enum class Marker { circle, square, triangle, diamond };
 
-/// Points of one kind, joined by a line in the order given. One that has no place on an axis breaks the line: NaN, or 0
-/// and less on a logarithmic axis.
+/// Points of one kind, joined by a line in the order given. A point without a place on an axis breaks the line: NaN, or
+/// 0 and less on a logarithmic axis.
 struct ChartSeries {
     std::string label;  ///< in the key; empty: not in it
     Rgb colour;
     std::vector<Point> points;
     double width_px = 2.2;  ///< on a page 1600 x 1200
     Stroke stroke = Stroke::solid;
-    std::vector<double> foot{};  ///< as many as points: the ground between them and the line is filled palely
+    std::vector<double> foot{};  ///< as many as points: the area between them and the line is filled in a pale colour
     std::optional<Marker> marker{};
 };
 
@@ -41,11 +41,11 @@ struct ChartPanel {
     bool from_zero = false;  ///< 0 is on the y axis
     Scale x = Scale::linear, y = Scale::linear;
     std::optional<double> mark_x{};  ///< a vertical dashed line
-    double fraction = 1;             ///< of the page's height, compared with the panels beside it
-    std::string note = "no values";  ///< written in the panel where it has no point to show
+    double fraction = 1;             ///< of the page's height, relative to the panels beside it
+    std::string note = "no values";  ///< written in the panel if it has no point
 };
 
-/// A page of panels, one row below the other, each row `across` panels wide.
+/// A page of panels in rows of `across` panels each.
 struct Chart {
     std::string title, subtitle, foot;
     int across = 1;
@@ -60,11 +60,11 @@ struct ChartLayout {
     std::vector<std::vector<Point>> points;  ///< of each series of each panel, in pixels
 };
 
-/// Draws the page; `layout`, if given, receives where things are. Throws Error(input) when the page is too small and
-/// Error(environment) when fonts or OpenGL fail.
+/// Draws the page; fills `layout`, if given. Throws Error(input) if the page is too small and Error(environment) if
+/// fonts or OpenGL fail.
 Image draw_chart(const Chart& chart, int width, int height, ChartLayout* layout = nullptr);
 
-/// The same page as an SVG element for an HTML page.
+/// Returns the same page as an SVG element for an HTML page.
 std::string chart_svg(const Chart& chart, int width, int height, ChartLayout* layout = nullptr);
 
 }  // namespace frana::render

@@ -50,7 +50,7 @@ ChartAxis::ChartAxis(Scale scale, const std::vector<double>& values, double from
     least_ = std::floor(least_ / step_ + 1e-9) * step_;
     const double highest = most_;
     most_ = std::ceil(most_ / step_ - 1e-9) * step_;
-    // A curve along the frame would be taken for it.
+    // A curve along the frame would be mistaken for it.
     if (most_ - highest < 0.02 * (most_ - least_)) most_ += 0.05 * (most_ - least_);
 }
 

@@ -6,21 +6,21 @@
 
 namespace frana::render {
 
-/// How an axis goes from values to places.
+/// Mapping of values to positions along an axis.
 enum class Scale {
     linear,
-    logarithmic,  ///< from the least to the greatest value; those of 0 and less have no place
+    logarithmic,  ///< from the least to the greatest value; those of 0 and less have no position
     decades       ///< the same, between whole powers of ten
 };
 
-/// Decades that an axis shows: whole powers of ten round all its values, 10^low to 10^high.
+/// Decades of an axis: whole powers of ten around all its values, 10^low to 10^high.
 struct Decades {
     int low = 0, high = 1;
 };
-/// Of the positive values; 1 to 10 where there is none.
+/// Returns those of the positive values; 1 to 10 if there is none.
 Decades decades_of(const std::vector<double>& values);
 
-/// A place along an axis; without words it is one between those that have some.
+/// A position along an axis; without text it is between labelled ones.
 struct Tick {
     double at = 0;  ///< [px]
     std::string words;
@@ -29,13 +29,13 @@ struct Tick {
 /// One axis, from its values to pixels of the page.
 class ChartAxis {
   public:
-    /// Where `values` begin and end on the page [px], and what a label takes at least along the axis [px]. A linear
-    /// axis that is `rounded` ends at labels.
+    /// Where `values` begin and end on the page [px], and the least space of a label along the axis [px]. A linear axis
+    /// that is `rounded` ends at labels.
     ChartAxis(Scale scale, const std::vector<double>& values, double from, double to, double room, bool rounded);
 
     [[nodiscard]] static bool has(Scale scale, double value);
     [[nodiscard]] double at(double value) const;
-    /// Rising along the axis; those without words first.
+    /// Rising along the axis; unlabelled ones first.
     [[nodiscard]] std::vector<Tick> ticks() const;
 
   private:

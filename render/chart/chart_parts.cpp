@@ -9,7 +9,7 @@ namespace frana::render {
 namespace {
 
 constexpr Rgb k_grid{226, 229, 232}, k_fine_grid{240, 241, 243};
-// In letters' sizes.
+// In units of the letters' size.
 constexpr double k_swatch = 2.2, k_gap = 0.5, k_apart = 1.2, k_row = 1.5, k_off_frame = 0.55;
 
 LineStyle line_of(const PageStyle& style, const ChartSeries& series) {

@@ -10,24 +10,24 @@
 
 namespace frana::render {
 
-/// Lines of the grid at the ticks inside a panel's frame, and the numbers along it: under it and left of it.
+/// Draws grid lines at the ticks inside a panel's frame, and the numbers along it: below and to the left.
 void draw_ticks(Drawing& drawing, const PageStyle& style, const PageBox& box, const std::vector<Tick>& x,
                 const std::vector<Tick>& y);
-/// The name of a vertical axis, read from below.
+/// Draws the name of a vertical axis, reading upwards.
 void draw_vertical_name(Drawing& drawing, TextStyle style, Point middle, const std::string& words);
 
-/// A line through places on the page, with the series' markers.
+/// Draws a line through positions on the page, with the series' markers.
 void draw_line(Drawing& drawing, const PageStyle& style, const ChartSeries& series, const std::vector<Point>& places);
 void draw_markers(Drawing& drawing, const PageStyle& style, const ChartSeries& series,
                   const std::vector<Point>& places);
 
-/// Names of series with a swatch before each, in as many rows as a width needs.
+/// Names of series with a swatch before each, in as many rows as needed.
 class ChartKey {
   public:
     ChartKey(const Drawing& drawing, const TextStyle& letters, std::vector<const ChartSeries*> series, double width);
 
     [[nodiscard]] double height() const noexcept { return height_; }
-    /// From the key's upper left corner.
+    /// `corner`: the key's upper left one.
     void draw(Drawing& drawing, const PageStyle& style, Point corner) const;
 
   private:

@@ -10,7 +10,7 @@
 namespace frana::render {
 namespace {
 
-constexpr int k_usual_classes = 8;  // more cannot be told apart in a legend
+constexpr int k_usual_classes = 8;  // more cannot be distinguished in a legend
 constexpr int k_slices = 24;        // between two bounds: steps of less than one part in 150 of the whole scale
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
@@ -26,8 +26,8 @@ bool mostly_small(const Raster* layer, const ValueRange& range) {
     return *middle < range.greatest / k_usual_classes;
 }
 
-/// Bounds that widen as 1, 2, 5, 10, 20 ..., the last not below the maximum: 0, 0.2, 0.5, 1, 2, 5, 10, 20
-/// for 17.
+/// Returns bounds that widen as 1, 2, 5, 10, 20 ..., the last not below the maximum: 0, 0.2, 0.5, 1, 2, 5, 10, 20 for
+/// 17.
 std::vector<double> progressive_classes(double maximum) {
     std::vector<double> bounds{nice_step_above(maximum)};
     while (bounds.size() < k_usual_classes - 1) bounds.insert(bounds.begin(), nice_step_below(0.9 * bounds.front()));
@@ -40,7 +40,7 @@ std::vector<double> usual_bounds(const ScaleRequest& request, const ValueRange& 
     const double top = request.maximum ? *request.maximum : !range.empty() ? range.greatest : 1;
     if (!request.maximum && mostly_small(request.layer, range)) return progressive_classes(top);
     if (range.empty() || range.least >= 0 || request.maximum) return nice_classes(top, k_usual_classes);
-    // Values on both sides of zero (change of height): the same steps both ways, zero a bound.
+    // Values on both sides of zero (change of height): the same steps both ways, with a bound at zero.
     const double step = nice_step_above((std::max(top, 0.0) - range.least) / k_usual_classes);
     std::vector<double> bounds{std::floor(range.least / step) * step};
     while (bounds.back() < std::max(top, 0.0)) bounds.push_back(std::round(bounds.back() / step + 1) * step);

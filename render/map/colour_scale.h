@@ -28,7 +28,7 @@ struct ValueRange {
 };
 ValueRange value_range(const Raster& raster);
 
-/// What a colour scale is made from; members as in MapSpec.
+/// Input of a colour scale; members as in MapSpec.
 struct ScaleRequest {
     std::string palette;
     std::optional<double> maximum;
@@ -36,24 +36,24 @@ struct ScaleRequest {
     bool continuous = false;
     std::vector<ClassLabel> categories;
     const Raster* layer = nullptr;
-    bool for_unseen_values = false;  ///< values of other rasters will come: classes open at the ends
+    bool for_unseen_values = false;  ///< values of other rasters will follow: classes open at the ends
 };
 
-/// Which colour a value gets: one of a few classes, the same on the map and in the legend.
+/// Maps values to colours: one of a few classes, the same on the map and in the legend.
 class ColourScale {
   public:
     /// No classes at all: nothing is coloured.
     ColourScale() = default;
-    /// Throws Error(input) with every contradiction found.
+    /// Throws Error(input) with every contradiction.
     explicit ColourScale(const ScaleRequest& request);
 
-    /// The class of a value; null for NaN and for values that have none.
+    /// Returns the class of a value; null for NaN and for values without a class.
     [[nodiscard]] const ColourClass* find(double value) const noexcept;
     [[nodiscard]] const std::vector<ColourClass>& classes() const noexcept { return classes_; }
     [[nodiscard]] bool categorical() const noexcept { return categorical_; }
-    /// The bounds that a legend numbers; none of categories.
+    /// The bounds numbered in a legend; none for categories.
     [[nodiscard]] const std::vector<double>& bounds() const noexcept { return bounds_; }
-    /// Of a continuous scale: how many classes, too fine to be told apart, lie between two bounds; else 1.
+    /// For a continuous scale: number of classes, too fine to be distinguished, between two bounds; else 1.
     [[nodiscard]] int slices() const noexcept { return slices_; }
 
   private:

@@ -16,8 +16,7 @@ struct Segment {
     Edge from, to;
 };
 
-/// Marching squares: where one level crosses the square of four centres whose upper left one is (row,
-/// column).
+/// Marching squares: where one level crosses the square of four centres whose upper left one is (row, column).
 class Squares {
   public:
     explicit Squares(const Raster& raster) : raster_(raster) {}
@@ -37,12 +36,12 @@ class Squares {
             if ((value[k] >= level) != (value[(k + 1) % 4] >= level)) crossed[n_crossed++] = edge[k];
         }
         if (n_crossed == 2) segments.push_back({crossed[0], crossed[1]});
-        if (n_crossed == 4) {  // a saddle: the mean decides which corners belong together
+        if (n_crossed == 4) {  // a saddle: the mean decides which corners are connected
             const bool high = (value[0] + value[1] + value[2] + value[3]) / 4 >= level;
             const bool first_high = value[0] >= level;
             const std::size_t shift = high == first_high ? 0 : 1;
-            // Corners 1 and 3 are cut off when corner 0 joins the middle: edges 0-1 and 2-3; otherwise 3-0
-            // and 1-2.
+            // Corners 1 and 3 are cut off if corner 0 is connected to the middle: edges 0-1 and 2-3; otherwise 3-0 and
+            // 1-2.
             segments.push_back({edge[shift == 0 ? 0 : 3], edge[shift == 0 ? 1 : 0]});
             segments.push_back({edge[shift == 0 ? 2 : 1], edge[shift == 0 ? 3 : 2]});
         }

@@ -8,13 +8,13 @@
 
 namespace frana::render {
 
-/// A line of equal value in map coordinates; closed when its last point is its first.
+/// A line of equal value in map coordinates; closed if its last point is its first.
 struct Contour {
     double level = 0;
     Polyline points;
 };
 
-/// Lines of equal value between cell centres at the multiples of `interval`, joined as far as they go.
+/// Returns lines of equal value between cell centres at the multiples of `interval`, joined as far as possible.
 std::vector<Contour> contour_lines(const Raster& raster, double interval);
 
 }  // namespace frana::render

@@ -11,7 +11,7 @@
 namespace frana::render {
 namespace {
 
-/// The least round step, in degrees, that is at least `least`: whole parts of a degree, a minute, a second.
+/// Returns the least round step, in degrees, that is at least `least`: whole parts of a degree, a minute, a second.
 double degree_step_above(double least) {
     constexpr std::array<double, 9> k_parts{1, 2, 5, 10, 15, 20, 30, 45, 60};
     for (double unit = 1.0 / 3600 / 1e4; unit < 1.0 / 3600; unit *= 10) {

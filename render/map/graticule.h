@@ -11,22 +11,22 @@
 
 namespace frana::render {
 
-/// Width of the band beside the frame that ticks and their labels take [px].
+/// Width of the band beside the frame for ticks and their labels [px].
 double tick_band(const PageStyle& style);
 
-/// "9°24′30″ E", "0.5″" and finer for steps under a second; `letters` are those of the positive and the negative
-/// side: "EW", "NS".
+/// Returns "9°24′30″ E", "0.5″" and finer for steps below a second; `letters` are those of the positive and the
+/// negative side: "EW", "NS".
 std::string degree_words(double degrees, double step, const std::string& letters);
 
-/// Places along a side at which a smooth, rising or falling coordinate takes round values; `at` gives it for a place
-/// from 0 to 1. Values beyond a full turn are not expected.
+/// Positions along a side at which a smooth, monotonic coordinate has round values; `at` returns it for a position from
+/// 0 to 1. Values beyond a full turn are not expected.
 struct RoundPlace {
     double value = 0, place = 0;
 };
 std::vector<RoundPlace> round_places(const std::function<double(double)>& at, double step);
 
-/// Longitudes along the upper and latitudes along the right side of the frame: ticks and labels at round degrees,
-/// minutes or seconds, where the projection puts them. Nothing where the window has no longitude.
+/// Draws longitudes along the upper and latitudes along the right side of the frame: ticks and labels at round degrees,
+/// minutes or seconds, placed by the projection. Nothing if the window has no longitude.
 void draw_graticule(Sheet& sheet, const PageStyle& style, const MapFrame& frame,
                     const std::function<Point(Point)>& longitude_latitude);
 

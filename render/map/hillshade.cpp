@@ -10,12 +10,12 @@ namespace frana::render {
 namespace {
 
 struct Light {
-    double azimuth_deg;  ///< where it comes from, clockwise from north
+    double azimuth_deg;  ///< direction of the light, clockwise from north
     double elevation_deg;
     double weight;
 };
 
-/// The north-west carries the picture, as the eye expects; the others lift slopes that lie along it.
+/// The north-west is the main light, as viewers expect; the others show slopes parallel to it.
 constexpr std::array<Light, 4> k_lights{{{315, 42, 0.55}, {270, 45, 0.17}, {0, 45, 0.17}, {225, 50, 0.11}}};
 
 }  // namespace
@@ -38,7 +38,7 @@ Raster hillshade(const Raster& terrain, double exaggeration) {
         for (std::int64_t column = 0; column < grid.columns; ++column) {
             const double here = terrain.at(row, column);
             if (std::isnan(here)) continue;
-            // Differences over the neighbours that exist: central inside, one-sided along edges and gaps.
+            // Differences over the existing neighbours: central inside, one-sided along edges and gaps.
             const auto slope = [&](std::int64_t r0, std::int64_t c0, std::int64_t r1, std::int64_t c1) {
                 const auto value = [&](std::int64_t r, std::int64_t c) {
                     const bool outside = r < 0 || c < 0 || r >= grid.rows || c >= grid.columns;

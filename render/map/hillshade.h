@@ -5,9 +5,9 @@
 
 namespace frana::render {
 
-/// Shaded relief lit from several directions round the north-west, so that no slope vanishes for lying along
-/// the light: 0 dark to 1 bright on the terrain's own grid, NaN where the terrain has no value.
-/// `exaggeration` multiplies heights before shading.
+/// Returns shaded relief lit from several directions around the north-west, so that slopes parallel to the light remain
+/// visible: 0 dark to 1 bright on the terrain's own grid, NaN where the terrain has no value. `exaggeration` multiplies
+/// heights before shading.
 Raster hillshade(const Raster& terrain, double exaggeration = 1.0);
 
 }  // namespace frana::render

@@ -8,7 +8,7 @@ namespace frana::render {
 
 std::optional<MapFrame> inset_frame(const Bounds& terrain, const Bounds& window, const PageStyle& style,
                                     const PageBox& room) {
-    constexpr double k_nearly_all = 0.7;  // a rectangle along the rim says nothing
+    constexpr double k_nearly_all = 0.7;  // a rectangle along the edge shows nothing
     const double shown_width = std::min(window.east, terrain.east) - std::max(window.west, terrain.west);
     const double shown_height = std::min(window.north, terrain.north) - std::max(window.south, terrain.south);
     if (shown_width * shown_height > k_nearly_all * terrain.width() * terrain.height()) return std::nullopt;

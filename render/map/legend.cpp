@@ -27,8 +27,8 @@ std::string full_title(const LegendContent& content) {
     return content.unit.empty() ? content.title : content.title + " [" + content.unit + "]";
 }
 
-/// Colours that run through, each bound of the scale marked and numbered; open ends are half a swatch high.
-/// Returns the y under them.
+/// Draws continuous colours, each bound of the scale marked and numbered; open ends are half a swatch high. Returns the
+/// y below them.
 double draw_ramp(const ColourScale& scale, const PageStyle& style, Point corner, Sheet& sheet,
                  std::vector<LegendEntry>& entries) {
     const std::vector<ColourClass>& classes = scale.classes();
@@ -90,7 +90,7 @@ double draw_legend(const LegendContent& content, const PageStyle& style, Point c
     const double line_height = Sheet::line_height(style.label);
     double y = corner.y;
     const auto labelled = [&](const std::string& label, double row_height) {
-        // A label of several lines begins where a label of one line would stand.
+        // A label of several lines begins where a label of one line would be.
         double line_y = y + row_height / 2;
         for (const std::string& line : sheet.wrapped(label, style.label, width - text_offset(style))) {
             sheet.text(line, {corner.x + text_offset(style), line_y}, style.label, Across::left, Upright::middle);
@@ -104,7 +104,7 @@ double draw_legend(const LegendContent& content, const PageStyle& style, Point c
         y = sheet.lines(sheet.wrapped(full_title(content), style.heading, width), {corner.x, y}, style.heading,
                         Across::left) +
             0.15 * style.heading.size_px;
-        const bool apart = content.scale->categorical();  // ranges touch, categories stand apart
+        const bool apart = content.scale->categorical();  // ranges touch, categories are separated
         std::vector<const ColourClass*> order;
         for (const ColourClass& one : classes) order.push_back(&one);
         if (!apart) std::reverse(order.begin(), order.end());

@@ -11,7 +11,7 @@
 
 namespace frana::render {
 
-/// What stands in a legend.
+/// Contents of a legend.
 struct LegendContent {
     std::string title, unit;
     const ColourScale* scale = nullptr;
@@ -19,15 +19,15 @@ struct LegendContent {
     const std::vector<std::string>* notes = nullptr;
 };
 
-/// Width that a legend wants, at most `most` [px].
+/// Returns the preferred width of a legend, at most `most` [px].
 double legend_width(const LegendContent& content, const PageStyle& style, const Sheet& sheet, double most);
 
-/// Draws a legend from its upper left corner downwards: title with unit, a box per class (greatest on top), a
-/// line per outline, the notes. Returns the y under it.
+/// Draws a legend from its upper left corner downwards: title with unit, a box per class (greatest on top), a line per
+/// outline, the notes. Returns the y below it.
 double draw_legend(const LegendContent& content, const PageStyle& style, Point corner, double width, Sheet& sheet,
                    std::vector<LegendEntry>& entries);
 
-/// Dashes of an outline of this width; empty if it is unbroken.
+/// Returns the dashes of an outline of this width; empty if it is solid.
 std::vector<double> outline_dashes(const Outline& outline, double width_px);
 
 }  // namespace frana::render

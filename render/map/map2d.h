@@ -28,7 +28,7 @@ struct Outline {
     std::string label;
     MultiPolygon polygons;
     Rgb colour{0, 0, 0};
-    double width_px = 2.5;  ///< on a page 1200 pixels high; grows and shrinks with the page
+    double width_px = 2.5;  ///< on a page 1200 pixels high; scales with the page
     bool dashed = false;
     std::vector<Polyline> lines{};     ///< open ones
     std::vector<NamedPlace> places{};  ///< small triangles; no names in a perspective view
@@ -37,75 +37,74 @@ struct Outline {
 /// A particle, coloured by a value.
 struct Dot {
     Point place;
-    double above = 0;  ///< the bed [m], for views
+    double above = 0;  ///< above the bed [m], for views
     double value = 0;
 };
 
 /// Particles at one instant.
 struct Dots {
     std::vector<Dot> dots;  ///< later ones over earlier ones
-    double width_m = 1;     ///< of each on the ground; at least a pixel is drawn
+    double width_m = 1;     ///< diameter on the ground; at least a pixel is drawn
 };
 
-/// Draws what lies under a map: `width` x `height` pixels of the ground inside `window`, opacity 0 where there is
+/// Draws the background of a map: `width` x `height` pixels of the ground inside `window`, opacity 0 where there is
 /// nothing.
 using Background = std::function<OverlayImage(const Bounds& window, int width, int height)>;
 
-/// One value of a layer of classes, e.g. 1 "hit".
+/// One value of a class raster, e.g. 1 "hit".
 struct ClassLabel {
     double value = 0;
     std::string label;
     Rgb colour;
 };
 
-/// Everything a map shows. Rasters are borrowed and must outlive the call; all coordinates are in one CRS.
+/// Everything on a map. Rasters are borrowed and must outlive the call; all coordinates are in one CRS.
 struct MapSpec {
     std::string title;
     std::string subtitle;
     std::string legend_title;         ///< "Maximum depth"
     std::string unit;                 ///< "m"; empty: none
     std::string attribution;          ///< small print at the foot
-    std::string source;               ///< the same: file, band and time shown
+    std::string source;               ///< the same: file, band and time of the raster
     const Raster* terrain = nullptr;  ///< hillshade and contour lines; may be absent
     const Raster* layer = nullptr;    ///< coloured cells; NaN is transparent; may be absent
-    /// Has values wherever a layer of the same series of maps has some: fixes the window, and contours' labels keep off
+    /// Has values wherever a raster of the same series of maps has some: defines the window, and contours' labels avoid
     /// it. May be absent: the layer itself.
     const Raster* extent = nullptr;
     const Dots* dots = nullptr;          ///< over the layer, in the same colours; may be absent
-    std::string palette = "depth";       ///< name known to core/colour.h
-    std::optional<double> maximum;       ///< end of the colour scale; values above it get an open class of their own
+    std::string palette = "depth";       ///< name of a palette in core/colour.h
+    std::optional<double> maximum;       ///< end of the colour scale; values above it get a separate open class
     std::vector<double> classes;         ///< rising class bounds; empty: nice classes up to the maximum
-    bool continuous = false;             ///< colours run through between the bounds
-    std::vector<ClassLabel> categories;  ///< not empty: the layer's values are classes, exactly these
+    bool continuous = false;             ///< colours are continuous between the bounds
+    std::vector<ClassLabel> categories;  ///< not empty: the raster's values are classes, exactly these
     std::vector<Outline> outlines;
-    std::vector<std::string> side_notes;  ///< lines of values beside the map, under the legend
+    std::vector<std::string> side_notes;  ///< lines of values beside the map, below the legend
     double convergence_deg = 0;           ///< true north from grid north, clockwise positive
     std::string crs_label;                ///< "EPSG:32632 (WGS 84 / UTM zone 32N)"
     int width = 1600;                     ///< pixels
     int height = 1200;
-    std::optional<Bounds> window;  ///< what must be visible; default: flow and outlines with a margin
+    std::optional<Bounds> window;  ///< must be visible; default: flow and outlines with a margin
     bool contours = true;
-    bool inset = false;     ///< a small map of where the window lies in the terrain, where there is room
-    Background background;  ///< instead of the relief; may be absent
+    bool inset = false;     ///< a small map with the position of the window in the terrain, if there is room
+    Background background;  ///< replaces the relief; may be absent
     /// Longitude and latitude in degrees of a map point, for the labels on the upper and right side; may be absent.
     std::function<Point(Point)> longitude_latitude;
 };
 
-/// Draws a map on a page of width x height pixels: relief, cells in pure legend colours (no smoothing),
-/// outlines, frame with coordinates, legend, scale bar, north arrow. An empty layer is drawn with a note that
-/// says so. Fills `layout`, if given, with what was placed where. Throws Error(input) when the spec
-/// contradicts itself or the page is too small for its texts, and Error(environment) when the picture cannot
-/// be drawn (missing font, broken OpenGL).
+/// Draws a map on a page of width x height pixels: relief, cells in pure legend colours (no smoothing), outlines, frame
+/// with coordinates, legend, scale bar, north arrow. An empty raster is drawn with a note. Fills `layout`, if given.
+/// Throws Error(input) if the spec contradicts itself or the page is too small for its texts, and Error(environment) if
+/// the picture cannot be drawn (missing font, broken OpenGL).
 Image draw_map(const MapSpec& spec, MapLayout* layout = nullptr);
 
 struct MapGround;
 
-/// Maps of one place that differ in layer, legend and words: relief, lines and coordinates are drawn once where the
-/// frame stays the same. All specs share the terrain, the extent, the background and `longitude_latitude`,
-/// and the rasters outlive the series.
+/// Maps of one place that differ in raster, legend and texts: relief, lines and coordinates are drawn once if the frame
+/// is the same. All specs share the terrain, the extent, the background and `longitude_latitude`, and the rasters
+/// outlive the series.
 class MapSeries {
   public:
-    /// The same map as draw_map's; throws as it does.
+    /// Draws the same map as draw_map; throws as it does.
     Image draw(const MapSpec& spec, MapLayout* layout = nullptr);
 
   private:

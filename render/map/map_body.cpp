@@ -28,7 +28,7 @@ ReliefTones::ReliefTones(const Raster& shade) {
 }
 
 double ReliefTones::fit(std::vector<double>& values) {
-    // One cell in a hundred may be a cliff or a wall; it must not set the tones of the rest.
+    // One cell in a hundred may be a cliff or a wall; it must not determine the tones of the rest.
     const auto quantile = [&values](double fraction) {
         const auto place =
             values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
@@ -43,8 +43,7 @@ double ReliefTones::fit(std::vector<double>& values) {
         darkest_ -= lacking / 2;
         brightest_ += lacking / 2;
     }
-    // A hillside that faces the light would be white all over: its middle is brought to the middle of the
-    // tones.
+    // A hillside facing the light would be white all over: its middle is mapped to the middle of the tones.
     constexpr double k_middle_tone = 0.6;
     const double middle = std::clamp((quantile(0.5) - darkest_) / (brightest_ - darkest_), 0.05, 0.95);
     return std::clamp(std::log(k_middle_tone) / std::log(middle), 0.75, 2.5);
@@ -78,7 +77,7 @@ void paint_background(Image& page, const MapFrame& frame, const Background& back
                 picture.rgba.data() + 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.width) +
                                            static_cast<std::size_t>(column));
             std::uint8_t* to = page.pixel(frame.left + column, frame.top + row);
-            for (int k = 0; k < 3; ++k) {  // colours come multiplied by their opacity
+            for (int k = 0; k < 3; ++k) {  // colours are premultiplied by their opacity
                 const double under = to[k] * (255 - from[3]) / 255.0;
                 const double lit = from[k] + k_lighter * (from[3] - from[k]);
                 to[k] = static_cast<std::uint8_t>(std::lround(under + lit));

@@ -12,7 +12,7 @@
 
 namespace frana::render {
 
-/// A window of the ground drawn into whole pixels of a page.
+/// A window of the ground in whole pixels of a page.
 struct MapFrame {
     int left = 0, top = 0, width = 0, height = 0;  ///< [px]
     Bounds window;
@@ -32,9 +32,8 @@ struct MapFrame {
     }
 };
 
-/// How shading (0 to 1) becomes a light grey that carries colours and lines. The range of what is shown is
-/// spread over the tones, so that neither sunny nor shady hillsides are flat; level land is not stretched
-/// into noise.
+/// Maps shading (0 to 1) to a light grey behind colours and lines. The range of the visible values is spread over the
+/// tones, so that neither sunny nor shady hillsides are flat; level land is not stretched into noise.
 class ReliefTones {
   public:
     explicit ReliefTones(const Raster& shade);
@@ -47,7 +46,7 @@ class ReliefTones {
     /// Sets the range of the values and returns the exponent of the tones.
     double fit(std::vector<double>& values);
 
-    static constexpr int k_steps = 1023;  // four to a step of a byte
+    static constexpr int k_steps = 1023;  // four per step of a byte
     double darkest_ = 0, brightest_ = 1;
     std::array<Rgb, k_steps + 1> tones_{};
 };
@@ -55,14 +54,15 @@ class ReliefTones {
 /// Shaded relief of a terrain; pale grey where there is none.
 void paint_relief(Image& page, const MapFrame& frame, const Raster& terrain);
 
-/// A user's picture of the ground, a little lighter so that lines and colours stand out on it.
+/// Paints a user's picture of the ground, slightly lighter so that lines and colours are visible on it.
 void paint_background(Image& page, const MapFrame& frame, const Background& background);
 
-/// Cells in the pure colours of their classes, each pixel from the cell that holds its centre. The ground for so many
-/// pixels beside them is darkened: the palest class ends somewhere on bright ground, too, and in print without colours.
+/// Paints cells in the pure colours of their classes, each pixel from the cell that contains its centre. The ground
+/// within the given number of pixels beside them is darkened: the edge of the palest class must be visible on bright
+/// ground and in print without colours.
 void paint_cells(Image& page, const MapFrame& frame, const Raster& layer, const ColourScale& scale, int edge_px);
 
-/// Particles as dots in the pure colours of their values' classes.
+/// Paints particles as dots in the pure colours of their values' classes.
 void paint_dots(Image& page, const MapFrame& frame, const Dots& dots, const ColourScale& scale);
 
 }  // namespace frana::render

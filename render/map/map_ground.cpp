@@ -41,7 +41,7 @@ bool same(const MapFrame& a, const MapFrame& b) {
            a.window.north == b.window.north;
 }
 
-/// The cells that the layer, or all layers of a series, may colour.
+/// The cells that the raster, or all rasters of a series, may colour.
 const Raster* coloured(const MapSpec& spec) {
     if (spec.extent == nullptr) return spec.layer;
     if (spec.layer == nullptr) return spec.extent;

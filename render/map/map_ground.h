@@ -11,10 +11,10 @@
 
 namespace frana::render {
 
-/// What lies under and over the layer of a map and does not depend on it: relief or picture, contour lines,
-/// outlines, frame and coordinates. It is most of a map's work.
+/// The parts of a map below and above its raster that do not depend on it: relief or picture, contour lines, outlines,
+/// frame and coordinates. They are most of a map's work.
 struct MapGround {
-    /// What it was drawn for.
+    /// Conditions for which it was drawn.
     int width = 0, height = 0;
     double density = 1;
     MapFrame frame;
@@ -28,8 +28,7 @@ struct MapGround {
     double contour_interval = 0;  ///< [m]; 0: no contours
 };
 
-/// The same ground again where `kept` was drawn for the same frame, terrain and outlines, else a new one,
-/// which is then kept.
+/// Returns `kept` if it was drawn for the same frame, terrain and outlines, else a new one, which is then kept.
 const MapGround& ground_for(const MapSpec& spec, const MapFrame& frame, double density,
                             std::shared_ptr<const MapGround>& kept);
 

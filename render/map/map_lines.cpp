@@ -35,7 +35,7 @@ bool layer_lies_under(const PageBox& box, const MapFrame& frame, const Raster& l
     return false;
 }
 
-/// Where a contour's label of a given length fits: the straightest stretch clear of everything else.
+/// Where a contour's label of a given length fits: the straightest part free of everything else.
 class LabelPlaces {
   public:
     LabelPlaces(const PageStyle& style, const MapFrame& frame, const Raster* layer,
@@ -54,7 +54,7 @@ class LabelPlaces {
 
     void put(const Polyline& line, const std::string& words, const TextStyle& label, Sheet& sheet) {
         const double length = sheet.lettering().width(words, label), wanted = length + 1.2 * label.size_px;
-        double best_straight = 0.97;  // chord over arc; less looks pasted across the line
+        double best_straight = 0.97;  // chord over arc; less looks placed across the line
         std::optional<PageBox> best;
         TextStyle best_style = label;
         Point best_at;
@@ -90,7 +90,7 @@ class LabelPlaces {
     }
 
   private:
-    /// Round values of this length, turned; a pixel of grace, since they are not set yet.
+    /// Rounded bounds of this length, rotated; one pixel of margin, since the texts are not set yet.
     static PageBox box_of(Point middle, double length, double size, double angle_deg) {
         const double angle = angle_deg * std::numbers::pi / 180, capital = 0.75 * size;
         const double across = (length * std::fabs(std::cos(angle)) + capital * std::fabs(std::sin(angle))) / 2 + 1;
@@ -98,7 +98,7 @@ class LabelPlaces {
         return {middle.x - across, middle.y - upright, middle.x + across, middle.y + upright};
     }
 
-    /// Small boxes along an outline, as if labels stood there.
+    /// Places small boxes along an outline, as if labels were there.
     void keep_off(const Polyline& ring, bool closed) {
         const double step = style_.gap;
         for (std::size_t i = 0; i + (closed ? 0 : 1) < ring.size(); ++i) {
@@ -138,7 +138,7 @@ class LabelPlaces {
 
 double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const Raster& terrain,
                      const Raster* layer, const std::vector<Outline>& outlines) {
-    // Two pixels to a cell: finer crossings cannot be told apart on the page.
+    // Two pixels per cell: finer crossings cannot be distinguished on the page.
     const Raster part = raster_window(terrain, frame.window, std::max(frame.width, frame.height) / 2);
     if (part.grid.columns < 2 || part.grid.rows < 2) return 0;
     const ValueRange heights = value_range(part);
@@ -167,7 +167,7 @@ double draw_contours(Sheet& sheet, const PageStyle& style, const MapFrame& frame
 
 void draw_outlines(Sheet& sheet, const PageStyle& style, const MapFrame& frame, const std::vector<Outline>& outlines) {
     const PageBox box = frame.box();
-    const auto far_outside = [&](Point p) {  // keeps coordinates small; the caller covers what leaves the frame
+    const auto far_outside = [&](Point p) {  // limits coordinates; the caller covers anything outside the frame
         return p.x < box.left - 1e5 || p.x > box.right + 1e5 || p.y < box.top - 1e5 || p.y > box.bottom + 1e5;
     };
     const auto stroke = [&](const Polyline& map_line, const LineStyle& line, bool closed) {
@@ -242,7 +242,7 @@ void draw_coordinates(Sheet& sheet, const PageStyle& style, const MapFrame& fram
     const double widest = std::max(lettering.width(grouped(frame.window.east) + " E", style.small),
                                    lettering.width(grouped(frame.window.north) + " N", style.small));
     const double metre = frame.metres_per_pixel();
-    // Coordinates are given in full metres, so the step is never less than one.
+    // Coordinates are labelled in full metres, so the step is at least one.
     const double step = std::max(1.0, nice_step_above(1.7 * widest * metre));
     const std::vector<double> eastings = multiples(frame.window.west, frame.window.east, step);
     const std::vector<double> northings = multiples(frame.window.south, frame.window.north, step);

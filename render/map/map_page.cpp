@@ -50,8 +50,7 @@ struct Column {
     double left, top, width, bottom;
 };
 
-/// Draws scale bar, north arrow and its words upwards from the column's foot; returns the y of their upper
-/// edge.
+/// Draws scale bar, north arrow and its text upwards from the column's foot; returns the y of their upper edge.
 double draw_orientation(Sheet& sheet, const PageStyle& style, const MapSpec& spec, const MapFrame& frame,
                         const Column& column, bool words_at_foot, MapLayout& layout) {
     double y = column.bottom - scale_bar_height(style);
@@ -89,7 +88,7 @@ MapPage::MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const Map
 void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& kept) {
     const PageBox page{0, 0, static_cast<double>(spec.width), static_cast<double>(spec.height)};
     const std::vector<std::string> nothing;
-    // The page is crowded more and more until the legend fits above scale bar and arrow.
+    // The parts of the page are reduced further until the legend fits above scale bar and arrow.
     double lacking = 0;
     for (const Crowding& crowding : k_crowdings) {
         const double density = crowding.density;
@@ -107,13 +106,13 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         subtitle_at_ = titles.subtitle_at;
 
         constexpr double k_most_of_page = 0.32, k_least_of_page = 0.2;
-        // In steps, so that the maps of a series have the same frame although their legends differ a little.
+        // In steps, so that the maps of a series have the same frame although their legends differ slightly.
         const double step = 0.04 * page.width();
         const double wanted = legend_width(content, style, sheet, k_most_of_page * page.width());
         const double column_width =
             std::clamp(step * std::ceil(wanted / step), k_least_of_page * page.width(), k_most_of_page * page.width());
         const double band = tick_band(style), graticule_band = spec.longitude_latitude ? band : 0;
-        // The contours' interval is known later; any takes about as much room.
+        // The contours' interval is determined later; any needs about the same room.
         const auto foot_parts = [&](double interval) {
             const std::string remark = interval > 0 ? "contour interval " + number(interval) + " m" : "";
             std::vector<std::string> parts = notes_at_foot ? spec.side_notes : nothing;
@@ -140,7 +139,8 @@ void MapPage::arrange(const MapSpec& spec, bool for_frames, std::shared_ptr<cons
         layout_.window = frame_.window;
         layout_.metres_per_pixel = frame_.metres_per_pixel();
 
-        // On the last tries the legend begins beside the coordinates above the frame: there is a little more room.
+        // In the last attempts the legend begins beside the coordinates above the frame, where there is slightly more
+        // room.
         const bool last = density == std::end(k_crowdings)[-1].density;
         const double column_top = frame_.top - (last ? graticule_band : 0);
         const Column column{page.right - style.margin - column_width, column_top, column_width,

@@ -11,14 +11,14 @@
 
 namespace frana::render {
 
-/// A map without its layer: ground, legend and words drawn once, ready to receive one layer after the other.
+/// A map without its raster: ground, legend and texts drawn once, to receive one raster after another.
 class MapPage {
   public:
-    /// `for_frames`: other layers than the spec's will come, each with a subtitle of its own. `ground` is
-    /// taken where it fits, else drawn and put there.
+    /// `for_frames`: rasters other than the spec's will follow, each with its own subtitle. `ground` is used if it
+    /// fits, else replaced.
     MapPage(const MapSpec& spec, bool for_frames, std::shared_ptr<const MapGround>& ground);
 
-    /// The map with a layer and dots (none if null) and a subtitle; the latter only where the page was made for
+    /// Draws the map with a raster and dots (none if null) and a subtitle; the latter only if the page was made for
     /// frames.
     [[nodiscard]] Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle) const;
 

@@ -18,7 +18,7 @@ void include(std::optional<Bounds>& all, const Bounds& one) {
             std::max(all->north, one.north)};
 }
 
-/// Moves a stretch of fixed length so that it lies within limits, or in their middle if it is longer.
+/// Moves an interval of fixed length into limits, or to their middle if it is longer.
 void keep_within(double& from, double& to, double least, double most) {
     const double length = to - from;
     from = length >= most - least ? (least + most - length) / 2 : std::clamp(from, least, most - length);

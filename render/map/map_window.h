@@ -5,11 +5,11 @@
 
 namespace frana::render {
 
-/// The grid that says in which CRS a map is.
+/// Returns the grid with the CRS of a map.
 const GridSpec& map_grid(const MapSpec& spec);
 
-/// What the frame shows, with the frame's own width over height: the window asked for, else the flow and the
-/// outlines with a margin, else the whole terrain; kept on the terrain as far as that is possible.
+/// Returns the extent of the frame, with the frame's width over height: the requested window, else the flow and the
+/// outlines with a margin, else the whole terrain; within the terrain as far as possible.
 Bounds map_window(const MapSpec& spec, double aspect);
 
 }  // namespace frana::render

@@ -10,7 +10,7 @@
 namespace frana::render {
 namespace {
 
-constexpr int k_least_width = 480, k_least_height = 360;  // of a part: a map with its legend needs as much
+constexpr int k_least_width = 480, k_least_height = 360;  // of a part: a map with its legend needs this size
 
 }  // namespace
 

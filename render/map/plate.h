@@ -10,7 +10,7 @@
 
 namespace frana::render {
 
-/// Draws one part of a plate in so many pixels.
+/// Draws one part of a plate in the given number of pixels.
 using PlatePart = std::function<Image(int width, int height)>;
 
 /// Several pictures on one page under a common title, row by row.
@@ -20,7 +20,7 @@ struct Plate {
     std::vector<PlatePart> parts;
 };
 
-/// Grows beyond the size asked for where parts would be smaller than 480 x 360. Throws as the parts do. `texts`, if
+/// Draws the plate; larger than requested if parts would be smaller than 480 x 360. Throws as the parts do. `texts`, if
 /// given, receives the plate's own texts.
 Image draw_plate(const Plate& plate, int width, int height, std::vector<TextBox>* texts = nullptr);
 

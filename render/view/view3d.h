@@ -13,14 +13,14 @@
 
 namespace frana::render {
 
-/// Where a view is taken from.
+/// The viewpoint of a view.
 struct Camera {
     double azimuth_deg = 0;     ///< direction of looking, clockwise from grid north
-    double elevation_deg = 35;  ///< how steeply the camera looks down; 1 to 89
-    double zoom = 1;            ///< 1: flow and terrain round it fill the picture; 2: twice as close
+    double elevation_deg = 35;  ///< angle below the horizontal; 1 to 89
+    double zoom = 1;            ///< 1: flow and surrounding terrain fill the picture; 2: twice as close
 };
 
-/// Everything a view in perspective shows; members mean what they mean in MapSpec.
+/// Everything in a perspective view; members as in MapSpec.
 struct ViewSpec {
     std::string title;
     std::string subtitle;
@@ -33,10 +33,10 @@ struct ViewSpec {
     std::vector<double> classes;
     bool continuous = false;
     std::vector<ClassLabel> categories;
-    const Raster* terrain = nullptr;  ///< needed
+    const Raster* terrain = nullptr;  ///< required
     const Raster* layer = nullptr;    ///< draped over it; may be absent
-    /// Has values wherever a layer of the same series of views has some: fixes the part of the terrain shown and the
-    /// camera. May be absent: the layer itself.
+    /// Has values wherever a raster of the same series of views has some: defines the visible part of the terrain and
+    /// the camera. May be absent: the layer itself.
     const Raster* extent = nullptr;
     const Dots* dots = nullptr;         ///< may be absent
     const Raster* thickness = nullptr;  ///< raises the surface where it has values [m]; may be absent
@@ -44,7 +44,7 @@ struct ViewSpec {
     std::vector<std::string> side_notes;
     double vertical_exaggeration = 1;
     double convergence_deg = 0;
-    Background background;  ///< instead of the relief; may be absent
+    Background background;  ///< replaces the relief; may be absent
     std::string crs_label;
     int width = 1600;
     int height = 1200;
@@ -55,25 +55,25 @@ struct ViewSpec {
 /// Where things of a view were drawn.
 struct ViewLayout {
     PageBox page;
-    PageBox picture;             ///< where the terrain is drawn
-    PageBox flow;                ///< what the layer's cells cover, from the camera's geometry
+    PageBox picture;             ///< area of the terrain
+    PageBox flow;                ///< area of the raster's cells, from the camera's geometry
     Camera camera;               ///< as used
     double north_arrow_deg = 0;  ///< clockwise from straight up on the page
     std::vector<TextBox> texts;
     std::vector<LegendEntry> legend;
 };
 
-/// Draws the terrain in perspective with the layer draped over it. Throws as draw_map does, and Error(input)
-/// without terrain.
+/// Draws the terrain in perspective with the raster draped over it. Throws as draw_map does, and Error(input) without
+/// terrain.
 Image draw_view(const ViewSpec& spec, ViewLayout* layout = nullptr);
 
 struct ViewPlace;
 
-/// Views of one place that differ in layer, legend and words: the terrain is built once. All specs share the
-/// terrain, the extent and the background, and the rasters outlive the series.
+/// Views of one place that differ in raster, legend and texts: the terrain is built once. All specs share the terrain,
+/// the extent and the background, and the rasters outlive the series.
 class ViewSeries {
   public:
-    /// The same view as draw_view's; throws as it does.
+    /// Draws the same view as draw_view; throws as it does.
     Image draw(const ViewSpec& spec, ViewLayout* layout = nullptr);
 
   private:

@@ -52,7 +52,7 @@ Camera find_camera(std::span<const ScenePoint> flow) {
     };
     const std::size_t quarter = std::max<std::size_t>(1, points.size() / 4);
     const Point low = centre(0, quarter), high = centre(points.size() - quarter, points.size());
-    constexpr double k_sideways_deg = 24;  // straight up the path, height and distance would look alike
+    constexpr double k_sideways_deg = 24;  // straight up the path, height and distance would look the same
     if (std::hypot(high.x - low.x, high.y - low.y) > 0) {
         camera.azimuth_deg = std::atan2(high.x - low.x, high.y - low.y) / k_degree + k_sideways_deg;
     }
@@ -64,7 +64,7 @@ Camera find_camera(std::span<const ScenePoint> flow) {
 PlacedCamera place_camera(const Camera& camera, std::span<const ScenePoint> points, double aspect) {
     const Axes axes = axes_of(camera.azimuth_deg, camera.elevation_deg);
     PlacedCamera placed;
-    constexpr double k_fill = 0.8;  // of the picture by the points
+    constexpr double k_fill = 0.8;  // fraction of the picture filled by the points
     const double steep = k_fill * std::tan(placed.opening_deg / 2 * k_degree), wide = steep * aspect;
     // In camera axes a point (a, b, c) is inside the picture when |a - a0| <= wide (c - c0) and |b - b0| <=
     // steep (c - c0): four bounds, linear in the camera's place (a0, b0, c0), from which the nearest place

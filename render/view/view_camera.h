@@ -13,20 +13,20 @@ struct ScenePoint {
     double x = 0, y = 0, z = 0;
 };
 
-/// A camera with perspective, placed.
+/// A placed perspective camera.
 struct PlacedCamera {
     ScenePoint position, target;
     double opening_deg = 30;  ///< of the picture's height
 
-    /// Where a point appears: right and up from the picture's middle, half the picture's height being 1.
+    /// Returns the position of a point in the picture: right and up from its middle, in half heights of the picture.
     [[nodiscard]] Point project(const ScenePoint& point) const;
 };
 
-/// From where to look at a flow: from before its front, uphill along its path and a little from the side.
-/// `flow` are points of its surface; fewer than two give a view to the north.
+/// Returns the default camera of a flow: from beyond its front, uphill along its path and slightly from the side.
+/// `flow` are points of its surface; with fewer than two the view is to the north.
 Camera find_camera(std::span<const ScenePoint> flow);
 
-/// Puts a camera so that all points just fit a picture of this width over height, with a margin, then closer
+/// Places a camera so that all points just fit a picture of this width over height, with a margin, then moves it closer
 /// by its zoom. Needs at least one point.
 PlacedCamera place_camera(const Camera& camera, std::span<const ScenePoint> points, double aspect);
 

@@ -12,8 +12,8 @@
 namespace frana::render {
 namespace {
 
-constexpr std::int64_t k_mesh_cells = 200;     // a side: 80,000 triangles, finer than the eye can tell under a texture
-constexpr std::int64_t k_texels = 2048;        // a side at most
+constexpr std::int64_t k_mesh_cells = 200;     // per side: 80,000 triangles, finer than visible below a texture
+constexpr std::int64_t k_texels = 2048;        // per side at most
 constexpr std::int64_t k_texels_per_cell = 3;  // keeps the edges of cells sharp between interpolated texels
 
 Bounds shown_part(const Raster& terrain, const Raster* layer) {
@@ -89,7 +89,7 @@ bool ViewGround::hides(const ScenePoint& eye, const ScenePoint& point) const {
         const double fraction = static_cast<double>(i) / k_looks;
         const Point map{origin_.x + eye.x + fraction * (point.x - eye.x),
                         origin_.y + eye.y + fraction * (point.y - eye.y)};
-        const double ground = scene(map, 0).z;  // not a number beyond the terrain, which hides nothing
+        const double ground = scene(map, 0).z;  // NaN beyond the terrain, which hides nothing
         if (eye.z + fraction * (point.z - eye.z) < ground - margin) return true;
     }
     return false;
@@ -131,7 +131,7 @@ std::vector<std::uint8_t> ViewGround::colours(const Raster* layer, const ColourS
             std::uint8_t* p =
                 bytes.data() + 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(texture_columns_) +
                                     static_cast<std::size_t>(column));
-            // Where the relief is dark the colour is darkened too, but less, to stay the legend's.
+            // Where the relief is dark the colour is darkened too, but less, to resemble that of the legend.
             constexpr double k_least_light = 0.88;
             const double light =
                 std::clamp(k_least_light + (1 - k_least_light) * (p[1] - 138) / 90.0, k_least_light, 1.0);

@@ -10,29 +10,29 @@
 
 namespace frana::render {
 
-/// The part of the terrain that a view shows, thinned to what the eye resolves, in the scene's coordinates.
+/// The part of the terrain in a view, reduced to the visible resolution, in the scene's coordinates.
 class ViewGround {
   public:
-    /// Round the data of `layer` (null: everything). `background` lies on the ground instead of the relief. Throws
-    /// Error(input) when no terrain lies there.
+    /// Around the data of `layer` (null: everything). `background` replaces the relief. Throws Error(input) if there is
+    /// no terrain.
     ViewGround(const Raster& terrain, const Raster* layer, double exaggeration, const Background& background = {});
 
     [[nodiscard]] const Raster& heights() const noexcept { return heights_; }  ///< map coordinates, metres
     [[nodiscard]] double exaggeration() const noexcept { return exaggeration_; }
-    /// A map point on the ground, `above` metres over it (before exaggeration).
+    /// Returns a map point on the ground, or `above` metres over it (before exaggeration).
     [[nodiscard]] ScenePoint scene(Point map, double above) const;
-    /// Whether ground lies between two points of the scene.
+    /// Returns whether there is ground between two points of the scene.
     [[nodiscard]] bool hides(const ScenePoint& eye, const ScenePoint& point) const;
     /// The lowest and highest ground in the scene.
     [[nodiscard]] double lowest() const noexcept { return lowest_; }
     [[nodiscard]] double highest() const noexcept { return highest_; }
 
-    /// Points of the layer's surface, at most about `most` of them; of the ground if there is no layer.
+    /// Returns points of the raster's surface, at most about `most` of them; of the ground if there is no raster.
     [[nodiscard]] std::vector<ScenePoint> sample(const Raster* layer, std::int64_t most) const;
 
-    /// Colours to drape over the ground, from the south-western corner eastwards, then northwards (VTK's
-    /// order); three bytes each: relief, and over it the layer's classes, a little shaded so that the
-    /// ground's shape stays visible.
+    /// Returns the colours to drape over the ground, from the south-western corner eastwards, then northwards (VTK's
+    /// order); three bytes each: relief, and over it the raster's classes, slightly shaded so that the ground's shape
+    /// remains visible.
     [[nodiscard]] std::vector<std::uint8_t> colours(const Raster* layer, const ColourScale& scale) const;
     [[nodiscard]] int texture_columns() const noexcept { return texture_columns_; }
     [[nodiscard]] int texture_rows() const noexcept { return texture_rows_; }
@@ -46,7 +46,7 @@ class ViewGround {
     double base_ = 0;  ///< height of the scene's origin [m]
     double lowest_ = 0, highest_ = 0;
     int texture_columns_ = 1, texture_rows_ = 1;
-    std::vector<std::uint8_t> relief_;  ///< colours of the bare ground, a texel after the other
+    std::vector<std::uint8_t> relief_;  ///< colours of the bare ground, texel by texel
 };
 
 }  // namespace frana::render

@@ -29,7 +29,7 @@
 namespace frana::render {
 namespace {
 
-/// Three looks through each pixel, averaged: smooth edges with the memory of one picture.
+/// Three samples per pixel, averaged: smooth edges with the memory of one picture.
 constexpr std::array<std::array<double, 2>, 3> k_samples{{{-1.0 / 3, 0}, {0, 1.0 / 3}, {1.0 / 3, -1.0 / 3}}};
 
 void colour(vtkActor& actor, Rgb c) {
@@ -201,13 +201,13 @@ class ViewScene::Parts {
         actor->SetTexture(texture_);
         colour(*actor, {255, 255, 255});
         texture_->InterpolateOn();
-        // The looks through each pixel smooth what is far; smaller copies of the texture would cost as much again.
+        // The samples per pixel smooth distant parts; smaller copies of the texture would cost as much again.
         texture_->MipmapOff();
         texture_->SetMaximumAnisotropicFiltering(1);  // more costs several times the frame in software
         renderer_->AddActor(actor);
     }
 
-    /// Walls from the edge of the terrain down to a common floor, so that it looks cut and not torn.
+    /// Builds walls from the edge of the terrain down to a common floor, so that it looks cut and not torn.
     void build_walls() {
         const GridSpec& grid = ground_.heights().grid;
         const Bounds box = grid.bounds();
@@ -239,8 +239,8 @@ class ViewScene::Parts {
             vtkNew<vtkActor> actor;
             actor->SetMapper(mapper);
             colour(*actor, along_row ? Rgb{186, 179, 170} : Rgb{168, 161, 152});
-            // Terrain whose data only touch the rectangle's side here and there is torn anyway; a sliver of
-            // wall is odd.
+            // Terrain whose data touch the rectangle's side only in places is irregular anyway; a fragment of wall
+            // looks odd.
             if (cells->GetNumberOfCells() > count / 5) renderer_->AddActor(actor);
         }
     }

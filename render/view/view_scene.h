@@ -10,8 +10,7 @@
 
 namespace frana::render {
 
-/// The ground in perspective, drawn by VTK: a mesh with a texture, walls where the terrain is cut off, lines
-/// on it.
+/// The ground in perspective, drawn by VTK: a mesh with a texture, walls where the terrain is cut off, lines on it.
 class ViewScene {
   public:
     ViewScene(const ViewGround& ground, int width, int height);
@@ -19,21 +18,21 @@ class ViewScene {
     ViewScene(const ViewScene&) = delete;
     ViewScene& operator=(const ViewScene&) = delete;
 
-    /// For another view of the same ground: its camera and size, no lines yet.
+    /// Starts another view of the same ground: its camera and size, no lines yet.
     void start(const PlacedCamera& camera, int width, int height);
     void set_camera(const PlacedCamera& camera);
-    /// A blue sky, or plain white.
+    /// Sets a blue sky, or plain white.
     void set_sky(bool sky);
-    /// Colours of the ground, as ViewGround::colours gives them.
+    /// Sets the colours of the ground, as returned by ViewGround::colours.
     void set_colours(std::vector<std::uint8_t> colours);
     /// Raises the surface by a thickness where it has values; null: the bare ground.
     void set_thickness(const Raster* thickness);
     void add_line(const std::vector<ScenePoint>& points, double width_px, Rgb colour);
 
-    /// Particles of a width in pixels, in the place of those before.
+    /// Replaces the particles; `width` in pixels.
     void set_dots(const std::vector<ScenePoint>& places, const std::vector<Rgb>& colours, double width_px);
 
-    /// Throws Error(environment) when VTK or OpenGL fails.
+    /// Throws Error(environment) if VTK or OpenGL fails.
     [[nodiscard]] Image draw();
 
   private:

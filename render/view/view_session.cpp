@@ -66,7 +66,7 @@ std::shared_ptr<ViewPlace> place_for(const ViewSpec& spec, std::shared_ptr<ViewP
     return kept;
 }
 
-/// Round a box, half inside.
+/// Draws a rim around a box, half inside.
 void draw_rim(Image& page, const PageBox& box, int thick) {
     const int left = static_cast<int>(box.left), top = static_cast<int>(box.top), right = static_cast<int>(box.right),
               bottom = static_cast<int>(box.bottom);
@@ -127,8 +127,8 @@ class ViewSession::Scene {
         first_camera_ = layout_.camera;
     }
 
-    // From behind a slope or below it a given camera would show the ground's other side: it is raised until it sees
-    // half of the flow.
+    // From behind a slope or below it a given camera would show the ground's other side: raises it until half of the
+    // flow is visible.
     void raise_over_ground(const std::vector<ScenePoint>& flow, double aspect) {
         constexpr double k_steepest_deg = 85, k_raise_deg = 5;
         const std::size_t step = std::max<std::size_t>(1, flow.size() / 200);
@@ -143,7 +143,7 @@ class ViewSession::Scene {
 
     void fly(double fraction) {
         std::sort(flow_.begin(), flow_.end(), [](const ScenePoint& a, const ScenePoint& b) { return a.z > b.z; });
-        constexpr double k_seen = 0.4;  // of the flow at once
+        constexpr double k_seen = 0.4;  // fraction of the flow visible at once
         constexpr double k_turn_deg = 70;
         const auto count = static_cast<double>(flow_.size());
         const auto begin = static_cast<std::ptrdiff_t>(std::clamp(fraction, 0.0, 1.0) * (1 - k_seen) * count);
@@ -265,7 +265,7 @@ class ViewSession::Scene {
     void put_dots(const Dots& dots) {
         std::vector<ScenePoint> places;
         std::vector<Rgb> colours;
-        // A little above the ground, whose mesh is coarser than the bed.
+        // Slightly above the ground, whose mesh is coarser than the bed.
         const double lift = 0.35 * ground_.heights().grid.cell_size;
         for (const Dot& dot : dots.dots) {
             const ColourClass* found = scale_.find(dot.value);
@@ -335,7 +335,7 @@ class ViewSession::Scene {
         }
     }
 
-    ViewSpec spec_;  // its rasters are not looked at after the construction
+    ViewSpec spec_;  // its rasters are not used after the construction
     bool for_frames_;
     ColourScale scale_;
     std::shared_ptr<ViewPlace> place_;

@@ -11,29 +11,29 @@
 
 namespace frana::render {
 
-/// The terrain of a view with its mesh, which layers of one series share.
+/// The terrain of a view with its mesh, shared by the rasters of one series.
 struct ViewPlace {
     explicit ViewPlace(const ViewSpec& spec);
 
-    const Raster *terrain, *extent;  ///< what it was made for
+    const Raster *terrain, *extent;  ///< its input
     double exaggeration;
     ViewGround ground;
-    std::unique_ptr<ViewScene> scene;  ///< once its picture's size is known
+    std::unique_ptr<ViewScene> scene;  ///< present once its picture's size is known
 };
 
-/// A view without its layer: terrain, camera, lines and texts made once, ready for one layer after the other.
+/// A view without its raster: terrain, camera, lines and texts made once, to receive one raster after another.
 class ViewSession {
   public:
-    /// `for_frames`: other layers than the spec's will come, each with a subtitle of its own. `place` is
-    /// taken where it fits, else made and put there; until the stage has drawn its last picture no other may use it.
+    /// `for_frames`: rasters other than the spec's will follow, each with its own subtitle. `place` is used if it fits,
+    /// else replaced; until the session has drawn its last picture no other may use it.
     ViewSession(const ViewSpec& spec, bool for_frames, std::shared_ptr<ViewPlace>& place);
     ~ViewSession();
 
-    /// The view with a layer and dots (none if null) and a subtitle; the latter only where the stage was made for
+    /// Draws the view with a raster and dots (none if null) and a subtitle; the latter only if the session was made for
     /// frames.
     [[nodiscard]] Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle);
 
-    /// See ViewAnimator::fly; the spec's texts must still be there.
+    /// See ViewAnimator::fly; the spec's texts must still exist.
     void fly(double fraction);
 
     [[nodiscard]] const ViewLayout& layout() const noexcept;

@@ -9,14 +9,13 @@
 
 namespace frana {
 
-/// Everything that comes into a flow after its start, in the order of time: areas that fail later, and
-/// inflow.
+/// Everything that enters a flow after its start, in order of time: areas that fail later, and inflow.
 class Arrivals {
   public:
-    /// Takes over what fails later. Throws as InflowSource.
+    /// Takes over the areas that fail later. Throws as InflowSource.
     Arrivals(const Scene& scene, std::vector<Entry> later);
 
-    /// When something comes next [s]; infinity: never.
+    /// Returns the time of the next entry [s]; infinity: none.
     [[nodiscard]] double next_time() const;
     [[nodiscard]] bool done() const { return next_time() == std::numeric_limits<double>::infinity(); }
 
@@ -26,14 +25,14 @@ class Arrivals {
         ParticleSet failed;              ///< their particles
         double inflow = 0;               ///< volume through lines [m3]
     };
-    /// What is due by `time`, areas before lines, each in the scene's order.
+    /// Returns everything due by `time`, areas before lines, each in the scene's order.
     Arrived collect(double time);
 
     [[nodiscard]] const std::vector<InflowSource>& sources() const noexcept { return sources_; }
-    /// Particles still to come.
+    /// Returns the number of particles still to enter.
     [[nodiscard]] std::size_t particles_left() const;
 
-    /// How far it has come.
+    /// Transfers the position in the list of entries.
     template <class Archive>
     void serialise(Archive& archive) {
         archive(next_entry_);

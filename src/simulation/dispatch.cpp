@@ -87,14 +87,14 @@ void choose_scheme(Transfer transfer, PlaneStressLaw law, Stages& stages) {
     }
 }
 
-// The fast ones know no stress but Bingham's.
+// The fast kernels support no stress but Bingham's.
 template <VectorKernels::NodesToParticles VectorKernels::*Kernel>
 ParticleReport fast_nodes_to_particles_stage(const ParticleTile& tile, const ParticleUpdate& update,
                                              const StressLaws& stress, const NodeGrid& nodes, ParticleSet& particles) {
     return (vector_kernels()->*Kernel)(tile, update, stress.bingham, nodes, particles);
 }
 
-// The default scheme's sweeps over particles, for what this processor can do.
+// Selects the default scheme's kernels over particles for this processor.
 void use_vector_kernels(const VectorKernels& kernels, PlaneStressLaw law, Stages& stages) {
     const bool stress = law != PlaneStressLaw::none;
     stages.particles_to_nodes = stages.references ? kernels.particles_and_levels_to_nodes : kernels.particles_to_nodes;
@@ -169,11 +169,11 @@ Laws make_laws(const Material& material, const MaterialZones& zones, const Entra
         laws.stress.wave_factor = std::max(1.0, law.compressed);
     }
     laws.resample.cell_size = nodes.cell_size();
-    // Splitting later costs a tenth of the accuracy on dry fronts, merging sooner some of it behind bores
+    // Splitting later loses a tenth of the accuracy on dry fronts, merging sooner some of it behind bores
     // (share/doc/numerics.md, "Speed").
     laws.resample.split_below = (3 * numerics.particles_per_cell + 1) / 2;
     laws.resample.max_per_cell =
-        std::max(4, (5 * numerics.particles_per_cell + 1) / 2);  // one that split in four stays so
+        std::max(4, (5 * numerics.particles_per_cell + 1) / 2);  // the four parts of a split particle do not merge
     return laws;
 }
 

@@ -116,7 +116,7 @@ void choose_erosion(const Entrainment& entrainment, Stages& stages) {
     throw std::out_of_range("no law of erosion " + entrainment.erosion);
 }
 
-// Turns the laws of a material into sweeps over the nodes.
+// Converts the laws of a material to sweeps over the nodes.
 class FrictionBuilder {
   public:
     FrictionBuilder(const Material& material, const MaterialZones& zones, const NodeGrid& nodes, double gravity)
@@ -136,7 +136,7 @@ class FrictionBuilder {
         return {uniform, friction_.node_values.back().data()};
     }
     NodeValue coefficient() { return value(zones_.friction_coefficient, material_.friction_coefficient); }
-    // `yields`: it holds what stands still.
+    // `yields`: the law holds material at rest.
     template <class Law>
     void sweep(const Law& law, bool yields) {
         friction_.yields |= yields;
@@ -157,7 +157,7 @@ class FrictionBuilder {
     BedFriction friction_;
 };
 
-// By the words of params/keys/laws.cpp.
+// Law by its word in params/keys/laws.cpp.
 void FrictionBuilder::add(const std::string& law) {
     const Material& m = material_;
     if (law == "coulomb") return sweep(CoulombFriction{coefficient(), 1, m.surface_pressure / m.density}, true);

@@ -9,14 +9,14 @@
 
 namespace frana {
 
-/// Whether a flow gets energy from nowhere. What moves under gravity and friction alone keeps
+/// Checks that a flow gains no energy from the numerics. Motion under gravity and friction alone conserves
 ///
-///     E = kinetic energy along the bed + potential energy + what friction has taken so far;
+///     E = kinetic energy along the bed + potential energy + energy dissipated by friction so far;
 ///
-/// numerics may lose some of it, never add. error() is the greatest rise of E over an earlier value, over the greatest
-/// kinetic energy with what friction had taken by then, which is the fall that gravity had worked. Velocities lag half
-/// a step behind positions: a step's kinetic energy is the mean of before and after, and half of what friction takes in
-/// it comes before. Steps between which volume came in or went (release, inflow, open edges, erosion) are left out.
+/// numerics may dissipate, never add. error() is the greatest rise of E over an earlier value, relative to the greatest
+/// kinetic energy plus the dissipation by then, which is the work of gravity. Velocities lag half a step behind
+/// positions: a step's kinetic energy is the mean of before and after, and half of its dissipation is counted before.
+/// Steps between which volume entered or left (release, inflow, open edges, erosion) are left out.
 class EnergyWatch {
   public:
     void add(const StepStatistics& statistics) {
@@ -34,7 +34,7 @@ class EnergyWatch {
         volume_ = volume;
         known_ = true;
     }
-    /// None where nothing moved, or where the model does not tell.
+    /// None if nothing moved, or if the model does not report energy.
     [[nodiscard]] std::optional<double> error() const {
         if (!(turned_over_ > 0)) return std::nullopt;
         return rise_ / turned_over_;
@@ -47,11 +47,11 @@ class EnergyWatch {
     }
 
   private:
-    static constexpr double k_same_volume = 1e-9;  ///< thousands of sums' rounding, less than any particle
+    static constexpr double k_same_volume = 1e-9;  ///< thousand times the rounding of the sums, less than any particle
 
     bool known_ = false;
-    double energy_ = 0, half_taken_ = 0, volume_ = 0;  ///< of the step before
-    double balance_ = 0, lowest_ = 0, rise_ = 0;       ///< of E, counted from the start [m5/s2]
+    double energy_ = 0, half_taken_ = 0, volume_ = 0;  ///< of the previous step
+    double balance_ = 0, lowest_ = 0, rise_ = 0;       ///< of E, relative to the start [m5/s2]
     double dissipated_ = 0, turned_over_ = 0;
 };
 

@@ -15,7 +15,7 @@
 namespace frana {
 namespace {
 
-// Appends seeds, giving fields that they do not carry their initial values.
+// Appends seeds; fields that they lack get their initial values.
 void append(const ParticleSet& seeds, ParticleSet& particles) {
     const std::size_t before = particles.size();
     particles.resize(before + seeds.size());
@@ -26,7 +26,7 @@ void append(const ParticleSet& seeds, ParticleSet& particles) {
     }
 }
 
-// At a place inside, as node_frame.
+// Returns the frame at a place inside, as node_frame.
 BedFrame frame_at(const NodeGrid& nodes, double x, double y) {
     const Stencil<QuadraticSplineShape> stencil(x, y, nodes.scale());
     const Interpolated bed = interpolate(stencil, nodes.bed.data(), nodes.stride());
@@ -34,7 +34,7 @@ BedFrame frame_at(const NodeGrid& nodes, double x, double y) {
     return BedFrame::of({follows * bed.dx, follows * bed.dy});
 }
 
-// Particles from `first` on get their velocities along the bed for those in map view.
+// Converts the velocities of particles from `first` on from map view to those along the bed.
 void velocities_along_bed(const NodeGrid& nodes, std::size_t first, ParticleSet& particles) {
     const double *x = particles[Field::x], *y = particles[Field::y];
     double *u = particles[Field::u], *v = particles[Field::v];
@@ -52,8 +52,8 @@ ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
     return particles;
 }
 
-// What comes in where something lies already makes it deeper: particles near the newcomers give up area until
-// they claim no more than there is. Reads NodeForces area.
+// Material that enters where there is some already makes it deeper: particles near the new ones reduce their area until
+// together they claim no more than the available area. Reads NodeForces area.
 void make_room(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet& particles) {
     const NodeScale grid = nodes.scale();
     std::vector<std::size_t> near;
@@ -115,7 +115,7 @@ Flow::Flow(const Ground& ground, const ParticleSet& particles, const Material& m
       state_(initial_state(ground, with_fields(particles, stages_.fields))),
       laws_(make_laws(material, zones, entrainment, numerics, state_.nodes, tilt ? tilt->normal : numerics.gravity)),
       maxima_(state_.nodes.size()) {
-    // Without references the levels stay zero: the pressure is then measured against nothing.
+    // Without references the levels remain zero, and the pressure is relative to zero.
     if (numerics.scheme == Scheme::standard) state_.nodes.allocate_levels();
     laws_.resample.edges = state_.nodes.bounds();
     laws_.resample.minimum_depth = 1e-3 * grid_.cell_size;
@@ -148,7 +148,7 @@ void Flow::add_particles(const ParticleSet& particles) {
     voellmy_bingham::prepare(state_, laws_, pool_);
     gather();
     make_room(particles, state_.nodes, state_.particles);
-    voellmy_bingham::prepare(state_, laws_, pool_);  // what is deeper is faster
+    voellmy_bingham::prepare(state_, laws_, pool_);  // greater depth gives a greater wave speed
 }
 
 voellmy_bingham::StepReport Flow::advance(double dt_limit) {

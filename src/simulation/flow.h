@@ -13,20 +13,18 @@
 
 namespace frana {
 
-/// Gravity of a frame tilted along the bed, so that solutions in slope coordinates are tested on a flat bed
-/// [m/s2].
+/// Gravity of a frame tilted along the bed, to test solutions in slope coordinates on a flat bed [m/s2].
 struct TiltedGravity {
     double along_x = 0, along_y = 0, normal = 9.81;
 };
 
-/// A flow that can be stepped: the engine without scenes, files and clocks. `run` drives it; so do the
-/// benches.
+/// A flow that can be stepped: the engine without scenes, files and clocks. Used by `run` and by the benches.
 class Flow {
   public:
-    /// After a step the nodes show the moment it began.
+    /// After a step the nodes show the state at its beginning.
     static constexpr bool k_shows_end = false;
 
-    /// @param ground elevation [m], NaN where there is none; its grid gives cell size and extent
+    /// @param ground elevation [m], NaN: no data; its grid specifies cell size and extent
     /// @param kernels plain: without the processor's vector instructions, for comparison
     /// @param particles in local metres, velocities in map view; fields the scheme needs are added with their initial
     ///                  values
@@ -35,20 +33,20 @@ class Flow {
          int threads, std::optional<TiltedGravity> tilt = std::nullopt, const MaterialZones& zones = {},
          const Entrainment& entrainment = {}, Kernels kernels = Kernels::fastest);
 
-    /// Marks where walls stand: 1 in a raster on the same grid.
+    /// Sets walls: 1 in a raster on the same grid.
     void add_walls(const Raster& walls);
-    /// More particles between two steps, in local metres; those outside count as left.
+    /// Adds particles between two steps, in local metres; those outside count as left.
     void add_particles(const ParticleSet& particles);
-    /// Takes ground away between two steps: depth in each cell [m], NaN for none.
+    /// Lowers the bed between two steps: depth in each cell [m], NaN for none.
     void lower_bed(const Raster& depth) {
         state_.nodes.lower_bed(depth);
         state_.active.activate(state_.order);
     }
-    /// From now on what rests is computed as well, for comparison.
+    /// From now on computes material at rest as well, for comparison.
     void compute_what_rests() noexcept { laws_.skips_rest = false; }
 
     voellmy_bingham::StepReport advance(double dt_limit);
-    /// Brings the velocities, which lag half a step, to the present time. Before looking at them.
+    /// Advances the velocities, which lag half a step, to the present time. Call before reading them.
     void synchronise();
     /// Steps until `time` and synchronises.
     void advance_to(double time);
@@ -58,24 +56,24 @@ class Flow {
     [[nodiscard]] std::int64_t particle_count() const noexcept {
         return static_cast<std::int64_t>(state_.particles.size() + state_.flights.size());
     }
-    /// Velocity of a particle in map view [m/s]. Particles that follow a curved bed carry theirs along the bed
-    /// (BedFrame).
+    /// Returns the velocity of a particle in map view [m/s]. Particles that follow a curved bed store theirs along the
+    /// bed (BedFrame).
     [[nodiscard]] Point map_velocity(std::size_t p) const;
     /// Whether particles carry the velocity along the bed.
     [[nodiscard]] bool follows_bed() const noexcept { return stages_.follows_bed; }
     [[nodiscard]] bool empty() const noexcept { return state_.particles.size() == 0 && state_.flights.empty(); }
-    /// What is in the air.
+    /// Particles in the air.
     [[nodiscard]] const Flights& flights() const noexcept { return state_.flights; }
     [[nodiscard]] std::size_t bytes_per_particle() const noexcept { return state_.particles.bytes_per_particle(); }
-    /// Tiles of nodes that the particles can touch: what a step clears and updates.
+    /// Number of tiles of nodes that the particles can touch: those that a step clears and updates.
     [[nodiscard]] std::size_t reached_tiles() const noexcept { return state_.order.node_tiles().size(); }
-    /// Bytes that a node of the map takes once it was touched.
+    /// Memory of a node of the map once it was touched [bytes].
     [[nodiscard]] std::size_t bytes_per_node() const noexcept;
     [[nodiscard]] const NodeGrid& nodes() const noexcept { return state_.nodes; }
     [[nodiscard]] const GridSpec& grid() const noexcept { return grid_; }
     /// Whether speeds along the bed and in map view differ.
     [[nodiscard]] bool metric() const noexcept { return numerics_.slope_correction != SlopeCorrection::none; }
-    /// Calls visit(index) for every node of the terrain that may hold material, as the last step left it.
+    /// Calls visit(index) for every node of the terrain that may have mass, in the state after the last step.
     template <class Visit>
     void for_each_active_node(const Visit& visit) const {
         const NodeGrid& n = state_.nodes;
@@ -89,33 +87,33 @@ class Flow {
     }
     [[nodiscard]] const voellmy_bingham::Laws& laws() const noexcept { return laws_; }
     [[nodiscard]] double volume_left() const noexcept { return state_.volume_left; }
-    /// What has gone from the bed to the flow and back so far.
+    /// Amounts exchanged between bed and flow so far.
     [[nodiscard]] const ExchangeReport& exchanged() const noexcept { return state_.exchanged; }
-    /// Depth eroded from and deposited on each cell so far [m]; NaN where none. Only for scenes that
-    /// exchange.
+    /// Depth eroded from and deposited on each cell so far [m]; NaN where none. Only for scenes with exchange.
     [[nodiscard]] Raster eroded_depth() const;
     [[nodiscard]] Raster deposited_depth() const;
     /// Greatest height above the ground at which each cell was flown over [m]; NaN where it was not.
     [[nodiscard]] Raster jump_height() const;
     [[nodiscard]] std::int64_t steps() const noexcept { return steps_; }
     [[nodiscard]] std::int64_t particle_steps() const noexcept { return particle_steps_; }
-    /// Volume inside, with what flies.
+    /// Volume inside, including particles in the air.
     [[nodiscard]] double volume() const;
-    /// Of what lies on the ground (local metres).
+    /// Centroid of the material on the ground (local metres).
     [[nodiscard]] Point centroid() const;
-    /// Measures the front distance from here on [local metres].
+    /// Sets the point from which the front distance is measured [local metres].
     void set_origin(Point origin) { laws_.origin = origin; }
-    /// Rids the time of the last bit that summing steps has cost it.
+    /// Sets the time exactly, without the rounding of the sum of steps.
     void set_time(double time) { state_.time = time; }
     /// Speed from which StepReport counts volume as moving [m/s].
     void set_moving_speed(double speed) { laws_.moving_speed = speed; }
-    /// First stable step from the present state [s].
+    /// Returns the first stable step from the present state [s].
     [[nodiscard]] double stable_step() const;
 
-    /// Speed along the bed of a velocity in map view at a node [m/s], in the frame in which the node gathered it.
+    /// Returns the speed along the bed of a velocity in map view at a node [m/s], in the frame in which the node
+    /// gathered it.
     [[nodiscard]] double speed_along_bed(std::size_t node, Point v) const;
-    /// Depth and speed along the bed of the particles as they are, as north-up rasters; NaN under the minimum
-    /// depth.
+    /// Depth and speed along the bed of the particles in their present state, as north-up rasters; NaN below the
+    /// minimum depth.
     struct Snapshot {
         Raster depth, speed;
     };
@@ -125,19 +123,18 @@ class Flow {
         Raster depth, momentum_x, momentum_y;
     };
     NodalFields nodal_fields();
-    /// From now on keeps the velocities in map view that the particles bring to the nodes, for brought_velocity.
+    /// From now on stores the velocities in map view that the nodes gather from the particles, for brought_velocity.
     void keep_brought_velocities();
-    /// The one that a node's particles had when the last step began [m/s].
+    /// Velocity of a node's particles at the beginning of the last step [m/s].
     [[nodiscard]] Point brought_velocity(std::size_t node) const { return state_.brought[node]; }
-    /// Folds the present depth into the maxima (they are otherwise taken at the start of each step).
+    /// Updates the maxima with the present depth (they are otherwise taken at the start of each step).
     void record_present();
     [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }
-    /// A padded node array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the
-    /// others.
+    /// Returns a padded node array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the others.
     template <class Value>
     [[nodiscard]] Raster to_raster(const ZeroArray<Value>& padded, double shift = 0) const;
 
-    /// Everything that steps change.
+    /// Everything that changes during a step.
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [grid, numerics, pool, stages, state, laws, maxima, steps, particle_steps] = *this;

@@ -43,7 +43,7 @@ StepStatistics statistics_of(const StepStatistics& statistics) {
     return statistics;
 }
 
-// What came from the bed and went back to it so far [m3].
+// Volumes eroded from and deposited on the bed so far [m3].
 struct BedBudget {
     double eroded = 0, deposited = 0;
 };
@@ -53,7 +53,7 @@ BedBudget bed_budget(const Flow& flow) {
 }
 
 BedBudget bed_budget(const StructuredFlow&) {
-    return {};  // its bed stays as it is
+    return {};  // its bed does not change
 }
 
 template <class AnyFlow>
@@ -87,7 +87,7 @@ void note_scaling(const std::vector<ReleasedArea>& areas, std::vector<std::strin
     }
 }
 
-// What a model shows besides depth and speed.
+// Rasters of a model besides depth and speed.
 std::vector<NamedRaster> more_of(const Flow&) {
     return {};
 }
@@ -96,13 +96,14 @@ std::vector<NamedRaster> more_of(const StructuredFlow& flow) {
     return flow.phases();
 }
 
-// Of fluid alone the frame's depth and velocity say it all.
+// For fluid alone the frame's depth and velocity are complete.
 template <class AnyFlow>
 bool frames_show_more(const AnyFlow& flow) {
     return flow.particle_count() > 0;
 }
 
-// The flow as its last step left it, which taking a frame does not change: a Flow's velocities are those that moved it.
+// Returns the flow in the state after its last step; taking a frame does not change it: a Flow's velocities are those
+// of its last motion.
 template <class AnyFlow>
 Frame store_frame(AnyFlow& flow, int index, bool with_particles) {
     auto shot = flow.snapshot();
@@ -114,7 +115,7 @@ Frame store_frame(AnyFlow& flow, int index, bool with_particles) {
             with_particles ? particle_table(flow) : PointTable{}};
 }
 
-// A wall's cell holds nothing, though the nodes there gather a fraction of what leans against it.
+// A wall's cell contains no material, though the nodes there gather a fraction of particles beside it.
 void hide_walls(const Scene& scene, Raster& raster) {
     if (!scene.walls) return;
     for (std::size_t i = 0; i < raster.values.size(); ++i) {
@@ -147,7 +148,7 @@ void add_exchanges_to(const Scene& scene, const Flow& flow, RunResult& result) {
         scene.material.density * std::hypot(flow.exchanged().momentum_x, flow.exchanged().momentum_y);
 }
 
-void add_exchanges_to(const Scene&, const StructuredFlow&, RunResult&) {}  // its bed stays as it is
+void add_exchanges_to(const Scene&, const StructuredFlow&, RunResult&) {}  // its bed does not change
 
 void add_jumps_to(const Scene& scene, const Flow& flow, RunResult& result) {
     const JumpStatistics& jumps = flow.flights().statistics();
@@ -161,7 +162,7 @@ void add_jumps_to(const Scene& scene, const Flow& flow, RunResult& result) {
     result.jump_height = flow.jump_height();
 }
 
-void add_jumps_to(const Scene&, const StructuredFlow&, RunResult&) {}  // keeps to its bed
+void add_jumps_to(const Scene&, const StructuredFlow&, RunResult&) {}  // it stays on its bed
 
 double pressure_factor(const Flow& flow) {
     return flow.laws().stress.wave_factor;
@@ -177,7 +178,7 @@ void prepare_to_record(Flow& flow) {
 
 void prepare_to_record(const StructuredFlow&) {}
 
-// After a run that ended in numbers that are none, its maps show only those that are.
+// Removes non-finite values from the maps of a run that ended with some.
 void hide_non_finite(Raster& raster) {
     for (double& value : raster.values) {
         if (!std::isfinite(value)) value = k_no_data;
@@ -252,7 +253,7 @@ void FlowRun<AnyFlow>::write_frame_now() {
     engine_.start();
 }
 
-// What is due now comes in.
+// Adds the material due now.
 template <class AnyFlow>
 void FlowRun<AnyFlow>::receive() {
     const Arrivals::Arrived arrived = arrivals_.collect(flow_.time());
@@ -268,7 +269,7 @@ void FlowRun<AnyFlow>::receive() {
     settling_.restart(flow_.time());
 }
 
-// What is to happen when the flow has come to a time that it was sent to.
+// Actions due when the flow has reached a target time.
 template <class AnyFlow>
 void FlowRun<AnyFlow>::arrive(double target) {
     flow_.set_time(target);
@@ -316,15 +317,15 @@ Progress FlowRun<AnyFlow>::progress() const {
 
 template <class AnyFlow>
 void FlowRun<AnyFlow>::step() {
-    // Only what belongs to the scene's physics, and its end, is met exactly; who looks on takes the steps as they come.
+    // Only times of the scene's physics, and its end, are met exactly; outputs use the steps as they are.
     const double target = std::min(scene_.time.end, arrivals_.next_time());
     const double left = target - flow_.time();
-    // Two equal steps rather than a full one and a sliver.
+    // Two equal steps rather than a full one and a very short one.
     const double stable = flow_.stable_step();
     const double limit = left <= stable ? left : left < 2 * stable ? 0.5 * left : left;
     const double began = flow_.time();
     StepStatistics statistics = statistics_of(flow_.advance(limit));
-    // A step that does not move time comes from no number.
+    // A step that does not advance time results from a non-finite value.
     if (!(flow_.time() > began)) statistics.non_finite = std::max<std::int64_t>(statistics.non_finite, 1);
     if (!recorder_.idle()) recorder_.record(flow_, AnyFlow::k_shows_end ? flow_.time() : began, statistics.dt);
     count(statistics);
@@ -334,7 +335,7 @@ void FlowRun<AnyFlow>::step() {
         result_.stop_reason = *reason;
         stopped_ = true;
     }
-    // What ends here shows its end in finish(); what only pauses is to have the frames of a run that did not.
+    // A run that ends here shows its end in finish(); one that only pauses must have the frames of a run that did not.
     const bool pauses = stopped_ && result_.stop_reason == StopReason::requested && flow_.time() < scene_.time.end;
     if (flow_.time() >= next_frame_ && (continues() || pauses)) write_frame_now();
 }

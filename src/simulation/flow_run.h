@@ -18,13 +18,13 @@ namespace frana {
 class Flow;
 class StructuredFlow;
 
-/// Wall time while it runs; it can be stopped and started again.
+/// Measures wall time; can be stopped and restarted.
 class Stopwatch {
   public:
     void start() { begin_ = std::chrono::steady_clock::now(); }
     void stop() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
     [[nodiscard]] double seconds() const { return seconds_; }
-    /// While it is stopped.
+    /// Transfers the time measured so far; call while stopped.
     template <class Archive>
     void serialise(Archive& archive) {
         archive(seconds_);
@@ -35,21 +35,20 @@ class Stopwatch {
     double seconds_ = 0;
 };
 
-/// A flow on its way to a scene's end, step after step, with all that is observed of it. Refers to everything
-/// that it is given.
+/// A flow stepped to a scene's end, with all observations of it. Refers to all its constructor's arguments.
 template <class AnyFlow>
 class FlowRun {
   public:
-    /// @param engine running: stopped while others have their turn
+    /// @param engine running: stopped while callbacks run
     FlowRun(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals, AnyFlow& flow,
             Stopwatch& engine);
 
-    /// What is seen before the first step.
+    /// Records the state before the first step.
     void begin();
-    /// Whether a step is still to be done.
+    /// Whether a step remains to be done.
     [[nodiscard]] bool continues() const { return !stopped_ && flow_.time() < scene_.time.end; }
     void step();
-    /// The result; once.
+    /// Returns the result; call once.
     RunResult finish();
 
     [[nodiscard]] Progress progress() const;
@@ -63,7 +62,7 @@ class FlowRun {
         archive(result.series, result.particles_peak, result.hard_events, result.unsupported, result.volume_inflow,
                 result.volume_entered, result.thin_fraction, result.moving_fraction_limit);
         for (ReleasedArea& area : result.released) archive(area.failed);
-        // A run that was stopped goes on; one that came to rest does not.
+        // A stopped run resumes; one that came to rest does not.
         bool ended = stopped && ends_finally(result.stop_reason);
         StopReason reason = result.stop_reason;
         archive(ended, reason);
@@ -96,8 +95,8 @@ class FlowRun {
     RunResult result_;
     bool stopped_ = false;
     int frames_ = 0;
-    double next_frame_;       ///< the first state that reaches it is the next frame [s]
-    double last_frame_ = -1;  ///< when this process gave one [s]
+    double next_frame_;       ///< the first state at or after this time is the next frame [s]
+    double last_frame_ = -1;  ///< time of the last frame by this process [s]
     StillWatch still_;
     FadeWatch fade_;
     SettlingWatch settling_;
@@ -106,12 +105,12 @@ class FlowRun {
     EnergyWatch energy_;
 };
 
-/// What comes later: whole columns that fail, and what flows in, which in the structured model is fluid.
+/// Adds later arrivals: columns of failed material, and inflow, which in the structured model is fluid.
 void add_arrivals(const Arrivals::Arrived& arrived, Flow& flow);
 void add_arrivals(const Arrivals::Arrived& arrived, StructuredFlow& flow);
 
-/// From where fronts are measured and elevations counted: the centroid of everything released, else the
-/// middle of the first inflow. Local metres.
+/// Returns the reference point of front distances and elevations: the centroid of everything released, else the middle
+/// of the first inflow. Local metres.
 Point origin_of(const Release& release, const Arrivals& arrivals);
 
 }  // namespace frana

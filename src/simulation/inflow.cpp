@@ -12,8 +12,7 @@
 namespace frana {
 namespace {
 
-// A direction this near to the line's own (sine of the angle) would need an endless row to carry the
-// discharge.
+// Directions closer to the line's own (sine of the angle) would need an unbounded row to carry the discharge.
 constexpr double k_least_crossing = 0.1;
 
 double length_of(const Polyline& line) {
@@ -77,7 +76,8 @@ std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydr
         const HydrographPoint b = hydrograph[i + 1];
         const double span = b.time - a.time;
         if (!(span > 0)) continue;
-        if (a.discharge == 0 && b.discharge == 0) {  // a pause: what has crossed goes on without waiting for more
+        if (a.discharge == 0 && b.discharge == 0) {  // a pause: the part that has crossed enters without waiting for
+                                                     // more
             close(a.time);
             since = b.time;
             continue;
@@ -101,7 +101,7 @@ std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydr
             open.volume += 0.5 * (a.discharge + to.discharge) * dt;
             open.length += 0.5 * (a.speed + to.speed) * dt;
             if (fills) close(to.time);
-            if (!(dt > 0) && !begun) break;  // a whole row in less than a time can tell
+            if (!(dt > 0) && !begun) break;  // a whole row in less than the resolution of time
             a = to;
         }
         if (last.discharge == 0 || last.time >= end || i + 2 == hydrograph.size()) close(last.time);
@@ -117,7 +117,7 @@ InflowSource::InflowSource(const Scene& scene, const Inflow& inflow) : gravity_(
         throw refused("the inflow's line has no length", "inflow.line", "", "Redraw it");
     const auto count = static_cast<std::size_t>(std::ceil(length / spacing));
     std::vector<Point> slopes, tangents;
-    double towards_left = 0;  // how far the ground falls to the left of the line
+    double towards_left = 0;  // fall of the ground to the left of the line
     for (std::size_t k = 0; k < count; ++k) {
         const double fraction = 1 / static_cast<double>(count);
         const OnLine on = at_distance(line, (static_cast<double>(k) + 0.5) * fraction * length);
@@ -151,9 +151,9 @@ InflowSource::Piece InflowSource::piece_of(const Mouth& mouth, const InflowBatch
     piece.length = batch.length * mouth.map_fraction;
     piece.area = piece.length * mouth.width;
     piece.depth = batch.volume * mouth.fraction / piece.area;
-    // What lies upstream of the line is not computed, but presses on it: the row brings that impulse with it,
-    // g h^2 / 2 a second and metre, so that the flux of momentum is h v^2 + g h^2 / 2. Slower than the critical speed a
-    // flow finds its depth from downstream, and more than half as fast again would be a jet.
+    // The flow upstream of the line is not computed but exerts pressure on it: the row brings that impulse with it, g
+    // h^2 / 2 per second and metre, so that the flux of momentum is h v^2 + g h^2 / 2. Below the critical speed a
+    // flow's depth is controlled from downstream, and more than one and a half times the speed would be a jet.
     piece.speed = batch.speed + 0.5 * batch.speed * std::min(1.0, gravity_ * piece.depth / (batch.speed * batch.speed));
     return piece;
 }

@@ -8,40 +8,40 @@
 
 namespace frana {
 
-/// What crosses a line between two times, as one row of particles that comes in at the later one.
+/// The inflow across a line between two times, as one row of particles that enters at the later one.
 struct InflowBatch {
     double time = 0;    ///< end of the interval [s]
     double volume = 0;  ///< over the whole line [m3]
-    double length = 0;  ///< how far what came first has gone by then, along the bed [m]
+    double length = 0;  ///< distance along the bed travelled by then by the first part [m]
     double speed = 0;   ///< mean over the interval, along the bed [m/s]
 };
 
-/// Cuts a hydrograph into rows `spacing` long, so that they join one behind the other with the depth that
-/// discharge and speed make. Rows also end where the discharge is zero, and at `end`. The volumes add up to
-/// the hydrograph's integral until `end`: trapezia, exact for a discharge that is linear between its points.
+/// Divides a hydrograph into rows `spacing` long, which join one behind the other with the depth given by discharge and
+/// speed. Rows also end where the discharge is zero, and at `end`. The volumes add up to the hydrograph's integral
+/// until `end`: trapezoidal, exact for a discharge that is linear between its points.
 std::vector<InflowBatch> cut_hydrograph(const std::vector<HydrographPoint>& hydrograph, double spacing, double end);
 
-/// A line that gives particles, row after row.
+/// A line that emits particles row by row.
 class InflowSource {
   public:
-    /// Throws Error(input) naming inflow.line or inflow.direction: a point of the line without terrain, on a
-    /// wall or outside the grid; level ground without a direction; a direction along the line.
+    /// Throws Error(input) naming inflow.line or inflow.direction: a point of the line without terrain, on a wall or
+    /// outside the grid; level ground without a direction; a direction along the line.
     InflowSource(const Scene& scene, const Inflow& inflow);
 
     [[nodiscard]] bool done() const noexcept { return next_ == batches_.size(); }
-    /// When the next row comes in [s].
+    /// Time of the next row [s].
     [[nodiscard]] double next_time() const { return batches_[next_].time; }
     /// Appends the next row to `particles`; returns its volume [m3].
     double emit(ParticleSet& particles);
 
     [[nodiscard]] Point midpoint() const;             ///< local metres
-    [[nodiscard]] std::vector<Point> places() const;  ///< where rows come in, local metres
-    /// Greatest depth [m] and speed along the bed [m/s] with which rows come in.
+    [[nodiscard]] std::vector<Point> places() const;  ///< places of the rows, local metres
+    /// Greatest depth [m] and speed along the bed [m/s] of the rows.
     struct Extremes {
         double depth = 0, speed = 0;
     };
     [[nodiscard]] Extremes extremes() const;
-    /// Particles still to come.
+    /// Number of particles still to enter.
     [[nodiscard]] std::size_t particles_left() const noexcept { return (batches_.size() - next_) * mouths_.size(); }
 
     template <class Archive>
@@ -57,9 +57,9 @@ class InflowSource {
         double width;            ///< across the direction [m]
         double fraction;         ///< of the discharge
     };
-    // What a mouth brings of a row.
+    // The part of a row through one mouth.
     struct Piece {
-        double length, area, depth, speed;  ///< in map view, but for the speed along the bed
+        double length, area, depth, speed;  ///< in map view, except the speed along the bed
     };
     [[nodiscard]] Piece piece_of(const Mouth& mouth, const InflowBatch& batch) const;
 

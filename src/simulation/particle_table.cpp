@@ -10,7 +10,7 @@
 namespace frana {
 namespace {
 
-// Elevation of the bed between the nodes' centres, and its slope in the cell as the rasters of speed have it.
+// Elevation of the bed between the nodes' centres, and its slope in the cell as in the rasters of speed.
 struct Ground {
     double height = 0;
     Point slope;
@@ -41,7 +41,7 @@ double speed_on(Point slope, Point v, bool metric) {
     return metric ? AlongBed{slope.x, slope.y}.speed(v) : std::hypot(v.x, v.y);
 }
 
-// What particles of either model have.
+// Columns common to particles of both models.
 // @param velocity of a particle in map view
 // @param speed along the bed, from its number, that velocity and the ground's slope
 template <class Velocity, class Speed>
@@ -79,7 +79,7 @@ PointTable particle_table(const Flow& flow) {
     return common_table(
         flow.particles(), flow.grid(), flow.nodes(), [&](std::size_t p) { return flow.map_velocity(p); },
         [&](std::size_t p, Point v, Point slope) {
-            // What it carries: over an edge its velocity in map view and the slope there do not belong together.
+            // The stored speed along the bed: at an edge the velocity in map view and the slope there do not match.
             const ParticleSet& particles = flow.particles();
             return flow.follows_bed() ? std::hypot(particles[Field::u][p], particles[Field::v][p])
                                       : speed_on(slope, v, flow.metric());

@@ -19,7 +19,7 @@ void move_points(std::vector<Point>& points, const Place& place) {
     for (Point& p : points) p = place(p);
 }
 
-// Every point and direction of a scene. Azimuths run clockwise, the turn [rad] does not.
+// Moves every point and direction of a scene. Azimuths are clockwise, the turn [rad] is not.
 void move_marks(Scene& scene, const Place& place, double turn) {
     for (ReleaseArea& area : scene.release) {
         for (Polygon& polygon : area.outline) {
@@ -38,7 +38,7 @@ void move_marks(Scene& scene, const Place& place, double turn) {
 
 enum class Kind { elevation, depth, zone };
 
-// Every raster of a scene, and what it holds.
+// Visits every raster of a scene with its quantity.
 template <class Visit>
 void for_each_raster(Scene& scene, const Visit& visit) {
     visit(scene.terrain, Kind::elevation);
@@ -62,8 +62,7 @@ GridSpec plain_grid(const GridSpec& like, std::int64_t columns, std::int64_t row
     return grid;
 }
 
-// Counted from the scene's south-western corner, metres stay exact; a second quarter counts from that of the
-// first.
+// Relative to the scene's south-western corner, metres are exact; a second quarter is relative to that of the first.
 Scene quarter_turned(Scene scene) {
     const GridSpec old = scene.grid;
     move_marks(
@@ -86,7 +85,7 @@ std::array<double, 4> cubic_weights(double t) {
             (0.5 * t - 0.5) * t * t};
 }
 
-// A raster between the centres of its cells, at a place counted in cells from that of row 0, column 0.
+// A raster interpolated between the centres of its cells, at a place in cells from that of row 0, column 0.
 class Interpolated {
   public:
     explicit Interpolated(const Raster& raster) : raster_(raster) {}
@@ -94,7 +93,7 @@ class Interpolated {
     [[nodiscard]] double nearest(double row, double column) const {
         return at(static_cast<std::int64_t>(std::lround(row)), static_cast<std::int64_t>(std::lround(column)));
     }
-    // Of the cells that have a value; NaN where the nearest has none.
+    // From the cells that have a value; NaN where the nearest has none.
     [[nodiscard]] double bilinear(double row, double column) const {
         if (std::isnan(nearest(row, column))) return k_no_data;
         const auto i = static_cast<std::int64_t>(std::floor(row)), j = static_cast<std::int64_t>(std::floor(column));
@@ -121,7 +120,7 @@ class Interpolated {
     }
 
   private:
-    // Beyond the edge that of the edge.
+    // Beyond the edge the value of the edge.
     [[nodiscard]] double at(std::int64_t row, std::int64_t column) const {
         return raster_.at(std::clamp<std::int64_t>(row, 0, raster_.grid.rows - 1),
                           std::clamp<std::int64_t>(column, 0, raster_.grid.columns - 1));
@@ -130,15 +129,15 @@ class Interpolated {
     const Raster& raster_;
 };
 
-// Where the cells of a new grid lie on the old one.
+// The position of a new grid's cells on the old one.
 struct Cells {
     GridSpec grid;
     double cosine, sine;               // of the turn
     double middle_row, middle_column;  // of the old grid, counted as Interpolated does
-    double off;  // of the new grid's middle from the old one's, to the east and to the north [cells]
+    double off;  // displacement of the new grid's middle from the old one's, to the east and to the north [cells]
 
     struct OldPlace {
-        double row, column, beyond;  // beyond: how far outside of the old grid [cells]
+        double row, column, beyond;  // beyond: distance outside of the old grid [cells]
     };
     [[nodiscard]] OldPlace old_place(const GridSpec& old, std::int64_t row, std::int64_t column) const {
         const double x = static_cast<double>(column) - 0.5 * static_cast<double>(grid.columns - 1) + off;
@@ -154,7 +153,7 @@ struct Cells {
 Cells cells_of(const GridSpec& old, const GridPlacement& placement, double turn) {
     const double c = std::cos(turn), s = std::sin(turn);
     const auto width = static_cast<double>(old.columns), height = static_cast<double>(old.rows);
-    // A millionth of a cell is rounding. A shifted grid keeps to the cells that lie wholly inside.
+    // A millionth of a cell is rounding. A shifted grid consists of the cells that are wholly inside.
     const auto count = [&](double cells) {
         return std::max<std::int64_t>(
             1, static_cast<std::int64_t>(std::ceil(cells - 1e-6)) - (placement.shift > 0 ? 1 : 0));
@@ -190,7 +189,7 @@ Raster interpolated(const Raster& raster, const Cells& cells, Kind kind) {
     return other;
 }
 
-// A raster cannot be turned without its volume changing at the rim.
+// A raster cannot be turned without changing its volume at the edge.
 void keep_volumes(const Scene& from, Scene& scene) {
     if (scene.release_volume || scene.release.empty()) return;
     const Release released = make_release(from);

@@ -5,7 +5,7 @@
 
 namespace frana {
 
-/// How a grid lies against the ground of a scene, compared with the scene's own.
+/// Position of a grid relative to the scene's own.
 struct GridPlacement {
     double shift = 0;     ///< to the east and to the north, 0 to 1 [cells]
     double turn_deg = 0;  ///< of the ground in the grid's axes, counter-clockwise
@@ -13,22 +13,21 @@ struct GridPlacement {
 
 /// A scene on another grid.
 struct PlacedScene {
-    Scene scene;    ///< in plain metres from the new grid's south-western corner; records nothing by the way
-    Raster inside;  ///< on its grid: 1 on the scene's ground, 0 beyond it; empty: all of it is
+    Scene scene;    ///< in plain metres from the new grid's south-western corner; without intermediate recordings
+    Raster inside;  ///< on its grid: 1 on the scene's ground, 0 beyond it; empty: 1 everywhere
 };
 
-/// The same ground, release, zones and walls on a grid that lies otherwise, of cells as large.
+/// Returns the same ground, release, zones and walls on a grid at another position, with cells of the same size.
 ///
-/// By a multiple of 90 degrees cells are only put in another order, and outlines turned: nothing is
-/// interpolated, and but for rounding nothing in the flow may change. Otherwise elevations are interpolated
-/// by cubic convolution (Keys 1981) between the centres of the scene's cells, bilinearly where one of the
-/// sixteen has none; depths bilinearly, each release area keeping its volume; zones and walls take the
-/// nearest cell. A cell whose nearest has no elevation has none. Beyond the scene's edge the ground falls by
-/// one cell a cell for five cells, so that what leaves does not come back, or is a wall where the scene has
-/// walls for edges; it is not `inside`.
+/// By a multiple of 90 degrees cells are only reordered, and outlines turned: nothing is interpolated, and except for
+/// rounding nothing in the flow may change. Otherwise elevations are interpolated by cubic convolution (Keys 1981)
+/// between the centres of the scene's cells, bilinearly where one of the sixteen has none; depths bilinearly, each
+/// release area keeping its volume; zones and walls take the nearest cell. A cell whose nearest has no elevation has
+/// none. Beyond the scene's edge the ground falls by one cell per cell for five cells, so that material that leaves
+/// does not return, or is a wall if the scene's edges are walls; it is not `inside`.
 PlacedScene placed_otherwise(const Scene& scene, const GridPlacement& placement);
 
-/// The cells of a raster turned by 90 degrees, counter-clockwise; its south-western corner stays.
+/// Returns a raster with its cells turned by 90 degrees, counter-clockwise, about its south-western corner.
 Raster quarter_turned(const Raster& raster);
 
 }  // namespace frana

@@ -22,7 +22,7 @@ Recorder::Recorder(const Recording& recording, const GridSpec& grid, const Numer
         flux_ = ZeroArray<double>(nodes);
         head_ = ZeroArray<double>(nodes);
     }
-    // By numbers counted from the origin.
+    // By indices relative to the origin.
     const auto node_at = [&](std::int64_t i, std::int64_t j) {
         i = std::clamp<std::int64_t>(i + grid.origin_column, 0, grid.columns - 1);
         j = std::clamp<std::int64_t>(j + grid.origin_row, 0, grid.rows - 1);
@@ -33,7 +33,7 @@ Recorder::Recorder(const Recording& recording, const GridSpec& grid, const Numer
         places_.push_back(node_at(static_cast<std::int64_t>(std::floor(local.x / cell_size_)),
                                   static_cast<std::int64_t>(std::floor(local.y / cell_size_))));
     }
-    // Two pieces a cell: a bilinear field is integrated along the line with an error of the second order.
+    // Two pieces per cell: a bilinear field is integrated along the line with an error of second order.
     const double longest = cell_size_ / 2;
     for (const CrossSection& section : recording.sections) {
         Line line;
@@ -98,7 +98,7 @@ SectionRow Recorder::row_of(const AnyFlow& flow, std::size_t section, double tim
         double flux_x = 0, flux_y = 0, depth = 0, speed = 0;
         for (const Fraction& fraction : piece.fractions) {
             const NodeState state = state_of(flow, fraction.node);
-            // The volume in the cell, not the depth that is shown, is what passes.
+            // The flux is that of the volume in the cell, not of the depth on maps.
             flux_x += fraction.weight * state.volume_depth * state.u;
             flux_y += fraction.weight * state.volume_depth * state.v;
             depth += fraction.weight * state.depth;

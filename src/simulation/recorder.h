@@ -10,24 +10,23 @@
 
 namespace frana {
 
-/// Records what a scene asks for beyond the maxima, from the nodes as each step leaves them. A Flow's show
-/// the depth and the velocity that the particles brought (as the maxima see it), at the moment the step
-/// began, and what the very last step leads to is not seen. A StructuredFlow's cells show the end of the
-/// step.
+/// Records the outputs of a scene besides the maxima, from the nodes after each step. Those of a Flow have the depth
+/// and the velocity gathered from the particles (as the maxima do), at the beginning of the step, so that the state
+/// after the very last step is not recorded. A StructuredFlow's cells have the state at the end of the step.
 class Recorder {
   public:
     Recorder(const Recording& recording, const GridSpec& grid, const Numerics& numerics);
 
     /// Whether there is nothing to do.
     [[nodiscard]] bool idle() const noexcept { return !intensity_ && places_.empty() && lines_.empty(); }
-    /// After a step that took `dt`; `time` is when the flow's nodes were as they show now [s].
+    /// Records a step of length `dt`; `time` is that of the state on the flow's nodes [s].
     template <class AnyFlow>
     void record(const AnyFlow& flow, double time, double dt);
     /// Moves the rows and rasters into the result.
     template <class AnyFlow>
     void move_to(const AnyFlow& flow, RunResult& result);
 
-    /// What it has seen.
+    /// The records so far.
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [intensity, metric, interval, minimum_depth, gravity, cell_size, next_row, places, lines,
@@ -41,14 +40,14 @@ class Recorder {
     }
 
   private:
-    /// One node with its fraction of a sample.
+    /// One node with its weight in a sample.
     struct Fraction {
         std::size_t node;
         double weight;
     };
     /// A short piece of a line.
     struct Piece {
-        Fraction fractions[4];      ///< the nodes round its middle
+        Fraction fractions[4];      ///< the nodes around its middle
         double normal_x, normal_y;  ///< to the right, times the piece's length [m]
         double length;
     };
@@ -57,15 +56,15 @@ class Recorder {
         double volume = 0;
     };
     struct NodeState {
-        double depth = 0;         ///< that is shown [m]
-        double volume_depth = 0;  ///< volume over cell area, which is what passes [m]
+        double depth = 0;         ///< depth for maps [m]
+        double volume_depth = 0;  ///< volume over cell area, which enters the flux [m]
         double u = 0, v = 0, speed = 0;
-        double moved_x = 0, moved_y = 0;  ///< discharge per width by the velocities that moved it [m2/s]
+        double moved_x = 0, moved_y = 0;  ///< discharge per width by the velocities of the motion [m2/s]
     };
 
     [[nodiscard]] NodeState state_of(const Flow& flow, std::size_t node) const;
     [[nodiscard]] NodeState state_of(const StructuredFlow& flow, std::size_t node) const;
-    /// Volume that the step just done moves through a section [m3/s], by the velocities that moved it.
+    /// Volume per time through a section in the last step [m3/s], by the velocities of the motion.
     template <class AnyFlow>
     [[nodiscard]] double passing(const AnyFlow& flow, std::size_t section) const;
     template <class AnyFlow>

@@ -24,7 +24,8 @@ MultiPolygon to_local(const MultiPolygon& map, const GridSpec& grid) {
     return local;
 }
 
-// Bilinear between the cell centres that have data; NaN where none of the four has. The raster is on the scene's grid.
+// Interpolates bilinearly between the cell centres that have data; NaN where none of the four has. The raster is on the
+// scene's grid.
 double sample(const Raster& raster, const GridSpec& grid, Point local) {
     const double s = local.x / grid.cell_size - 0.5, t = local.y / grid.cell_size - 0.5;
     const double i = std::floor(s), j = std::floor(t);
@@ -80,7 +81,7 @@ void refuse_walls(const Scene& scene, const ParticleSet& particles) {
     }
 }
 
-// Nothing of it would be on any map, nor count as reached.
+// Refuses a release that would be on no map and count as reached nowhere.
 void refuse_thin(const Scene& scene, const Raster& depth) {
     double greatest = 0;
     for (const double d : depth.values)
@@ -97,7 +98,7 @@ void refuse_thin(const Scene& scene, const Raster& depth) {
                                           "release.thickness", value, limit, remedy});
 }
 
-// A number per particle, weighted by volume.
+// Returns the mean of a value per particle, weighted by volume.
 template <class Value>
 Point mean_of(const ParticleSet& particles, const Value& value) {
     Point sum;
@@ -112,7 +113,7 @@ Point mean_of(const ParticleSet& particles, const Value& value) {
     return total > 0 ? Point{sum.x / total, sum.y / total} : sum;
 }
 
-// Gives the particles their speed along the bed, all in the same direction of the map.
+// Sets the particles' speed along the bed, all in the same direction of the map.
 void set_in_motion(const Scene& scene, const ReleaseArea& area, ParticleSet& particles) {
     if (!(area.speed > 0)) return;
     const auto slope = [&](Point local) { return gradient(scene.terrain, cell_of(scene.grid, local)); };
@@ -142,7 +143,7 @@ void scale_by(double factor, ParticleSet& particles, ReleasedArea& area) {
     area.volume *= factor;
 }
 
-// Makes all areas together hold a volume.
+// Scales the thicknesses so that all areas together have a volume.
 void scale_to(double volume, std::vector<ParticleSet>& filled, std::vector<ReleasedArea>& areas) {
     double sum = 0;
     for (const ReleasedArea& area : areas) sum += area.volume;
@@ -150,7 +151,7 @@ void scale_to(double volume, std::vector<ParticleSet>& filled, std::vector<Relea
     for (std::size_t i = 0; i < filled.size(); ++i) scale_by(volume / sum, filled[i], areas[i]);
 }
 
-// Seeds one area's particles and tells what it holds.
+// Seeds one area's particles and returns what was released.
 ReleasedArea fill_area(const Scene& scene, const ReleaseArea& area, ParticleSet& particles) {
     const GridSpec& grid = scene.grid;
     const auto thickness = [&](Point local) {

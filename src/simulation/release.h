@@ -10,34 +10,34 @@
 
 namespace frana {
 
-/// Particles that come in at one time.
+/// Particles that enter at one time.
 struct Entry {
     double time = 0;  ///< [s]
     ParticleSet particles;
-    std::vector<std::size_t> areas;  ///< release areas among them, by their place in the scene
+    std::vector<std::size_t> areas;  ///< release areas among them, by their index in the scene
 };
 
-/// The mass that fails, as particles and as what they slide over.
+/// The released mass, as particles, and its sliding surface.
 struct Release {
-    ParticleSet particles;            ///< what fails at once, local metres
-    std::vector<Entry> later;         ///< what fails later, by time
-    Raster bed;                       ///< terrain, less all the mass where the terrain contains it [m]
-    Raster bed_at_start;              ///< the same, less only what fails at once
+    ParticleSet particles;            ///< areas that fail at the start, local metres
+    std::vector<Entry> later;         ///< areas that fail later, by time
+    Raster bed;                       ///< terrain, minus all the released mass if the terrain contains it [m]
+    Raster bed_at_start;              ///< the same, minus only the areas that fail at the start
     Raster depth;                     ///< released volume over cell area, vertical [m]; NaN where nothing is released
-    Point centroid;                   ///< of all of it, local metres
-    double volume = 0;                ///< of all of it [m3]
+    Point centroid;                   ///< of the whole release, local metres
+    double volume = 0;                ///< of the whole release [m3]
     std::vector<ReleasedArea> areas;  ///< in the order of Scene::release
 };
 
-/// Fills the release areas of a scene with particles. A scene that has an inflow may release nothing.
-/// Throws Error(input) when nothing would be released, or where the terrain under the release has no data
-/// (the cells are counted and the first named), or where it is everywhere thinner than the minimum depth.
+/// Fills the release areas of a scene with particles. A scene with inflow may release nothing. Throws Error(input) if
+/// nothing would be released, if the terrain under the release has no data (the cells are counted and the first named),
+/// or if it is everywhere thinner than the minimum depth.
 Release make_release(const Scene& scene);
 
-/// Distance between particles at the start [m].
+/// Returns the distance between particles at the start [m].
 double lattice_spacing(const Scene& scene);
 
-/// Volume of particles over cell area, cell by cell [m]; NaN where there is none.
+/// Returns the volume of particles over cell area, cell by cell [m]; NaN where there is none.
 Raster cell_depth(const ParticleSet& particles, const GridSpec& grid);
 
 }  // namespace frana

@@ -20,11 +20,11 @@ struct SeriesRow {
     std::int64_t step = 0;
     double dt = 0;                ///< [s]
     double volume = 0;            ///< inside the domain [m3]
-    double volume_left = 0;       ///< that has left through open boundaries [m3]
+    double volume_left = 0;       ///< left through open boundaries so far [m3]
     double volume_entered = 0;    ///< released and flowed in so far [m3]
     double volume_inflow = 0;     ///< of which flowed in through lines [m3]
-    double volume_eroded = 0;     ///< taken from the bed so far [m3]
-    double volume_deposited = 0;  ///< given back to it so far [m3]
+    double volume_eroded = 0;     ///< eroded from the bed so far [m3]
+    double volume_deposited = 0;  ///< deposited on the bed so far [m3]
     double max_depth = 0;         ///< [m]
     double max_speed = 0;         ///< along the bed [m/s]
     double front_distance = 0;    ///< farthest particle from the release's centroid, in map view [m]
@@ -38,7 +38,7 @@ void serialise(Archive& archive, SeriesRow& row) {
     archive(time, step, dt, volume, left, entered, inflow, eroded, deposited, depth, speed, front, energy, area);
 }
 
-/// A raster that only some models give, by the name of its file.
+/// A raster that only some models produce, by the name of its file.
 struct NamedRaster {
     std::string name;  ///< "fluid_velocity"
     Raster values;
@@ -50,7 +50,7 @@ struct Frame {
     double time = 0;                ///< [s]
     Raster depth;                   ///< vertical [m]
     Raster velocity;                ///< speed along the bed [m/s]
-    std::vector<NamedRaster> more;  ///< what else the model shows
+    std::vector<NamedRaster> more;  ///< further rasters of the model
     PointTable particles;           ///< only with RunOptions::particles_in_frames
 };
 
@@ -62,38 +62,37 @@ struct Progress {
     bool last = false;  ///< for after_step: no step follows
 };
 
-/// What must not happen in a good run and ends any other, at the step at which it appears.
+/// An event that must not occur in a good run; it ends the run at the step at which it occurs.
 struct RunProblem {
     enum class Kind { non_finite, impossible_speed, volume_drift, no_data } kind;
     std::int64_t step = 0;
     double time = 0;               ///< [s]
     std::optional<Point> place{};  ///< map coordinates; none: of the flow as a whole
     std::int64_t count = 0;        ///< particles or cells; 0: does not apply
-    double value = 0, limit = 0;   ///< speed [m/s], or error of the volume as a fraction of all that came in
+    double value = 0, limit = 0;   ///< speed [m/s], or error of the volume as a fraction of all that entered
 };
 
-/// Writes the state of a run as it is now.
+/// Writes the present state of a run.
 using SaveState = std::function<void(StateWriter&)>;
 
 struct RunOptions {
     int threads = 1;
     std::function<void(Frame)> on_frame;  ///< called at time 0, at every frame interval and at the end
     bool particles_in_frames = false;
-    std::function<void(const Progress&)> on_progress;   ///< called every step; must be cheap
+    std::function<void(const Progress&)> on_progress;   ///< called every step; must be fast
     std::function<bool()> stop_requested;               ///< polled every step
-    std::function<void(const RunProblem&)> on_problem;  ///< called at the step at which it appears, which is the last
-    /// Called after every step, the last one included; must be cheap unless it saves. What it does changes nothing of
-    /// the run.
+    std::function<void(const RunProblem&)> on_problem;  ///< called at the step at which it occurs, which is the last
+    /// Called after every step, including the last; must be fast unless it saves. It does not affect the run.
     std::function<void(const Progress&, const SaveState&)> after_step;
-    StateReader* saved = nullptr;  ///< a state of the same scene to go on from; none: from the start
+    StateReader* saved = nullptr;  ///< a state of the same scene to resume from; none: from the start
 };
 
-/// Events that must not happen in a good run; all zero then.
+/// Counts of events that must not occur in a good run; all zero then.
 struct HardEvents {
     std::int64_t non_finite = 0;        ///< particles with a non-finite state
     std::int64_t depth_clamped = 0;     ///< particles whose area had to be bounded
     std::int64_t entered_no_data = 0;   ///< particles found over a cell without terrain
-    std::int64_t impossible_speed = 0;  ///< steps with a speed above what the fall allows
+    std::int64_t impossible_speed = 0;  ///< steps with a speed above the bound given by the fall
     std::int64_t volume_drift = 0;      ///< steps after which the volume did not add up
 
     [[nodiscard]] bool none() const noexcept {
@@ -108,13 +107,12 @@ void serialise(Archive& archive, HardEvents& events) {
     archive(non_finite, depth_clamped, entered_no_data, impossible_speed, volume_drift);
 }
 
-/// How much the values that people use changed over a last window of time.
+/// Changes of the main results over a last window of time.
 struct Settling {
-    double window = 0;  ///< [s]
-    double runout = 0;  ///< how much farther the farthest cell of the trace lies [m]
-    double area = 0;    ///< growth of the trace, as a fraction of it
-    double deposit =
-        0;  ///< fraction of all volume that came to lie in other cells; over 1 where it did so several times
+    double window = 0;   ///< [s]
+    double runout = 0;   ///< increase of the distance to the farthest cell of the trace [m]
+    double area = 0;     ///< relative growth of the trace
+    double deposit = 0;  ///< fraction of all volume that moved to other cells; above 1 if it did so several times
 };
 
 enum class StopReason {
@@ -131,13 +129,13 @@ enum class StopReason {
     volume_drift,
 };
 
-/// Whether a run that stopped for this before its end time has nothing more to compute.
+/// Returns whether a run that stopped for this reason before its end time has nothing more to compute.
 [[nodiscard]] constexpr bool ends_finally(StopReason reason) noexcept {
     return reason == StopReason::still || reason == StopReason::settled || reason == StopReason::energy ||
            reason == StopReason::moving_volume || reason == StopReason::all_left;
 }
 
-/// What one release area really released.
+/// The actual release of one area.
 struct ReleasedArea {
     double start = 0;    ///< [s]
     double volume = 0;   ///< [m3]
@@ -149,7 +147,7 @@ struct ReleasedArea {
 /// One row of gauges.csv.
 struct GaugeRow {
     double time = 0;        ///< [s]
-    std::size_t gauge = 0;  ///< its place in Recording::gauges
+    std::size_t gauge = 0;  ///< index in Recording::gauges
     double depth = 0;       ///< vertical [m]
     double speed = 0;       ///< along the bed [m/s]
 };
@@ -163,9 +161,9 @@ void serialise(Archive& archive, GaugeRow& row) {
 /// One row of sections.csv.
 struct SectionRow {
     double time = 0;          ///< [s]
-    std::size_t section = 0;  ///< its place in Recording::sections
-    double discharge = 0;     ///< to the right of the line's direction positive [m3/s]
-    double volume = 0;        ///< passed so far, the same sign [m3]
+    std::size_t section = 0;  ///< index in Recording::sections
+    double discharge = 0;     ///< positive to the right of the line's direction [m3/s]
+    double volume = 0;        ///< total so far, same sign [m3]
     double wetted_width = 0;  ///< length of the line that is deeper than the minimum depth [m]
     double max_depth = 0;     ///< on the line [m]
     double max_speed = 0;     ///< on the line, along the bed [m/s]
@@ -177,11 +175,11 @@ void serialise(Archive& archive, SectionRow& row) {
     archive(time, section, discharge, volume, width, depth, speed);
 }
 
-/// Volumes of what a structured flow consists of [m3].
+/// Volumes of the phases of a structured flow [m3].
 struct PhaseVolumes {
     double solids = 0;    ///< grains alone
-    double confined = 0;  ///< fluid that the structure holds
-    double free = 0;      ///< fluid that it does not
+    double confined = 0;  ///< fluid inside the structure
+    double free = 0;      ///< fluid outside it
 
     [[nodiscard]] double sum() const noexcept { return solids + confined + free; }
 };
@@ -192,18 +190,20 @@ void serialise(Archive& archive, PhaseVolumes& volumes) {
     archive(solids, confined, free);
 }
 
-/// Where they went: what came in, as it came, is what is inside, has left, or changed from confined to free.
+/// Budget of the phases: the volumes that entered equal those inside, those that left, and the change from confined to
+/// free.
 struct PhaseBudget {
     PhaseVolumes entered, inside, left;
     double released = 0;       ///< confined fluid that became free [m3]
-    double cohesion_left = 0;  ///< of the solids inside, mean by volume, of 1; 0 without cohesion
+    double cohesion_left = 0;  ///< of the solids inside, mean by volume, relative to the initial value; 0 without
+                               ///< cohesion
     double rms_apart =
         0;  ///< between the velocities of both phases where both are, weighted by fluid, at the end [m/s]
 };
 
-/// What a run gives back: rasters on the working grid (NaN where nothing ever flowed), series, counts.
+/// The result of a run: rasters on the working grid (NaN where nothing ever flowed), series, counts.
 struct RunResult {
-    Raster bed;                     ///< what was slid over [m]
+    Raster bed;                     ///< sliding surface [m]
     Raster release;                 ///< vertical thickness released, averaged over each cell [m]
     Raster max_depth;               ///< [m], taken at every step
     Raster max_velocity;            ///< along the bed [m/s], taken at every step
@@ -212,7 +212,7 @@ struct RunResult {
     Raster final_depth;             ///< [m]
     Raster max_flux;                ///< depth times speed along the bed at one moment [m2/s]; empty unless recorded
     Raster max_head;                ///< depth plus v^2 / 2g at one moment [m]; empty unless recorded
-    std::vector<NamedRaster> more;  ///< what else the model shows at the end, the names of Frame::more
+    std::vector<NamedRaster> more;  ///< further rasters of the model at the end, with the names of Frame::more
     std::vector<SeriesRow> series;
     std::vector<GaugeRow> gauges;
     std::vector<SectionRow> sections;
@@ -220,24 +220,24 @@ struct RunResult {
     std::int64_t steps = 0;
     double simulated_seconds = 0;
     StopReason stop_reason = StopReason::end_time;
-    std::optional<Settling> settling;  ///< over the last window that was looked at
+    std::optional<Settling> settling;  ///< over the last complete window
     std::int64_t particles_initial = 0, particles_final = 0, particles_peak = 0;
     std::int64_t particle_steps = 0;
     std::int64_t bytes_per_particle = 0, bytes_per_node = 0;       ///< of the engine's fields
     double engine_seconds = 0;                                     ///< wall time inside the engine, without on_frame
     double volume_initial = 0, volume_final = 0, volume_left = 0;  ///< [m3]
-    double volume_entered = 0;             ///< all that was ever inside: initial, released later, flowed in [m3]
-    double volume_inflow = 0;              ///< of which flowed in through lines [m3]
+    double volume_entered = 0;                                     ///< total: initial, released later, flowed in [m3]
+    double volume_inflow = 0;                                      ///< of which flowed in through lines [m3]
     std::optional<PhaseBudget> phases;     ///< of solids and fluid in the structured model; none without solids
     std::vector<ReleasedArea> released;    ///< in the order of Scene::release
     bool exchanges = false;                ///< whether the scene erodes or deposits; the next lines are empty otherwise
     Raster eroded_depth, deposited_depth;  ///< vertical [m], NaN where none
     double volume_eroded = 0, volume_deposited = 0;  ///< [m3]
-    double momentum_deposited = 0;                   ///< that deposits took with them, size of the sum [kg m/s]
-    double thin_fraction = 0;  ///< greatest fraction of the volume that was at one time thinner than the minimum depth
+    double momentum_deposited = 0;                   ///< of the deposits, magnitude of the sum [kg m/s]
+    double thin_fraction = 0;          ///< greatest fraction of the volume thinner than the minimum depth at any time
     double moving_fraction_limit = 0;  ///< of the volume, faster than the scene's moving speed after the last step
-    std::int64_t unsupported = 0;      ///< nodes times steps at which the motion over a convex bed lifted off
-    /// What flew over edges.
+    std::int64_t unsupported = 0;      ///< node-steps at which the motion over a convex bed lifted off
+    /// Statistics of particles that flew over edges.
     struct Jumps {
         double volume = 0;   ///< sum over all jumps [m3]
         double highest = 0;  ///< above the ground [m]
@@ -245,26 +245,26 @@ struct RunResult {
         double mean = 0;     ///< length in map view, by volume [m]
         Point from, to;      ///< of the longest, in map coordinates
     };
-    std::optional<Jumps> jumps;  ///< none where nothing flew
+    std::optional<Jumps> jumps;  ///< none if nothing flew
     Raster jump_height;          ///< greatest height above the ground [m], NaN where nothing flew; empty without jumps
-    /// Greatest rise that neither gravity nor what friction took explains (EnergyWatch); none where it is not known.
+    /// Greatest rise of energy not explained by gravity and dissipation (EnergyWatch); none if unknown.
     std::optional<double> energy_error;
     HardEvents hard_events;
     std::vector<RunProblem> run_problems;  ///< of the run's last step
-    std::vector<std::string> terms;        ///< physics and numerics really computed
+    std::vector<std::string> terms;        ///< physics and numerics of the run
     std::vector<std::string> notes;        ///< for log.txt: choices made, warnings
 };
 
-/// What a run of a scene would take, without running it.
+/// Expected resources of a run of a scene.
 struct RunEstimate {
     std::int64_t particles = 0;
     double volume = 0;              ///< released [m3]
     double inflow = 0;              ///< through lines until the end [m3]
-    double thin_fraction = 0;       ///< of what is released, in cells thinner than the minimum depth
-    double untraced_fraction = 0;   ///< of what is released, in cells thinner than the trace's threshold
+    double thin_fraction = 0;       ///< of the release, in cells thinner than the minimum depth
+    double untraced_fraction = 0;   ///< of the release, in cells thinner than the trace's threshold
     std::int64_t memory_bytes = 0;  ///< engine and rasters, with the particles of the start
     std::int64_t bytes_per_particle = 0, bytes_per_node = 0;
-    /// Their fields, and those few of which there is a second while they are put into order.
+    /// Memory of their fields, including the few that exist twice during sorting.
     [[nodiscard]] std::int64_t bytes_of_particles(std::int64_t count) const noexcept {
         return count * bytes_per_particle * 13 / 10;
     }

@@ -17,7 +17,7 @@ namespace {
 
 using Kind = RunProblem::Kind;
 
-// Where material comes from and how deep and fast it may be there.
+// Where material enters and its depth and speed there.
 struct Start {
     double highest = -std::numeric_limits<double>::infinity();  // ground [m]
     double deepest = 0, fastest = 0;
@@ -34,7 +34,7 @@ Start start_of(const Scene& scene, const Release& release, const Arrivals& arriv
         start.deepest = std::max(start.deepest, release.depth.values[i]);
         start.ground(release.bed.values[i]);
     }
-    if (scene.structured && scene.structured->initial_fluid) {  // what fails may fall on it or into it
+    if (scene.structured && scene.structured->initial_fluid) {  // released material may fall on it or into it
         const std::vector<double>& lying = scene.structured->initial_fluid->values;
         double deepest = 0;
         for (std::size_t i = 0; i < lying.size(); ++i) {
@@ -44,7 +44,7 @@ Start start_of(const Scene& scene, const Release& release, const Arrivals& arriv
         }
         start.deepest += deepest;
     }
-    // Of an area smaller than a cell no cell shows the thickness.
+    // For an area smaller than a cell no cell shows the thickness.
     for (const ReleasedArea& area : release.areas)
         if (area.area > 0) start.deepest = std::max(start.deepest, area.volume / area.area);
     for (const ReleaseArea& area : scene.release) start.fastest = std::max(start.fastest, area.speed);
@@ -106,7 +106,7 @@ std::vector<RunProblem> RunCheck::check(const AnyFlow& flow, const StepStatistic
     if (statistics.non_finite > 0) report(Kind::non_finite, place_of_non_finite(flow), statistics.non_finite, 0, 0);
     if (gaps_matter_ && statistics.no_data > 0) report(Kind::no_data, place_of_no_data(flow), statistics.no_data, 0, 0);
     if (speed > bound_) report(Kind::impossible_speed, place_of_speed(flow), 0, speed, bound_);
-    // What is not a number, or is gone from the sums because of it, was reported as such.
+    // Non-finite values, and volume missing because of them, were reported before.
     if (statistics.non_finite == 0 && error > k_volume_drift * taken)
         report(Kind::volume_drift, {}, 0, error / taken, k_volume_drift);
     return run_problems;

@@ -12,25 +12,24 @@
 
 namespace frana {
 
-/// Greatest speed that a fall allows, even without friction [m/s]: free fall from the highest surface to the
-/// lowest ground and the front of a dam break as deep as the deepest column, sqrt(2 g drop) + 2 sqrt(g
-/// depth), besides the speed that something had from the start, or to which strong solids spring back.
-/// `frana bench stability` judges by it too.
+/// Returns the greatest speed possible by a fall, even without friction [m/s]: free fall from the highest surface to
+/// the lowest ground and the front of a dam break of the greatest depth, sqrt(2 g drop) + 2 sqrt(g depth), besides the
+/// initial speed or that of the elastic rebound of strong solids. `frana bench stability` uses it too.
 double speed_bound(double gravity, double drop, double depth, double speed_at_start);
 
-/// Looks after every step for what must not happen. Costs a few comparisons a step; places are sought only
-/// when something has happened.
+/// Checks after every step for events that must not occur. Costs a few comparisons per step; places are searched only
+/// after an event.
 class RunCheck {
   public:
-    /// Error of the volume that rounding does not explain, as a fraction of all that came in: a thousand times
-    /// what sums over 1e5 particles lose, and far less than any map shows.
+    /// Error of the volume not explained by rounding, as a fraction of all that entered: a thousand times what sums
+    /// over 1e5 particles lose, and far less than visible on any map.
     static constexpr double k_volume_drift = 1e-9;
 
-    /// @param pressure_factor by which waves of pressure are faster than in water, squared
+    /// @param pressure_factor square of the ratio of pressure waves' speed to that in water
     RunCheck(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor);
 
-    /// What the last step brought; empty in a good run.
-    /// @param taken all that came in, from the bed too [m3]
+    /// Returns the problems of the last step; none in a good run.
+    /// @param taken all that entered, including from the bed [m3]
     template <class AnyFlow>
     [[nodiscard]] std::vector<RunProblem> check(const AnyFlow& flow, const StepStatistics& statistics,
                                                 double taken) const;

@@ -6,15 +6,15 @@
 
 namespace frana {
 
-/// What studies compare runs by.
+/// Values by which studies compare runs.
 struct RunStatistics {
     PeakValues depth, speed;          ///< of the maxima [m], along the bed [m/s]
-    double covered_area = 0;          ///< ever deeper than the threshold [m2]
+    double covered_area = 0;          ///< deeper than the threshold at any time [m2]
     double run_out = 0;               ///< straight, in map view [m]
-    double final_depth_fraction = 0;  ///< of the volume inside at the end, that final_depth holds
+    double final_depth_fraction = 0;  ///< fraction of the volume inside at the end that final_depth contains
 };
 
-/// One of them, as tables call it.
+/// One of them, with its texts for tables.
 struct RunStatistic {
     const char *key, *title, *unit;  ///< key: as in summary.json
     double (*of)(const RunStatistics&);
@@ -34,10 +34,10 @@ inline constexpr RunStatistic k_run_statistics[] = {
 };
 
 /// @param threshold depth from which a cell belongs to the covered area [m]
-/// @param inside on the result's grid: 0 where nothing counts; empty: everything does
+/// @param inside on the result's grid: 0 excludes a cell; empty: none is excluded
 RunStatistics run_statistics(const RunResult& result, double threshold, const Raster& inside = {});
 
-/// Volume that the raster of final depth holds [m3]: less than the flow's where particles crowd.
+/// Returns the volume in the raster of final depth [m3]: less than the flow's where particles are crowded.
 double shown_volume(const RunResult& result);
 
 }  // namespace frana

@@ -17,29 +17,29 @@
 
 namespace frana {
 
-/// Which set of numerical parts moves the particles; share/doc/numerics.md compares them.
-enum class Scheme { paper, standard };  // `standard` is spelt "default" outside; that word is taken in C++
+/// Set of numerical methods for the particles; share/doc/numerics.md compares them.
+enum class Scheme { paper, standard };  // `standard` is "default" in scene files; that is a keyword of C++
 
-/// How nodal velocities come back to the particles (paper, equations 33 and 34; APIC: Jiang et al. 2015).
+/// Transfer of nodal velocities to the particles (paper, equations 33 and 34; APIC: Jiang et al. 2015).
 enum class Transfer { pic, flip, apic };
 
-/// How steep terrain enters the map-plane equations; see share/doc/model.md, "Unknowns".
+/// Effect of steep terrain in the map-plane equations; see share/doc/model.md, "Unknowns".
 enum class SlopeCorrection { none, normal, surface };
 
 enum class Boundary { open, wall };
 
-/// What happens where the terrain has no value.
+/// Treatment of cells without terrain data.
 enum class NodataPolicy {
     stop,  ///< flow that reaches such a cell ends the run with a message
     wall,  ///< such cells are walls
-    fill,  ///< the bed was interpolated across them when the terrain was read, and the count reported
+    fill,  ///< the bed was interpolated across them when the terrain was read, and the number of cells reported
 };
 
-/// What resists in the plane of the flow. Bingham with neither viscosity nor yield stress is none.
+/// Resistance in the plane of the flow. Bingham with neither viscosity nor yield stress is none.
 enum class PlaneStressLaw { bingham, earth_pressure, none };
 
-/// One phase: a sum of laws at the bed, a stress in the plane. Angles are already tangents here. Only what
-/// the chosen laws need is read.
+/// One phase: a sum of laws at the bed, a stress in the plane. Angles are stored as tangents. Only the parameters of
+/// the chosen laws are read.
 struct Material : MaterialValues {
     std::vector<std::string> bed_friction{"coulomb", "turbulence"};  ///< words of params/keys/laws.cpp
     PlaneStressLaw plane_stress = PlaneStressLaw::bingham;
@@ -65,8 +65,8 @@ struct Material : MaterialValues {
     }
 };
 
-/// What differs from place to place in the structured model's release: rasters on the working grid, in the
-/// units of StructuredMaterial, whose value holds where one is NaN.
+/// Properties of the structured model's release that vary from place to place: rasters on the working grid, in the
+/// units of StructuredMaterial, whose value applies where one is NaN.
 struct StructuredZones {
     std::optional<Raster> solid_fraction, confined_fraction, grain_density, grain_diameter, cohesion, friction,
         bed_friction;
@@ -84,12 +84,12 @@ inline bool StructuredZones::any() const noexcept {
                        [this](auto zone) { return (this->*zone).has_value(); });
 }
 
-/// What the structured model is made of: blocks of solids with the fluid they confine, or fluid alone.
+/// Composition of a structured flow: blocks of solids with the fluid they confine, or fluid alone.
 struct StructuredMaterial : StructuredValues {
-    bool solids = false;            ///< false: the release is fluid, and nothing of solids is read
-    bool manning_on_total = false;  ///< by the depth of everything; false: of the free fluid
+    bool solids = false;            ///< false: the release is fluid, and no parameter of solids is read
+    bool manning_on_total = false;  ///< by the total depth; false: by that of the free fluid
 
-    double solid_fraction = k_solid_fraction;     ///< of what is released [-]
+    double solid_fraction = k_solid_fraction;     ///< of the release [-]
     double confined_fraction = k_confined_share;  ///< f_fc, fraction of its fluid that is confined [-]
     double grain_density = k_grain_density;       ///< [kg/m3]
     double grain_diameter = k_grain_diameter;     ///< [m]
@@ -98,9 +98,9 @@ struct StructuredMaterial : StructuredValues {
     double bed_friction = 0;                      ///< tan(phi_b) [-]
     double sin_dilatancy = 0;                     ///< sin(psi) [-]
     bool damage_by_distortion = true;             ///< false: by opening
-    double initial_structured = 1;                ///< f_sc of whole material [-]
+    double initial_structured = 1;                ///< f_sc of intact material [-]
     bool yield_on_own_stress = false;             ///< without the overburden
-    bool broken_is_elastic = false;               ///< false: it carries its earth pressure alone
+    bool broken_is_elastic = false;               ///< false: broken material has earth pressure alone
     enum class EarthPressure { hydrostatic, active, passive } earth_pressure = EarthPressure::hydrostatic;
     int drag_exponent = 2;            ///< j: 1 or 2
     bool exponent_by_grains = false;  ///< M from the grains' Reynolds number
@@ -110,16 +110,15 @@ struct StructuredMaterial : StructuredValues {
     enum class VirtualMass { none, pudasaini_2012, pudasaini_2019 } virtual_mass = VirtualMass::pudasaini_2012;
     bool spread_evenly = false;  ///< particles placed by depth along the R2 sequence; false: on a lattice
     StructuredZones zones;
-    std::optional<Raster> initial_fluid;  ///< depth of free fluid that lies there at the start [m]; NaN: none
-    bool more_fluid = false;              ///< fluid comes from elsewhere than the release: it lies there or flows in
+    std::optional<Raster> initial_fluid;  ///< depth of free fluid at the start [m]; NaN: none
+    bool more_fluid = false;              ///< there is fluid besides the release: initial or inflow
 };
 
-/// What the flow takes from its bed and leaves on it; src/physics/erosion_*.h and deposition_*.h describe the
-/// laws.
+/// Erosion and deposition; src/physics/erosion_*.h and deposition_*.h describe the laws.
 struct Entrainment {
     std::string erosion = "off";  ///< or a word of params/keys/laws.cpp
     bool deposition = false;
-    double erodible_depth = 0;                          ///< vertical, where MaterialZones gives none [m]
+    double erodible_depth = 0;                          ///< vertical, where MaterialZones has no value [m]
     double erosion_rate = k_erosion_rate;               ///< shear stress: E [m/s]
     double critical_shear = k_critical_shear;           ///< shear stress: tau_c [Pa]
     double potential_depth = 1e-3 * k_potential_depth;  ///< shear stress: depth per stress [m/Pa]
@@ -135,15 +134,15 @@ struct Entrainment {
     [[nodiscard]] bool active() const noexcept { return erodes() || deposition; }
 };
 
-/// Parameters that differ from place to place: rasters on the working grid. NaN: the uniform value of
-/// Material (and of Entrainment) holds there. A raster that is absent costs nothing.
+/// Parameters that vary from place to place: rasters on the working grid. NaN: the uniform value of Material (and of
+/// Entrainment) applies. A missing raster costs nothing.
 struct MaterialZones {
     std::optional<Raster> friction_coefficient;  ///< tan(phi) [-], >= 0
     std::optional<Raster> turbulence;            ///< Voellmy xi [m/s2], > 0; infinity: off
     std::optional<Raster> cohesion;              ///< [Pa], >= 0
     std::optional<Raster> erodible_depth;        ///< vertical [m], >= 0
 };
-/// All of them, by what the keys of params/keys/zone_keys.cpp give.
+/// All of them, by the quantities of params/keys/zone_keys.cpp.
 struct ZoneRaster {
     const char* what;
     std::optional<Raster> MaterialZones::*raster;
@@ -161,7 +160,7 @@ struct Numerics : NumericsValues {
     bool well_balanced = true;                      ///< still level per node (default scheme only)
     SlopeCorrection slope_correction = SlopeCorrection::normal;
     bool curvature = true;  ///< motion along a curved bed (Curved); not without slope correction
-    bool flight = true;     ///< what the bed throws off flies; only with curvature and the default scheme
+    bool flight = true;     ///< particles thrown off the bed fly; only with curvature and the default scheme
     double flight_slope = std::tan(k_flight_slope_degrees * std::numbers::pi /
                                    180);  ///< tangent: least fall of an edge in the direction of motion [-]
     Boundary boundary = Boundary::open;
@@ -169,9 +168,9 @@ struct Numerics : NumericsValues {
 };
 
 struct TimeControl : TimeValues {
-    double end = 0;  ///< [s]; what a scene file leaves out, src/params says
-    /// End once run-out and area over the threshold have changed by no more than this fraction over the window, and
-    /// four times this fraction of the volume has changed place; 0: never.
+    double end = 0;  ///< [s]; src/params sets the default of scene files
+    /// End once run-out and area above the threshold have changed by no more than this fraction over the window, and
+    /// four times this fraction of the volume has moved to other cells; 0: never.
     double stop_change = 0;
     double trace_threshold = k_trace_threshold;  ///< depth from which a cell belongs to that area [m]
     double frame_interval = 0;                   ///< [s]; 0: no frames
@@ -182,25 +181,25 @@ struct ReleaseArea {
     MultiPolygon outline;
     double thickness = 0;                      ///< [m]; ignored where a raster is given
     std::optional<Raster> thickness_raster{};  ///< on the working grid; NaN or <= 0: nothing released there
-    std::optional<double> volume{};            ///< [m3]: the thickness is scaled so that this is released
+    std::optional<double> volume{};            ///< [m3]: the thickness is scaled to release this volume
     bool normal_to_bed = false;                ///< thickness measured normal to the bed; false: vertically
-    double start = 0;                          ///< when it fails [s]; until then its ground lies still
+    double start = 0;                          ///< time of failure [s]; its material is at rest until then
     double speed = 0;                          ///< at the start, along the bed [m/s]
-    /// Of that speed, clockwise from the grid's north [rad]; none: down the mean slope.
+    /// Direction of that speed, clockwise from the grid's north [rad]; none: down the mean slope.
     std::optional<double> azimuth{};
 };
 
-/// Discharge and velocity at one time; linear between times, nothing before the first and after the last.
+/// Discharge and velocity at one time; linear between times, zero before the first and after the last.
 struct HydrographPoint {
     double time = 0;       ///< [s]
     double discharge = 0;  ///< [m3/s]
-    double speed = 0;      ///< of what crosses the line, in map view [m/s]
+    double speed = 0;      ///< of the flow across the line, in map view [m/s]
 };
 
 /// Material that flows in through a line, in map coordinates of the working CRS.
 struct Inflow {
     Polyline line;
-    std::vector<HydrographPoint> hydrograph;  ///< times rise; an equal time is a jump
+    std::vector<HydrographPoint> hydrograph;  ///< times rise; an equal time is a step
     std::optional<double> azimuth;  ///< clockwise from the grid's north [rad]; none: normal to the line, downhill
 };
 
@@ -216,7 +215,7 @@ struct CrossSection {
     Polyline line;  ///< map coordinates
 };
 
-/// What is recorded besides the maxima; nothing of it costs anything unless asked for.
+/// Recordings besides the maxima; each costs nothing unless requested.
 struct Recording {
     std::vector<Gauge> gauges;
     std::vector<CrossSection> sections;
@@ -224,16 +223,17 @@ struct Recording {
     bool intensity = false;  ///< maxima of depth times speed and of the energy head
 };
 
-/// Everything the engine needs, validated, in SI units; const from here on.
+/// Everything the engine needs, validated, in SI units; constant from here on.
 struct Scene {
     GridSpec grid;                          ///< working grid
     Raster terrain;                         ///< DTM on the working grid [m]; NaN: no data
-    std::optional<Raster> walls;            ///< on the working grid: 1 where a wall stands that no flow overtops
-    bool terrain_contains_release = false;  ///< the bed is the terrain less the released (vertical) thickness
+    std::optional<Raster> walls;            ///< on the working grid: 1 where there is a wall that no flow overtops
+    bool terrain_contains_release = false;  ///< the bed is the terrain minus the released (vertical) thickness
     std::vector<ReleaseArea> release;
-    std::optional<double> release_volume;  ///< of all areas [m3]: their thicknesses are scaled alike to hold it
+    std::optional<double> release_volume;  ///< of all areas [m3]: their thicknesses are scaled by one factor to this
+                                           ///< total
     std::vector<Inflow> inflows;
-    /// Given: the structured model runs, and material, zones and entrainment are not read.
+    /// Present: the structured model runs, and material, zones and entrainment are not read.
     std::optional<StructuredMaterial> structured;
     Material material;
     MaterialZones zones;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double k_none = std::numeric_limits<double>::infinity();
 
-// South-western corner in map coordinates; infinite where there is nothing.
+// South-western corner in map coordinates; infinite if there is nothing.
 Point corner_of(const Scene& scene) {
     Point corner{k_none, k_none};
     const auto include = [&](Point p) {

@@ -12,8 +12,9 @@ namespace {
 
 constexpr double k_least_window = 10;  // [s]
 constexpr double k_samples = 5;        // in a window
-constexpr double k_of_deposit = 4;     // what of the volume may change place, in shares that the area may change by
-constexpr double k_calm = 0.1;         // fraction of the kinetic energy's peak under which values may settle
+constexpr double k_of_deposit = 4;     // limit of the fraction of the volume that moves, in multiples of the limit of
+                                       // the area's change
+constexpr double k_calm = 0.1;         // fraction of the kinetic energy's peak below which values may settle
 
 double depth_on(const Flow& flow, std::size_t node) {
     const double area = flow.grid().cell_area();
@@ -64,7 +65,8 @@ SettlingWatch::Sample SettlingWatch::sample(const AnyFlow& flow) {
         if (here > 0) now.push_back({node, here});
     });
     std::sort(now.begin(), now.end(), [](const Lying& a, const Lying& b) { return a.node < b.node; });
-    // What came to one cell has left another: half the sum of changes; what left the map counts half as well.
+    // Volume added to one cell was removed from another: half the sum of changes; volume that left the map counts half
+    // as well.
     double changed = 0;
     auto a = lying_.begin(), b = now.begin();
     while (a != lying_.end() || b != now.end()) {

@@ -9,24 +9,24 @@
 
 namespace frana {
 
-/// Decides when the values that people use have stopped changing: how far the flow has come, the area that it has
-/// covered over the trace threshold, and where its volume lies. They are looked at now and then, always after the same
-/// steps, and compared with what they were a window ago: a fraction of the time since the last release or inflow, since
-/// a flow that slows down changes less and less in the same time, and one that runs on steadily does not. Nothing
-/// settles before its kinetic energy has fallen well below its peak: a mass that only just begins to move changes
-/// little.
+/// Decides when the main results have stopped changing: the run-out, the area covered above the trace threshold, and
+/// the distribution of the volume. They are sampled at intervals, always after the same steps, and compared with their
+/// values a window ago: a fraction of the time since the last release or inflow, since a decelerating flow changes less
+/// and less in the same time, and a steady one does not. Nothing settles before the kinetic energy has fallen well
+/// below its peak: a mass that only begins to move changes little.
 class SettlingWatch {
   public:
     SettlingWatch(const TimeControl& time, const GridSpec& grid, Point origin);
 
-    /// Something came in at this time [s]: the window begins again.
+    /// Restarts the window at this time [s], at which material entered.
     void restart(double time);
-    /// After a step, in which the flow's nodes hold what they held as it began. Whether the values have settled.
+    /// Called after a step, when the flow's nodes have the state at its beginning. Returns whether the values have
+    /// settled.
     /// @param kinetic energy over density [m5/s2]
-    /// @param all volume that came in or was eroded so far [m3]
+    /// @param all volume that entered or was eroded so far [m3]
     template <class AnyFlow>
     bool settled(const AnyFlow& flow, double kinetic, double all);
-    /// How they changed over the last window; none before there was one.
+    /// Their changes over the last window; none before the first window is complete.
     [[nodiscard]] const std::optional<Settling>& last() const noexcept { return last_; }
 
     template <class Archive>
@@ -47,7 +47,7 @@ class SettlingWatch {
         double time = 0;
         double runout = 0;  ///< farthest cell of the trace from the origin, in map view [m]
         double area = 0;    ///< of the trace [m2]
-        double moved = 0;   ///< volume that lies elsewhere than at the sample before [m3]
+        double moved = 0;   ///< volume moved to other cells since the previous sample [m3]
 
         template <class Archive>
         void serialise(Archive& archive) {
@@ -73,8 +73,8 @@ class SettlingWatch {
     const TimeControl& time_;
     const GridSpec& grid_;
     Point origin_;
-    double since_ = 0;             // when something came in last [s]
-    double next_ = 0;              // sample [s]
+    double since_ = 0;             // time of the last entry [s]
+    double next_ = 0;              // next sample [s]
     double peak_ = 0;              // of kinetic energy over density [m5/s2]
     std::vector<Sample> samples_;  // of the last window and one before it
     std::vector<Lying> lying_;     // at the last sample, by node

@@ -15,7 +15,7 @@
 namespace frana {
 namespace {
 
-// A run counts elevations from where it begins, whatever fails later.
+// A run's elevations are relative to its start, independent of later failures.
 Ground ground_of(const Scene& scene, const Raster& bed, const ParticleSet& first, Point otherwise) {
     const Point origin = first.size() > 0 ? Point{first[Field::x][0], first[Field::y][0]} : otherwise;
     const Cell cell = cell_of(scene.grid, origin);
@@ -41,8 +41,8 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
     return run.finish();
 }
 
-// Rasters, as doubles, that a run has at its fullest moment: read, kept, in frames that wait for the disk, and about to
-// be written. Measured.
+// Rasters, as doubles, that exist at the peak of a run: read, kept, in frames waiting for the disk, and about to be
+// written. Measured.
 constexpr std::int64_t k_rasters = 16, k_rasters_of_fluid = 16, k_rasters_of_phases = 31;
 
 std::int64_t rasters_at_once(const Flow&) {
@@ -53,8 +53,8 @@ std::int64_t rasters_at_once(const StructuredFlow& flow) {
     return flow.particle_count() > 0 ? k_rasters_of_phases : k_rasters_of_fluid;
 }
 
-// How long a flow's first steps take and what it holds, with all that comes later on the ground at once: the
-// trial steps then cost what the fullest would.
+// Measures the time of a flow's first steps and its size, with all later material on the ground at once: the trial
+// steps then cost as much as the most expensive ones.
 template <class AnyFlow>
 void estimate_flow(const Scene& scene, const Arrivals::Arrived& rest, std::int64_t released_cells, AnyFlow& flow,
                    RunEstimate& e) {
@@ -62,12 +62,12 @@ void estimate_flow(const Scene& scene, const Arrivals::Arrived& rest, std::int64
     e.first_step_seconds = flow.stable_step();
     e.bytes_per_particle = static_cast<std::int64_t>(flow.bytes_per_particle());
     e.bytes_per_node = static_cast<std::int64_t>(flow.bytes_per_node());
-    constexpr std::int64_t k_spread = 4;  // nodes only where material comes
+    constexpr std::int64_t k_spread = 4;  // nodes only where there is material
     const std::int64_t cells = scene.grid.cell_count();
     const std::int64_t reached = released_cells > 0 ? std::min(cells, k_spread * released_cells) : cells;
     e.memory_bytes = cells * rasters_at_once(flow) * static_cast<std::int64_t>(sizeof(double)) +
                      reached * e.bytes_per_node + e.bytes_of_particles(e.particles);
-    // Time of the first steps, for as many steps as the end time would take at the first step's length.
+    // Time of the first steps, for as many steps as the end time needs at the first step's length.
     constexpr int k_trial_steps = 3;
     const auto begin = std::chrono::steady_clock::now();
     for (int i = 0; i < k_trial_steps; ++i) flow.advance(scene.time.end);

@@ -6,18 +6,18 @@
 
 namespace frana {
 
-/// Runs a scene to its end. Same scene, same bits, whatever the number of threads.
-/// Throws Error(input) where the scene cannot be run (nothing released, nodata under the release with its
-/// cells named). A numerical failure does not throw: the result says so in stop_reason and hard_events.
+/// Runs a scene to its end. Same scene, same bits, for any number of threads.
+/// Throws Error(input) if the scene cannot be run (nothing released, nodata under the release with its cells named). A
+/// numerical failure does not throw: the result reports it in stop_reason and hard_events.
 RunResult run(const Scene& scene, const RunOptions& options);
 
-/// Particles, memory, first step and terms of a scene; seeds but does not run. Throws as run does.
+/// Returns particles, memory, first step and terms of a scene; seeds but does not run. Throws as run does.
 RunEstimate estimate(const Scene& scene, int threads);
 
-/// How far the mass budget is from closing, as a fraction of all that came in: rounding in a good run.
+/// Returns the error of the mass balance, as a fraction of all that entered: rounding in a good run.
 double relative_volume_error(const RunResult& result);
 
-/// "end time reached", "everything at rest", ...
+/// Returns "end time reached", "everything at rest", ...
 const char* describe(StopReason reason);
 
 }  // namespace frana

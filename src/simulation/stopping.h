@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When a run ends by itself before its end time.
+// Conditions that end a run before its end time.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace frana {
 
-// Decides when a flow has come to rest: at once when nothing at all moves, otherwise when it has not moved faster than
-// a crawl for a while (a mass that barely overcomes friction is faster than that within the same while): neither any
-// cell that is deep enough to be shown, nor all that flows, however thin, by the root of its mean squared speed.
+// Decides when a flow has come to rest: at once if nothing moves, otherwise when for a while neither a cell deeper than
+// the minimum nor the root of the whole flow's mean squared speed, however thin, was faster than a creep speed (a mass
+// that barely overcomes friction is faster than that within the same time).
 class StillWatch {
   public:
     bool still(const StepStatistics& now) {
@@ -36,8 +36,8 @@ class StillWatch {
     double crawling_ = 0;
 };
 
-// Decides when so little is left of a flow's motion that a scene wants no more of it: kinetic energy or
-// moving volume under a fraction of its peak. Both grow from zero, so neither ends a flow that has not begun.
+// Decides when a flow's motion has faded below a scene's limit: kinetic energy or moving volume below a fraction of its
+// peak. Both grow from zero, so neither ends a flow that has not begun.
 class FadeWatch {
   public:
     explicit FadeWatch(const TimeControl& time) : time_(time) {}

@@ -26,7 +26,7 @@ SolidStages stages_for(const StructuredMaterial& material) {
     return stages;
 }
 
-// Columns of whole thickness as particles of solids with what they hold.
+// Converts columns of full thickness to particles of solids with their confined fluid.
 ParticleSet solids_of(const ParticleSet& columns, const StructuredMaterial& material, const Numerics& numerics,
                       const GridSpec& grid, FieldMask fields) {
     const auto of_place = [&](Point local) { return material_at(material, grid, local); };
@@ -83,7 +83,7 @@ void StructuredFlow::add_release(const ParticleSet& columns) {
     record_present();
 }
 
-// Free fluid that lies on the ground from the start.
+// Free fluid on the ground at the start.
 void StructuredFlow::receive_lying() {
     if (!material_.initial_fluid) return;
     const Raster& depth = *material_.initial_fluid;
@@ -96,7 +96,7 @@ void StructuredFlow::receive_lying() {
     state_.fluid->volume_left += structured::receive(sources, *state_.fluid, laws_.fluid) * grid_.cell_area();
 }
 
-// Takes in particles' fluid: of columns as released the fraction that is free from the start, else all.
+// Adds particles' fluid: of released columns the fraction that is free from the start, else all.
 void StructuredFlow::receive(const ParticleSet& particles, bool columns) {
     const double inverse_area = 1 / grid_.cell_area();
     std::vector<FluidSource> sources;
@@ -132,7 +132,7 @@ double StructuredFlow::density() const {
     return released_volume_ > 0 ? released_mass_ / released_volume_ : material_.fluid_density;
 }
 
-// The longest step where next to nothing moves.
+// The longest step when almost nothing moves.
 double StructuredFlow::still_step() const {
     const double wave = std::sqrt(numerics_.gravity * numerics_.minimum_depth);
     return laws_.fluid.cfl * grid_.cell_size / (2 * wave);
@@ -213,7 +213,7 @@ std::size_t StructuredFlow::bytes_per_particle() const noexcept {
 
 std::size_t StructuredFlow::bytes_per_node() const noexcept {
     constexpr std::size_t k_fluid_values = 9;  // present, stage and next of depth and two discharges
-    constexpr std::size_t k_solid_values = 5;  // what the fluid sees of the solids
+    constexpr std::size_t k_solid_values = 5;  // fields of the solids that act on the fluid
     std::size_t bytes = sizeof(double) + Maxima::k_bytes;
     if (state_.fluid) bytes += k_fluid_values * sizeof(double) + 1 + (laws_.fluid.steep ? sizeof(double) : 0);
     if (state_.solid)
@@ -266,7 +266,7 @@ StepStatistics StructuredFlow::observe() {
     return sum;
 }
 
-// Where something may move: the fluid's tiles, and those that the solids' box touches.
+// Tiles in which something may move: those of the fluid, and those within the solids' bounding box.
 std::vector<std::int64_t> StructuredFlow::shown_tiles() const {
     std::vector<std::int64_t> shown;
     if (state_.fluid) shown = state_.fluid->tiles;

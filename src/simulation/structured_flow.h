@@ -15,34 +15,34 @@
 
 namespace frana {
 
-/// The structured model as a run drives it: the engine without scenes, files and clocks; Flow's counterpart.
-/// Depths are those of everything in a cell, speeds those of its faster phase.
+/// The structured model for a run: the engine without scenes, files and clocks; the counterpart of Flow. Depths are
+/// totals of a cell, speeds those of its faster phase.
 class StructuredFlow {
   public:
-    /// After a step the cells show the moment it ended.
+    /// After a step the cells show the state at its end.
     static constexpr bool k_shows_end = true;
 
-    /// @param ground elevation [m], NaN where there is none
-    /// @param walls 1 where a wall stands, on the same grid
-    /// @param released columns of whole thickness in local metres: fluid, or split into solids and fluid
+    /// @param ground elevation [m], NaN: no data
+    /// @param walls 1 where there is a wall, on the same grid
+    /// @param released columns of full thickness in local metres: fluid, or split into solids and fluid
     StructuredFlow(const Ground& ground, const std::optional<Raster>& walls, const StructuredMaterial& material,
                    const Numerics& numerics, const ParticleSet& released, int threads);
 
-    /// Adds fluid, volume and momentum as particles hold them, to the cells they lie in.
+    /// Adds fluid, with the particles' volume and momentum, to the cells that contain them.
     void add_fluid(const ParticleSet& particles);
-    /// Columns of whole thickness that fail now: fluid, or split into solids and fluid.
+    /// Adds columns of full thickness that fail now: fluid, or split into solids and fluid.
     void add_release(const ParticleSet& columns);
-    /// Takes ground away between two steps: depth in each cell [m], NaN for none.
+    /// Lowers the bed between two steps: depth in each cell [m], NaN for none.
     void lower_bed(const Raster& depth);
     void set_origin(Point origin) { origin_ = origin; }
     void set_moving_speed(double speed) { moving_speed_ = speed; }
     void set_time(double time) { state_.time = time; }
 
-    /// Longest step the present state allows [s]; no longer than a wave on the minimum depth would take
-    /// through a cell, so that a map at rest is watched too.
+    /// Returns the longest step that the present state allows [s]; at most the time in which a wave on the minimum
+    /// depth crosses a cell, so that a map at rest is sampled too.
     [[nodiscard]] double stable_step();
     StepStatistics advance(double dt_limit);
-    void synchronise() {}  // velocities are never behind
+    void synchronise() {}  // velocities never lag
 
     [[nodiscard]] double time() const noexcept { return state_.time; }
     [[nodiscard]] std::int64_t steps() const noexcept { return steps_; }
@@ -50,15 +50,14 @@ class StructuredFlow {
     /// Solids and all fluid inside [m3].
     [[nodiscard]] double volume();
     [[nodiscard]] double volume_left() const noexcept;
-    /// What became of solids and fluid; none of a scene without solids.
+    /// Budget of solids and fluid; none for a scene without solids.
     [[nodiscard]] std::optional<PhaseBudget> phase_budget();
-    /// Mean of what was released so far, solids and fluid together [kg/m3]; of fluid where only fluid came
-    /// in.
+    /// Mean density of all released so far, solids and fluid together [kg/m3]; of fluid if only fluid entered.
     [[nodiscard]] double density() const;
     [[nodiscard]] std::int64_t particle_count() const noexcept;
     [[nodiscard]] std::int64_t particle_steps() const noexcept { return particle_steps_; }
     [[nodiscard]] std::size_t bytes_per_particle() const noexcept;
-    /// Bytes that a cell of the map takes once it was touched.
+    /// Memory of a cell of the map once it was touched [bytes].
     [[nodiscard]] std::size_t bytes_per_node() const noexcept;
     [[nodiscard]] const NodeGrid& nodes() const noexcept { return state_.grid; }
     [[nodiscard]] const structured::State& state() const noexcept { return state_; }
@@ -66,21 +65,21 @@ class StructuredFlow {
     /// Whether speeds along the bed and in map view differ.
     [[nodiscard]] bool metric() const noexcept { return laws_.fluid.steep; }
 
-    /// Depth and speed along the bed, as north-up rasters; NaN under the minimum depth.
+    /// Depth and speed along the bed, as north-up rasters; NaN below the minimum depth.
     struct Snapshot {
         Raster depth, speed;
     };
     [[nodiscard]] Snapshot snapshot() const;
-    /// The phases: their depths, velocities and what the solids are like (app/layers.cpp describes each). Of
-    /// fluid alone, its velocity.
+    /// The phases: their depths, velocities and the state of the solids (params/keys/result_rasters.h describes each).
+    /// For fluid alone, its velocity.
     [[nodiscard]] std::vector<NamedRaster> phases() const;
-    /// Folds the present into the maxima; advance does it after every step.
+    /// Updates the maxima with the present state; advance does so after every step.
     void record_present();
     [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }
     /// A padded array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the others.
     [[nodiscard]] Raster to_raster(const ZeroArray<double>& padded, double shift = 0) const;
 
-    /// Calls visit(index) for every cell of the terrain that may hold something that moves.
+    /// Calls visit(index) for every cell of the terrain that may contain moving material.
     template <class Visit>
     void for_each_active_node(const Visit& visit) const {
         const NodeGrid& n = state_.grid;
@@ -90,7 +89,7 @@ class StructuredFlow {
             });
         }
     }
-    /// What lies in a cell: depth [m], and discharge per width of solids and fluid together [m2/s].
+    /// Contents of a cell: depth [m], and discharge per width of solids and fluid together [m2/s].
     struct Column {
         double depth = 0, qx = 0, qy = 0;
     };
@@ -98,7 +97,7 @@ class StructuredFlow {
     /// Speed along the bed of the faster phase in a cell [m/s].
     [[nodiscard]] double speed(std::size_t cell) const;
 
-    /// Everything that steps change.
+    /// Everything that changes during a step.
     template <class Archive>
     void serialise(Archive& archive) {
         [[maybe_unused]] auto& [grid, numerics, material, pool, laws, state, tiles, maxima, origin, moving_speed,

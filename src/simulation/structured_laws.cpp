@@ -50,7 +50,7 @@ structured::SolidMaterial material_of_cell(const StructuredMaterial& m, std::siz
     return solid;
 }
 
-// Of solids with what they confine [kg/m3].
+// Density of solids with their confined fluid [kg/m3].
 double coupled_density(const StructuredMaterial& m, const structured::SolidMaterial& solid) {
     return (solid.solid_fraction * solid.grain_density + solid.confined_fluid() * m.fluid_density) /
            (solid.solid_fraction + solid.confined_fluid());
@@ -61,7 +61,7 @@ structured::Elasticity elasticity(const StructuredMaterial& m) {
                                                        m.bulk_modulus / m.modulus_reduction);
 }
 
-// Elastic waves are fastest in the lightest.
+// Elastic waves are fastest in the lightest material.
 double least_coupled_density(const StructuredMaterial& m, std::size_t cells) {
     if (!m.zones.any()) return coupled_density(m, uniform_material(m));
     double least = std::numeric_limits<double>::infinity();
@@ -72,7 +72,7 @@ double least_coupled_density(const StructuredMaterial& m, std::size_t cells) {
     return least;
 }
 
-// Whether a value that may differ from place to place passes a test anywhere.
+// Whether a value that may vary from place to place passes a test anywhere.
 template <class Test>
 bool anywhere(double uniform, const std::optional<Raster>& zones, const Test& test) {
     if (!zones) return test(uniform);

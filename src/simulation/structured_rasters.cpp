@@ -6,12 +6,12 @@
 #include "simulation/structured_flow.h"
 #include "simulation/terrain_sample.h"
 
-// What a structured flow shows of its cells and particles.
+// Rasters of a structured flow's cells and particles.
 
 namespace frana {
 namespace {
 
-// Volume-weighted mean over the particles of each cell; NaN where there is none.
+// Returns the volume-weighted mean over the particles of each cell; NaN where there is none.
 template <class Value>
 Raster mean_by_cell(const ParticleSet& particles, const GridSpec& grid, const Value& value) {
     Raster sum(grid, 0), weight(grid, 0);

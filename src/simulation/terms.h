@@ -8,7 +8,7 @@
 
 namespace frana {
 
-/// The physics and numerics really computed, in words, for summary.json and `frana check`.
+/// Returns the physics and numerics of a scene as sentences, for summary.json and `frana check`.
 std::vector<std::string> list_terms(const Scene& scene);
 
 }  // namespace frana

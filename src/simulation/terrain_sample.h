@@ -11,14 +11,14 @@ struct Cell {
     std::int64_t row, column;
 };
 
-/// The cell that holds a local point, the nearest one for points outside.
+/// Returns the cell that contains a local point, the nearest one for points outside.
 Cell cell_of(const GridSpec& grid, Point local);
 
-/// Slope of the terrain at a cell (east, north) [-], from the neighbours that have data.
+/// Returns the slope of the terrain at a cell (east, north) [-], from the neighbours that have data.
 Point gradient(const Raster& terrain, Cell cell);
 
-/// Map-view fraction of a speed along the bed in a direction (a unit vector): 1 / sqrt(1 + climb^2), or 1 where
-/// the scene's equations do not know the difference.
+/// Returns the map-view fraction of a speed along the bed in a direction (a unit vector): 1 / sqrt(1 + climb^2), or 1
+/// if the scene's equations do not distinguish them.
 double map_fraction(const Numerics& numerics, Point slope, Point direction);
 
 }  // namespace frana

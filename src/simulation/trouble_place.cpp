@@ -10,7 +10,7 @@
 namespace frana {
 namespace {
 
-// What a particle that took part in a step must stay under; nodes_to_particles leaves others where they were.
+// Bound of the position of a particle moved by a step; nodes_to_particles leaves non-finite ones where they were.
 constexpr double k_finite = 1e9;
 
 Point place(const ParticleSet& particles, std::size_t p) {
@@ -40,7 +40,7 @@ std::optional<Point> particle_in_gap(const ParticleSet& particles, const NodeGri
     return std::nullopt;
 }
 
-// The step that first passes the bound is the run's last: the greatest speed so far is the one to find.
+// The step that first exceeds the bound is the run's last: the greatest speed so far is the one to find.
 template <class AnyFlow>
 std::optional<Point> fastest(const AnyFlow& flow, const ParticleSet* particles) {
     std::optional<Point> at;
@@ -75,7 +75,7 @@ std::optional<Point> place_of_non_finite(const StructuredFlow& flow) {
     if (const ParticleSet* particles = particles_of(flow)) at = non_finite_particle(*particles);
     if (at || !flow.state().fluid) return at;
     const structured::FluidFields& now = flow.state().fluid->now;
-    // Where all are numbers still, fluid was too fast to be computed on: its fastest cell.
+    // If all values are finite, the fluid was too fast to be computed further: returns its fastest cell.
     double greatest = 0;
     flow.for_each_active_node([&](std::size_t cell) {
         const bool finite = std::isfinite(now.depth[cell] + now.qx[cell] + now.qy[cell]);

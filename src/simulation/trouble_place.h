@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a step went wrong. Each looks at everything there is, and is called only when something is known to
-// be there.
+// The place of a problem in a step. Each function searches everything, and is called only after the problem was
+// detected.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@ namespace frana {
 class Flow;
 class StructuredFlow;
 
-/// A particle or cell that holds a value that is not finite; local metres. None: the step itself was none.
+/// Returns a particle or cell with a non-finite value, in local metres. None: the step length itself was non-finite.
 std::optional<Point> place_of_non_finite(const Flow& flow);
 std::optional<Point> place_of_non_finite(const StructuredFlow& flow);
 
-/// The fastest particle or cell.
+/// Returns the fastest particle or cell.
 std::optional<Point> place_of_speed(const Flow& flow);
 std::optional<Point> place_of_speed(const StructuredFlow& flow);
 
-/// A particle on ground without elevation, or a wet cell beside such ground.
+/// Returns a particle on ground without elevation, or a wet cell beside such ground.
 std::optional<Point> place_of_no_data(const Flow& flow);
 std::optional<Point> place_of_no_data(const StructuredFlow& flow);
 
