@@ -49,7 +49,7 @@ constexpr Command k_commands[] = {{"run", cmd_run},           {"check", cmd_chec
                                   {"converge", cmd_converge}, {"bench", cmd_bench}};
 
 int dispatch(Arguments words) {
-    // Whoever starts the program decides this, never a scene.
+    // Decided by the user who starts the program, never by a scene.
     if (std::erase(words, "--allow-network") > 0) gis::allow_network();
     const bool quiet = std::any_of(words.begin(), words.end(),
                                    [](const std::string& word) { return word == "--quiet" || word == "-q"; });
@@ -84,7 +84,7 @@ int report(const Error& error) {
         std::cerr << "frana: " << describe(problems.front()) << '\n';
     } else {
         std::cerr << "frana: " << problems.size() << " problems:\n";
-        // One a feature: ten thousand would push the first, which tell as much, off the screen.
+        // One per feature: ten thousand would push the first, which are as informative, off the screen.
         constexpr std::size_t k_printed = 50;
         for (std::size_t i = 0; i < std::min(problems.size(), k_printed); ++i)
             std::cerr << "  - " << describe(problems[i]) << '\n';
@@ -111,7 +111,7 @@ int main(int count, char** words) {
         frana::app::map_sparingly();
         const int code = frana::app::dispatch({words + 1, words + count});
         std::cout.flush();
-        // A write that failed earlier leaves its mark although the last one went well.
+        // An earlier failed write is recorded although the last one succeeded.
         if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
             std::cerr << "frana: the output could not be written to stdout\n";
             return static_cast<int>(frana::app::ExitCode::environment);
@@ -126,12 +126,12 @@ int main(int count, char** words) {
              frana::Problem{"out of memory", "", "", frana::app::bytes_text(bound.bytes) + ", which " + bound.what,
                             frana::system_remedy(ENOMEM)}});
     } catch (const std::filesystem::filesystem_error& error) {
-        // What no path can be is a word of the user's, whatever was done with it.
+        // An impossible path is invalid input, whatever was done with it.
         const bool word = error.code() == std::errc::filename_too_long || error.code() == std::errc::invalid_argument;
         return frana::app::report({word ? frana::ErrorKind::input : frana::ErrorKind::environment,
                                    frana::Problem{error.code().message(), error.path1().string(), "", "",
                                                   word ? "" : frana::system_remedy(error.code().value())}});
-    } catch (const std::system_error& error) {  // a thread that was not given
+    } catch (const std::system_error& error) {  // a thread that could not be created
         return frana::app::report(
             {frana::ErrorKind::environment,
              frana::Problem{error.code().message(), "the system", "", "", frana::system_remedy(error.code().value())}});

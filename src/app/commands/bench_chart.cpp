@@ -17,7 +17,7 @@ render::ChartPanel panel_of(const std::string& title, const std::string& x_label
     return panel;
 }
 
-// Told apart without colours, too: depth by full and dash-dotted lines, momentum by dashed and dotted ones.
+// Distinguishable without colours, too: depth by solid and dash-dotted lines, momentum by dashed and dotted ones.
 render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const std::string& name, Scheme scheme,
                               bool momentum) {
     const bool paper = scheme == Scheme::paper;
@@ -31,7 +31,7 @@ render::ChartSeries series_of(const std::vector<bench::AccuracyRow>& rows, const
     for (const bench::AccuracyRow& row : rows) {
         if (row.case_name != name || row.scheme != scheme) continue;
         const double error = momentum ? row.statistics.l1_momentum : row.statistics.l1_depth;
-        // At rest to rounding: would only stretch the axis.
+        // At rest up to rounding: would only stretch the axis.
         constexpr double k_nothing = 1e-18;
         if (error > k_nothing) series.points.push_back({row.statistics.wall_seconds, error});
     }

@@ -9,11 +9,12 @@
 
 namespace frana::app {
 
-/// accuracy.png: l1_depth against wall time, logarithmic, a panel for each case, both schemes; on the dam
-/// breaks also GeoClaw's published values. Cases without error to show, being at rounding, say so.
+/// Draws accuracy.png: l1_depth against wall time, logarithmic, a panel for each case, both schemes; on the dam breaks
+/// also GeoClaw's published values. Panels of cases with only rounding errors say so.
 render::Image accuracy_chart(const std::vector<bench::AccuracyRow>& rows);
 
-/// speed.png: particle-steps a second against particles, a panel for each flow, a line for each number of threads.
+/// Draws speed.png: particle-steps per second against particles, a panel for each flow, a line for each number of
+/// threads.
 render::Image speed_chart(const bench::SpeedResult& result);
 
 }  // namespace frana::app

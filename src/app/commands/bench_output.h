@@ -12,7 +12,7 @@
 
 namespace frana::app {
 
-/// The files of a bench, and where they go.
+/// The files of a bench and their folder.
 class BenchOutput {
   public:
     BenchOutput(std::string folder, const std::vector<const char*>& names) : folder_(std::move(folder)) {
@@ -22,9 +22,9 @@ class BenchOutput {
         return (std::filesystem::path(folder_) / name).string();
     }
     [[nodiscard]] const std::vector<std::string>& files() const noexcept { return files_; }
-    /// Before the first is written.
+    /// Call before the first is written.
     void begin() const { begin_own(folder_, files_); }
-    /// After the last.
+    /// Call after the last.
     void list() const { record_files(files_); }
 
   private:
@@ -32,9 +32,10 @@ class BenchOutput {
     std::vector<std::string> files_;
 };
 
-/// That of --out, if it is given; made before anything is computed, so that a bad folder costs nothing.
+/// Returns the output of --out, if given; the folder is made before anything is computed, so that an invalid one is
+/// reported first.
 /// @param inputs files that must not be among them
-/// Throws Error(input) where a file would replace what frana did not write, Error(environment).
+/// Throws Error(input) if a file would replace one that frana did not write, Error(environment).
 std::optional<BenchOutput> bench_output(const boost::program_options::variables_map& values,
                                         const std::vector<const char*>& names,
                                         const std::vector<std::string>& inputs = {});

@@ -57,7 +57,7 @@ void report_line(const std::string& line) {
     std::cerr << line << '\n';
 }
 
-// The sample's DTM beside the fraction folder's sources; none where only the program is installed.
+// Returns the sample's DTM beside the share folder of the sources; none if only the program is installed.
 std::optional<Raster> sample_terrain() {
     const fs::path file = fs::path(share_directory()) / ".." / "sample_data" / "bindo" / "dtm.tif";
     std::error_code error;

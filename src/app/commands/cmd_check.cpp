@@ -45,13 +45,13 @@ void line(const std::string& name, const std::string& value) {
     std::printf("  %-16s %s\n", name.c_str(), value.c_str());
 }
 
-/// To two significant digits, for what is known no better.
+/// Rounds to two significant digits, for values of no higher accuracy.
 double two_digits(std::int64_t count) {
     const double power = std::pow(10, std::max(0.0, std::floor(std::log10(static_cast<double>(count))) - 1));
     return std::round(static_cast<double>(count) / power) * power;
 }
 
-/// Trial runs foresee splitting and the speeds to come within a factor of about two.
+/// Trial runs predict splitting and later speeds within a factor of about two.
 std::string time_text(const RunEstimate& expected, const std::optional<TimeEstimate>& trial) {
     if (!trial)
         return "at least " + number_text(expected.wall_seconds, 2) + " s, more where the flow spreads" +
@@ -62,14 +62,14 @@ std::string time_text(const RunEstimate& expected, const std::optional<TimeEstim
            " times as large" + (trial->cut_short ? ", which reached " + number_text(trial->trial_end, 2) + " s" : "");
 }
 
-/// What stands on the ground and where it differs, on the working grid.
+/// Prints obstacles and zones on the working grid.
 void print_site(const Scene& scene) {
     bool any = false;
     for (const ZoneRaster& zone : k_zone_rasters) {
         const std::optional<Raster>& raster = scene.zones.*zone.raster;
         if (!raster) continue;
         if (!std::exchange(any, true)) std::printf("\nZones\n");
-        // Of friction the coefficient's: the raster has tangents.
+        // For friction the key of the coefficient: the raster contains tangents.
         const auto key = std::find_if(zone_keys().begin(), zone_keys().end(),
                                       [&](const ZoneKey& k) { return k.what == zone.what && !k.degrees(); });
         std::int64_t cells = 0;
@@ -123,7 +123,7 @@ int cmd_check(const Arguments& arguments) {
     apply_memory_limit(*values, log);
     SceneReading reading =
         read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), materials_directory());
-    // Whether a result that is there already may be replaced is asked of whoever runs the scene.
+    // Whether an existing result may be replaced is decided when the scene is run.
     const auto out = text_option(*values, "out");
     const std::string directory = out.value_or(output_directory(reading.scene));
     const std::optional<Problem> place_problem = check_result_directory(

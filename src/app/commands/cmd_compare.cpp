@@ -48,7 +48,7 @@ CommandForm compare_form() {
     return form;
 }
 
-/// A raster of another program: depths on square cells in metres.
+/// Reads a raster of another program: depths on square cells in metres.
 Raster foreign_depth(const std::string& file) {
     const gis::RasterInfo info = gis::inspect_raster(file, "RESULT_DIR|RASTER");
     if (!info.crs_wkt.empty() && !gis::is_projected_in_metres(info.crs_wkt)) {
@@ -59,13 +59,13 @@ Raster foreign_depth(const std::string& file) {
     return gis::read_result_raster(file);
 }
 
-/// What is simulated: a result of frana's or one raster of any program's.
+/// The simulated data: a result of frana or one raster of any program.
 struct Simulated {
     ComparisonInput input;
     MapSource source;
 };
 
-/// For folders and the ranking.
+/// Name for folders and the ranking.
 std::string name_of(const std::string& operand) {
     if (!fs::is_directory(operand)) return fs::path(operand).stem().string();
     const fs::path folder = fs::absolute(ResultReader(operand).directory()).lexically_normal();
@@ -110,7 +110,7 @@ Survey read_survey(const std::optional<std::string>& scar, const std::optional<s
     return survey;
 }
 
-/// One result or raster against one survey, and where the files go.
+/// One result or raster against one survey, and the folder of the files.
 struct Pair {
     std::string operand;
     std::optional<std::string> scar;
@@ -143,7 +143,7 @@ std::vector<std::string> files_of(const Pair& pair, const MapStyle& style) {
     return files;
 }
 
-/// Before anything is computed: nothing that is read or that a result is made of is written over.
+/// Checks, before anything is computed, that no input and no file of a result would be overwritten.
 void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::string>& deposit,
                    const std::string& ranking_file) {
     KeptFiles kept;
@@ -155,7 +155,7 @@ void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::stri
             kept.add_result(result, comparison_files(result));
         }
     }
-    for (const Pair& pair : pairs) {  // whatever they are called
+    for (const Pair& pair : pairs) {  // whatever their names
         if (!fs::is_directory(pair.operand)) kept.add(pair.operand);
         kept.add(pair.scar.value_or(""));
     }
@@ -164,7 +164,7 @@ void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::stri
     for (const Pair& pair : pairs) {
         const std::vector<std::string> files = files_of(pair, any);
         kept.check(files, "--out", problems);
-        problems.throw_if_any();  // one reason for each file
+        problems.throw_if_any();  // one problem per file
         check_own(pair.folder, files, "--out", {pair.operand}, problems);
     }
     if (pairs.size() > 1) {
@@ -194,7 +194,7 @@ std::string make_folder(const std::string& folder) {
     return folder;
 }
 
-/// Compares and writes into a folder, which is made only once the values are there.
+/// Compares and writes to a folder, which is made only after the values are computed.
 Comparison compare_into(Simulated& simulated, const std::string& folder, RunLog& log) {
     Comparison comparison = compare_with_survey(simulated.input, log);
     make_folder(folder);

@@ -65,7 +65,7 @@ Problem not_one_of(const std::string& option, const std::string& value, const st
     return {"is not one of the choices", "--" + option, value, choices, ""};
 }
 
-/// The style with the options in place of its own; adds what is wrong with them.
+/// Overrides the style by the options; adds their problems.
 void read_style(const Values& values, MapStyle& style, Problems& problems) {
     const auto given = [&](const std::string& name) { return text_option(values, name); };
     try {
@@ -102,7 +102,7 @@ void read_style(const Values& values, MapStyle& style, Problems& problems) {
     style.attribution = given("attribution").value_or(style.attribution);
 }
 
-/// What is asked for, as far as it does not depend on the files.
+/// The requested outputs, as far as they do not depend on the files.
 struct Request {
     bool view_3d = false, fly = false, charts = false, plates = false;
     std::optional<std::string> animation, beside, out;
@@ -147,7 +147,7 @@ Request read_request(const Values& values, Problems& problems) {
     return request;
 }
 
-/// Before anything is drawn or written. `animation`: 0 where none is asked for.
+/// Called before anything is drawn or written. `animation`: 0 if none is requested.
 void refuse_too_large(const Values& values, const Request& request, Size page, Size animation, std::int64_t cells) {
     Drawing drawing;
     drawing.cells = cells;
@@ -168,32 +168,32 @@ void make_folder(const std::string& folder) {
     }
 }
 
-/// To the user, and to the result that the files lie in.
+/// Reports to the user, and to the result that contains the files.
 void log_written(const std::vector<std::string>& files) {
     record_files(files);
     for (const std::string& file : files) std::cout << file << '\n';
 }
 
-/// Where pictures or a animation go, and what may not go there.
+/// Folder of pictures or an animation, and the files that must not be written to it.
 struct Place {
     std::string folder;
-    std::string option;              ///< that says it
-    std::vector<std::string> reads;  ///< results that they may go into
+    std::string option;              ///< that specifies it
+    std::vector<std::string> reads;  ///< results that they may be written to
 };
 
-/// Makes a place ready for files, before the first is written. Throws Error, with nothing made, where one of
-/// them would take the place of what is not frana's or belongs to another result.
+/// Prepares a folder for files, before the first is written. Throws Error, with nothing made, if one of them would
+/// replace a file not made by frana or belongs to another result.
 void prepare_place(const Place& place, const std::vector<std::string>& files, const KeptFiles& kept,
                    Problems& problems) {
     kept.check_pictures(files, place.option, problems);
-    problems.throw_if_any();  // one reason for each file
+    problems.throw_if_any();  // one problem per file
     check_own(place.folder, files, place.option, place.reads, problems);
     problems.throw_if_any();
     make_folder(place.folder);
     begin_own(place.folder, files);
 }
 
-/// Its folder is the run's own as long as that is under way.
+/// Its folder belongs to the run until the run ends.
 std::vector<std::string> own_result(const ResultReader& result) {
     return result.under_way() ? std::vector<std::string>{} : std::vector<std::string>{result.directory()};
 }
@@ -239,7 +239,7 @@ void draw(const MapSource& source, const std::vector<MapLayer>& layers, bool vie
     for (const MapLayer& layer : layers) log_written(drawer.draw(layer, view_3d, stem(layer)));
 }
 
-/// A picture among a result's rasters would be taken for one of them.
+/// A picture among a result's rasters would be read as one of them.
 void check_folder(const ResultReader& result, const Request& request, const MapSource& source, Problems& problems) {
     const std::vector<std::string>& formats = source.style.formats;
     if (!request.out || std::find(formats.begin(), formats.end(), "tif") == formats.end()) return;
@@ -252,7 +252,7 @@ void check_folder(const ResultReader& result, const Request& request, const MapS
     }
 }
 
-/// The run's folder is its own until the end, and holds frames alone.
+/// The run's folder belongs to the run until its end, and has only frames.
 void check_request_under_way(const ResultReader& result, const Request& request, Problems& problems) {
     const std::string& folder = result.directory();
     if (request.charts || request.plates) {

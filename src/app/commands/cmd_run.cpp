@@ -50,7 +50,7 @@ CommandForm run_form() {
 
 ExitCode exit_code(const RunResult& result, const PictureOutcome& pictures) {
     switch (result.stop_reason) {
-        // The map ends where the terrain does: a script must not take it for a whole one.
+        // The map ends where the terrain does: a script must not treat it as complete.
         case StopReason::reached_no_data:
         case StopReason::non_finite:
         case StopReason::impossible_speed:
@@ -79,7 +79,7 @@ RunOptions run_options(int threads, FrameWriter* frames, bool with_particles, Pr
     return run_with;
 }
 
-// A run that did not come to its end is neither forgotten nor mixed with another.
+// An incomplete run is neither discarded nor mixed with another.
 void refuse_to_discard(const InterruptedRun& interrupted, const std::string& target, Problems& problems) {
     if (interrupted.beside().empty()) return;
     problems.add({"an interrupted run of it is kept in " + interrupted.beside(), target, "", "",
@@ -97,7 +97,7 @@ void log_resuming(const CheckpointFile& from, RunLog& log) {
     }
 }
 
-// What can be saved of a run that the disk has stopped is said with the problem.
+// Adds to the problem what can be saved of a run stopped by the disk.
 [[noreturn]] void explain_problem(const Error& error, const std::string& folder) {
     if (error.kind() != ErrorKind::environment) throw error;
     std::vector<Problem> problems = error.problems();
@@ -112,7 +112,7 @@ void log_resuming(const CheckpointFile& from, RunLog& log) {
     throw Error(error.kind(), problems);
 }
 
-// Frames that the disk would not take before.
+// Frames that the disk could not store before.
 void add_waiting(const CheckpointFile& from, const GridSpec& grid, FrameWriter& frames) {
     const auto complete = [&](Raster& raster) {
         StateReader::require(raster.values.size() == static_cast<std::size_t>(grid.cell_count()));
@@ -126,7 +126,7 @@ void add_waiting(const CheckpointFile& from, const GridSpec& grid, FrameWriter& 
     }
 }
 
-// What a session of a run begins with.
+// The input of a session of a run.
 struct Session {
     const Prepared& prepared;
     int threads;
@@ -161,7 +161,7 @@ void log_run(const RunResult& result, double end, RunLog& log) {
     }
 }
 
-// Computes and writes; the exit code.
+// Computes and writes; returns the exit code.
 int run_into(const Session& session, CheckpointFile* from, ResultDirectory& directory, RunLog& log) {
     const Prepared& prepared = session.prepared;
     const ParticleFormats particles = particle_formats(prepared.spec.output.formats);
@@ -189,7 +189,7 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     const PictureOutcome pictures = publish(
         {prepared, result, session.threads, session.input_seconds, session.earlier_seconds, session.since_start},
         directory, frames, log);
-    // Whatever ends with another code than 0 leaves what --resume needs to complete it.
+    // An exit code other than 0 leaves what --resume needs to complete the run.
     const bool stopped = result.stop_reason == StopReason::requested || !pictures.left_out.empty();
     const int code =
         stopped ? static_cast<int>(ExitCode::signal) + stop_signal() : static_cast<int>(exit_code(result, pictures));

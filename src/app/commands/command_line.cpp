@@ -19,7 +19,7 @@ namespace options = boost::program_options;
 
 namespace {
 
-/// A word that is not there, from an unset variable of a script, would stand for the folder or the file that is meant.
+/// An empty word, from an unset variable of a script, would replace the intended folder or file.
 void refuse_empty_words(const options::variables_map& values, const CommandForm& form) {
     Problems problems;
     const auto check = [&](const std::string& name, const std::string& word) {
@@ -28,7 +28,7 @@ void refuse_empty_words(const options::variables_map& values, const CommandForm&
     };
     for (const auto& [name, value] : values) {
         const auto* option = form.options.find_nothrow(name, false);
-        if (option != nullptr && option->semantic()->max_tokens() == 0) continue;  // a switch
+        if (option != nullptr && option->semantic()->max_tokens() == 0) continue;  // a flag
         if (const auto* word = boost::any_cast<std::string>(&value.value())) check(name, *word);
         if (const auto* words = boost::any_cast<std::vector<std::string>>(&value.value()))
             for (const std::string& word : *words) check(name, word);
@@ -114,7 +114,7 @@ std::optional<double> threshold_option(const options::variables_map& values) {
     const auto text = text_option(values, "threshold");
     if (!text) return std::nullopt;
     const auto metres = number_from_text(*text);
-    for (const Parameter& key : scene_parameters()) {  // the option stands in for it
+    for (const Parameter& key : scene_parameters()) {  // the option replaces it
         if (key.name() != "scar.threshold" || (metres && key.fits(*metres))) continue;
         throw Error(ErrorKind::input, Problem{"is not a depth", "--threshold", *text, key.limits + " " + key.unit, ""});
     }

@@ -12,7 +12,7 @@
 
 namespace frana::app {
 
-/// One command's words: what `frana COMMAND --help` prints and what it accepts.
+/// One command: the text of `frana COMMAND --help` and the accepted arguments.
 struct CommandForm {
     std::string usage;    ///< "frana run SCENE.ini [options]"
     std::string purpose;  ///< one or two sentences
@@ -21,20 +21,21 @@ struct CommandForm {
     bool repeats = false;  ///< the positional argument may be given more than once
 };
 
-/// Reads the arguments of a command. None: help was asked for and printed, nothing else is to be done.
-/// Throws Error(input) for anything not in the form, or when the operand is missing.
+/// Reads the arguments of a command. None: help was requested and printed, nothing else is to be done. Throws
+/// Error(input) for anything not in the form, or if the operand is missing.
 std::optional<boost::program_options::variables_map> parse_arguments(const CommandForm& form,
                                                                      const std::vector<std::string>& arguments);
 
-/// A text option as given, if it was.
+/// Returns a text option, if it was given.
 std::optional<std::string> text_option(const boost::program_options::variables_map& values, const std::string& name);
-/// All texts of an option that may be repeated.
+/// Returns all texts of an option that may be repeated.
 std::vector<std::string> text_options(const boost::program_options::variables_map& values, const std::string& name);
-/// --threads: as given (1 to 1024), else all processors this process may use. Throws Error(input).
+/// Returns --threads: as given (1 to 1024), else the number of processors available to this process. Throws
+/// Error(input).
 int thread_count(const boost::program_options::variables_map& values);
-/// --size WxH. Throws Error(input).
+/// Returns --size WxH. Throws Error(input).
 std::optional<Size> size_option(const boost::program_options::variables_map& values);
-/// --threshold in metres, greater than 0. Throws Error(input).
+/// Returns --threshold in metres, greater than 0. Throws Error(input).
 std::optional<double> threshold_option(const boost::program_options::variables_map& values);
 
 }  // namespace frana::app

@@ -11,8 +11,8 @@ enum class ExitCode { done = 0, input = 2, numerical = 3, environment = 4, signa
 
 using Arguments = std::vector<std::string>;
 
-// Each command takes the arguments after its name, prints to stdout what was asked for and returns the exit
-// code. All throw Error.
+// Each command takes the arguments after its name, prints the requested output to stdout and returns the exit code. All
+// throw Error.
 int cmd_run(const Arguments& arguments);
 int cmd_check(const Arguments& arguments);
 int cmd_render(const Arguments& arguments);

@@ -30,10 +30,10 @@ constexpr unsigned k_machine = AUDIT_ARCH_X86_64;
 #elif defined(__aarch64__)
 constexpr unsigned k_machine = AUDIT_ARCH_AARCH64;
 #else
-constexpr unsigned k_machine = 0;  // no filter is known
+constexpr unsigned k_machine = 0;  // no filter available
 #endif
 
-/// socket(AF_INET or AF_INET6) answers "permission denied"; all else is as before.
+/// socket(AF_INET or AF_INET6) fails with "permission denied"; all other calls are unchanged.
 void forbid_internet_sockets() {
     if (k_machine == 0) return;
     constexpr auto k_domain = offsetof(seccomp_data, args);  // the low word comes first on both machines
@@ -50,11 +50,11 @@ void forbid_internet_sockets() {
     };
     const sock_fprog program{static_cast<unsigned short>(std::size(steps)), steps};
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return;
-    // Without the flag older kernels make the whole process slower.
+    // Without the flag older kernels slow down the whole process.
     ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_SPEC_ALLOW, &program);
 }
 
-/// FRANA_READ_SECONDS, or five minutes.
+/// Returns FRANA_READ_SECONDS, or five minutes.
 double seconds_to_read() {
     constexpr double k_default = 300, k_most = 1e6;
     const char* const text = std::getenv("FRANA_READ_SECONDS");
@@ -70,7 +70,7 @@ void print_reading(const std::string& where, double seconds) {
     std::cerr << "frana: reading " + where + ", " + number_text(seconds, 2) + " s so far\n";
 }
 
-/// The thread that reads cannot be reached: the program ends here, before anything was computed.
+/// The reading thread cannot be interrupted: the program ends here, before anything was computed.
 void end_program(const Problem& problem) {
     std::cerr << "frana: " << describe(problem) << std::endl;
     ::_exit(static_cast<int>(ExitCode::input));
@@ -79,7 +79,7 @@ void end_program(const Problem& problem) {
 }  // namespace
 
 void guard_process(bool network, bool quiet) {
-    // SpatiaLite's functions may then read and write files, from a view in a database that somebody sent.
+    // SpatiaLite's functions could otherwise read and write files, from a view in a database from others.
     ::unsetenv("SPATIALITE_SECURITY");
     if (!network) forbid_internet_sockets();
     if (!quiet && ::isatty(STDERR_FILENO) == 1) gis::on_slow_reading(print_reading);

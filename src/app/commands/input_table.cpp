@@ -23,7 +23,7 @@ std::string corners(const Bounds& box, bool degrees) {
 void add(TextTable& table, const UsedFile& file) {
     const std::string name = file.role + "\n" + std::filesystem::path(file.path).filename().string() +
                              (file.layer.empty() ? "" : "\nlayer " + file.layer);
-    const bool placed = !file.crs_label.empty();  // a table of numbers lies nowhere
+    const bool placed = !file.crs_label.empty();  // a table of numbers has no position
     table.add(
         {name, file.crs_label, placed ? corners(file.bounds, file.degrees) : "", file.content, file.nodata,
          placed ? transform_text(file.transform) + (file.resampling.empty() ? "" : "\nresampling: " + file.resampling)

@@ -8,8 +8,8 @@
 
 namespace frana::app {
 
-/// Every input as frana understood it, and the working grid it was brought onto, as one table.
-/// `memory_bytes`: what a run on that grid takes.
+/// Returns every input as interpreted, and the working grid, as one table. `memory_bytes`: memory of a run on that
+/// grid.
 std::string input_table(const Prepared& prepared, std::int64_t memory_bytes);
 
 }  // namespace frana::app

@@ -5,7 +5,7 @@
 
 namespace frana::app {
 
-/// One line for each library that can change a result or a file: "GDAL 3.6.2".
+/// Returns one line for each library that can change a result or a file: "GDAL 3.6.2".
 std::string library_versions();
 
 }  // namespace frana::app

@@ -11,23 +11,22 @@
 namespace frana::app {
 namespace {
 
-// All measured, with GDAL 3.6, VTK 9.1 and Mesa 22, on maps of 2000 to 20 000 000 cells and pages of 0.3 to
-// 64 million pixels. Results and what is made of them while files are written and pictures drawn, after the
-// engine is gone.
+// All measured, with GDAL 3.6, VTK 9.1 and Mesa 22, on maps of 2000 to 20 000 000 cells and pages of 0.3 to 64 million
+// pixels. Results and temporary data while files are written and pictures drawn, after the engine's memory was freed.
 constexpr std::int64_t k_result_cell_bytes = 120;
-// Code and tables of what draws; a map's and a view's layers, which stay while more are drawn; relief and
+// Code and tables of the drawing libraries; a map's and a view's layers, which remain while more are drawn; relief and
 // mesh.
 constexpr std::int64_t k_picture_bytes = 85'000'000, k_map_pixel_bytes = 52, k_view_pixel_bytes = 34,
                        k_drawn_cell_bytes = 28;
-// The pictures that an encoder looks back and ahead to; a view's animation has two pictures under way.
+// The pictures that an encoder keeps in its look-ahead and look-back; a view's animation has two pictures in progress.
 constexpr std::int64_t k_animation_bytes = 10'000'000, k_animation_pixel_bytes = 15;
-// A step's row in memory, while it becomes text, and while charts are drawn of the file's words.
+// A step's row in memory, during formatting, and while charts are drawn from the file's text.
 constexpr std::int64_t k_step_bytes = 180, k_step_text_bytes = 450, k_step_chart_bytes = 1500;
-// Code and tables of what computes and writes.
+// Code and tables of computing and writing.
 constexpr std::int64_t k_computing_bytes = 22'000'000;
-// Frames that wait for the disk hold both quantities, particles eight numbers each, VTK's and GDAL's copies.
+// Frames waiting for the disk contain both quantities; particles eight numbers each, VTK's and GDAL's copies.
 constexpr std::int64_t k_frame_cell_bytes = 40, k_frame_particle_bytes = 330;
-// Particles split where the flow spreads thin; a trial that saw none of it knows no better.
+// Particles split where the flow spreads thin; a trial without splitting does not predict it.
 constexpr double k_unseen_growth = 1.5;
 
 std::int64_t pixels(Size size) {
@@ -38,7 +37,7 @@ bool draws_maps(const Prepared& prepared) {
     return prepared.spec.output.maps.front() != "off";
 }
 
-// What publish() draws.
+// Returns what publish() draws.
 Drawing drawing_of(const Prepared& prepared) {
     const OutputSpec& output = prepared.spec.output;
     const Size page = size_from_text(output.map_size).value_or(Size{});
@@ -77,7 +76,7 @@ std::int64_t memory_of(const Prepared& prepared, std::int64_t in_use, const RunE
     return in_use + k_computing_bytes + std::max({engine, writing, drawing});
 }
 
-// Nothing outruns its fall: a step is at least as long as a cell takes at that speed and the waves' on top.
+// Nothing moves faster than its fall: a step is at least the time to cross a cell at that speed plus the waves'.
 double most_steps(const Prepared& prepared, const RunEstimate& expected) {
     const Scene& scene = prepared.scene;
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
@@ -99,7 +98,7 @@ double most_steps(const Prepared& prepared, const RunEstimate& expected) {
 std::int64_t memory_of_drawing(const Drawing& drawing) {
     if (pixels(drawing.page) == 0 && pixels(drawing.animation) == 0) return 0;
     const std::int64_t of_pixel = (drawing.maps ? k_map_pixel_bytes : 0) + (drawing.views ? k_view_pixel_bytes : 0);
-    // The animation is drawn after the maps, with what they have left: 32 MB more than these alone, measured.
+    // The animation is drawn after the maps, in the memory they leave: 32 MB more than these alone, measured.
     std::int64_t bytes = k_picture_bytes + drawing.cells * k_drawn_cell_bytes +
                          std::max(pixels(drawing.page), pixels(drawing.animation)) * of_pixel;
     if (pixels(drawing.animation) > 0) bytes += k_animation_bytes + pixels(drawing.animation) * k_animation_pixel_bytes;
@@ -121,7 +120,7 @@ std::int64_t memory_of_run(const Prepared& prepared, std::int64_t in_use, const 
 }
 
 std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected) {
-    // As many as merging leaves in every cell of the map.
+    // The number that merging leaves in every cell of the map.
     constexpr std::int64_t k_crowd = 3;
     const std::int64_t crowded =
         prepared.scene.structured

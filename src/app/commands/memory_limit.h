@@ -12,19 +12,18 @@
 
 namespace frana::app {
 
-/// --memory-limit, where it was given, holds from now on; see limit_memory.
+/// Applies --memory-limit, if given; see limit_memory.
 void apply_memory_limit(const boost::program_options::variables_map& values, RunLog& log);
 
-/// Throws Error(input) where a run takes more than there is. `held`: what this process held with all inputs
-/// read. A trial run is made only where the run's flow decides.
+/// Throws Error(input) if a run needs more than is available. `in_use`: memory of this process with all inputs read. A
+/// trial run is made only if the result depends on the flow.
 void refuse_run_beyond_memory(const SceneReading& reading, const Prepared& prepared, std::int64_t in_use,
                               const RunEstimate& expected, int threads);
 
-/// The same of a run whose memory is known [bytes].
+/// The same for a run whose memory is known [bytes].
 void refuse_run_of(std::int64_t needed, const SceneReading& reading, const Prepared& prepared);
 
-/// Throws Error(input) where pictures that take so much beside what this process holds are more than there
-/// is.
+/// Throws Error(input) if pictures that need so much besides the memory in use exceed the memory available.
 void refuse_pictures_of(std::int64_t needed, const std::string& where, const std::string& size);
 
 }  // namespace frana::app

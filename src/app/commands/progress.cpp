@@ -10,7 +10,7 @@
 namespace frana::app {
 namespace {
 
-constexpr double k_live_interval = 0.2;    // fast enough to look alive
+constexpr double k_live_interval = 0.2;    // fast enough to look continuous
 constexpr double k_plain_interval = 10.0;  // contract: a line every ten seconds
 
 std::string line_of(const Progress& progress, double begin, double elapsed) {
@@ -20,7 +20,7 @@ std::string line_of(const Progress& progress, double begin, double elapsed) {
                   static_cast<long long>(progress.particles));
     std::string line = text;
     if (progress.time > begin && elapsed > 1) {
-        // The flow may come to rest earlier: this is the most it can take at the present pace.
+        // The flow may come to rest earlier: this is the maximum at the present rate.
         std::snprintf(text, sizeof text, "  %.0f s left at most",
                       elapsed * (progress.end - progress.time) / (progress.time - begin));
         line += text;

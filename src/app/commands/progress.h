@@ -6,13 +6,12 @@
 
 namespace frana::app {
 
-/// Shows step, simulated time and time left on stderr: one live line on a terminal, else a line every ten
-/// seconds.
+/// Shows step, simulated time and time left on stderr: one updated line on a terminal, else a line every ten seconds.
 class ProgressReporter {
   public:
     explicit ProgressReporter(bool quiet);
     void show(const Progress& progress);
-    /// Clears the live line.
+    /// Clears the updated line.
     void finish();
 
   private:

@@ -9,16 +9,16 @@
 
 namespace frana::app {
 
-/// Runs of one scene that differ in some keys, as studies need them: the engine alone, nothing written.
+/// Runs of one scene with some keys changed, for studies: the engine alone, nothing written.
 class SceneVariants {
   public:
-    /// @param overrides section.key=value of the command line, which hold for all
+    /// @param overrides section.key=value of the command line, applied to all
     SceneVariants(std::string file, std::vector<std::string> overrides, int threads, bool quiet)
         : file_(std::move(file)), overrides_(std::move(overrides)), threads_(threads), quiet_(quiet), log_(quiet) {}
 
-    /// The scene with more overrides. Throws Error(input) as prepare does.
+    /// Reads the scene with further overrides. Throws Error(input) as prepare does.
     Prepared read(const std::vector<std::string>& more);
-    /// To its end, with progress on the terminal; a signal stops it (StopReason::requested).
+    /// Runs to the end, with progress on the terminal; a signal stops it (StopReason::requested).
     [[nodiscard]] RunResult run(const Scene& scene) const;
 
   private:

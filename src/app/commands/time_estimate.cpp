@@ -11,14 +11,14 @@ namespace frana::app {
 namespace {
 
 constexpr double k_trial_seconds = 1.5;  // wall, each
-// With fewer cells across, a release flows unlike itself.
+// With fewer cells across, the flow of a release differs too much.
 constexpr double k_least_cells = 9;
-// Smaller cells let thin fronts spread farther: particle steps scaled to the same cells, per halving, in the
+// Smaller cells let thin fronts spread further: growth of particle-steps scaled to the same cells, per halving, in the
 // sample and the shared examples.
 constexpr double k_usual_growth = 1.3;
 
-/// What a run on larger cells took, scaled to the scene's own: particles go with the square of the cells,
-/// steps with their side.
+/// Cost of a run on larger cells, scaled to the scene's own: particles scale with the square of the cells, steps with
+/// their side.
 struct Trial {
     double particle_steps = 0;
     double steps = 0;
@@ -63,7 +63,8 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     const Trial coarse = try_coarse(reading, grid, 2 * factor, threads);
     const Trial fine = try_coarse(reading, grid, factor, threads);
     if (!(coarse.particles_peak > 0) || start.particles == 0) return std::nullopt;
-    // Of the two the one that came to its end; how much a halving of the cells adds is known from both.
+    // If both reached their end, the growth per halving of the cells follows from both; otherwise the complete one is
+    // used.
     const bool both = !fine.cut_short && !coarse.cut_short;
     const bool use_fine = both || coarse.cut_short;
     const Trial& base = use_fine ? fine : coarse;
@@ -73,7 +74,7 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     estimate.coarsening = use_fine ? factor : 2 * factor;
     estimate.trial_end = base.reached;
     estimate.cut_short = base.cut_short;
-    // Of few particles each is dear (the trial), and so are the first steps (the scene itself).
+    // With few particles each is expensive (the trial), and so are the first steps (the scene itself).
     const double start_cost =
         start.wall_seconds * start.first_step_seconds / reading.scene.time.end / static_cast<double>(start.particles);
     estimate.engine_seconds = base.particle_steps * std::pow(growth, std::log2(estimate.coarsening)) *
@@ -83,7 +84,7 @@ std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Pre
     if (!std::isfinite(estimate.engine_seconds)) return std::nullopt;
     return estimate;
 } catch (const Error&) {
-    return std::nullopt;  // too small a map for larger cells; the scene itself was found good before
+    return std::nullopt;  // map too small for larger cells; the scene itself was checked before
 }
 
 }  // namespace frana::app

@@ -9,7 +9,7 @@
 
 namespace frana::app {
 
-/// What a run will take, from a trial on larger cells.
+/// Expected wall time of a run, from a trial on larger cells.
 struct TimeEstimate {
     double engine_seconds = 0;
     std::int64_t particles_peak = 0;
@@ -19,11 +19,10 @@ struct TimeEstimate {
     bool cut_short = false;  ///< the trial was stopped before its end, the rest is extrapolated
 };
 
-/// Runs the scene on cells four and eight times as large (two and four for a small release), for a second and
-/// a half of wall time each at most, and carries on from there to its own. Splitting, speeds and coming to
-/// rest are those of the trials: the particle steps of the sample and the shared examples come out within a
-/// factor of two. None where the scene cannot be had on larger cells. `start`: the engine's own look at the
-/// first steps.
+/// Runs the scene on cells four and eight times as large (two and four for a small release), for at most a second and a
+/// half of wall time each, and extrapolates to the scene's cells. Splitting, speeds and coming to rest are those of the
+/// trials: the particle-steps of the sample and the shared examples are predicted within a factor of two. None if the
+/// scene cannot be read on larger cells. `start`: the engine's measurement of the first steps.
 std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Prepared& prepared,
                                           const RunEstimate& start, int threads);
 

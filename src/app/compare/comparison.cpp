@@ -24,7 +24,7 @@ std::optional<double> runout_difference(const ComparisonInput& input, const Rast
     return simulated.horizontal_m - runout(*input.bed, *input.release, observed).horizontal_m;
 }
 
-/// Both run-outs on one path: that of the simulated flow, led on to the farthest of trace and survey.
+/// Computes both run-outs on one path: that of the simulated flow, extended to the farthest cell of trace and survey.
 std::optional<PathRunout> path_runout(const ComparisonInput& input, const Raster& observed) {
     if (!input.bed || !input.release || !observed.grid.same_cells(input.bed->grid)) return std::nullopt;
     const Raster trace = trace_mask(input.depth, input.threshold);
@@ -35,7 +35,7 @@ std::optional<PathRunout> path_runout(const ComparisonInput& input, const Raster
     const Runout farthest = runout(*input.bed, *input.release, both);
     Raster depth = input.depth;
     for (std::size_t i = 0; i < depth.values.size(); ++i) {
-        // Surveyed ground without flow is better than ground that nothing touched.
+        // Surveyed area without flow is preferred to area that nothing touched.
         const bool surveyed = observed.values[i] != 0 && !(depth.values[i] > input.threshold);
         if (surveyed) depth.values[i] = input.threshold;
     }

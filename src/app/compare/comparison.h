@@ -15,28 +15,28 @@
 
 namespace frana::app {
 
-/// What is compared.
+/// Input of a comparison.
 struct ComparisonInput {
     Raster depth;               ///< greatest depth; NaN: never reached
     Survey survey;              ///< in the depth's CRS
     double threshold = 0;       ///< [m]
-    std::string depth_label;    ///< for the file: what was simulated
+    std::string depth_label;    ///< for the file: name of the simulated data
     std::optional<Raster> bed;  ///< for the run-outs; none: not compared
     std::optional<Raster> release;
     std::optional<Raster> final_depth;  ///< for the deposit; none: not compared
     std::map<std::string, std::string> metadata;
 };
 
-/// A surveyed front against the simulated outline. Distances are positive where the simulation goes beyond
-/// the front, negative where it falls short of it.
+/// A surveyed front against the simulated outline. Distances are positive where the simulation extends beyond the
+/// front, negative where it does not reach it.
 struct FrontComparison {
     std::string name;
     double mean_m = 0;           ///< signed
-    LineDistance size;           ///< of the distances without their sign, over the front's length
+    LineDistance size;           ///< of the absolute distances, over the front's length
     double reached_percent = 0;  ///< fraction of the front's length inside the simulated trace
 };
 
-/// A surveyed tip: its distance from the simulated outline, signed likewise.
+/// A surveyed tip: its distance from the simulated outline, with the same sign.
 struct TipComparison {
     std::string name;
     double distance_m = 0;
@@ -51,7 +51,7 @@ struct Comparison {
     std::optional<ComparisonStatistics> statistics;  ///< none: no area was surveyed
     std::vector<ComparisonStatistics> curve;         ///< over the depth threshold
     std::optional<LineDistance> outline;
-    std::optional<double> runout_difference_m;  ///< simulated less observed
+    std::optional<double> runout_difference_m;  ///< simulated minus observed
     std::optional<PathRunout> path_runout;
     std::vector<FrontComparison> fronts;
     std::vector<TipComparison> tips;
@@ -60,29 +60,29 @@ struct Comparison {
     Raster classes;  ///< values of Agreement; no cells without a surveyed area
 };
 
-/// Compares a depth with everything surveyed. Ground outside the depth's grid that the survey covers counts
-/// as missed. share/doc/scores.md has the formulas.
+/// Compares a depth with everything surveyed. Surveyed area outside the depth's grid counts as missed.
+/// share/doc/scores.md has the formulas.
 Comparison compare_with_survey(const ComparisonInput& input, RunLog& log);
 
 std::string comparison_json(const Comparison& comparison, const ComparisonInput& input);
 
-/// threshold_m, hit_m2, ... one row for each point of the curve.
+/// Returns threshold_m, hit_m2, ... with one row for each point of the curve.
 std::string comparison_curve_csv(const Comparison& comparison);
 
-/// comparison.json, and where an area was surveyed comparison_curve.csv and comparison.tif with its styles,
-/// into a folder. Throws Error.
+/// Writes comparison.json, and if an area was surveyed comparison_curve.csv and comparison.tif with its styles, to a
+/// folder. Throws Error.
 void write_comparison(const Comparison& comparison, const ComparisonInput& input, const std::string& folder);
 
-/// The map of hits, false alarms and misses with the values beside it: comparison.png or .pdf in a folder; as GeoTIFF
-/// maps/comparison.tif below it, for comparison.tif is the raster of classes. Throws Error.
+/// Draws the map of hits, false alarms and misses with the values beside it: comparison.png or .pdf in a folder; as
+/// GeoTIFF maps/comparison.tif below it, for comparison.tif is the raster of classes. Throws Error.
 void draw_comparison(const Comparison& comparison, LayerDrawer& drawer, const std::string& folder);
 
-/// The files that draw_comparison makes.
+/// Returns the files written by draw_comparison.
 std::vector<std::string> comparison_pictures(const MapStyle& style, const std::string& folder);
-/// The files that write_comparison may make.
+/// Returns the files that write_comparison may write.
 std::vector<std::string> comparison_files(const std::string& folder);
 
-/// What `compare` found, in one line for the terminal and the log.
+/// Returns the main result of a comparison in one line for the terminal and the log.
 std::string comparison_headline(const Comparison& comparison);
 
 }  // namespace frana::app

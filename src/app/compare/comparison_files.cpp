@@ -48,12 +48,13 @@ struct ClassText {
     Rgb colour;
 };
 
-// Bluish green, orange and a dark blue: apart for the colour-blind, and in lightness where colours are not printed.
+// Bluish green, orange and a dark blue: distinguishable for the colour-blind, and by lightness if printed without
+// colours.
 constexpr ClassText k_classes[] = {{Agreement::hit, "Hit: simulated and observed", {0, 158, 115}},
                                    {Agreement::false_alarm, "False alarm: simulated only", {240, 180, 50}},
                                    {Agreement::miss, "Miss: observed only", {40, 50, 140}}};
 
-/// The names and values of a comparison's values, in the order of the file.
+/// Names and values of a comparison, in the order of the file.
 std::vector<std::pair<const char*, double>> named(const ComparisonStatistics& f) {
     return {{"observed_area_m2", f.observed_area_m2},
             {"simulated_area_m2", f.simulated_area_m2},

@@ -6,7 +6,7 @@
 
 namespace frana::app {
 
-/// What a scene's survey and threshold say of a comparison; the simulated part is still to be filled in.
+/// Returns a scene's survey and threshold for a comparison; the simulated part remains to be filled in.
 ComparisonInput surveyed(const Prepared& prepared);
 
 }  // namespace frana::app

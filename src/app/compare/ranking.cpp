@@ -21,7 +21,7 @@ double front_distance(const Comparison& comparison) {
     return count == 0 ? k_unknown : sum / static_cast<double>(count);
 }
 
-/// Less is better; fronts come after every Jaccard index.
+/// Order of the ranking, less is better; fronts come after every Jaccard index.
 double disagreement(const Comparison& comparison) {
     if (comparison.statistics) return 1 - comparison.statistics->jaccard;
     const double distance = front_distance(comparison);

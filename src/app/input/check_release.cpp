@@ -13,15 +13,15 @@
 namespace frana::app {
 namespace {
 
-// Naming a few cells shows where to look; naming all would bury the message.
+// A few cells show where the problem is; all would hide the message.
 constexpr int k_cells_named = 5;
 
-// The largest known ones are some hundred metres thick.
+// The largest known releases are some hundred metres thick.
 constexpr double k_most_thickness = 2000;
-// Thinner is no mass; far thinner its volume and its depths are no numbers any more.
+// Thinner is no mass; at far smaller values volume and depths underflow.
 constexpr double k_least_thickness = 1e-6;
 
-/// Count of the covered cells that satisfy a test, and the first few by row, column and coordinates.
+/// Counts the covered cells that satisfy a test, and lists the first few by row, column and coordinates.
 struct CellList {
     std::int64_t count = 0;
     std::string text;
@@ -52,7 +52,7 @@ MultiPolygon all_outlines(const ReleaseInput& release) {
     return all;
 }
 
-/// False where the outlines reach beyond the working grid.
+/// Returns false if the outlines reach beyond the working grid.
 bool check_extent(const SceneReading& reading, const TerrainInput& ground, const MultiPolygon& outlines,
                   Problems& problems) {
     const Bounds box = bounds(outlines), map = ground.terrain.grid.bounds();
@@ -94,8 +94,7 @@ void check_thickness_raster(const SceneReading& reading, const Raster& thickness
     }
 }
 
-/// Areas whose thickness rasters are to be looked at: a raster file is the same for all, a fitted surface is each
-/// area's own.
+/// Areas whose thickness rasters must be checked: a raster file is common to all, a fitted surface belongs to one area.
 std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, const ReleaseInput& release) {
     std::vector<const ReleaseArea*> areas;
     for (const ReleaseArea& area : release.areas) {
@@ -106,7 +105,7 @@ std::vector<const ReleaseArea*> different_rasters(const SceneReading& reading, c
     return areas;
 }
 
-/// More than any landslide is thick: a raster of elevations, nodata that no file declares, a volume in other units.
+/// More than any landslide's thickness: a raster of elevations, nodata that no file declares, a volume in other units.
 void check_greatest(const SceneReading& reading, const ReleaseInput& release, const MultiPolygon& outlines,
                     const Raster& cover, Problems& problems) {
     const auto refuse_beyond = [&](double thickness, const std::string& key) {

@@ -5,9 +5,8 @@
 
 namespace frana::app {
 
-/// Does the release lie on known ground, with a thickness that makes sense? Adds to `problems`: outlines
-/// outside the DTM (both extents named), nodata under the release (cells named), negative or missing
-/// thickness (cells named).
+/// Checks that the release is on ground with data and has a valid thickness. Adds to `problems`: outlines outside the
+/// DTM (both extents named), nodata under the release (cells named), negative or missing thickness (cells named).
 void check_release(const SceneReading& reading, const TerrainInput& ground, const ReleaseInput& release, RunLog& log,
                    Problems& problems);
 

@@ -11,11 +11,10 @@
 namespace frana::app {
 namespace {
 
-constexpr double k_impossible = 1e5;                 // [m]; a unit taken for another is a factor of 100 at most
+constexpr double k_impossible = 1e5;                 // [m]; a wrong unit gives a factor of 100 at most
 constexpr double k_highest = 9000, k_lowest = -500;  // Everest 8849 m; the Dead Sea's shore -440 m
 constexpr double k_steepest_median = 60;             // degrees; of the steepest mountains some 45
-// A single cell of fine models: higher than trees and houses. Of coarse ones a summit may be as steep as 56
-// degrees.
+// A single cell of fine models: higher than trees and houses. Of coarse ones a summit may be as steep as 56 degrees.
 constexpr double k_needle = 20, k_needle_cells = 1.5;
 
 std::string place(const GridSpec& grid, const Spot& spot) {

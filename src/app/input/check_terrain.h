@@ -7,9 +7,9 @@
 
 namespace frana::app {
 
-/// Looks at the ground that a run will use. Throws Error(input) at elevations that no unit makes ground;
-/// warns of what is higher or lower than any ground, of slopes that are a mistaken unit, and of single cells
-/// off all their neighbours, with their places.
+/// Checks the terrain of a run. Throws Error(input) for elevations impossible in any unit; warns of elevations above or
+/// below any ground, of slopes that indicate a wrong unit, and of single cells far from all their neighbours, with
+/// their places.
 void check_terrain(const SceneReading& reading, const Raster& terrain, RunLog& log);
 
 }  // namespace frana::app

@@ -18,7 +18,7 @@
 
 namespace frana::app {
 
-/// CRC-32 of values, as they were read.
+/// CRC-32 of values as read.
 class Checksum {
   public:
     void add(double value) { add_bytes(&value, sizeof value); }
@@ -59,7 +59,7 @@ class Checksum {
         for (const auto& value : list) add(value);
     }
     void add_bytes(const void* data, std::size_t count) {
-        if (count > 0)  // null would begin it again
+        if (count > 0)  // null would reset the sum
             sum_ = static_cast<std::uint32_t>(crc32_z(sum_, static_cast<const Bytef*>(data), count));
     }
 

@@ -8,7 +8,7 @@
 namespace frana::app {
 namespace {
 
-// Lengths 1 % wrong make areas and volumes 2 % wrong, which is as much as a survey's. UTM stays within 0.1 %.
+// Lengths wrong by 1 % make areas and volumes wrong by 2 %, as much as a survey's error. UTM stays within 0.1 %.
 constexpr double k_largest_scale_error = 0.01;
 
 Point centre_of(const Bounds& bounds) {
@@ -21,7 +21,7 @@ std::string scale_text(const gis::MapScale& scale) {
                : number_text(scale.least, 5) + " to " + number_text(scale.greatest, 5) + " by direction";
 }
 
-/// The working CRS that terrain.crs names, which must measure the ground in metres where the DTM is.
+/// Returns the working CRS named by terrain.crs, which must measure the ground in metres at the DTM.
 std::string asked_crs(const SceneReading& reading, const gis::RasterInfo& dtm) {
     const std::string where = reading.where("terrain.crs"), asked = reading.scene.terrain.crs;
     const std::string crs = gis::crs_from_user(asked, where);
@@ -43,7 +43,7 @@ std::string asked_crs(const SceneReading& reading, const gis::RasterInfo& dtm) {
     return horizontal;
 }
 
-/// Without a CRS coordinates must be metres already.
+/// Without a CRS coordinates must be in metres.
 void check_local(const SceneReading& reading, const gis::RasterInfo& dtm) {
     if (dtm.crs_wkt.empty() || gis::is_projected_in_metres(dtm.crs_wkt)) return;
     throw Error(ErrorKind::input,

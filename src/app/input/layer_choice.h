@@ -8,7 +8,7 @@
 
 namespace frana::app {
 
-/// What the keys KEY-layer, KEY-filter and KEY-crs ask for. Throws Error(input) for an unknown CRS.
+/// Returns the choice of the keys KEY-layer, KEY-filter and KEY-crs. Throws Error(input) for an unknown CRS.
 gis::LayerChoice layer_choice(const SceneReading& reading, const LayerSpec& spec, const std::string& key);
 
 }  // namespace frana::app

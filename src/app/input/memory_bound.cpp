@@ -18,11 +18,11 @@ namespace {
 
 double limit = 0;  // 0: none
 
-// Particles are numbered with 32 bits, and a flow that spreads splits them.
+// Particles have 32-bit numbers, and a spreading flow splits them.
 constexpr double k_most_particles = 1e9;
-// The fields that every particle has, and those few of which there is a copy while they are put into order.
+// The fields of every particle, and the few that are copied during sorting.
 constexpr double k_least_particle_bytes = 120;
-// Terrain, bed, release, maxima and results; see memory_forecast.cpp for what a whole run takes.
+// Terrain, bed, release, maxima and results; see memory_forecast.cpp for the memory of a whole run.
 constexpr double k_least_cell_bytes = 120;
 
 std::optional<double> bytes_from_text(const std::string& text) {
@@ -37,7 +37,7 @@ std::optional<double> bytes_from_text(const std::string& text) {
     return *number * unit->second;
 }
 
-// Rows of particles that a hydrograph brings until the scene's end, times their number in a row.
+// Rows of particles of a hydrograph until the scene's end, times their number per row.
 double particles_of(const Inflow& inflow, double spacing, double end) {
     double way = 0;
     for (std::size_t i = 0; i + 1 < inflow.hydrograph.size(); ++i) {

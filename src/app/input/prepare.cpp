@@ -98,7 +98,7 @@ std::map<std::string, std::string> resolved_choices(const SceneSpec& spec, const
     return chosen;
 }
 
-/// Every file that a key names is read, or the key says something that nothing of the scene hears.
+/// Refuses files named by a key that no other key of the scene uses.
 void refuse_unread_files(const SceneReading& reading, const std::vector<UsedFile>& files, Problems& problems) {
     for (const NamedFile& named : named_files(reading.scene)) {
         const auto same = [&](const UsedFile& used) { return used.path == named.path; };
@@ -108,7 +108,8 @@ void refuse_unread_files(const SceneReading& reading, const std::vector<UsedFile
     }
 }
 
-/// What only seeding finds: a wall on the release, a velocity without direction, an inflow over ground without data.
+/// Problems found only by seeding: a wall on the release, a velocity without direction, an inflow over ground without
+/// data.
 void refuse_what_cannot_start(const Scene& scene) {
     const bool in_motion =
         std::any_of(scene.release.begin(), scene.release.end(), [](const ReleaseArea& area) { return area.speed > 0; });
@@ -124,7 +125,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     const TerrainInput* known_ground = ground ? &*ground : nullptr;
     std::vector<UsedFile> files;
     if (ground) files.push_back(ground->used);
-    std::vector<UsedFile> site;  // listed after the release, but it changes the ground that this lies on
+    std::vector<UsedFile> site;  // listed after the release, but it changes the ground under it
     std::optional<Raster> walls = prepare_obstacles(reading, ground ? &*ground : nullptr, site, log, problems);
     ReleaseInput release = prepare_release(reading, known_ground, files, log, problems);
     files.insert(files.end(), site.begin(), site.end());

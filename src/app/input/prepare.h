@@ -22,16 +22,15 @@ struct Prepared {
     ReleaseInput release;  ///< its areas have moved into the scene
     std::optional<gis::PolygonLayer> scar;
     ExtraInput extra;                             ///< its recording has moved into the scene
-    std::vector<UsedFile> files;                  ///< everything that was read
+    std::vector<UsedFile> files;                  ///< all files read
     double convergence_deg = 0;                   ///< true north from grid north at the grid's centre, clockwise
-    std::map<std::string, std::string> resolved;  ///< what frana chose for keys left to it
+    std::map<std::string, std::string> resolved;  ///< values chosen by frana for keys not given
 };
 
-/// From the words of a scene to the scene itself. Throws Error(input) with every problem found in keys and
-/// files.
+/// Reads a scene's files. Throws Error(input) with every problem found in keys and files.
 Prepared prepare(const SceneReading& reading, RunLog& log);
 
-/// The same where the result's place may not allow it (check_result_directory()): that is told beside all
+/// The same if the result's place may not be usable (check_result_directory()): that is reported together with all
 /// other problems, and alone it is an Error(environment).
 Prepared prepare(const SceneReading& reading, const std::optional<Problem>& place, RunLog& log);
 

@@ -19,7 +19,7 @@
 namespace frana::app {
 namespace {
 
-/// The place of a column: its name alone, or followed by a unit.
+/// Returns the index of a column: its name alone, or followed by a unit.
 std::optional<std::size_t> column_of(const gis::Table& table, const std::string& name) {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         std::string head = trimmed(table.columns[i]);
@@ -30,7 +30,7 @@ std::optional<std::size_t> column_of(const gis::Table& table, const std::string&
     return std::nullopt;
 }
 
-// Of seconds, cubic metres, cubic metres a second and metres a second: more than any flood, and sums stay numbers.
+// Of seconds, cubic metres, cubic metres per second and metres per second: more than any flood, and sums remain finite.
 constexpr double k_greatest = 1e12;
 
 struct Row {
@@ -123,7 +123,7 @@ std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std:
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!columns.cumulative) {
             points.push_back({rows[i].time, rows[i].amount, rows[i].speed});
-        } else if (i > 0) {  // steady between two readings
+        } else if (i > 0) {  // constant between two readings
             const double discharge = (rows[i].amount - rows[i - 1].amount) / (rows[i].time - rows[i - 1].time);
             points.push_back({rows[i - 1].time, discharge, rows[i - 1].speed});
             points.push_back({rows[i].time, discharge, rows[i].speed});

@@ -10,22 +10,23 @@
 
 namespace frana::app {
 
-/// What [inflow] says: each line with its hydrograph. Adds every problem to `problems`; without a ground (null)
-/// files are only checked. Adds what was read to `files`.
+/// Reads [inflow]: each line with its hydrograph. Adds every problem to `problems`; without terrain (null) files are
+/// only checked. Adds the files read to `files`.
 std::vector<Inflow> prepare_inflow(const SceneReading& reading, const TerrainInput* ground,
                                    std::vector<UsedFile>& files, RunLog& log, Problems& problems);
 
-/// The length of a line [m].
+/// Returns the length of a line [m].
 double length_of(const Polyline& line);
 
-/// The hydrograph's file for a line: the scene's own, or the one that the line's column names. Throws Error(input).
+/// Returns the hydrograph's file for a line: the scene's own, or the one named in the line's column. Throws
+/// Error(input).
 std::string hydrograph_file(const SceneReading& reading, const gis::LineInput& feature, std::size_t number);
 
-/// A hydrograph from a CSV with the columns time, discharge or volume (cumulative), and velocity; names may carry a
-/// unit after an underscore or in brackets (time_s, discharge_m3s). Without a velocity material crosses the line at
+/// Reads a hydrograph from a CSV with the columns time, discharge or volume (cumulative), and velocity; names may have
+/// a unit after an underscore or in brackets (time_s, discharge_m3s). Without a velocity material crosses the line at
 /// the critical speed (g Q / L)^(1/3), L being the line's length. Throws Error(input) with every problem: a missing
-/// column, something that is no number, times that do not rise, a negative discharge or a falling volume, a
-/// discharge that stands still.
+/// column, an invalid number, times that do not rise, a negative discharge or a decreasing volume, a discharge with
+/// speed zero.
 std::vector<HydrographPoint> read_hydrograph(const std::string& file, const std::string& where, double gravity,
                                              double line_length);
 

@@ -17,7 +17,7 @@ void set_tangent(double& target, const std::optional<double>& angle_deg) {
     if (angle_deg) target = std::tan(*angle_deg * std::numbers::pi / 180);
 }
 
-/// The number, where a property is the same everywhere.
+/// Returns the number of a uniform property.
 std::optional<double> constant(const std::optional<SourceSpec>& source) {
     if (!source || source->kind != SourceSpec::Kind::number) return std::nullopt;
     return source->number;

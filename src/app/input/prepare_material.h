@@ -8,11 +8,12 @@
 
 namespace frana::app {
 
-/// [material] in SI units, angles as tangents.
+/// Returns [material] in SI units, angles as tangents.
 Material material_of(const MaterialSpec& spec);
-/// [structured], where the scene's model is that; without what differs from place to place (prepare_structured.h).
+/// Returns [structured], if that is the scene's model; without properties that vary from place to place
+/// (prepare_structured.h).
 std::optional<StructuredMaterial> structured_of(const SceneSpec& spec);
-/// [entrainment] in SI units, angles as tangents.
+/// Returns [entrainment] in SI units, angles as tangents.
 Entrainment entrainment_of(const EntrainmentSpec& spec);
 
 }  // namespace frana::app

@@ -14,7 +14,7 @@
 namespace frana::app {
 namespace {
 
-// A footprint on the grid this much larger than drawn is worth a warning.
+// A footprint on the grid larger than drawn by this factor gives a warning.
 constexpr double k_widened = 1.5;
 
 std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const std::string& key,
@@ -29,7 +29,7 @@ std::optional<gis::PolygonLayer> read_layer(const SceneReading& reading, const s
     return layer;
 }
 
-/// Sets every cell of a feature to at least `value`; says how much larger the footprint became where it is thin.
+/// Sets every cell of a feature to at least `value`; logs how much larger the footprint became if it is thin.
 void stamp(const gis::PolygonLayer& layer, std::size_t feature, double value, const std::string& key, Raster& raster,
            CountedTexts& warnings, Problems& problems, const std::string& where) {
     const MultiPolygon& parts = layer.features[feature].parts;

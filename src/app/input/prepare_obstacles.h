@@ -8,9 +8,9 @@
 
 namespace frana::app {
 
-/// What people have built: raises the ground by terrain.obstacles, and returns 1 where terrain.walls stand, on the
-/// working grid (none without walls). Adds every problem to `problems`; without a ground (null) files are only
-/// checked. Adds what was read to `files`.
+/// Reads built structures: raises the ground by terrain.obstacles, and returns 1 where terrain.walls are, on the
+/// working grid (none without walls). Adds every problem to `problems`; without terrain (null) files are only checked.
+/// Adds the files read to `files`.
 std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInput* ground, std::vector<UsedFile>& files,
                                         RunLog& log, Problems& problems);
 

@@ -20,8 +20,8 @@ namespace {
 
 using Kind = ThicknessSpec::Kind;
 
-/// Depth of solids and fluid together; keeps the solids' share. One that is missing counts as none; callers
-/// have seen to it that none is negative.
+/// Returns the depth of solids and fluid together; keeps the solids' fraction. A missing depth counts as zero; callers
+/// have checked that none is negative.
 Raster sum_of_phases(const Raster& solids, const Raster& fluid, ReleaseInput& release) {
     Raster sum(solids.grid, k_no_data), fraction(solids.grid, k_no_data);
     for (std::size_t i = 0; i < sum.values.size(); ++i) {
@@ -34,13 +34,13 @@ Raster sum_of_phases(const Raster& solids, const Raster& fluid, ReleaseInput& re
     return sum;
 }
 
-/// The thickness raster on the working grid: the file itself, the sum of two, or the positive part of before
-/// less after or of the ground less the slip surface.
+/// Returns the thickness raster on the working grid: the file itself, the sum of two, or the positive part of before
+/// minus after or of the ground minus the slip surface.
 std::optional<Raster> thickness_raster(const SceneReading& reading, const ThicknessSpec& spec,
                                        const TerrainInput* ground, ReleaseInput& release, std::vector<UsedFile>& files,
                                        RunLog& log, Problems& problems) {
     const std::string where = reading.where("release.thickness");
-    // A thickness has its own unit; the others hold elevations.
+    // A thickness has its own unit; the others contain elevations.
     const bool elevations = spec.kind != Kind::raster && spec.kind != Kind::phases;
     const std::string unit = elevations ? reading.scene.terrain.vertical_unit : "auto";
     const std::optional<double> nodata = elevations ? reading.scene.terrain.nodata_value : std::nullopt;
@@ -150,7 +150,7 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
     for (const ReleaseArea& area : release.areas) release.area_m2 += frana::area(area.outline);
     if (ground != nullptr) {
         check_release(reading, *ground, release, log, problems);
-        // Interpolated at the rim, a raster would lose volume; what the file holds is what is released.
+        // Interpolated at its edge, a raster would lose volume; the released volume is that of the file.
         if (problems.empty() && spec.kind == Kind::raster && !reading.scene.release.volume)
             match_file_volume(release, ground->terrain.grid, files.back());
     }

@@ -18,12 +18,12 @@ namespace {
 
 using Kind = SourceSpec::Kind;
 
-/// One property of [structured] that may differ from place to place.
+/// One property of [structured] that may vary from place to place.
 struct Property {
     std::string key;
     const std::optional<SourceSpec>* source;
     std::optional<Raster>* target;
-    bool degrees = false;  ///< an angle, of which the tangent is kept
+    bool degrees = false;  ///< an angle, stored as its tangent
 };
 
 std::vector<Property> properties(const StructuredSpec& spec, StructuredMaterial& m) {
@@ -49,7 +49,7 @@ bool has_kind(const Property& property, Kind kind) {
     return *property.source && (*property.source)->kind == kind;
 }
 
-/// Cells that only the rim of an outline touches take the value of a neighbour inside.
+/// Gives cells that only the edge of an outline touches the value of a neighbour inside.
 void widen(Raster& raster) {
     const Raster before = raster;
     const GridSpec& grid = raster.grid;
@@ -80,7 +80,7 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
     *property.target = std::move(raster);
 }
 
-/// The polygons that attribute:NAME speaks of; null, with a problem told, where there are none.
+/// Returns the polygons for attribute:NAME; null, with a problem added, if there are none.
 const gis::PolygonLayer* polygons(const SceneReading& reading, const TerrainInput* ground, const ReleaseInput& release,
                                   const Property& asking, std::optional<gis::PolygonLayer>& own,
                                   std::vector<UsedFile>& files, RunLog& log, Problems& problems) {
@@ -101,7 +101,7 @@ const gis::PolygonLayer* polygons(const SceneReading& reading, const TerrainInpu
     return is_on_ground(reading, key, own->bounds, *ground, true, problems) ? &*own : nullptr;
 }
 
-/// A property that is nowhere the same must be known wherever something is released.
+/// A property without a uniform value must be known wherever something is released.
 void check_cover(const SceneReading& reading, const ReleaseInput& release, const Property& property,
                  const std::optional<Raster>& solid_fraction, Problems& problems) {
     const Raster& raster = **property.target;
@@ -122,7 +122,7 @@ void check_cover(const SceneReading& reading, const ReleaseInput& release, const
                   "", "Extend the polygons or the raster to all of it"});
 }
 
-/// Where fluid can lie, and how deep.
+/// Limits the fluid's place and depth.
 void bound_initial_fluid(const std::optional<SourceSpec>& source, const Raster& terrain,
                          const std::optional<Raster>& walls, StructuredMaterial& m) {
     if (source && source->kind == Kind::number && source->number > 0)

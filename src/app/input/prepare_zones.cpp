@@ -19,7 +19,7 @@
 namespace frana::app {
 namespace {
 
-/// A key of [zones] and what it says, or the column that was taken for it.
+/// A key of [zones] and its value, or the column used for it.
 struct Quantity {
     const ZoneKey* key;
     std::optional<SourceSpec> source;
@@ -40,7 +40,7 @@ bool by_attribute(const Quantity& quantity) {
     return quantity.source && quantity.source->kind == SourceSpec::Kind::attribute;
 }
 
-/// Where no key names a column, columns with a customary name are used; a shapefile cuts names after ten letters.
+/// If no key names a column, columns with a standard name are used; a shapefile truncates names to ten letters.
 void name_columns(const SceneReading& reading, const gis::PolygonLayer& layer, std::vector<Quantity>& list, RunLog& log,
                   Problems& problems) {
     if (std::any_of(list.begin(), list.end(), by_attribute)) return;
@@ -80,7 +80,7 @@ std::string fraction_text(std::int64_t cells, const GridSpec& grid) {
            " % of the working grid";
 }
 
-/// Cells in no zone that are shut in by zones.
+/// Counts cells in no zone that are enclosed by zones.
 std::int64_t enclosed_gaps(const std::vector<int>& times, const GridSpec& grid) {
     std::vector<char> open(times.size(), 0);
     std::vector<std::size_t> stack;
@@ -236,7 +236,7 @@ MaterialZones prepare_zones(const SceneReading& reading, const TerrainInput* gro
 
 void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Problems& problems) {
     const std::vector<const Law*> laws = laws_of(reading.scene);
-    std::string reported;  // of friction once, though it has two keys
+    std::string reported;  // friction once, though it has two keys
     for (const Quantity& quantity : quantities(reading.scene.zones)) {
         const ZoneKey& key = *quantity.key;
         if (!(scene.zones.*quantity.target) || !readers_of(key.name, laws).empty() || key.what == reported) continue;

@@ -28,7 +28,7 @@ std::optional<SlipShape> shape_of(const ReleaseSpec& spec) {
     return std::nullopt;
 }
 
-/// The factor by which depths as the square roots of the areas give a volume in all.
+/// Returns the factor by which depths proportional to the square roots of the areas give a total volume.
 double common_factor(const std::vector<SlipSurface>& surfaces, const gis::PolygonLayer& layer, double volume) {
     const auto total = [&](double factor) {
         double sum = 0;

@@ -5,12 +5,11 @@
 
 namespace frana::app {
 
-/// The folder with materials and examples: $FRANA_SHARE, else ../share/frana beside the program's folder
-/// (installed), else the source's share (built in place). Throws Error(environment) when none of them is
-/// there.
+/// Returns the folder with materials and examples: $FRANA_SHARE, else ../share/frana beside the program's folder
+/// (installed), else share of the sources (built in place). Throws Error(environment) if none of them exists.
 std::string share_directory();
 
-/// Its folder of material presets.
+/// Returns its folder of material presets.
 std::string materials_directory();
 
 }  // namespace frana::app

@@ -30,7 +30,7 @@ void require_inside(const std::string& name, const Polyline& places, const GridS
     }
 }
 
-/// Reads one key's marks, if it is set; problems go to `problems`.
+/// Reads one key's marks, if it is set; adds problems to `problems`.
 std::optional<gis::Marks> marks_of(const std::optional<std::string>& file, const std::string& key,
                                    const SceneReading& reading, const GridSpec& grid, Problems& problems) {
     if (!file) return std::nullopt;
@@ -42,7 +42,7 @@ std::optional<gis::Marks> marks_of(const std::optional<std::string>& file, const
     }
 }
 
-/// The lines of a key that wants lines.
+/// Returns the lines of a key that requires lines.
 std::vector<gis::NamedLine> lines_of(const std::optional<gis::Marks>& marks, const std::string& file,
                                      const std::string& where, const GridSpec& grid, Problems& problems) {
     if (!marks) return {};
@@ -66,7 +66,7 @@ std::vector<Gauge> gauges_of(const std::optional<gis::Marks>& marks, const std::
     return gauges;
 }
 
-/// Names are how rows are told apart.
+/// Names identify rows.
 template <class Named>
 void require_different_names(const std::vector<Named>& list, const std::string& where, Problems& problems) {
     std::vector<std::string> names;
@@ -172,7 +172,7 @@ ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std:
     require_different_names(extra.profiles, reading.where(profiles_key), problems);
 
     extra.recording.interval = output.sample_interval.value_or(0);
-    // Depth times speed and the energy head are followed for the schemes that ask for them.
+    // Depth times speed and the energy head are recorded for the schemes that use them.
     const HazardSpec& hazard = reading.scene.hazard;
     extra.recording.intensity =
         hazard.scheme == "swiss-flood" || hazard.scheme == "austrian-torrent" || !hazard.flux_limits.empty();

@@ -16,7 +16,7 @@
 
 namespace frana::app {
 
-/// What was surveyed of an event, in the CRS of the result: any part may be missing.
+/// Survey of an event, in the CRS of the result: any part may be missing.
 struct Survey {
     MultiPolygon scar;
     std::string scar_label;
@@ -24,18 +24,18 @@ struct Survey {
     std::vector<gis::NamedPoint> tips;
     std::string front_label;
     MultiPolygon deposit;
-    std::optional<Raster> elevation_change;  ///< after less before [m], on the result's grid
+    std::optional<Raster> elevation_change;  ///< after minus before [m], on the result's grid
     std::string deposit_label;
 
     [[nodiscard]] bool empty() const noexcept {
         return scar.empty() && fronts.empty() && tips.empty() && deposit.empty() && !elevation_change;
     }
-    /// The areas that must lie on the grid of a comparison.
+    /// The areas that must be on the grid of a comparison.
     [[nodiscard]] std::optional<Bounds> box() const;
 };
 
-/// Adds a file to a survey by what it holds: polygons (or closed lines) are a scar, open lines a front,
-/// points tips. Throws Error(input).
+/// Adds a file to a survey by its content: polygons (or closed lines) are a scar, open lines a front, points tips.
+/// Throws Error(input).
 void add_surveyed(const std::string& file, const std::string& crs_wkt, const std::string& where, RunLog& log,
                   Survey& survey);
 
@@ -43,18 +43,18 @@ void add_surveyed(const std::string& file, const std::string& crs_wkt, const std
 UsedFile add_deposit(const std::string& file, const GridSpec& grid, const std::string& where, RunLog& log,
                      Survey& survey);
 
-/// The parts of all features of a layer.
+/// Returns the polygons of all features of a layer.
 MultiPolygon parts_of(const std::vector<PolygonFeature>& features);
 
-/// What a run records and compares beyond its release, from the keys output.gauges, cross-sections, profiles
-/// and scar.front, deposit.
+/// Recordings and comparisons of a run besides its release, from the keys output.gauges, cross-sections, profiles and
+/// scar.front, deposit.
 struct ExtraInput {
     Recording recording;
     std::vector<gis::NamedLine> profiles;
     Survey survey;  ///< without the scar, which is read with the release
 };
 
-/// Reads them for a working grid. Adds every problem to `problems`, among them places outside the grid, and what was
+/// Reads them for a working grid. Adds every problem to `problems`, including places outside the grid, and the files
 /// read to `files`.
 ExtraInput prepare_extra(const SceneReading& reading, const GridSpec& grid, std::vector<UsedFile>& files, RunLog& log,
                          Problems& problems);

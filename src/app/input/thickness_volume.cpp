@@ -11,7 +11,7 @@
 namespace frana::app {
 namespace {
 
-constexpr double k_worth_a_warning = 0.01;  // of the volume; finer than any thickness is known
+constexpr double k_worth_a_warning = 0.01;  // of the volume; smaller than the accuracy of any thickness
 
 // Exact for a thickness that is constant over each of the raster's cells.
 double volume_inside(const Raster& thickness, const MultiPolygon& outline) {
@@ -36,7 +36,7 @@ double volume_inside(const Raster& thickness, const MultiPolygon& outline) {
         pieces);
 }
 
-/// The raster's own cells; none where they are not square, turned, or in another CRS.
+/// Returns the raster's own cells; none if they are not square, rotated, or in another CRS.
 std::optional<GridSpec> own_grid(const gis::RasterInfo& file, const GridSpec& working) {
     const bool square = !file.rotated && std::abs(file.cell_x - file.cell_y) <= 1e-9 * file.cell_x;
     const bool same_crs = file.crs_wkt.empty() || working.crs_wkt.empty() ||

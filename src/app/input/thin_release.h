@@ -8,10 +8,10 @@
 namespace frana::app {
 
 inline constexpr double k_thin_fraction =
-    0.1;  ///< of the volume that may be thinner than maps or outlines show without a word
+    0.1;  ///< fraction of the volume that may be thinner than visible on maps or in outlines without a warning
 
-/// Warns, before anything is computed, of a release of which maps and values, or outlines and run-out, do
-/// not show a good part.
+/// Warns, before anything is computed, of a release of which maps and values, or outlines and run-out, do not show a
+/// substantial part.
 void warn_of_thin_release(const RunEstimate& expected, const Scene& scene, RunLog& log);
 
 }  // namespace frana::app

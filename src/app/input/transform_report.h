@@ -8,13 +8,13 @@
 
 namespace frana::app {
 
-/// "none", or PROJ's name: "Inverse of Italy zone 1 + ...".
+/// Returns "none", or PROJ's name: "Inverse of Italy zone 1 + ...".
 std::string transform_text(const gis::TransformInfo& transform);
-/// Stated by the register: "exact" (formulas alone), "4 m", "unknown".
+/// Returns the accuracy stated by the register: "exact" (formulas alone), "4 m", "unknown".
 std::string accuracy_text(const gis::TransformInfo& transform);
 
-/// Notes how an input ("DTM", "perimeter") came into the working CRS, and warns where its place is less sure
-/// than half a cell or a better operation needs a grid file that is not installed.
+/// Logs how an input ("DTM", "perimeter") was transformed to the working CRS, and warns if its accuracy is worse than
+/// half a cell or a better operation needs a grid file that is not installed.
 void report_transform(const std::string& input, const gis::TransformInfo& transform, double cell_size, RunLog& log);
 
 }  // namespace frana::app

@@ -13,7 +13,7 @@
 
 namespace frana::app {
 
-/// A file that went into a scene, for the tables of the check and of the report, and for what --resume compares. Made
+/// An input file of a scene, for the tables of the check and of the report, and for the comparison by --resume. Made
 /// from what was read of it. Texts may contain line breaks.
 struct UsedFile {
     std::string role;  ///< "Release perimeter"
@@ -21,12 +21,12 @@ struct UsedFile {
     std::string layer;      ///< of a vector file
     std::string crs_label;  ///< "none": it names none; empty: it needs none
     Bounds bounds;          ///< in its own CRS
-    bool degrees = false;   ///< its own CRS counts in degrees
+    bool degrees = false;   ///< its own CRS is in degrees
     std::string content;    ///< "3 polygons\n1 200 m2"
     std::string nodata;     ///< of a raster
     std::string resampling;
     gis::TransformInfo transform;  ///< to the working CRS
-    Checksum checksum;             ///< of everything that was read of it
+    Checksum checksum;             ///< of everything read of it
 };
 
 UsedFile used_raster(const std::string& role, const gis::RasterInfo& file, const gis::RasterRead& read);

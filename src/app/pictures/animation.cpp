@@ -23,10 +23,10 @@
 namespace frana::app {
 namespace {
 
-constexpr double k_animation_seconds = 8;  // about: neither stutters nor flies
-constexpr double k_playback = 25;          // frames a second
+constexpr double k_animation_seconds = 8;  // approximate length: neither jerky nor too fast
+constexpr double k_playback = 25;          // frames per second
 
-/// As many decimals as tell frames apart, at least one.
+/// Returns the number of decimals that distinguish frames, at least one.
 int time_decimals(const std::vector<StoredFrame>& frames) {
     double gap = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < frames.size(); ++i) gap = std::min(gap, frames[i].time - frames[i - 1].time);
@@ -45,12 +45,12 @@ std::string picture_name(std::size_t frame) {
     return name.data();
 }
 
-/// A animation file, or a folder of pictures.
+/// An animation file, or a folder of pictures.
 class AnimationOut {
   public:
     AnimationOut(const std::string& path, Size size, std::size_t frames) : path_(path) {
         if (path.ends_with('/')) return;
-        // A GIF says how long each picture stays; H.264 players want an even pace.
+        // A GIF stores the duration of each picture; H.264 players need a constant rate.
         const bool gif = path.ends_with(".gif");
         const double pace = std::clamp(static_cast<double>(frames) / k_animation_seconds, 4.0, k_playback);
         repeats_ = gif ? 1 : std::max(1, static_cast<int>(std::lround(k_playback / pace)));
@@ -81,7 +81,7 @@ const std::string& file_of(const StoredFrame& frame, const std::string& quantity
     return quantity == "velocity" ? frame.velocity_file : frame.depth_file;
 }
 
-/// The picture of a frame, of its particles or its raster.
+/// Draws a frame's particles or raster.
 template <class Animator>
 render::Image draw_frame(Animator& animator, const StoredFrame& frame, const AnimationSource& of) {
     const std::string time = time_text(frame.time, time_decimals(of.frames));
@@ -92,7 +92,8 @@ render::Image draw_frame(Animator& animator, const StoredFrame& frame, const Ani
     return animator.frame(values, time);
 }
 
-/// The frame nearest to a time: those of two runs lie a step apart where the same times were asked for.
+/// Returns the frame nearest to a time: those of two runs differ by up to a step although the same times were
+/// requested.
 const StoredFrame& frame_at(const std::vector<StoredFrame>& frames, double time) {
     return *std::min_element(frames.begin(), frames.end(), [&](const StoredFrame& a, const StoredFrame& b) {
         return std::abs(a.time - time) < std::abs(b.time - time);
@@ -105,7 +106,7 @@ std::string pace_words(const AnimationSource& animation, double seconds) {
     return "1 s of playback: " + number_text(simulated / seconds, 2) + " s";
 }
 
-/// A picture of the animation's layer at its size, with its pace: a MapSpec or a ViewSpec.
+/// Returns a picture of the animation's layer at its size, with its pace: a MapSpec or a ViewSpec.
 template <class Spec>
 Spec animation_spec(const AnimationSource& animation, Size size, double seconds) {
     Spec spec;
@@ -119,7 +120,7 @@ Spec animation_spec(const AnimationSource& animation, Size size, double seconds)
     return spec;
 }
 
-/// One scale and one ground for two results.
+/// Gives two results a common scale and terrain.
 void fraction(render::MapSpec& a, render::MapSpec& b, const MapLayer& greater) {
     a.classes = b.classes = greater.classes;
     const auto left = render::data_bounds(*a.layer), right = render::data_bounds(*b.layer);

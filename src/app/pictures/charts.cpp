@@ -24,7 +24,7 @@ constexpr const auto& k_colours = render::k_chart_colours;
 constexpr Rgb k_blue = k_colours[0], k_vermilion = k_colours[1], k_green = k_colours[2], k_purple = k_colours[3],
               k_ground = k_colours[4];
 constexpr Stroke k_strokes[] = {Stroke::solid, Stroke::dashed, Stroke::dotted, Stroke::dash_dot};
-constexpr std::size_t k_most_curves = std::size(k_colours) * std::size(k_strokes);  // that look unequal
+constexpr std::size_t k_most_curves = std::size(k_colours) * std::size(k_strokes);  // with distinct colour and stroke
 constexpr std::size_t k_longest_name = 40;                                          // letters, in the key
 
 /// A table of a result: texts and numbers by column.
@@ -36,7 +36,7 @@ class Columns {
     [[nodiscard]] const std::string& text(std::size_t row, const std::string& name) const {
         return table_.rows[row][index(name)];
     }
-    /// NaN for an empty cell and for what is not finite. Throws Error(input) for a word.
+    /// NaN for an empty cell and for non-finite values. Throws Error(input) for a word.
     [[nodiscard]] std::vector<double> numbers(const std::string& name) const {
         const std::size_t column = index(name);
         std::vector<double> values;
@@ -75,7 +75,7 @@ std::vector<Point> joined_points(const std::vector<double>& x, const std::vector
     return points;
 }
 
-/// Each kind of row of a table, in the order of first appearance.
+/// Returns each kind of row of a table, in the order of first appearance.
 std::vector<std::string> kinds_of(const Columns& table, const std::string& column) {
     std::vector<std::string> kinds;
     for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -90,7 +90,7 @@ render::Chart page(const MapSource& source, const std::string& what, const std::
     return {page_title(source, what), source.subtitle, file + (by.empty() ? "" : "  \u00B7  " + by), 1, {}};
 }
 
-/// `line` as it stands in the table.
+/// `line` as in the table.
 NamedChart profile_chart(const Columns& table, const std::string& line, const std::string& stem,
                          const MapSource& source) {
     const std::vector<double> distance = table.numbers("distance_m"), bed = table.numbers("bed_m");
@@ -185,7 +185,7 @@ NamedChart scores_chart(const Columns& table, const ResultReader& result, const 
     return {"scores", chart};
 }
 
-/// One panel a quantity, one curve a place.
+/// One panel per quantity, one curve per place.
 NamedChart places_chart(const Columns& table, const std::string& place, const MapSource& source,
                         const std::string& title, const std::string& file,
                         const std::vector<std::array<std::string, 3>>& quantities) {
@@ -213,7 +213,7 @@ NamedChart places_chart(const Columns& table, const std::string& place, const Ma
     return {file, chart};
 }
 
-/// Whether a table has more than its header. Throws Error(input) where it has not even that, or is cut off.
+/// Returns whether a table has more than its header. Throws Error(input) if the header is missing or truncated.
 bool has_rows(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::string header, first;
@@ -265,7 +265,7 @@ std::vector<NamedChart> result_charts(const ResultReader& result, const MapSourc
 
 std::vector<std::string> chart_files(const ResultReader& result, const MapSource& source, const std::string& folder) {
     std::vector<std::string> files;
-    Problems drawn_later;  // and told then
+    Problems drawn_later;  // and reported then
     for (const NamedChart& one : result_charts(result, source, drawn_later)) {
         const auto more = picture_files(source.style, (std::filesystem::path(folder) / one.name).string(), false);
         files.insert(files.end(), more.begin(), more.end());

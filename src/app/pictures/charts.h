@@ -16,17 +16,17 @@ struct NamedChart {
     render::Chart chart;
 };
 
-/// Every chart that a result's tables give: a longitudinal profile for each line of profiles.csv (bed,
-/// initial and final surface, greatest depth: the left part of the publication's Figure 8), the series over
-/// time, gauges, cross-sections, and where there was a survey the scores over the depth threshold. The
-/// numbers are those of the files. A broken table is a problem and costs no other's charts.
+/// Returns every chart of a result's tables: a longitudinal profile for each line of profiles.csv (bed, initial and
+/// final surface, greatest depth: the left part of the publication's Figure 8), the series over time, gauges,
+/// cross-sections, and with a survey the scores over the depth threshold. The numbers are those of the files. A broken
+/// table is a problem and does not affect the other charts.
 std::vector<NamedChart> result_charts(const ResultReader& result, const MapSource& source, Problems& problems);
 
-/// The files that they become in a folder.
+/// Returns their files in a folder.
 std::vector<std::string> chart_files(const ResultReader& result, const MapSource& source, const std::string& folder);
 
-/// Draws them into a folder that exists and returns the names of the files; a chart that cannot be drawn is a problem
-/// and costs no other. Throws Error(environment).
+/// Draws them to an existing folder and returns the names of the files; a chart that cannot be drawn is a problem and
+/// does not affect the others. Throws Error(environment).
 std::vector<std::string> draw_charts(const ResultReader& result, const MapSource& source, const std::string& folder,
                                      Problems& problems);
 

@@ -11,7 +11,7 @@
 namespace frana::app {
 namespace {
 
-/// The terrain round a layer: its own cells where it lies in the same CRS, else brought onto the layer's.
+/// Returns the terrain around a raster: its own cells if in the same CRS, else warped to the raster's.
 Raster terrain_for(const Raster& layer, const std::string& dtm) {
     const gis::RasterInfo info = gis::inspect_raster(dtm, "--dtm");
     const std::string& crs = layer.grid.crs_wkt;

@@ -17,7 +17,7 @@
 namespace frana::app {
 namespace {
 
-/// Title and colours of a raster that the table knows; false for others.
+/// Sets title and colours of a raster of the table; returns false for others.
 bool set_known(const std::string& name, MapLayer& layer) {
     const ResultRaster* const row = find_result_raster(name);
     if (row == nullptr || !row->is_drawn()) return false;
@@ -32,7 +32,7 @@ std::string usual_palette(const std::string& unit) {
     return unit.empty() || unit == "m" ? "depth" : "velocity";
 }
 
-/// "max_depth: Maximum flow depth [m]" without what stands before and behind.
+/// Returns "max_depth: Maximum flow depth [m]" without name and unit.
 std::string bare_description(std::string text) {
     const auto colon = text.find(": ");
     if (colon != std::string::npos) text.erase(0, colon + 2);
@@ -56,7 +56,7 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
     layer.source = file.filename().string() + ", band 1";
     if (const auto time = text.metadata.find("TIME_S"); time != text.metadata.end())
         layer.time = number_from_text(time->second);
-    // A frame is named after its raster and its number: depth_0012.
+    // A frame's name is that of its raster and its number: depth_0012.
     std::string kind = layer.name;
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
     if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
@@ -70,7 +70,7 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
         for (const gis::NamedClass& one : text.classes)
             layer.categories.push_back({static_cast<double>(one.value), one.label, one.colour});
         layer.notes = class_areas(layer);
-        if (kind == "hazard")  // a map travels without its log
+        if (kind == "hazard")  // a map is passed on without its log
             layer.notes.insert(layer.notes.begin(), {"Intensity of one scenario,", "not a hazard level"});
     }
     return layer;
@@ -84,7 +84,7 @@ MapLayer read_greatest_layer(const std::vector<std::string>& paths) {
             throw Error(ErrorKind::input, Problem{"has different cells from " + paths.front(), paths[i], "", "", ""});
         for (std::size_t cell = 0; cell < more.values.size(); ++cell)
             layer.values.values[cell] =
-                std::fmax(layer.values.values[cell], more.values[cell]);  // a number before nodata
+                std::fmax(layer.values.values[cell], more.values[cell]);  // a number takes precedence over nodata
     }
     set_known(layer.name.substr(0, layer.name.find_last_of('_')), layer);
     layer.time.reset();

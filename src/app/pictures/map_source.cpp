@@ -17,8 +17,8 @@
 namespace frana::app {
 namespace {
 
-// Release and scar must be told apart from each other and from every palette: black dashes, bright cyan; a dark red
-// on classes, whose colours are as bright.
+// Release and scar must be distinguishable from each other and from every palette: black dashes, bright cyan; a dark
+// red on classes, whose colours are as bright.
 constexpr Rgb k_release_colour{20, 20, 20};
 constexpr Rgb k_scar_colour{0, 160, 220};
 constexpr Rgb k_scar_on_classes{120, 0, 80};
@@ -85,7 +85,7 @@ gis::PicturePixels pixels(const render::Image& image) {
     return {image.width, image.height, image.rgb};
 }
 
-/// The page as if the map went on to its rim.
+/// Extent of the page if the map continued to its edge.
 Bounds ground_of_page(const render::MapLayout& layout) {
     const double metre = layout.metres_per_pixel;
     return {layout.window.west - layout.map.left * metre,
@@ -94,7 +94,7 @@ Bounds ground_of_page(const render::MapLayout& layout) {
             layout.window.north + layout.map.top * metre};
 }
 
-/// What lies inside the map's frame.
+/// Returns the part inside the map's frame.
 render::Image face_of(const render::Image& page, const render::PageBox& map) {
     const int left = static_cast<int>(map.left), top = static_cast<int>(map.top);
     render::Image face(static_cast<int>(map.width()), static_cast<int>(map.height()));
@@ -132,7 +132,7 @@ std::vector<std::string> map_notes(const MapFacts& facts) {
                       "Run-out " + grouped(run_out.horizontal_m) + " m", "Drop " + grouped(run_out.drop_m) + " m",
                       "Angle of reach " + number_text(run_out.reach_angle_deg, 3) + "°"});
     }
-    // A map that is not the whole story says so itself: it travels without its log.
+    // A map that does not show everything must say so: it is passed on without its log.
     if (facts.last_speed > k_moving_speed) notes.emplace_back("Still moving at the end");
     if (facts.volume_left > 0) notes.push_back(grouped(facts.volume_left) + " m³ left the map");
     return notes;

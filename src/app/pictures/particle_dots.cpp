@@ -26,7 +26,7 @@ render::Dots read_particle_dots(const std::string& path) {
     }
     std::stable_sort(dots.dots.begin(), dots.dots.end(),
                      [](const render::Dot& a, const render::Dot& b) { return a.value < b.value; });
-    constexpr double k_apart = 0.85;  // of the distance between particles: they stay single
+    constexpr double k_apart = 0.85;  // of the distance between particles: they remain separate
     if (!dots.dots.empty()) dots.width_m = k_apart * std::sqrt(area / static_cast<double>(dots.dots.size()));
     return dots;
 }

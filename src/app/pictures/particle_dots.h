@@ -7,8 +7,8 @@
 
 namespace frana::app {
 
-/// The particles of a frame, a file particles_NNNN.gpkg of a result, valued by their speed [m/s], the fastest
-/// last. Their width comes from the ground that a mean particle stands for. Throws Error(input).
+/// Returns the particles of a frame, a file particles_NNNN.gpkg of a result, valued by their speed [m/s], the fastest
+/// last. Their width follows from the mean area of a particle. Throws Error(input).
 render::Dots read_particle_dots(const std::string& path);
 
 }  // namespace frana::app

@@ -22,7 +22,7 @@ namespace {
 constexpr const char *k_initial_state = "initial_state", *k_snapshots = "snapshots", *k_stresses = "stresses",
                      *k_comparison = "comparison";
 
-/// A map with what a plate says once for all left out.
+/// Draws a map without the parts that a plate has once for all.
 render::Image lean_map(const MapSource& source, const MapLayer& layer, const std::string& subtitle, int width,
                        int height) {
     render::MapSpec spec = map_spec(source, layer);
@@ -51,7 +51,7 @@ render::Image lean_view(const MapSource& source, const MapLayer& layer, const st
     return render::draw_view(spec);
 }
 
-/// Four times from soon after the start to the end.
+/// Returns four times from soon after the start to the end.
 std::vector<double> snapshot_times(const std::vector<StoredFrame>& frames) {
     const double last = frames.back().time;
     std::vector<double> times;
@@ -86,8 +86,8 @@ MapLayer normal_stress(const MapLayer& depth, double density, double gravity, do
     return layer;
 }
 
-/// Density [kg/m3] and gravity [m/s2] of the run; none for a mixture, whose density differs from place to place. Throws
-/// Error(input) where the result does not tell them.
+/// Returns density [kg/m3] and gravity [m/s2] of the run; none for a mixture, whose density varies from place to place.
+/// Throws Error(input) if the result does not contain them.
 std::optional<std::pair<double, double>> column_weight(const ResultReader& result) {
     if (result.scene_value("material.model") == "structured") return std::nullopt;
     const auto number = [&](const std::string& key) {
@@ -100,7 +100,7 @@ std::optional<std::pair<double, double>> column_weight(const ResultReader& resul
     return std::pair{number("material.density"), number("numerics.gravity")};
 }
 
-/// The plate; its parts are small, and say what they lack without knowing of what they are part.
+/// Draws the plate; its parts are small, and their messages are completed with the plate's name.
 render::Image draw(const render::Plate& plate, const std::string& name, Size size) {
     try {
         return render::draw_plate(plate, size.width, size.height);

@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The scores that a comparison's map shows, from the file that frana wrote. Throws Error(input) where it is cut off.
+/// Adds the scores of a comparison's map, from the file that frana wrote. Throws Error(input) if it is truncated.
 void add_statistics(const std::string& path, std::vector<std::string>& notes) {
     const std::optional<Json> json = read_json_file(path);
     if (!json) throw Error(ErrorKind::input, Problem{"is incomplete", path, "", "", "Compare again: frana compare"});
@@ -51,14 +51,14 @@ Error newer(const std::string& file, std::int64_t format, std::int64_t known) {
                     "up to " + std::to_string(known), "Update frana"}};
 }
 
-// Results that tell no format are older than formats.
+// Results without a format are older than formats.
 void refuse_newer_summary(const std::string& path) {
     const std::optional<Json> json = read_json_file(path);
     const auto format = json ? value_in<std::int64_t>(*json, "/format") : std::nullopt;
     if (format && *format > k_result_format) throw newer(path, *format, k_result_format);
 }
 
-/// Gives cells without a value those of another raster of the same grid, where they are more than nothing.
+/// Fills cells without a value from another raster on the same grid, if they are greater than zero.
 void include(Raster& extent, const Raster& more) {
     for (std::size_t i = 0; i < extent.values.size(); ++i)
         if (std::isnan(extent.values[i]) && more.values[i] > 0) extent.values[i] = more.values[i];
@@ -173,7 +173,7 @@ const MapLayer& ResultReader::greatest(const std::string& quantity) const {
 }
 
 MapLayer ResultReader::particle_layer(const StoredFrame& frame) const {
-    MapLayer layer = greatest("velocity");  // its colours: maps of different times compare
+    MapLayer layer = greatest("velocity");  // its colours: maps of different times are comparable
     layer.dots = read_particle_dots(frame.particle_file);
     layer.name = "particles_t" + number_text(frame.time, 6);
     layer.title = "Speed of particles";
@@ -199,13 +199,13 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
         require_cells(layer.values.grid, file, grid(), path(grid_raster() + ".tif"));
         layer.source.insert(0, "frames/");
         layer.name = kind + "_t" + number_text(nearest->time, 6);
-        // The greatest values over time give the colours, so that maps of different times compare.
+        // The greatest values over time define the colours, so that maps of different times are comparable.
         if (under_way() || has("max_" + kind + ".tif")) layer.classes = greatest(kind).classes;
         return layer;
     }
     if (has(name + ".tif")) {
         MapLayer layer = read_map_layer(path(name + ".tif"));
-        // Rasters of a user's own beside a run's may lie as they like.
+        // Other rasters of the user beside those of a run may have any grid.
         if (const ResultRaster* row = find_result_raster(name); row != nullptr && row->in_result())
             require_cells(layer.values.grid, path(name + ".tif"), grid(), path(grid_raster() + ".tif"));
         if (name == "comparison" && has(k_comparison_file)) add_statistics(path(k_comparison_file), layer.notes);
@@ -239,7 +239,7 @@ MapStyle ResultReader::style() const {
     return style;
 }
 
-/// Places and lines that the run knew; what has moved away since is left out.
+/// Places and lines of the run; files that no longer exist are left out.
 std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) const {
     constexpr Rgb k_zones{110, 70, 20}, k_obstacles{90, 90, 90}, k_lines{70, 50, 120}, k_gauges{150, 0, 60};
     std::vector<render::Outline> all;
@@ -266,14 +266,14 @@ std::vector<render::Outline> ResultReader::marks(const std::string& crs_wkt) con
             if (line.name != "flow path") outline.lines.push_back(line.line);
         if (!outline.lines.empty()) all.push_back(std::move(outline));
     };
-    // What the run itself wrote has not moved away.
+    // Files written by the run itself have not moved.
     const auto written = [&](const std::string& file, const std::string& layer) {
         return has(file) && gis::has_layer(path(file), layer, "RESULT_DIR");
     };
     areas("terrain.friction-zones", "Friction zones", k_zones, true);
     areas("terrain.obstacles", "Obstacles", k_obstacles, false);
     if (const auto walls = scene_value("terrain.walls")) attempt([&] { lines(*walls, "Walls", k_obstacles, false); });
-    areas("terrain.walls", "Walls", k_obstacles, false);  // whichever they are
+    areas("terrain.walls", "Walls", k_obstacles, false);  // of any kind
     if (written(k_profile_lines, "lines")) lines(path(k_profile_lines) + "|layer=lines", "Profiles", k_lines, true);
     if (written(k_gauge_places, "sections"))
         lines(path(k_gauge_places) + "|layer=sections", "Cross-sections", k_lines, false);

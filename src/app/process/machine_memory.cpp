@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr double k_none = std::numeric_limits<double>::infinity();
 
-// The number after a word at the beginning of a line; in kB where the line says so.
+// Returns the number after a word at the beginning of a line [bytes]; the unit kB is 1024 bytes.
 std::optional<double> number_after(const fs::path& file, const std::string& word) {
     std::ifstream in(file);
     for (std::string line; std::getline(in, line);) {
@@ -33,15 +33,15 @@ std::optional<double> number_after(const fs::path& file, const std::string& word
     return std::nullopt;
 }
 
-// "max" and what is beyond any machine are no limit.
+// "max" and values beyond any machine are no limit.
 double limit_in(const fs::path& file) {
     std::ifstream in(file);
     double value = 0;
     return in >> value && value < 0x1p60 ? value : k_none;
 }
 
-// What a group may still take: its limit less what it holds, but for the files kept in memory, which give
-// way.
+// Returns what a group may still allocate: its limit minus its usage, without the files cached in memory, which are
+// released.
 double room_in(const fs::path& group, const char* limit_file, const char* usage_file, const char* prefix) {
     const double limit = limit_in(group / limit_file);
     if (limit == k_none) return k_none;
@@ -53,7 +53,8 @@ double room_in(const fs::path& group, const char* limit_file, const char* usage_
     return std::max(0.0, limit - std::max(0.0, usage - files));
 }
 
-// From a group up to the root of its tree. A container may not see its own group's folder, only the root.
+// Returns the least over a group and those above it. A container may not have access to its own group's folder, only to
+// the root.
 double room_above(const fs::path& tree, const std::string& path, const char* limit, const char* usage,
                   const char* prefix) {
     double room = room_in(tree, limit, usage, prefix);
@@ -81,8 +82,8 @@ double group_room(const fs::path& root) {
     return room;
 }
 
-// Of the shell's limit on mapped memory what stays for pages in use: libraries and stacks map more than they
-// touch.
+// Returns the part of the shell's limit on mapped memory available for pages in use: libraries and stacks map more than
+// they use.
 double shell_room(const fs::path& root, int resource, const std::string& mapped) {
     rlimit shell{};
     if (::getrlimit(static_cast<__rlimit_resource>(resource), &shell) != 0 || shell.rlim_cur == RLIM_INFINITY)

@@ -6,22 +6,22 @@
 
 namespace frana::app {
 
-/// What this program may hold in all [bytes], and who says so.
+/// The memory this program may use in total [bytes], and its source.
 struct MemoryBound {
     double bytes = 0;
     std::string what;  ///< "the machine has free", for messages
 };
 
-/// The least of what the machine has free (with its swap), what a control group of this process or one above
-/// it (cgroup v1, v2) leaves, and the shell's limits on address space and data (ulimit -v, -d); each with
-/// what this process already holds. `root`: the folder that holds proc and sys.
+/// Returns the least of the machine's free memory (including swap), the room in the control group of this process and
+/// those above it (cgroup v1, v2), and the shell's limits on address space and data (ulimit -v, -d); each plus the
+/// memory this process already uses. `root`: the folder that contains proc and sys.
 MemoryBound machine_memory(const std::string& root = "/");
 
-/// What this process holds now [bytes].
+/// Returns the memory in use by this process [bytes].
 std::int64_t resident_memory(const std::string& root = "/");
 
-/// Where the shell limits mapped memory (ulimit -v): the threads share what they allocate from, for each
-/// would map much more than it uses. To be called before there are threads.
+/// If the shell limits mapped memory (ulimit -v), makes the threads share their allocation arenas, for each would map
+/// much more than it uses. Must be called before there are threads.
 void map_sparingly();
 
 }  // namespace frana::app

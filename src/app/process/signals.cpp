@@ -11,12 +11,12 @@
 namespace frana::app {
 namespace {
 
-// The only variable of the program outside functions: a signal handler can reach nothing else.
+// The only variable of the program outside functions: a signal handler can access nothing else.
 volatile std::sig_atomic_t received = 0;
 
 extern "C" void read_note(int signal_number) {
     if (received == 0) received = signal_number;
-    // Whichever comes next ends the program; what is ignored stays so.
+    // Any further signal ends the program; ignored signals remain ignored.
     for (const int each : {SIGINT, SIGTERM, SIGHUP})
         if (std::signal(each, SIG_DFL) == SIG_IGN) std::signal(each, SIG_IGN);
 }
@@ -30,7 +30,7 @@ void ignore_file_signals() {
 
 void fill_standard_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-        // The lowest free number is given out, which is this one.
+        // open() returns the lowest free number, which is this one.
         if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", stream == STDIN_FILENO ? O_RDONLY : O_WRONLY) != stream)
             std::abort();
     }
@@ -39,7 +39,7 @@ void fill_standard_streams() {
 void catch_stop_signals() {
     std::signal(SIGINT, read_note);
     std::signal(SIGTERM, read_note);
-    // What was started with nohup outlives its terminal.
+    // A process started with nohup survives its terminal.
     if (std::signal(SIGHUP, read_note) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 

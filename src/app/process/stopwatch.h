@@ -5,7 +5,7 @@
 
 namespace frana::app {
 
-/// Wall time since it was made.
+/// Wall time since construction.
 class Stopwatch {
   public:
     [[nodiscard]] double seconds() const {

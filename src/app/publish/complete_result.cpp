@@ -34,7 +34,7 @@ void require_same_scene(const Prepared& prepared, const std::string& directory) 
                                           directory, "", "", remedy});
 }
 
-// As it was, from the files.
+// Reads the comparison from the result's files.
 std::optional<Comparison> comparison_of(const Prepared& prepared, const std::string& directory, RunLog& log) {
     const ResultReader result(directory);
     if (!result.has("comparison.tif")) return std::nullopt;
@@ -46,7 +46,7 @@ std::optional<Comparison> comparison_of(const Prepared& prepared, const std::str
     return compare_with_survey(input, log);
 }
 
-// The files that only a run writes, and that have gone; pictures are drawn again.
+// Returns the files that only a run writes and that no longer exist; pictures are drawn again.
 std::vector<std::string> missing_files(const Manifest& manifest, const std::string& directory) {
     std::vector<std::string> missing;
     for (const auto& [name, mark] : manifest.files) {
@@ -57,8 +57,8 @@ std::vector<std::string> missing_files(const Manifest& manifest, const std::stri
     return missing;
 }
 
-// Of what is there. A GIS writes into a GeoPackage that it only shows: of such a file no more is asked than
-// its length.
+// Whether an existing file differs from the list. A GIS writes to a GeoPackage that it only displays: for such a file
+// only the length is checked.
 bool is_changed(const std::string& path, const FileMark& listed) {
     std::error_code error;
     const std::uintmax_t bytes = fs::file_size(path, error);
@@ -67,7 +67,7 @@ bool is_changed(const std::string& path, const FileMark& listed) {
     return bytes != listed.bytes || mark_of(path) != listed;
 }
 
-// The files that are there, but are not as the run wrote them; styles are the user's to change.
+// Returns the existing files that differ from those the run wrote; styles may be changed by the user.
 std::vector<std::string> changed_files_of(const Manifest& manifest, const std::string& directory, bool drawn) {
     std::vector<std::string> changed;
     for (const auto& [name, mark] : manifest.files) {
@@ -99,7 +99,7 @@ void require_all(const std::vector<std::string>& missing, const std::vector<std:
     problems.throw_if_any();
 }
 
-// Nobody can tell then what should be there.
+// Without the list of files the missing ones are unknown.
 Manifest require_list(const std::string& directory) {
     if (auto manifest = read_manifest(directory)) return std::move(*manifest);
     throw Error(
@@ -125,7 +125,7 @@ bool complete_result(const Prepared& prepared, const std::string& directory, Run
                                    changed = changed_files_of(manifest, directory, false);
     const bool only_report = missing == std::vector<std::string>{k_report_file};
     if (!only_report || !changed.empty()) require_all(missing, changed, directory);
-    std::vector<std::string> damaged;  // or the user's own: they keep another name, and are drawn again
+    std::vector<std::string> damaged;  // or replaced by the user: they get another name, and are drawn again
     for (const std::string& name : changed_files_of(manifest, directory, true))
         damaged.push_back((fs::path(directory) / name).string());
     keep_changed_files(damaged);
@@ -134,7 +134,7 @@ bool complete_result(const Prepared& prepared, const std::string& directory, Run
     record_files(pictures.files);
     if (pictures.complete()) {
         record_finished(directory);
-        remove_working_files(directory, !prepared.spec.output.frames, log);  // a run was killed while it did
+        remove_working_files(directory, !prepared.spec.output.frames, log);  // a run was killed before it did this
     }
     if (pictures.complete() && pictures.drawn.empty() && missing.empty()) {
         log.info("the result is complete: " + directory);

@@ -8,11 +8,11 @@
 
 namespace frana::app {
 
-/// Whether a folder holds a result that came to its end: nothing is left to be computed or written but pictures.
+/// Returns whether a folder contains a complete result: nothing remains to be computed or written except pictures.
 bool is_finished(const std::string& directory);
 
-/// What --resume does with a finished result: draws those pictures of the scene's that are missing. Returns whether all
-/// are there. Throws Error(input) where the result is of another scene.
+/// Implements --resume for a complete result: draws the scene's missing pictures. Returns whether all exist. Throws
+/// Error(input) if the result is of another scene.
 bool complete_result(const Prepared& prepared, const std::string& directory, RunLog& log);
 
 }  // namespace frana::app

@@ -8,8 +8,8 @@
 
 namespace frana::app {
 
-/// A raster of maxima whose high values are told: in summary.json (keys NAME_UNIT, NAME_p999_UNIT,
-/// NAME_p99_UNIT), in the report, and in studies.
+/// A raster of maxima whose high values are reported: in summary.json (keys NAME_UNIT, NAME_p999_UNIT, NAME_p99_UNIT),
+/// in the report, and in studies.
 struct PeakStatistic {
     const char *name, *key_unit;  ///< "max_depth", "m"
     const char *title, *unit;     ///< "depth, vertical", "m"

@@ -31,8 +31,8 @@
 namespace frana::app {
 namespace {
 
-constexpr double k_moving_volume = 0.01;   // that may move when the time is over, however thin, without a word
-constexpr double k_shown_fraction = 0.05;  // by which a raster's volume may miss the flow's without a word
+constexpr double k_moving_volume = 0.01;   // fraction that may move at the end time, however thin, without a warning
+constexpr double k_shown_fraction = 0.05;  // relative difference of a raster's volume from the flow's without a warning
 
 ComparisonInput comparison_input(const Finished& run) {
     ComparisonInput input = surveyed(run.prepared);
@@ -69,13 +69,13 @@ std::string percent(double fraction) {
     return number_text(100 * fraction, 2) + " %";
 }
 
-/// Summed over the window: what moves on and on changes place more than once.
+/// Summed over the window: material that keeps moving is counted more than once.
 std::string volume_that_moved(double fraction) {
     if (fraction <= 1) return percent(fraction) + " of the volume changed cell";
     return "all of the volume changed cell, " + number_text(fraction, 2) + " times over";
 }
 
-/// Time ran out: what moves, and how fast the values that people use still grow.
+/// At the end time: the moving volume, and how fast the main results still grow.
 void warn_of_motion(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
     if (result.stop_reason != StopReason::end_time || result.series.size() < 2) return;
@@ -84,7 +84,7 @@ void warn_of_motion(const Finished& run, RunLog& log) {
     if (!moves) return;
     std::string text = "the flow still moves when time.end is reached: " + percent(result.moving_fraction_limit) +
                        " of its volume faster than " + number_text(run.prepared.scene.time.moving_speed) + " m/s";
-    // The series tells the speed of what maps show.
+    // The series contains the speed shown on maps.
     if (const double fastest = result.series.back().max_speed; fastest > 0)
         text += ", the fastest at " + number_text(fastest, 3) + " m/s";
     if (result.settling) {
@@ -95,7 +95,7 @@ void warn_of_motion(const Finished& run, RunLog& log) {
     log.warn(text + ". Final depth and run-out are not those of the deposit: raise time.end");
 }
 
-/// What maps do not show.
+/// Warns of flow not shown on maps.
 void warn_of_thin_flow(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
     if (result.thin_fraction < k_thin_fraction) return;
@@ -109,7 +109,7 @@ void warn_of_thin_flow(const Finished& run, RunLog& log) {
              "hundredth of the usual flow depth");
 }
 
-/// What outlines and run-out do not show though maps do.
+/// Warns of flow on maps that is not in outlines and run-out.
 void warn_of_empty_trace(const Finished& run, RunLog& log) {
     const double threshold = run.prepared.spec.output.trace_threshold, deepest = maximum(run.result.max_depth);
     if (!(deepest > 0) || deepest > threshold) return;
@@ -150,8 +150,8 @@ void warn_of_problem(const Finished& run, RunLog& log) {
     }
 }
 
-/// The comparison with what was surveyed, if anything was. A survey that cannot be compared does not cost the
-/// run: it is a warning.
+/// Writes the comparison with the survey, if there is one. A survey that cannot be compared does not fail the run: it
+/// is a warning.
 std::optional<Comparison> publish_comparison(const Finished& run, const ResultDirectory& directory, RunLog& log) {
     const ComparisonInput input = comparison_input(run);
     if (input.survey.empty()) return std::nullopt;

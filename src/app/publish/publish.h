@@ -10,20 +10,20 @@
 
 namespace frana::app {
 
-/// Everything a finished run leaves behind.
+/// A complete run with its inputs.
 struct Finished {
     const Prepared& prepared;
     const RunResult& result;
     int threads = 1;
     double input_seconds = 0;
-    double earlier_seconds = 0;  ///< wall time of the sessions that this one continues
+    double earlier_seconds = 0;  ///< wall time of the sessions before this one
     const Stopwatch& since_start;
 };
 
-/// Writes the files of a result: rasters with styles, outlines, maps, animation, comparison, series, summary,
-/// scene, log; the summary and the log last, as they tell of all the rest. A map or animation that cannot be drawn
-/// does not cost the numbers: it is a warning, and the answer tells of it. Throws Error(environment) when a file
-/// cannot be written.
+/// Writes the files of a result: rasters with styles, outlines, maps, animation, comparison, series, summary, scene,
+/// log; the summary and the log last, as they describe all the others. A map or animation that cannot be drawn does not
+/// fail the run: it is a warning, and the return value reports it. Throws Error(environment) if a file cannot be
+/// written.
 PictureOutcome publish(const Finished& run, const ResultDirectory& directory, FrameWriter& frames, RunLog& log);
 
 }  // namespace frana::app

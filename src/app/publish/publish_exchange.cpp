@@ -19,14 +19,14 @@ bool has_format(const SceneSpec& spec, const char* format) {
     return std::find(formats.begin(), formats.end(), format) != formats.end();
 }
 
-/// Difference quotient from the neighbours that there are; NaN without any.
+/// Returns the difference quotient of the existing neighbours; NaN without any.
 double gradient(double before, double here, double after, double cell_size) {
     if (!std::isnan(before) && !std::isnan(after)) return (after - before) / (2 * cell_size);
     if (!std::isnan(after)) return (after - here) / cell_size;
     return (here - before) / cell_size;
 }
 
-/// Zero where there is ground but no flow, as AvaFrame's own files have it.
+/// Zero where there is ground but no flow, as in AvaFrame's own files.
 Raster filled(const Raster& values, const Raster& terrain) {
     Raster raster = values;
     for (std::size_t i = 0; i < raster.values.size(); ++i)

@@ -63,7 +63,7 @@ std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult
     const std::map<std::string, std::string> origin = provenance(prepared);
     const HazardScheme scheme =
         hazard_scheme(*spec.scheme, {spec.depth_limits, spec.velocity_limits, spec.flux_limits, spec.pressure_limits});
-    // A scheme that does not look at flux or head has none recorded; depth stands in, unread.
+    // For a scheme without flux or head none is recorded; depth is passed instead and not read.
     const bool recorded = !result.max_flux.values.empty();
     const Raster classes = hazard_classes(
         scheme, {result.max_depth, result.max_velocity, recorded ? result.max_flux : result.max_depth,

@@ -11,15 +11,15 @@
 
 namespace frana::app {
 
-/// A class with the ground it covers.
+/// A class and its area.
 struct HazardArea {
     HazardClass kind;
     double area_m2 = 0;
 };
 
-/// hazard.tif, hazard_zones.gpkg (one feature a class) and their styles, where the scene names a scheme;
-/// further max_flux.tif and max_head.tif where they were recorded. Returns the classes' areas; none without a
-/// scheme. Throws Error(environment).
+/// Writes hazard.tif, hazard_zones.gpkg (one feature per class) and their styles, if the scene names a scheme; also
+/// max_flux.tif and max_head.tif if they were recorded. Returns the classes' areas; none without a scheme. Throws
+/// Error(environment).
 std::vector<HazardArea> publish_hazard(const Prepared& prepared, const RunResult& result,
                                        const ResultDirectory& directory);
 

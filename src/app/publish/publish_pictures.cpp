@@ -25,10 +25,10 @@ std::string title_of(const SceneSpec& spec) {
     return spec.output.title.value_or(scene_name(spec));
 }
 
-/// What was written is what is drawn.
+/// Pictures are drawn from the written files.
 MapSource map_source(const ResultReader& written, const PictureRequest& request) {
     MapSource source = written.map_source(request.statistics);
-    source.title = title_of(request.spec);  // the folder has not its name yet
+    source.title = title_of(request.spec);  // the folder does not have its name yet
     return source;
 }
 
@@ -40,13 +40,13 @@ void make_folder(const std::string& folder) {
                                                     "Check the place's rights and free space"});
 }
 
-/// Draws one thing after the other.
+/// Draws pictures one after the other.
 class Drawings {
   public:
     Drawings(bool only_missing, RunLog& log) : only_missing_(only_missing), log_(log) {}
 
-    /// @param files that it becomes
-    /// @param draw false where it was stopped on the way
+    /// @param files of the picture
+    /// @param draw returns false if it was stopped before the end
     template <class Draw>
     void attempt(const std::string& what, const std::vector<std::string>& files, const Draw& draw) {
         const auto is_there = [](const std::string& file) { return fs::exists(file); };
@@ -77,10 +77,10 @@ class Drawings {
     PictureOutcome outcome_;
 };
 
-/// "max_depth", "max_depth_3d" and so on, as the scene asks.
+/// Returns "max_depth", "max_depth_3d" and so on, as requested by the scene.
 std::vector<std::string> map_choice(const std::vector<std::string>& asked, const ResultReader& written) {
     std::vector<std::string> names = asked.front() == "on" ? usual_maps() : asked;
-    // A scheme of classes asks for its map.
+    // A hazard scheme requests its map.
     if (written.has("hazard.tif") && std::find(names.begin(), names.end(), "hazard") == names.end())
         names.emplace_back("hazard");
     return names;
@@ -110,7 +110,7 @@ void draw_all_charts(const ResultReader& written, const MapSource& source, Drawi
     try {
         files = chart_files(written, source, folder);
     } catch (const Error&) {
-        files.emplace_back();  // drawing them says why
+        files.emplace_back();  // the error is reported when they are drawn
     }
     drawings.attempt("charts", files, [&] {
         make_folder(folder);

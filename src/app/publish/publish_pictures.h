@@ -12,27 +12,27 @@
 
 namespace frana::app {
 
-/// The pictures that a scene asks for: maps, comparison, charts, animation. They are drawn from the files of a result.
+/// The pictures of a scene: maps, comparison, charts, animation. They are drawn from the files of a result.
 struct PictureRequest {
     const SceneSpec& spec;
     std::string folder;  ///< of the result
     const std::optional<Comparison>& comparison;
-    bool only_missing = false;                 ///< what is there already stays as it is
+    bool only_missing = false;                 ///< existing ones are kept
     std::optional<MainStatistics> statistics;  ///< of a run whose summary.json is not written yet
 };
 
-/// What came of them.
+/// The result of drawing.
 struct PictureOutcome {
     std::vector<std::string> drawn;     ///< "maps/max_depth"
-    std::vector<std::string> files;     ///< that were written
+    std::vector<std::string> files;     ///< written to the disk
     std::vector<std::string> failed;    ///< each with a warning
-    std::vector<std::string> left_out;  ///< a stop signal had come before they were drawn; one warning for all
+    std::vector<std::string> left_out;  ///< not drawn because of a stop signal; one warning for all
 
     [[nodiscard]] bool complete() const noexcept { return failed.empty() && left_out.empty(); }
 };
 
-/// Draws them; a problem is a warning, since the numbers are worth more than a picture. What is not begun when a stop
-/// signal comes is left out, so that the program ends soon.
+/// Draws them; a problem is a warning, since the numbers are more important than a picture. Pictures not begun when a
+/// stop signal arrives are left out, so that the program ends soon.
 PictureOutcome draw_pictures(const PictureRequest& request, RunLog& log);
 
 }  // namespace frana::app

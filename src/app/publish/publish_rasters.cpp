@@ -34,7 +34,7 @@ PolygonFeature feature(MultiPolygon parts, double threshold) {
     return result;
 }
 
-/// One layer with one feature, or an empty layer where there is no ground to outline.
+/// Returns one layer with one feature, or an empty layer if there is no area to outline.
 gis::OutlineLayer outline(const std::string& name, const Raster& depth, double threshold, const RunResult& result,
                           const Runout& run_out) {
     const Raster mask = trace_mask(depth, threshold);
@@ -89,7 +89,7 @@ void publish_outlines(const Prepared& prepared, const RunResult& result, const R
     layers.push_back(outline("deposit", result.final_depth, threshold, result,
                              runout(result.bed, result.release, trace_mask(result.final_depth, threshold))));
     for (PolygonFeature& trace : layers[1].features) {
-        // What passed over the trace is what was released; depths of different moments do not add up.
+        // The volume over the trace is that released; depths at different times do not add up.
         trace.numbers["volume_m3"] = result.volume_initial;
         const PeakValues speed = high_values(result.max_velocity, trace_mask(result.max_depth, threshold));
         trace.numbers["max_velocity_ms"] = speed.greatest;

@@ -14,7 +14,7 @@ namespace {
 
 const std::string k_flow_path = "flow path";
 
-/// What a profile shows besides the layers of the result.
+/// A column of a profile besides the rasters of the result.
 struct Column {
     std::string name;
     const Raster* raster;

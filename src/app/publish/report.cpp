@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Plain on the screen, black on white on paper; no table row and no picture is broken by a page's end.
+// Plain on the screen, black on white on paper; no table row and no picture is divided by a page break.
 constexpr const char* k_style = R"(
 :root { color-scheme: light; }
 body { font: 15px/1.45 "DejaVu Sans", Verdana, sans-serif; color: #1a1a1a; background: #fff;
@@ -55,7 +55,7 @@ std::string file_bytes(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Writes a page piece by piece, so that memory holds one picture at a time.
+/// Writes a page piece by piece, so that memory contains one picture at a time.
 class Page {
   public:
     explicit Page(const std::string& path) : aside_(path), file_(aside_.partial_path(), std::ios::binary) {}
@@ -87,7 +87,7 @@ void add_warnings(Page& page, const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) page.add("<p class=\"warning\">" + escaped_markup(warning) + "</p>\n");
 }
 
-/// A picture in its place, or where it was drawn for the page alone.
+/// Returns a picture in the result, or one drawn for the page alone.
 std::optional<std::string> drawn(const ResultDirectory& directory, const std::string& folder, const std::string& name) {
     for (const std::string& place : {folder, std::string(k_page_folder) + "/"})
         if (std::string file = directory.path(place + name + ".png"); fs::exists(file)) return file;
@@ -153,7 +153,7 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
     page.add("</body>\n</html>\n");
     page.finish();
     std::error_code ignored;
-    fs::remove_all(directory.path(k_page_folder), ignored);  // in a folder in the making: frana's own
+    fs::remove_all(directory.path(k_page_folder), ignored);  // in a folder still being written, so it belongs to frana
 }
 
 }  // namespace frana::app

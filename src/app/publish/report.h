@@ -12,7 +12,7 @@
 
 namespace frana::app {
 
-/// What a report tells, beside the pictures that lie in the result directory already.
+/// Data of a report, besides the pictures already in the result directory.
 struct ReportInput {
     const Prepared& prepared;
     const RunResult& result;
@@ -21,11 +21,11 @@ struct ReportInput {
     const std::vector<HazardArea>& hazard;
 };
 
-/// report.html: one file that needs no other, for the screen and for paper. The maps are those of `maps/` and
+/// Writes report.html: one self-contained file, for the screen and for paper. The maps are those of `maps/` and
 /// comparison.png, embedded one after the other as they are written. Throws Error(environment).
 void write_report(const ReportInput& input, const ResultDirectory& directory);
 
-/// Bytes in the base64 alphabet (RFC 4648), for data URLs.
+/// Encodes bytes in the base64 alphabet (RFC 4648), for data URLs.
 std::string base64(const std::string& bytes);
 
 }  // namespace frana::app

@@ -15,7 +15,7 @@
 namespace frana::app {
 namespace {
 
-/// A table of two columns and more; cells are text, numbers set to the right.
+/// A table of two columns or more; cells are text, numbers aligned to the right.
 class Table {
   public:
     explicit Table(const std::vector<std::string>& heads = {}) {
@@ -47,7 +47,7 @@ class Table {
     std::string rows_;
 };
 
-/// Three rows for each raster of maxima. Where nothing is deeper than the threshold there is no area to speak of.
+/// Three rows for each raster of maxima. If nothing is deeper than the threshold there is no trace.
 void add_peak_statistics(Table& table, const PeakStatistics& high) {
     for (std::size_t i = 0; i < high.size(); ++i) {
         const PeakStatistic& what = k_peak_statistics[i];
@@ -80,7 +80,7 @@ void add_statistics(Table& table, const ComparisonStatistics& f) {
         .number("Area under the ROC curve, best 1", number_text(f.auroc, 3), "");
 }
 
-/// One panel, as wide as the page's text.
+/// Returns one panel, as wide as the page's text.
 std::string line_chart(const std::string& x_label, const std::string& y_label, std::vector<render::ChartSeries> series,
                        render::Scale x = render::Scale::linear) {
     constexpr int k_width = 560, k_height = 240;

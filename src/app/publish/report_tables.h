@@ -15,9 +15,9 @@ std::string numerics_table(const ReportInput& input);
 std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas);
 std::string series_charts(const ReportInput& input);
 std::string comparison_tables(const Comparison& comparison);
-/// Every file that was read, with its CRS, the coordinate operation and its accuracy.
+/// Returns every file read, with its CRS, the coordinate operation and its accuracy.
 std::string inputs_table(const Prepared& prepared);
-/// Every key of the scene: value, unit, origin, and what was chosen where that was left to frana.
+/// Returns every key of the scene: value, unit, origin, and the value chosen by frana for keys not given.
 std::string parameters_table(const Prepared& prepared);
 
 }  // namespace frana::app

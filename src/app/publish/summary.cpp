@@ -16,7 +16,7 @@
 namespace frana::app {
 namespace {
 
-/// Where nothing ever flowed the greatest value is 0; where nothing is deeper than the threshold the others are null.
+/// If nothing ever flowed the greatest value is 0; if nothing is deeper than the threshold the others are null.
 void add_peak_statistics(Json& json, const PeakStatistics& high) {
     for (std::size_t i = 0; i < high.size(); ++i) {
         const std::string name = k_peak_statistics[i].name, unit = std::string("_") + k_peak_statistics[i].key_unit;

@@ -17,7 +17,7 @@ struct WallSeconds {
     double total = 0, input = 0, engine = 0, output = 0, render = 0;
 };
 
-/// What summary.json says beyond the engine's own result.
+/// Content of summary.json besides the engine's own result.
 struct SummaryFacts {
     SceneSpec spec;
     std::string crs_label;
@@ -28,16 +28,16 @@ struct SummaryFacts {
     PeakStatistics high;             ///< over that trace
     std::vector<HazardArea> hazard;  ///< empty: no scheme
     std::vector<std::string> warnings;
-    std::vector<std::string> data_identity;  ///< what --resume knows the scene's data by
+    std::vector<std::string> data_identity;  ///< by which --resume compares the scene's data
 };
 
-/// summary.json.
+/// Returns summary.json.
 std::string summary_json(const RunResult& result, const SummaryFacts& facts);
 
-/// One word for scripts: "end-time", "still", "all-left", "requested", "reached-no-data", "non-finite".
+/// Returns one word for scripts: "end-time", "still", "all-left", "requested", "reached-no-data", "non-finite".
 std::string stop_word(StopReason reason);
 
-/// Peak resident memory of this process so far.
+/// Returns the peak resident memory of this process so far.
 std::int64_t peak_memory_bytes();
 
 }  // namespace frana::app

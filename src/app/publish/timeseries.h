@@ -8,7 +8,7 @@
 
 namespace frana::app {
 
-/// timeseries.csv: a header with units, one row a step, numbers that read back as the same bits.
+/// Returns timeseries.csv: a header with units, one row per step, numbers that read back as the same bits.
 std::string timeseries_csv(const std::vector<SeriesRow>& series);
 
 }  // namespace frana::app

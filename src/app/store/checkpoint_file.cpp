@@ -26,7 +26,7 @@ constexpr std::size_t k_start_bytes = k_magic.size() + 2 * sizeof(std::uint32_t)
 constexpr std::size_t k_sum_bytes = sizeof(std::uint32_t);
 constexpr std::size_t k_buffer = 1 << 20;
 
-// In the precision in which frames are written to their files.
+// In the precision of the frames' files.
 template <class Archive>
 void serialise_values(Archive& archive, Raster& raster) {
     std::vector<float> values(raster.values.begin(), raster.values.end());
@@ -89,22 +89,22 @@ void serialise(Archive& archive, CheckpointHead& head) {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-// Writes through a buffer and sums what it writes.
+// Writes through a buffer and computes the checksum.
 class SummedOutput {
   public:
-    /// @param over a file that is there already
+    /// @param over an existing file
     SummedOutput(const std::string& path, bool over)
         : path_(path), file_(std::fopen(path.c_str(), over ? "r+b" : "wb"), &std::fclose) {
         if (!file_) fail(path_, errno);
         std::setvbuf(file_.get(), nullptr, _IOFBF, k_buffer);
     }
     void write(const void* data, std::size_t count) {
-        if (count == 0) return;  // of an empty list, whose null pointer would begin the sum again
+        if (count == 0) return;  // of an empty list, whose null pointer would reset the sum
         sum_ = crc32_z(sum_, static_cast<const Bytef*>(data), count);
         if (std::fwrite(data, 1, count, file_.get()) != count) fail(path_, errno);
         written_ += count;
     }
-    // Writes again at the beginning, where the size is told; the sum then begins with it.
+    // Rewrites the beginning, which contains the size; the sum then starts with it.
     void start(std::uint64_t size) {
         std::uint64_t rest = size;
         if (std::fseek(file_.get(), 0, SEEK_SET) != 0) fail(path_, errno);
@@ -144,7 +144,7 @@ struct Start {
     std::uint64_t size = 0;  ///< of head and state [bytes]
 };
 
-// Checks everything but the head's and the state's meaning.
+// Checks everything except the content of head and state.
 Start check(std::FILE* file, const std::string& path) {
     std::array<char, k_magic.size()> magic{};
     std::uint32_t order = 0, sum = 0;

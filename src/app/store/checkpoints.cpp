@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 constexpr std::size_t k_kept = 2;
 constexpr const char *k_beginning = "step_", *k_ending = ".frana";
 
-// So many digits that names sort as steps do.
+// Enough digits that names sort in the order of steps.
 std::string file_name(std::int64_t step) {
     char digits[32];
     std::snprintf(digits, sizeof digits, "%015lld", static_cast<long long>(step));
     return std::string(k_beginning) + digits + k_ending;
 }
 
-// Not those above it: a result's folder that somebody took away stays away.
+// Does not create those above it: a result's folder that was moved away is not created again.
 void make_folder(const std::string& folder) {
     std::error_code error;
     fs::create_directory(folder, error);
@@ -110,7 +110,7 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
     next_look_ = 0;
 }
 
-// Looks come at growing distances: the flow has not grown by half since the last one, and all together take next to
+// Checks are made at growing intervals: the flow has not grown by half since the last one, and all together cost almost
 // nothing.
 void Checkpoints::reserve_space(const Progress& now, const SaveState& state) {
     constexpr double k_growth = 1.5, k_fraction_of_time = 0.2, k_longest = 10, k_times_cost = 50;

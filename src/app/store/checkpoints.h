@@ -17,24 +17,24 @@ namespace frana::app {
 /// Folder of checkpoints in a result directory.
 inline constexpr const char* k_checkpoint_folder = "checkpoint";
 
-/// The checkpoints in a result directory, the furthest first. Throws Error(environment) where they cannot be
-/// looked for.
+/// Returns the checkpoints in a result directory, the latest first. Throws Error(environment) if the folder cannot be
+/// read.
 std::vector<std::string> checkpoints_in(const std::string& directory);
 
-/// Takes the checkpoints of a run: step_NNN.frana, the last two kept. The disk's room for the next one is set aside
-/// beforehand and grows with the flow, so that a disk that fills still takes the state as it is then.
+/// Writes the checkpoints of a run: step_NNN.frana, the last two kept. The disk space for the next one is reserved in
+/// advance and grows with the flow, so that the current state can be saved on a full disk.
 class Checkpoints {
   public:
     /// @param interval wall time between two [s]; 0: only at the end
-    /// @param frames those that a checkpoint counts on; null: none are written
+    /// @param frames whose records a checkpoint contains; null: none are written
     /// @param earlier wall time of earlier sessions [s]
     Checkpoints(std::string directory, double interval, const Prepared& prepared, FrameWriter* frames,
                 const Stopwatch& since_start, double earlier, RunLog& log);
 
-    /// Looks at the clock, and takes one when it is due and at the run's last step. One that cannot be written is a
-    /// warning: the run goes on.
+    /// Writes a checkpoint when it is due and at the run's last step. One that cannot be written is a warning: the run
+    /// continues.
     void after_step(const Progress& now, const SaveState& state);
-    /// Gives back what was set aside.
+    /// Releases the reserved space.
     void release() { space_.release(); }
 
   private:
@@ -50,10 +50,10 @@ class Checkpoints {
     const Stopwatch& since_start_;
     double earlier_;
     RunLog& log_;
-    std::string identity_;  ///< made when first needed: it takes a look at all data
+    std::string identity_;  ///< computed when first needed, from all data
     Stopwatch since_last_, session_;
     ReservedSpace space_;
-    double next_look_ = 0;  ///< at the space that a checkpoint takes, in session_ [s]
+    double next_look_ = 0;  ///< next check of the size of a checkpoint, in session_ [s]
     bool warned_ = false;
 };
 

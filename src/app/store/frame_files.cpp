@@ -22,7 +22,7 @@ std::string frame_name(const FrameFile& file, std::size_t index) {
     return file.what + number + file.ending;
 }
 
-// Of frames before records were kept.
+// For frames of checkpoints without records.
 std::string problem_without_records(const std::string& folder, std::size_t count) {
     std::vector<FrameFile> wanted{k_depth_file, k_velocity_file};
     for (const std::string& name : names_of_frames(folder, 1)) {

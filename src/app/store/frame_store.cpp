@@ -40,7 +40,7 @@ const Raster& raster_of(const Frame& frame, const std::string& what) {
         ->values;
 }
 
-// As a checkpoint holds it: rasters in single precision, points in double.
+// As in a checkpoint: rasters in single precision, points in double.
 std::uint64_t bytes_of(const Frame& frame) {
     constexpr std::uint64_t k_names = 1000;
     const std::uint64_t rasters = 2 + frame.more.size(), columns = 2 + frame.particles.columns.size();
@@ -110,7 +110,7 @@ void FrameWriter::write(const FrameFile& file, const Job& job) const {
     }
 }
 
-// ParaView's list of files and their times.
+// Writes ParaView's list of files and their times.
 void FrameWriter::list_particles(const std::vector<double>& times) const {
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -133,7 +133,7 @@ void FrameWriter::serve() {
     while (true) {
         changed_.wait(lock, [&] { return closed_ || !waiting_.empty(); });
         if (waiting_.empty()) return;
-        const Job& job = waiting_.front();  // a deque's elements stay where they are
+        const Job& job = waiting_.front();  // a deque's elements do not move
         const auto end = times_.begin() + static_cast<std::ptrdiff_t>(job.index) + 1;
         const std::vector<double> times(times_.begin(), end);
         lock.unlock();
@@ -141,7 +141,7 @@ void FrameWriter::serve() {
         std::vector<FrameRecord> written;
         try {
             written = write(job);
-            list(times);  // who looks in on the run finds what is whole
+            list(times);  // readers of an unfinished run find only complete frames
         } catch (...) {
             error = std::current_exception();
         }
@@ -182,7 +182,7 @@ std::vector<Frame> FrameWriter::settle() {
     std::vector<Frame> left;
     for (const Job& job : waiting_) left.push_back(job.frame);
     if (settled_ + left.size() == times_.size()) return left;
-    sync_path(folder_);  // each file is on the disk before it has its name
+    sync_path(folder_);  // each file is on the disk before it is renamed
     settled_ = times_.size() - left.size();
     return left;
 }
@@ -202,7 +202,7 @@ std::vector<StoredFrame> stored_frames(const std::string& folder) {
         throw Error(ErrorKind::input, Problem{"the result has no frames", list_file(folder), "", "",
                                               "Run the scene with output.frames = on"});
     }
-    constexpr std::size_t k_shown = 80;  // characters of a broken line
+    constexpr std::size_t k_shown = 80;  // characters shown of an invalid line
     std::vector<StoredFrame> frames;
     std::string line;
     std::getline(file, line);

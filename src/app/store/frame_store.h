@@ -20,17 +20,17 @@
 namespace frana::app {
 
 /// Frames as files: FOLDER/depth_0000.tif, velocity_0000.tif, those of Frame::more, particles, and frames.csv (index,
-/// time_s). A thread of its own writes them while the run goes on, and lists what is whole after each; at most two
-/// wait, so that a slow disk holds the run back and not the memory. Once a frame cannot be written it and all after it
-/// are kept in memory: the run is to stop and save them.
+/// time_s). A separate thread writes them while the run continues, and lists the complete ones after each; at most two
+/// wait, so that a slow disk delays the run instead of filling the memory. After a frame that cannot be written, it and
+/// all later ones are kept in memory: the run must stop and save them.
 class FrameWriter {
   public:
-    /// `metadata` goes into every raster.
-    /// @param times of frames that are there already [s]
+    /// `metadata` is written to every raster.
+    /// @param times of existing frames [s]
     /// @param records of their files
     FrameWriter(std::string folder, std::map<std::string, std::string> metadata, ParticleFormats particles = {},
                 std::vector<double> times = {}, std::vector<FrameRecord> records = {});
-    /// Writes what was added, if nothing has failed.
+    /// Writes the added frames, unless an error occurred.
     ~FrameWriter();
     FrameWriter(const FrameWriter&) = delete;
     FrameWriter& operator=(const FrameWriter&) = delete;
@@ -38,19 +38,19 @@ class FrameWriter {
     void add(Frame frame);
     /// Whether a frame could not be written.
     [[nodiscard]] bool failed() const noexcept { return failed_; }
-    /// Waits until every frame so far is on the disk or has failed; returns those that are not there.
+    /// Waits until every frame so far is on the disk or has failed; returns the failed ones.
     [[nodiscard]] std::vector<Frame> settle();
-    /// The files of all frames that are on the disk.
+    /// The files of all frames on the disk.
     [[nodiscard]] std::vector<FrameRecord> records() const;
-    /// What settle() may return, as a checkpoint holds it [bytes].
+    /// Greatest size in a checkpoint of the frames that settle() may return [bytes].
     [[nodiscard]] std::uint64_t most_bytes_waiting() const;
-    /// Throws Error(environment) when a frame could not be written.
+    /// Throws Error(environment) if a frame could not be written.
     void require_good();
-    /// Waits for the last frame and lists all, also those that were there already. Throws Error(environment).
+    /// Waits for the last frame and lists all, including those that existed before. Throws Error(environment).
     void finish();
     /// Of all frames so far [s].
     [[nodiscard]] const std::vector<double>& times() const noexcept { return times_; }
-    [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< wall time that add() held the run back
+    [[nodiscard]] double seconds() const noexcept { return seconds_; }  ///< wall time by which add() delayed the run
     [[nodiscard]] int count() const noexcept { return static_cast<int>(times_.size()); }
 
   private:
@@ -71,13 +71,13 @@ class FrameWriter {
     std::map<std::string, std::string> metadata_;
     ParticleFormats particles_;
     std::vector<double> times_;
-    std::size_t settled_;  // frames that are on the disk for good
+    std::size_t settled_;  // frames known to be on the disk
     std::vector<FrameRecord> records_;
     double seconds_ = 0;
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Job> waiting_;   // the first is being written
-    std::exception_ptr error_;  // the first; nothing is written after it
+    std::exception_ptr error_;  // the first; no frame is written after it
     std::atomic<bool> failed_ = false;
     std::uint64_t largest_ = 0;  // of the frames so far [bytes]
     bool closed_ = false;
@@ -88,10 +88,10 @@ struct StoredFrame {
     double time = 0;  ///< [s]
     std::string depth_file;
     std::string velocity_file;
-    std::string particle_file;  ///< there only where output.formats asked for it
+    std::string particle_file;  ///< exists only if output.formats requests it
 };
 
-/// What frames.csv lists, at least one. Throws Error(input) when it is missing, empty or broken.
+/// Returns the frames listed in frames.csv, at least one. Throws Error(input) if it is missing, empty or invalid.
 std::vector<StoredFrame> stored_frames(const std::string& folder);
 
 }  // namespace frana::app

@@ -23,7 +23,7 @@ fs::path result_of(const std::string& checkpoint) {
     return fs::path(checkpoint).parent_path().parent_path();
 }
 
-// Why a checkpoint cannot be gone on from; empty: it can.
+// Returns why a checkpoint cannot be resumed; empty: it can.
 std::string hindrance(const CheckpointFile& checkpoint, const std::string& identity) {
     const CheckpointHead& head = checkpoint.head();
     if (head.scene != identity)
@@ -39,7 +39,7 @@ std::string hindrance(const CheckpointFile& checkpoint, const std::string& ident
                         "", "Check the disk's space and the rights"});
 }
 
-// The same file under a second name, where the file system knows that; else a copy.
+// Links a file to a second name, if the file system supports that; else copies it.
 void link(const fs::path& from, const fs::path& to) {
     std::error_code error;
     fs::create_hard_link(from, to, error);
@@ -47,8 +47,7 @@ void link(const fs::path& from, const fs::path& to) {
     if (error) fail(from, error);
 }
 
-// Removes what frana wrote into a folder in the making and is wanted no more; a file of somebody else's
-// stays.
+// Removes files that frana wrote to an unfinished folder and that are no longer needed; other files are kept.
 void remove_unwanted(const fs::path& root, const std::string& folder,
                      const std::function<bool(const std::string&)>& is_wanted) {
     std::error_code error;
@@ -67,7 +66,7 @@ void remove_unwanted(const fs::path& root, const std::string& folder,
         fs::remove(file, error);
         if (error) fail(file, error);
     }
-    for (const fs::path& empty : folders) fs::remove(empty, error);  // where they are
+    for (const fs::path& empty : folders) fs::remove(empty, error);  // folders that contain them
 }
 
 }  // namespace
@@ -86,7 +85,7 @@ InterruptedRun::InterruptedRun(const std::string& directory) {
             beside_ = folder;
         }
     }
-    // Of two at the same step the one in a folder of its own comes first: nothing need be linked.
+    // Of two at the same step the one in its own folder comes first: it needs no links.
     std::stable_sort(checkpoints_.begin(), checkpoints_.end(), [](const std::string& a, const std::string& b) {
         return fs::path(a).filename() > fs::path(b).filename();
     });

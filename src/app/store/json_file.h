@@ -8,11 +8,11 @@
 
 namespace frana::app {
 
-/// None where there is no such file for this program, or it is no JSON. Throws Error(environment) where the disk does
-/// not give it.
+/// Returns none if the file does not exist, is not accessible, or is no JSON. Throws Error(environment) for a read
+/// error of the disk.
 std::optional<Json> read_json_file(const std::string& path);
 
-/// The value at a pointer ("/runout/drop_m"); none where there is none of this type: double, std::int64_t, bool,
+/// Returns the value at a pointer ("/runout/drop_m"); none if there is none of this type: double, std::int64_t, bool,
 /// std::string.
 template <class T>
 std::optional<T> value_in(const Json& json, const std::string& pointer);

@@ -26,7 +26,7 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> place_of(const std::strin
 bool is_drawn(const fs::path& file, const fs::path& folder) {
     if (const ResultFile* known = existing_file(file.lexically_relative(folder).generic_string()))
         return known->is_drawn();
-    // Drawn into folders of the user's.
+    // Drawn to folders chosen by the user.
     const std::array<std::string, 4> pictures{".png", ".pdf", ".mp4", ".gif"};
     return std::find(pictures.begin(), pictures.end(), file.extension().string()) != pictures.end();
 }

@@ -11,25 +11,25 @@
 
 namespace frana::app {
 
-/// Paths that may be meant by what a key names: a file, or one that GDAL's spellings lead to ("file|layer=a",
+/// Returns the paths that the value of a key may mean: a file, or one in GDAL's syntax ("file|layer=a",
 /// "DRIVER:file:part", "/vsizip/file/part").
 std::vector<std::string> spellings(const std::string& source);
 
-/// The files that a command must leave as they are: its inputs and the data of results. A file is known by where it
-/// lies on the disk, whatever path, symbolic link or second name leads there.
+/// The files that a command must not change: its inputs and the data of results. A file is identified by its place on
+/// the disk, whatever path, symbolic link or second name leads to it.
 class KeptFiles {
   public:
-    /// What a key or an option names: a file, or one that GDAL's spellings lead to ("file|layer=a", "DRIVER:file:part",
-    /// "/vsizip/file/part"). What is no file on this disk is left out.
+    /// Adds the file named by a key or an option, which may use GDAL's syntax ("file|layer=a", "DRIVER:file:part",
+    /// "/vsizip/file/part"). A name that is no file on this disk is ignored.
     void add(const std::string& source);
-    /// Everything in a result's folder but the pictures and animations that were drawn from it, and the files that its
+    /// Adds everything in a result's folder except the pictures and animations drawn from it, and the files that its
     /// scene names.
-    /// @param but files in it that are to be written again
+    /// @param but files in it that are to be rewritten
     void add_result(const std::string& folder, const std::vector<std::string>& but = {});
 
-    /// Adds a problem for every file to be written that is one of them. `where` names the option that says the place.
+    /// Adds a problem for every output that is one of them. `where` names the option that specifies the place.
     void check(const std::vector<std::string>& outputs, const std::string& where, Problems& problems) const;
-    /// Also for every .tif that is there already and was not drawn by frana: a picture never takes a raster's place.
+    /// Also for every existing .tif not drawn by frana: a picture never replaces a raster.
     void check_pictures(const std::vector<std::string>& outputs, const std::string& where, Problems& problems) const;
 
   private:

@@ -11,11 +11,11 @@ namespace frana::app {
 
 namespace {
 
-// As many as an eye tells apart in a legend.
+// The number of colours distinguishable in a legend.
 constexpr int k_classes = 8;
 
-/// The greatest of some factors (rising, the first 1) times a power of ten that is less than a value; with a
-/// grain of tolerance, so that 0.3 is not less than 3 tenths.
+/// Returns the greatest of some factors (rising, the first 1) times a power of ten below a value; with a small
+/// tolerance, so that 0.3 is not below 3 tenths.
 double round_below(double value, std::initializer_list<double> factors) {
     const double limit = value * (1 - 1e-9);
     const double decade = std::pow(10.0, std::floor(std::log10(limit)));
@@ -25,7 +25,7 @@ double round_below(double value, std::initializer_list<double> factors) {
     return best;
 }
 
-/// The least of some round numbers that is not less than a value.
+/// Returns the least round number that is not below a value.
 double round_above(double value) {
     const double decade = std::pow(10.0, std::floor(std::log10(value)));
     for (const double factor : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
@@ -33,7 +33,7 @@ double round_above(double value) {
     return 10 * decade;
 }
 
-/// From a round number above the maximum downwards: 40, 30, 20, 10, then 5, 2, 1, 0.5 ... and at last 0.
+/// From a round number above the maximum downwards: 40, 30, 20, 10, then 5, 2, 1, 0.5 ... and finally 0.
 std::vector<double> progressive_classes(double maximum) {
     const double top = round_above(maximum);
     const double decade = std::pow(10.0, std::floor(std::log10(top * (1 + 1e-9))));

@@ -9,14 +9,13 @@
 
 namespace frana::app {
 
-/// What a run holds of a row of the table; null where it has none, or others make it (classes, the terrain).
+/// Returns a run's raster of a row of the table; null if it has none, or another part makes it (classes, the terrain).
 const Raster* find_raster(const RunResult& result, const ResultRaster& row);
 
-/// Those that every run has of its flow.
+/// Returns those of every run's flow.
 std::vector<ResultRaster> main_rasters();
 
-/// Class bounds of a legend, the same in the GIS style and on the maps. `maximum` may be NaN (nothing flowed).
-/// @param progressive as in ResultRaster
+/// Returns class bounds of a legend, the same in the GIS style and on the maps. `maximum` may be NaN (nothing flowed).
 std::vector<double> class_bounds(bool progressive, double maximum);
 
 }  // namespace frana::app

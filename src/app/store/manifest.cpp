@@ -48,7 +48,7 @@ std::string now_utc() {
     return text;
 }
 
-/// Holds a result's manifest while it is read, changed and written: the folder itself is locked.
+/// Locks a result's manifest while it is read, changed and written: the folder itself is locked.
 class ManifestLock {
   public:
     explicit ManifestLock(const std::string& folder)
@@ -65,7 +65,7 @@ class ManifestLock {
     int descriptor_;
 };
 
-/// The nearest folder above a file that is a result; empty: none.
+/// Returns the nearest folder above a file that is a result; empty: none.
 fs::path result_around(const fs::path& file) {
     for (fs::path folder = file.parent_path();; folder = folder.parent_path()) {
         if (is_listed_result(folder.string())) return folder;
@@ -73,7 +73,7 @@ fs::path result_around(const fs::path& file) {
     }
 }
 
-/// Of these files those that are there and lie in results, by result.
+/// Returns those files that exist and are in results, by result.
 std::map<fs::path, std::vector<fs::path>> by_result(const std::vector<std::string>& paths) {
     std::map<fs::path, fs::path> results;  // by folder
     std::map<fs::path, std::vector<fs::path>> found;

@@ -9,7 +9,7 @@
 
 namespace frana::app {
 
-/// What a file is known again by.
+/// Identifies the content of a file.
 struct FileMark {
     std::uint64_t bytes = 0;
     std::string checksum;  ///< XXH3, 128 bits, as `xxh128sum` prints it
@@ -17,53 +17,50 @@ struct FileMark {
     bool operator==(const FileMark&) const = default;
 };
 
-/// What a result says of itself in manifest.json: which program wrote it, of which scene, and every file that
-/// is the program's. Who has it has a finished result; what is not in it, or not as it says any more, is the
-/// user's.
+/// The content of manifest.json of a result: the program that wrote it, the scene, and every file written by the
+/// program. A folder with a manifest is a result; files not listed, or different from the list, belong to the user.
 struct Manifest {
     std::string scene_hash;  ///< as in the rasters' metadata
     double simulated_seconds = 0;
-    /// All is there, and checkpoints that still are have only to be removed; none: an older frana's, which
-    /// did not say.
+    /// Complete; checkpoints that still exist only have to be removed; none: of an older frana without this field.
     std::optional<bool> finished;
     std::map<std::string, FileMark> files;  ///< by path inside the result, with '/' between folders
 };
 
-/// A name as URLs write it: names are bytes to the system, and JSON knows only Unicode.
+/// Escapes a name as in URLs: file names are bytes, and JSON supports only Unicode.
 std::string escaped_name(const std::string& name);
-/// The name again. Throws std::exception where the text is not of that kind.
+/// Returns the unescaped name. Throws std::exception for an invalid text.
 std::string unescaped_name(const std::string& text);
 
-/// The mark of a file's content. Throws Error(environment) where it cannot be read.
+/// Returns the mark of a file's content. Throws Error(environment) if it cannot be read.
 FileMark mark_of(const std::string& path);
 
-/// The same, after the file's bytes are on the disk: what is listed outlasts a power cut.
+/// The same, after the file's bytes are synced to the disk: listed files survive a power failure.
 FileMark mark_on_disk(const std::string& path);
 
-/// A folder's manifest; none where there is none that this program may read, or not frana's, or of a format
-/// that this frana does not know. Throws Error(environment) where there is one and the disk does not give it.
+/// Returns a folder's manifest; none if there is none, it is not readable, not frana's, or of an unknown format. Throws
+/// Error(environment) for a read error of the disk.
 std::optional<Manifest> read_manifest(const std::string& folder);
 
-/// Writes it in one go, to the disk. Throws Error(environment).
+/// Writes it atomically and syncs it to the disk. Throws Error(environment).
 void write_manifest(const std::string& folder, const Manifest& manifest);
 
-/// Whether a folder is a finished result that tells its files.
+/// Returns whether a folder is a complete result with a list of files.
 bool is_listed_result(const std::string& folder);
-/// Whether a folder is the result of a frana that did not list files yet: its summary.json names the program.
+/// Returns whether a folder is the result of an older frana without lists of files: its summary.json names the program.
 bool is_unlisted_result(const std::string& folder);
 
-/// Adds files that were just written to the manifest of the result that they lie in, with their marks; those
-/// outside results, or in results without a manifest, are left out. Several programs may do so at once.
-/// Throws Error(environment).
+/// Adds files just written to the manifest of the result that contains them, with their marks; those outside results,
+/// or in results without a manifest, are ignored. Several programs may do so at once. Throws Error(environment).
 void record_files(const std::vector<std::string>& paths);
 
-/// Of these files those that lie in a result with a manifest, are there, and are not as it says.
+/// Returns those files that are in a result with a manifest, exist, and differ from it.
 std::vector<std::string> changed_files(const std::vector<std::string>& paths);
 
-/// Takes files out of a result's manifest: they are no more. Throws Error(environment).
+/// Removes files that no longer exist from a result's manifest. Throws Error(environment).
 void remove_from_manifest(const std::string& folder, const std::vector<std::string>& names);
 
-/// Says in a result's manifest that all is there. Throws Error(environment).
+/// Marks a result as complete in its manifest. Throws Error(environment).
 void record_finished(const std::string& folder);
 
 }  // namespace frana::app

@@ -21,14 +21,14 @@ bool lists_files(const fs::path& folder) {
     return is_listed_result(folder.string());
 }
 
-// Of a run, finished or under way; comparisons and studies list their files too, but are of no scene.
+// Of a run, complete or unfinished; comparisons and studies list their files too, but belong to no scene.
 bool is_result(const fs::path& folder) {
     const std::optional<Manifest> manifest = read_manifest(folder.string());
     if (manifest && !manifest->scene_hash.empty()) return true;
     return is_being_built(folder.string()) || (!manifest && is_unlisted_result(folder.string()));
 }
 
-/// The nearest folder, at a path or above it, that is of a kind; the path need not be there yet.
+/// Returns the nearest folder of a kind, at a path or above it; the path need not exist yet.
 template <class Kind>
 std::optional<fs::path> around(const std::string& path, const Kind& kind) {
     std::error_code error;
@@ -55,7 +55,7 @@ void check_another_result(const std::string& folder, const std::string& where, c
 void check_own(const std::string& folder, const std::vector<std::string>& files, const std::string& where,
                const std::vector<std::string>& reads, Problems& problems) {
     check_another_result(folder, where, reads, problems);
-    if (around(folder, lists_files)) return;  // what was changed since is kept when it is written again
+    if (around(folder, lists_files)) return;  // files changed since are kept when they are rewritten
     std::error_code error;
     const std::string list = (fs::path(folder) / k_manifest_file).string();
     const std::string remedy =
@@ -63,7 +63,7 @@ void check_own(const std::string& folder, const std::vector<std::string>& files,
         ", or move the file away; a study by an older frana, without a list of its files, must be moved as a whole";
     if (fs::exists(list, error))
         problems.add({"exists already and is not frana's list of files", where, list, "", remedy});
-    // Results of a frana that did not list files have only its names to go by.
+    // Results of a frana without lists of files are identified only by its names.
     const auto unlisted = around(folder, is_result);
     const fs::path real = fs::weakly_canonical(folder.empty() ? "." : folder, error);
     for (const std::string& file : files) {

@@ -10,9 +10,9 @@ namespace frana::app {
 
 std::string echoed_scene(const Prepared& prepared) {
     SceneSpec spec = prepared.spec;
-    // The echo lies in another folder: what was derived from the scene file's own name must be written out.
+    // The echo is in another folder: values derived from the scene file's own name must be written out.
     spec.output.title = spec.output.title.value_or(scene_name(spec));
-    // The directory holds this result now; a repetition goes to its own unless told otherwise.
+    // The directory contains this result now; a repetition uses its own unless specified.
     spec.output.directory.reset();
     return scene_text(spec, prepared.resolved);
 }

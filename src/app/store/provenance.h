@@ -8,10 +8,10 @@
 
 namespace frana::app {
 
-/// What every raster says about where it comes from: PROGRAM, VERSION, SCENE, SCENE_HASH, TIFFTAG_SOFTWARE.
+/// Returns the provenance in every raster: PROGRAM, VERSION, SCENE, SCENE_HASH, TIFFTAG_SOFTWARE.
 std::map<std::string, std::string> provenance(const Prepared& prepared);
 
-/// The scene as scene.ini of the result holds it.
+/// Returns the scene as in the result's scene.ini.
 std::string echoed_scene(const Prepared& prepared);
 
 }  // namespace frana::app

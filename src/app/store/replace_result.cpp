@@ -22,18 +22,18 @@ namespace fs = std::filesystem;
 
 constexpr const char* k_kept = ".kept-";
 
-/// Under another name, unless that is taken.
+/// Moves to the given name, or to another if it is in use.
 std::error_code move_to_free(const fs::path& from, const fs::path& to) {
     if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return {};
     std::error_code error(errno, std::generic_category());
-    if (error != std::errc::invalid_argument) return error;  // else a file system that does not know the way
+    if (error != std::errc::invalid_argument) return error;  // else a file system without this operation
     std::error_code ignored;
     if (fs::exists(fs::symlink_status(to, ignored))) return std::make_error_code(std::errc::file_exists);
     fs::rename(from, to, error);
     return error;
 }
 
-/// To the first free name with a number.
+/// Moves to the first free name with a number.
 std::error_code move_to_kept(const fs::path& from, const fs::path& stem, const fs::path& extension, fs::path& to) {
     for (int number = 1;; ++number) {
         to = stem;
@@ -56,8 +56,7 @@ bool belongs_to_file(const std::string& name) {
     return false;
 }
 
-/// A name that means one thing in every result: such a file of the older one must not pass for one of the
-/// new.
+/// Names with a fixed meaning in every result: such a file of the older one must not be read as one of the new.
 bool is_a_results_own_name(const std::string& name) {
     const ResultFile* file = existing_file(name);
     return file != nullptr && file->pattern.find('*') == std::string::npos;
@@ -70,7 +69,7 @@ class Replacement {
 
     std::vector<Problem> run() {
         walk("");
-        // Nothing is removed from a folder of which something could not be seen or moved.
+        // Nothing is removed from a folder of which something could not be read or moved.
         if (problems_.empty()) remove_listed();
         report();
         return std::move(problems_);
@@ -119,7 +118,7 @@ class Replacement {
         try {
             return mark_of((older_ / name).string()) == listed->second;
         } catch (const Error&) {
-            return false;  // what cannot be read is not known
+            return false;  // a file that cannot be read is not listed
         }
     }
 
@@ -142,10 +141,11 @@ class Replacement {
     }
 
     void remove_listed() {
-        // List and note go after all that they tell of: who comes after a kill or a problem can still end this.
+        // List and note are removed after all that they describe: after a kill or a problem the next run can complete
+        // this.
         const std::vector<std::string> last{k_manifest_file, k_replaced_file};
         std::erase_if(listed_, [&](const std::string& name) { return name == last.front() || name == last.back(); });
-        std::sort(folders_.rbegin(), folders_.rend());  // those inside come first
+        std::sort(folders_.rbegin(), folders_.rend());  // subfolders first
         std::error_code error;
         for (const std::vector<std::string>& names : {listed_, folders_, last, {""}})
             for (const std::string& name : names) {
@@ -157,7 +157,7 @@ class Replacement {
                   older_.string() + " until the next run");
         try {
             if (fs::is_empty(older_)) note_replaced(older_.string(), older_.filename().string());
-        } catch (const std::exception&) {  // then it stays as an empty folder
+        } catch (const std::exception&) {  // then it remains as an empty folder
         }
     }
 
@@ -194,7 +194,7 @@ std::vector<Problem> replace_result(const std::string& older, const std::string&
     }
     std::error_code ignored;
     fs::remove(fs::path(older) / k_replaced_file, ignored);
-    if (fs::remove(older, ignored)) return {};  // it was empty: a run was killed while it ended this
+    if (fs::remove(older, ignored)) return {};  // it was empty: a run was killed before it completed this
     fs::path kept;
     if (const std::error_code error = move_to_kept(older, result, "", kept))
         return {{"the older result could not be renamed: " + error.message(), older, "", "",

@@ -12,7 +12,7 @@ namespace frana::app {
 
 bool ReservedSpace::grow(std::uint64_t bytes) {
     if (bytes <= bytes_) return true;
-    // Else the results would want the room that only waits, and a run would end that had enough for them.
+    // Otherwise the results would lack the reserved space, and a run with enough for them would end.
     std::error_code error;
     const std::uint64_t free = std::filesystem::space(std::filesystem::path(path_).parent_path(), error).available;
     if (!error && free < 2 * bytes - bytes_) {
@@ -22,7 +22,7 @@ bool ReservedSpace::grow(std::uint64_t bytes) {
     const int file = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0) return false;
     const int refusal = ::posix_fallocate(file, 0, static_cast<off_t>(bytes));
-    // Some file systems leave what they could take.
+    // Some file systems keep the part that was allocated.
     const bool as_before = refusal != 0 && ::ftruncate(file, static_cast<off_t>(bytes_)) == 0;
     ::close(file);
     if (refusal == 0) {

@@ -6,8 +6,8 @@
 
 namespace frana::app {
 
-/// Room on a disk, taken while there is some, for a file that must be written when there is none: a file of that size
-/// whose blocks are there, which is written over under another name. Goes when this goes.
+/// Space on a disk, reserved while available, for a file that must be written when there is none: a file of that size
+/// with allocated blocks, which is overwritten under another name. Released by the destructor.
 class ReservedSpace {
   public:
     explicit ReservedSpace(std::string path) : path_(std::move(path)) {}
@@ -16,10 +16,10 @@ class ReservedSpace {
     ReservedSpace& operator=(const ReservedSpace&) = delete;
 
     [[nodiscard]] std::uint64_t bytes() const noexcept { return bytes_; }
-    /// Makes it at least so large; where there is no room, or not as much again for the results, it stays as it is, and
-    /// this is false, with errno.
+    /// Enlarges it to at least this size; if there is no space, or not as much again for the results, it is unchanged
+    /// and false is returned, with errno.
     bool grow(std::uint64_t bytes);
-    /// Makes it the file `path`, which is as large as it was and is to be written over; false: there is none.
+    /// Renames it to `path`, with its size, to be overwritten; false: there is none.
     bool become(const std::string& path);
     void release();
 

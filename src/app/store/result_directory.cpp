@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
                 Problem{what + ": " + reason, path, "", "", "Check the place's rights and free space"});
 }
 
-/// Lists every file below a folder in which a result was built that is frana's, and brings each to the disk.
+/// Lists every file of frana below a folder in which a result was built, and syncs each to the disk.
 void list_files(const fs::path& result, const fs::path& folder, Manifest& manifest) {
     for (const fs::directory_entry& entry : folder_entries(folder)) {
         const fs::file_status status = entry.symlink_status();
@@ -63,7 +63,7 @@ ResultDirectory::ResultDirectory(const std::string& directory, bool overwrite, c
     if (made_) {
         make_sibling();
     } else {
-        // Another run's look at it takes a moment.
+        // Another run's check of the lock takes a moment.
         for (int tries = 0; lock_ < 0 && tries < 10; ++tries) {
             if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
             lock_ = lock_folder(aside_, false);
@@ -80,13 +80,13 @@ void ResultDirectory::make_sibling() {
     std::string name = directory_ + k_building + "XXXXXX";
     if (::mkdtemp(name.data()) == nullptr) fail("no folder can be created beside it", directory_, std::strerror(errno));
     aside_ = name;
-    // mkdtemp keeps others out; a result is as readable as the one before it, or as any folder of the user's.
+    // mkdtemp restricts access; a result gets the permissions of the one before it, or of any folder of the user.
     const mode_t mask = ::umask(0);
     ::umask(mask);
     struct stat older {};
     const bool is_there = ::stat(directory_.c_str(), &older) == 0;
     fs::permissions(aside_, static_cast<fs::perms>(is_there ? older.st_mode & 07777 : 0777 & ~mask), error);
-    lock_ = lock_folder(aside_, true);  // another run's look at it takes a moment
+    lock_ = lock_folder(aside_, true);  // another run's check of the lock takes a moment
     try {
         note_building(aside_, directory_);
     } catch (const Error&) {
@@ -96,7 +96,7 @@ void ResultDirectory::make_sibling() {
     }
 }
 
-// From the constructor: the destructor does not come.
+// Called by the constructor: the destructor does not run.
 void ResultDirectory::refuse() {
     if (made_) remove_unfinished(aside_);
     if (lock_ >= 0) ::close(lock_);
@@ -108,7 +108,7 @@ ResultDirectory::~ResultDirectory() {
     try {
         if (!published_ && checkpoints_in(aside_).empty()) remove_unfinished(aside_);
     } catch (const Error&) {
-        published_ = true;  // what cannot be looked at stays for the next run
+        published_ = true;  // what cannot be read remains for the next run
     }
     if (lock_ >= 0) ::close(lock_);
 }
@@ -126,23 +126,23 @@ void ResultDirectory::make_folder(const std::string& name) const {
 std::vector<Problem> ResultDirectory::publish(const ResultFacts& facts, RunLog& log) {
     write_manifest(aside_, manifest_of(aside_, facts));
     const bool replaces = has_files(directory_);
-    if (replaces && !overwrite_)  // somebody else was faster; what was computed is not thrown away
+    if (replaces && !overwrite_)  // another program was faster; the computed result is not discarded
         keep_unpublished("another result has appeared there meanwhile", "");
     if (replaces) {
         try {
             note_replaced(directory_, fs::path(aside_).filename().string());
-        } catch (const Error&) {  // only a kill in the next moments would miss it
+        } catch (const Error&) {  // only a kill in the next moments would lose it
         }
     }
-    // The two change places in one go: at no moment is there none.
+    // The two are exchanged atomically: at no moment is there none.
     const bool exchanged =
         replaces && ::renameat2(AT_FDCWD, aside_.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0;
-    if (!exchanged) replace_in_steps(replaces);  // a file system that cannot, or nothing there
+    if (!exchanged) replace_in_steps(replaces);  // not supported by the file system, or there is no older result
     published_ = true;
     std::error_code ignored;
     fs::remove(fs::path(directory_) / k_building_file, ignored);
     sync_path(fs::path(directory_).parent_path().string());
-    ::close(std::exchange(lock_, -1));  // who writes to the manifest from now on takes it
+    ::close(std::exchange(lock_, -1));  // later changes of the manifest need the lock
     return tidy_up(replaces, log);
 }
 
@@ -187,7 +187,7 @@ std::string ResultDirectory::final_path(const std::string& name) const {
 
 namespace {
 
-// What killed programs had in the making in a finished result.
+// Removes unfinished files of killed programs in a complete result.
 void remove_leftovers(const fs::path& result, const fs::path& folder) {
     for (const fs::directory_entry& entry : folder_entries(folder)) {
         std::error_code ignored;
@@ -206,7 +206,7 @@ std::vector<Problem> clear_place_of(const std::string& result, const std::string
     if (!replaced.empty() && std::find(older.begin(), older.end(), replaced) == older.end()) older.push_back(replaced);
     for (const std::string& folder : older) {
         const int mine = lock_folder(folder, false);
-        if (mine < 0 && errno == EWOULDBLOCK) continue;  // another run is at it
+        if (mine < 0 && errno == EWOULDBLOCK) continue;  // another run is processing it
         const std::vector<Problem> more = replace_result(folder, result, log);
         problems.insert(problems.end(), more.begin(), more.end());
         if (mine >= 0) ::close(mine);
@@ -237,7 +237,7 @@ void remove_working_files(const std::string& result, bool frames, RunLog& log) {
                 gone.push_back(name);
             }
         }
-        fs::remove(fs::path(result) / folder, ignored);  // unless the user has files there
+        fs::remove(fs::path(result) / folder, ignored);  // unless the user has files in it
     }
     remove_from_manifest(result, gone);
     remove_leftovers(result, result);

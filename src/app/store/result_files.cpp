@@ -25,7 +25,7 @@ class Table {
         for (const char* ending : k_style_endings) add(FileKind::style, {file.substr(0, file.rfind('.')) + ending});
         return *this;
     }
-    /// Those that the command writes.
+    /// Those written by the command.
     Table& add_rasters() {
         for (const ResultRaster& row : result_rasters()) {
             if (row.command != command_) continue;

@@ -8,34 +8,33 @@ namespace frana::app {
 
 enum class FileKind { text, table, vector, raster, style, picture, page, animation, stack, working };
 
-/// A file that frana writes into a result directory. The one list: what a result's manifest may name, what may be
-/// replaced, what a folder in the making may hold and what the documents and tests know of.
+/// A file that frana writes to a result directory. The one list: what a result's manifest may name, what may be
+/// replaced, what an unfinished folder may contain and what the documents and tests refer to.
 struct ResultFile {
-    /// Of the path inside the result: "*" stands for any text within a name, "/**" at the end for all that is
-    /// below.
+    /// Of the path inside the result: "*" matches any text within a name, "/**" at the end everything below.
     std::string pattern;
     FileKind kind;
-    std::string written_by;  ///< the first command that does: "run", "render"
+    std::string written_by;  ///< the first command that writes it: "run", "render"
 
-    /// Drawn from the result's other files, and can be drawn again.
+    /// Drawn from the result's other files; can be redrawn.
     [[nodiscard]] bool is_drawn() const noexcept { return kind == FileKind::picture || kind == FileKind::animation; }
 };
 
-/// All of them; rasters are those of the table of rasters (params/keys/result_rasters.h), each drawn one with its
-/// styles.
+/// Returns all of them; rasters are those of the table of rasters (params/keys/result_rasters.h), each drawn one with
+/// its styles.
 const std::vector<ResultFile>& result_files();
 
-/// The row of a path inside a result, also while that file is being written ("max_depth.partial123.tif");
-/// null for what frana does not write.
+/// Returns the row of a path inside a result, also while that file is being written ("max_depth.partial123.tif"); null
+/// for files that frana does not write.
 const ResultFile* existing_file(const std::string& path);
 
-/// Whether a path inside a result is that of such a file in the making by a process that was killed.
+/// Returns whether a path inside a result is that of a file left unfinished by a killed process.
 bool is_leftover(const std::string& path);
 
 /// The endings of the styles beside a raster or vector file.
 inline constexpr const char* k_style_endings[] = {".qml", ".sld"};
 
-// Names of files, said here only.
+// Names of files, defined only here.
 inline constexpr const char* k_manifest_file = "manifest.json";
 inline constexpr const char* k_scene_file = "scene.ini";
 inline constexpr const char* k_summary_file = "summary.json";
@@ -55,9 +54,9 @@ inline constexpr const char* k_animation_file = "animation.mp4";
 inline constexpr const char* k_netcdf_file = "frames.nc";
 inline constexpr const char* k_zarr_folder = "frames.zarr";
 inline constexpr const char* k_frame_list = "frames/frames.csv";
-/// In the folder in which a result is being built, from its first moment.
+/// In the folder in which a result is being built, from the beginning.
 inline constexpr const char* k_building_file = "being_built.json";
-/// In the folder in which a result is being built: pictures of report.html alone.
+/// In the folder in which a result is being built: pictures for report.html alone.
 inline constexpr const char* k_page_folder = "report_pictures";
 /// In an older result that is being replaced, until its user's files are in the new one.
 inline constexpr const char* k_replaced_file = "being_replaced.json";

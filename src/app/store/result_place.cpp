@@ -24,8 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* k_choose = "Choose another result directory with --out";
 
-/// The folders above it as they really are, its own name as it was given. Trailing slashes would hide that
-/// name.
+/// Resolves the folders above it; its own name is kept as given. Trailing slashes would hide that name.
 fs::path clean(const fs::path& directory) {
     fs::path path = fs::absolute(directory);
     while (!path.has_filename() && path.has_relative_path()) path = path.parent_path();
@@ -37,7 +36,7 @@ fs::path clean(const fs::path& directory) {
     return is_named ? real / name : real;
 }
 
-/// The nearest folder above that is there already.
+/// Returns the nearest existing folder above a path.
 fs::path existing_parent(fs::path path) {
     std::error_code ignored;
     do path = path.parent_path();
@@ -50,7 +49,7 @@ bool is_inside(const fs::path& path, const fs::path& directory) {
     return !relative.empty() && *relative.begin() != "..";
 }
 
-/// What is mounted somewhere cannot be renamed, nor anything to its name.
+/// A mount point cannot be renamed, nor anything to its name.
 bool is_mount_point(const fs::path& path) {
     struct statx facts {};
     if (::statx(AT_FDCWD, path.c_str(), 0, STATX_BASIC_STATS, &facts) == 0 &&
@@ -62,7 +61,7 @@ bool is_mount_point(const fs::path& path) {
            own.st_dev != above.st_dev;
 }
 
-/// In such a folder (/tmp) a name belongs to its owner alone.
+/// In such a folder (/tmp) only a name's owner may rename it.
 bool is_kept_by_its_owner(const fs::path& path) {
     struct stat own {
     }, above{};
@@ -77,7 +76,7 @@ long longest_name(const fs::path& path) {
     return (most > 0 ? most : 255) - static_cast<long>(std::string(k_building).size() + 6 + std::string(".old").size());
 }
 
-/// What the rights or the disk do not allow; none where the folder can be made, or replaced.
+/// Returns what permissions or the disk do not allow; none if the folder can be made, or replaced.
 std::optional<std::string> refusal(const fs::path& path) {
     const fs::path parent = existing_parent(path);
     if (::faccessat(AT_FDCWD, parent.c_str(), W_OK | X_OK, AT_EACCESS) != 0) return std::strerror(errno);
@@ -89,7 +88,7 @@ std::optional<std::string> refusal(const fs::path& path) {
     return std::nullopt;
 }
 
-/// What is wrong with a symbolic link; none where there is no link, or it can be followed.
+/// Returns the problem of a symbolic link; none if there is no link, or it can be followed.
 std::optional<Problem> broken_link(const std::string& directory, const fs::path& path, const std::string& where) {
     std::error_code error;
     if (fs::is_symlink(path, error)) return Problem{"is a symbolic link to itself", where, path.string(), "", k_choose};
@@ -100,11 +99,11 @@ std::optional<Problem> broken_link(const std::string& directory, const fs::path&
         "Connect the disk or create the folder that it points to, or choose another result directory with --out"};
 }
 
-/// What of the older result goes, or moves, must not be read while it does.
+/// Files of the older result that are removed or moved must not be inputs.
 bool would_be_replaced(const fs::path& input, const fs::path& result, const std::optional<Manifest>& manifest) {
     if (!is_inside(input, result)) return false;
     const std::string name = input.lexically_relative(result).generic_string();
-    if (name == k_scene_file) return false;  // read before anything is written, and written again
+    if (name == k_scene_file) return false;  // read before anything is written, and rewritten
     return !manifest || manifest->files.count(name) > 0 || existing_file(name) != nullptr;
 }
 
@@ -134,7 +133,7 @@ void check_older(const fs::path& path, bool overwrite, const std::vector<std::st
 }  // namespace
 
 std::string result_path(const std::string& directory) {
-    constexpr int k_most_links = 40;  // as the system has it
+    constexpr int k_most_links = 40;  // the system's limit
     fs::path path = clean(directory);
     for (int links = 0; links < k_most_links; ++links) {
         std::error_code error;

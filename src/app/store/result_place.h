@@ -9,19 +9,19 @@
 
 namespace frana::app {
 
-/// Where a result directory really lies: absolute, without trailing slashes, and where the name is a symbolic
-/// link what it points to, for the result is built beside that and the link stays one.
+/// Returns the real place of a result directory: absolute, without trailing slashes, and the target of a symbolic link,
+/// for the result is built beside that and the link remains.
 std::string result_path(const std::string& directory);
 
-/// Looks, before anything is computed, whether a result can be written to a directory. Adds to `problems`: an
-/// existing result without leave to overwrite it, a folder that is no result (never overwritten), inputs
-/// inside the folder that would be replaced, a place that is a mount point or has too long a name. Returns
-/// what the environment does not allow: a place that is another owner's, or cannot be written.
+/// Checks, before anything is computed, whether a result can be written to a directory. Adds to `problems`: an existing
+/// result without permission to overwrite it, a folder that is no result (never overwritten), inputs inside the folder
+/// that would be replaced, a place that is a mount point or has too long a name. Returns the problem of the
+/// environment: a place that has another owner, or cannot be written.
 [[nodiscard]] std::optional<Problem> check_result_directory(const std::string& directory, bool overwrite,
                                                             const std::vector<std::string>& inputs,
                                                             const std::string& where, Problems& problems);
 
-/// Whether there is anything in a folder; one that cannot be read has something.
+/// Returns whether a folder has any entry; one that cannot be read counts as not empty.
 bool has_files(const std::string& folder);
 
 }  // namespace frana::app

@@ -13,7 +13,7 @@
 namespace frana::app {
 namespace {
 
-constexpr std::size_t k_shown = 80;  // characters of a broken line
+constexpr std::size_t k_shown = 80;  // characters shown of an invalid line
 
 class Row {
   public:
@@ -52,7 +52,7 @@ SeriesEnds read_series_ends(const std::string& path) {
     std::getline(file, header);
     bool whole = true;
     while (std::getline(file, line)) {
-        whole = !file.eof();  // a last line without its end was cut off
+        whole = !file.eof();  // a last line without its end is incomplete
         if (first.empty()) first = line;
         last = line;
     }

@@ -12,7 +12,7 @@ std::string with_hash(const std::string& stem, const std::string& name) {
     return stem + "_" + text_hash(name).substr(0, 8);
 }
 
-// By hand: the locale has no say in names of files.
+// Not by the locale, which must not affect names of files.
 bool is_plain(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
 }
@@ -35,12 +35,12 @@ std::string shortened_name(const std::string& name, std::size_t most) {
     constexpr std::size_t k_hash = 9;  // with the line before it
     if (name.size() <= most) return name;
     std::size_t cut = most - k_hash;
-    while (cut > 0 && (static_cast<unsigned char>(name[cut]) & 0xC0) == 0x80) --cut;  // no half letters
+    while (cut > 0 && (static_cast<unsigned char>(name[cut]) & 0xC0) == 0x80) --cut;  // do not cut within a character
     return with_hash(name.substr(0, cut), name);
 }
 
 std::vector<std::string> file_stems(const std::vector<std::string>& names) {
-    std::map<std::string, int> all, unchanged;  // how many share a stem, and how many of them are it
+    std::map<std::string, int> all, unchanged;  // names per stem, and how many of them equal it
     for (const std::string& name : names) {
         const std::string stem = plain(name), key = small_letters(stem);
         ++all[key];

@@ -10,7 +10,7 @@ std::string number_text(double value, int digits) {
     if (value == 0) return "0";
     char text[64];
     const double size = std::abs(value);
-    // From what rounds to as many digits before the point.
+    // From the value that rounds to as many digits before the point.
     if (size >= std::pow(10.0, digits) - 0.5 && size < 1e15)
         std::snprintf(text, sizeof text, "%.0f", value);
     else

@@ -8,14 +8,14 @@
 
 namespace frana::app {
 
-/// For people: `digits` significant digits, no exponent between 1e-4 and 1e15.
+/// Formats for messages: `digits` significant digits, no exponent between 1e-4 and 1e15.
 std::string number_text(double value, int digits = 4);
-/// In groups of three, "1 200 000"; under 10 with two significant digits, "0.015".
+/// Formats in groups of three, "1 200 000"; below 10 with two significant digits, "0.015".
 std::string grouped(double value);
 std::string grouped(std::int64_t value);
-/// "12.3 MB".
+/// Returns "12.3 MB".
 std::string bytes_text(double bytes);
-/// "west 527000 south 5093000 east 528500 north 5094350", to the centimetre (1e-7 for degrees).
+/// Returns "west 527000 south 5093000 east 528500 north 5094350", to the centimetre (1e-7 for degrees).
 std::string extent_text(const Bounds& bounds, bool degrees = false);
 
 }  // namespace frana::app

@@ -8,21 +8,21 @@
 
 namespace frana::app {
 
-/// What was done, in order, for log.txt; warnings also go to the terminal unless it is to stay quiet.
+/// The actions of a run, in order, for log.txt; warnings also go to the terminal unless it is quiet.
 class RunLog {
   public:
     explicit RunLog(bool quiet) : quiet_(quiet) {}
 
     void note(const std::string& text);
-    /// Something the user must know before trusting the result.
+    /// Logs something the user must know before trusting the result.
     void warn(const std::string& text);
-    /// A line for the terminal as well as the log.
+    /// Writes a line to the terminal and the log.
     void info(const std::string& text);
 
-    /// The warnings that were held back to be quiet: an exit code other than 0 has its reason on the terminal.
+    /// Prints the warnings that were withheld by --quiet: an exit code other than 0 must be explained on the terminal.
     void print_deferred_warnings() const;
 
-    /// Lines of the session that this one continues, to stand before its own.
+    /// Adds the lines of earlier sessions before those of this one.
     void continue_from(const std::vector<std::string>& earlier);
 
     [[nodiscard]] const std::vector<std::string>& lines() const noexcept { return lines_; }

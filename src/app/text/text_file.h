@@ -5,7 +5,7 @@
 
 namespace frana::app {
 
-/// Writes a text aside and renames it, so that the file is whole or untouched. Throws Error(environment).
+/// Writes a text aside and renames it, so that the file is complete or unchanged. Throws Error(environment).
 void write_text_file(const std::string& path, const std::string& text);
 
 }  // namespace frana::app

@@ -5,7 +5,7 @@
 
 namespace frana::app {
 
-/// A name for a text that changes with every byte of it: its UUID of version 5 (SHA-1; RFC 4122) in the URL
+/// Returns a name for a text that changes with every byte of it: its UUID of version 5 (SHA-1; RFC 4122) in the URL
 /// namespace.
 std::string text_hash(const std::string& text);
 

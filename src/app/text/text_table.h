@@ -6,7 +6,7 @@
 
 namespace frana::app {
 
-/// A table for a terminal: cells wrap at spaces, a newline in a cell starts a line of it.
+/// A table for a terminal: cells wrap at spaces, a newline in a cell starts another line of it.
 class TextTable {
   public:
     struct Column {

@@ -29,7 +29,7 @@ void append(std::vector<AccuracyCase>& cases, std::vector<AccuracyCase> more) {
 }
 
 double order_between(const CaseStatistics& coarse, const CaseStatistics& fine) {
-    // Under this an error is the rounding of sums over a grid, which no refinement makes smaller.
+    // Below this an error is the rounding of sums over a grid, which no refinement reduces.
     constexpr double k_rounding = 1e-11;
     if (!(coarse.l1_depth > k_rounding && fine.l1_depth > k_rounding)) return k_no_data;
     return std::log(coarse.l1_depth / fine.l1_depth) / std::log(coarse.cell_size / fine.cell_size);

@@ -17,8 +17,8 @@ struct AccuracyRow {
     std::string case_name;
     Scheme scheme = Scheme::standard;
     CaseStatistics statistics;
-    /// log(error ratio) / log(cell ratio) of l1_depth against the next coarser row; NaN for the coarsest row
-    /// and where the error is rounding.
+    /// log(error ratio) / log(cell ratio) of l1_depth against the next coarser row; NaN for the coarsest row and for
+    /// rounding errors.
     double observed_order = k_no_data;
 };
 
@@ -29,7 +29,7 @@ struct AccuracyOptions {
     std::function<void(const std::string&)> report;  ///< called with one line for each finished row
 };
 
-/// Every case, in the order of the table.
+/// Returns every case, in the order of the table.
 std::vector<AccuracyCase> accuracy_cases(const std::optional<Raster>& sample_terrain);
 
 /// Runs the cases on one thread, each scheme at each resolution. Throws Error(input) for an unknown name.

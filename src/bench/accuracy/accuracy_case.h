@@ -13,16 +13,16 @@
 
 namespace frana::bench {
 
-/// A value of a case beside its errors; met when its size is at most the mark.
+/// A value of a case besides its errors; passed if its absolute value is at most the mark.
 struct CaseStatistic {
     std::string name;
     double value = 0;
     std::optional<double> mark;
 
-    [[nodiscard]] bool met() const { return !mark || std::abs(value) <= *mark; }  // NaN is not met
+    [[nodiscard]] bool met() const { return !mark || std::abs(value) <= *mark; }  // NaN does not pass
 };
 
-/// What one run of a case gives: cost and errors against its exact solution.
+/// The result of one run of a case: cost and errors against its exact solution.
 struct CaseStatistics {
     double cell_size = 0;        ///< [m]
     std::int64_t particles = 0;  ///< greatest number at any time
@@ -35,7 +35,7 @@ struct CaseStatistics {
     double l2_momentum = 0;       ///< the same with squares
     double mean_depth_error = 0;  ///< mean |h - h_exact| over the cells compared [m]
     std::vector<CaseStatistic> own;
-    std::string error;  ///< why the run did not reach its end; empty when it did
+    std::string error;  ///< why the run ended early; empty: it did not
 };
 
 /// One row of the accuracy bench's table of cases.
@@ -43,17 +43,17 @@ struct AccuracyCase {
     std::string name;
     std::string what;                ///< one line for the printed table
     std::vector<double> cell_sizes;  ///< from coarse to fine [m]
-    bool rounding = false;           ///< the exact error is rounding: no order is to be expected
+    bool rounding = false;           ///< the error is rounding: no order is expected
     std::function<CaseStatistics(double cell_size, Scheme scheme)> run;
     bool one_scheme = false;  ///< of the structured model, which has no schemes: runs once, as `default`
 };
 
-/// Compares depth and momentum at the nodes with an exact solution at their places (local metres), where `inside` says
-/// so. What the run cost stays zero.
+/// Compares depth and momentum at the nodes with an exact solution at their positions (local metres), where `inside` is
+/// true. The cost of the run is left zero.
 CaseStatistics compare_fields(const Flow::NodalFields& fields, const std::function<ExactState(Point)>& exact,
                               const std::function<bool(Point)>& inside = {});
 
-/// The same for a flow, with what its run cost.
+/// The same for a flow, with the cost of its run.
 CaseStatistics compare_with_exact(TimedFlow& run, const std::function<ExactState(Point)>& exact,
                                   const std::function<bool(Point)>& inside = {});
 

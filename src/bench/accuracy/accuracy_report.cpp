@@ -23,7 +23,7 @@ std::string order_text(double order) {
     return std::isnan(order) ? "-" : text("%.2f", order);
 }
 
-// The names of the cases in the order in which they ran.
+// Returns the names of the cases in the order of the runs.
 std::vector<std::string> case_names(const std::vector<AccuracyRow>& rows) {
     std::vector<std::string> names;
     for (const AccuracyRow& row : rows)
@@ -37,7 +37,7 @@ const CaseStatistic* find_statistic(const CaseStatistics& statistics, std::strin
     return nullptr;
 }
 
-// The default scheme's row with a peer's cells or, where there is none, the next coarser ones.
+// Returns the default scheme's row with a peer's cell size or, if there is none, the next coarser one.
 const AccuracyRow* row_beside(const PeerResult& peer, const std::vector<AccuracyRow>& rows) {
     const AccuracyRow* best = nullptr;
     for (const AccuracyRow& row : rows) {
@@ -102,7 +102,7 @@ void add_case(const std::string& name, const std::vector<AccuracyRow>& rows, std
     out += "\n";
 }
 
-// What the rotated dam costs over the one along the grid, at the same cells (mark 1.2).
+// Returns the cost of the rotated dam relative to the one along the grid, at the same cell size (mark 1.2).
 std::string rotation_text(const std::vector<AccuracyRow>& rows) {
     std::string out;
     for (const AccuracyRow& turned : rows) {
@@ -130,7 +130,7 @@ Curve curve_of(const std::vector<AccuracyRow>& rows, const std::string& name, Sc
     return curve;
 }
 
-// The least error a curve reaches within a time: more time never hurts, so the best point so far counts.
+// Returns the least error of a curve within a time: the best point so far counts.
 double best_within(const Curve& curve, double seconds) {
     double best = k_no_data;
     for (const auto& [time, error] : curve)
@@ -139,7 +139,7 @@ double best_within(const Curve& curve, double seconds) {
     return between < best || std::isnan(best) ? between : best;
 }
 
-// frana's default and GeoClaw on the same footing: mean depth error, each in its own time on its own machine.
+// Compares frana's default and GeoClaw: mean depth error, each in its own time on its own machine.
 std::string peer_verdict(const std::vector<AccuracyRow>& rows) {
     std::string out;
     for (const char* name : {"stoker", "ritter"}) {
@@ -208,7 +208,7 @@ std::string accuracy_verdict(const std::vector<AccuracyRow>& rows) {
             (a.empty() ? paper : standard) += 1;
             continue;
         }
-        // The longest time that both have spent: neither is judged by what it was not given.
+        // The longest time that both have used.
         const double seconds = std::max({std::min(a.back().first, b.back().first), a.front().first, b.front().first});
         const double of_standard = best_within(a, seconds), of_paper = best_within(b, seconds);
         constexpr double k_rounding = 1e-12;

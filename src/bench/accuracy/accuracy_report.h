@@ -8,18 +8,18 @@
 
 namespace frana::bench {
 
-/// accuracy.csv: one line a row; "nan" where there is no observed order.
+/// Returns accuracy.csv: one line per row; "nan" if there is no observed order.
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows);
 
-/// The table for people: errors, orders, each case's own values with their marks, and other programs'
-/// values beside them; says where a mark is missed or another program has less error.
+/// Returns the table for the terminal: errors, orders, each case's own values with their marks, and other programs'
+/// values beside them; marks values that do not pass and errors larger than those of another program.
 std::string accuracy_table(const std::vector<AccuracyRow>& rows);
 
-/// Which scheme has the least error for a given time, case by case, in words.
+/// Returns as text which scheme has the least error for a given time, case by case.
 std::string accuracy_verdict(const std::vector<AccuracyRow>& rows);
 
-/// Error reached in a given time, between measured (time, error) pairs on straight lines in logarithms; NaN
-/// outside them.
+/// Returns the error reached in a given time, interpolated linearly in logarithms between measured (time, error) pairs;
+/// NaN outside them.
 double error_in_time(const std::vector<std::pair<double, double>>& time_and_error, double seconds);
 
 }  // namespace frana::bench

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double k_length = 1000, k_width = 50, k_dam = 500, k_left = 10, k_time = 20;
 
-constexpr double k_shown_depth = 0.01;  // from which a place counts as reached, here and in frana's maps [m]
+constexpr double k_shown_depth = 0.01;  // depth from which a place counts as reached, here and in frana's maps [m]
 
-// How far beyond the dam the row of nodes is deeper than that [m].
+// Returns how far beyond the dam the row of nodes is deeper than that [m].
 double reach(const Raster& depth) {
     double front = 0;
     for (std::int64_t column = 0; column < depth.grid.columns; ++column)

@@ -10,8 +10,8 @@ namespace frana::bench {
 ///   stoker       10 m over 2 m: rarefaction and shock
 ///   stoker-weak  10 m over 5 m
 ///   ritter       10 m over dry ground
-/// Own values: mean depth error in metres, as other codes publish it; for ritter how far the place where the
-/// depth passes 0.01 m is from where it must be, in cells (mark 2), and the foremost particle.
+/// Own values: mean depth error in metres, as other codes publish it; for ritter the error of the position of the 0.01
+/// m depth, in cells (mark 2), and that of the foremost particle.
 std::vector<AccuracyCase> channel_dam_breaks();
 
 }  // namespace frana::bench

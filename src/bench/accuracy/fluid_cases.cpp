@@ -30,7 +30,7 @@ CaseStatistics run_channel(double cell_size, double right) {
     return statistics;
 }
 
-// A lake round an island on a bed with a step, 10 s.
+// A lake around an island on a bed with a step, 10 s.
 CaseStatistics run_lake(double cell_size) {
     constexpr double k_side = 10, k_level = 10;
     const auto cells = static_cast<std::int64_t>(std::llround(k_side / cell_size));
@@ -54,12 +54,12 @@ CaseStatistics run_lake(double cell_size) {
     return statistics;
 }
 
-// A simple wave that runs to the right and steepens (Riemann): u = 2 (c - c0), and each c travels with u + c.
-// Smooth until it breaks, after 18 s.
+// A simple wave that travels to the right and steepens (Riemann): u = 2 (c - c0), and each c travels with u + c. Smooth
+// until it breaks, after 18 s.
 class SimpleWave {
   public:
     [[nodiscard]] ExactState at(double x, double t) const {
-        // Where the characteristic through (x, t) started: x0 + (3 c(x0) - 2 c0) t = x, rising in x0.
+        // Start of the characteristic through (x, t): x0 + (3 c(x0) - 2 c0) t = x, rising in x0.
         double low = x - 10 * t - 1, high = x;
         for (int i = 0; i < 100; ++i) {
             const double middle = 0.5 * (low + high);
@@ -89,7 +89,7 @@ CaseStatistics run_wave(double cell_size) {
     return statistics;
 }
 
-// The planar swing of the first model's thacker, three periods.
+// The planar oscillation of the first model's thacker, three periods.
 CaseStatistics run_thacker(double cell_size) {
     constexpr double k_deep = 10, k_radius = 100, k_swing = 20, k_side = 400;
     const double w = std::sqrt(2 * k_gravity * k_deep) / k_radius;
@@ -100,7 +100,7 @@ CaseStatistics run_thacker(double cell_size) {
     };
     const Raster bed = sample_raster(plain_grid(cells, cells, cell_size),
                                      [&](Point p) { return k_deep * (radius2(p, 0.5 * k_side) - 1); });
-    // The water after whole periods is that of the start.
+    // After whole periods the water is in its initial state.
     const auto exact = [&](Point p) {
         const double depth = std::max(0.0, k_deep * (1 - radius2(p, 0.5 * k_side + k_swing)));
         return ExactState{depth, 0, depth * k_swing * w};

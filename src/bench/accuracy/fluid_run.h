@@ -8,7 +8,7 @@
 
 namespace frana::bench {
 
-/// A free fluid on its grid with a watch, one thread: no friction, gentle slopes, walls all round.
+/// A free fluid on its grid with a timer, one thread: no friction, gentle slopes, walls on all sides.
 class FluidRun {
   public:
     /// @param at depth and momentum at the start, local metres
@@ -16,7 +16,7 @@ class FluidRun {
 
     void advance(double time);
     [[nodiscard]] Flow::NodalFields fields() const;
-    /// Errors against an exact solution, with what the run cost; `particles` counts the grid's cells.
+    /// Returns the errors against an exact solution, with the cost of the run; `particles` counts the grid's cells.
     [[nodiscard]] CaseStatistics compare(const std::function<ExactState(Point)>& exact,
                                          const std::function<bool(Point)>& inside = {}) const;
 

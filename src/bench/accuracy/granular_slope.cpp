@@ -5,7 +5,7 @@ namespace frana::bench {
 namespace {
 
 constexpr double k_slope_deg = 22, k_friction_deg = 21, k_time = 5, k_width = 40;
-constexpr double k_upper_end = -300, k_lower_end = 300;  // along the slope; nothing comes back from there
+constexpr double k_upper_end = -300, k_lower_end = 300;  // along the slope; no signal returns from there
 
 struct Incline {
     double cosine = std::cos(k_slope_deg * k_degree), sine = std::sin(k_slope_deg * k_degree);

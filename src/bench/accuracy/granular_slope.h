@@ -12,7 +12,7 @@ namespace frana::bench {
 ///     undisturbed for x <= m t^2 / 2 - c t:           h = h0,   u = m t
 ///     up to x = m t^2 / 2 + 2 c t:                    h = (2 c - x / t + m t / 2)^2 / (9 g cos theta),
 ///                                                     u = 2/3 (x / t + c + m t)
-/// Errors are taken over -200 m <= x <= 220 m.
+/// Errors are computed over -200 m <= x <= 220 m.
 ///   granular-slope      gravity tilted over a flat bed
 ///   granular-slope-map  a sloping bed in map view, with the slope correction (default scheme)
 /// Own values: relative L2 errors of depth and momentum; the undisturbed block's speed over m t = 0.9169 m/s

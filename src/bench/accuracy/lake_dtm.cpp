@@ -18,7 +18,7 @@ Raster thinned(const Raster& dtm, std::int64_t skip) {
     return coarse;
 }
 
-// The level under which a third of the ground lies.
+// Returns the level below which a third of the ground is.
 double flood_level(const Raster& dtm) {
     std::vector<double> elevations = dtm.values;
     const auto third = elevations.begin() + static_cast<std::ptrdiff_t>(elevations.size() / 3);

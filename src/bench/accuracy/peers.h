@@ -6,8 +6,8 @@
 
 namespace frana::bench {
 
-/// What another program reached on one of the cases, as measured or published. Seconds are those of its own
-/// machine (the compiled ones: 2 cores of 2.4 GHz) and no more than a hint.
+/// The result of another program for one of the cases, as measured or published. Seconds are those of its own machine
+/// (the compiled ones: 2 cores of 2.4 GHz) and only indicative.
 struct PeerResult {
     std::string_view case_name, code;
     double cell_size;          ///< [m]

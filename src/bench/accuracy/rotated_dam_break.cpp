@@ -9,7 +9,7 @@ namespace {
 
 constexpr double k_depth = 10, k_time = 20, k_behind = 720, k_half_width = 245, k_half_strip = 25, k_stretch = 500;
 constexpr double k_side = 1360;          // of the square grid [m]
-constexpr Point k_dam_middle{780, 660};  // the water and its sideways spread stay inside
+constexpr Point k_dam_middle{780, 660};  // the water and its sideways spread remain inside
 const double k_cosine = std::cos(30 * k_degree), k_sine = std::sin(30 * k_degree);
 
 // Distance in front of the dam and along it.

@@ -12,7 +12,7 @@ constexpr Point k_middle{110, 110};  // of the cap at the start, in slope coordi
 
 CaseStatistics run_similarity(double cell_size, Scheme scheme, bool map) {
     const double cosine = std::cos(k_slope_deg * k_degree), sine = std::sin(k_slope_deg * k_degree);
-    const double scale = map ? cosine : 1;  // map metres a metre along the slope
+    const double scale = map ? cosine : 1;  // map metres per metre along the slope
     const GridSpec grid =
         plain_grid(std::llround(k_length * scale / cell_size), std::llround(k_width / cell_size), cell_size);
     const auto in_slope = [&](Point p) { return Point{p.x / scale - k_middle.x, p.y - k_middle.y}; };

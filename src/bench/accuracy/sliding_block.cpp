@@ -77,7 +77,7 @@ SlabOutcome run_slab(double cell_size, Scheme scheme, const Slab& slab, const st
     TimedFlow run(setup);
     SlabOutcome outcome;
     run.advance_to(slab.time, [&](const voellmy_bingham::StepReport& report) {
-        // The velocity after a step is the one that has moved the particles through it.
+        // The velocity after a step is that of the particles' motion in it.
         outcome.distance += middle_speed(run.flow(), k_middle + travel(run.flow().time())) * report.dt;
     });
     const double middle = k_middle + slab.travel;

@@ -7,15 +7,14 @@ namespace frana::bench {
 
 /// A wide slab 1 m deep on planes, Coulomb friction, seen in map view: its middle must move as a rigid block,
 ///     du/dt = g cos^2(theta) (tan theta - tan phi)
-/// (share/doc/model.md, "Curvature"; elementary mechanics). Compared are the nodes
-/// within 20 m of where the middle must be, on 35 degrees with phi = 20 degrees after 4 s. Own values, mark
-/// 1e-3: the relative speed error of the middle on 25, 35 and 45 degrees, and of the distance to rest when
-/// the slab starts at 10 m/s on 10 degrees with phi = 25 degrees. The paper's scheme has no slope correction,
-/// and is too fast by 1 / cos^2(theta).
+/// (share/doc/model.md, "Curvature"; elementary mechanics). The comparison uses the nodes within 20 m of the exact
+/// middle, on 35 degrees with phi = 20 degrees after 4 s. Own values, mark 1e-3: the relative speed error of the middle
+/// on 25, 35 and 45 degrees, and of the distance to rest of a slab that starts at 10 m/s on 10 degrees with phi = 25
+/// degrees. The paper's scheme has no slope correction, and is too fast by 1 / cos^2(theta).
 AccuracyCase sliding_block();
 
-/// A slab 200 m long and 1 m deep that starts at x = 20 m on a plane falling to the right, with the cost of a
-/// run; for sliding_block and voellmy_plane.
+/// Runs a slab 200 m long and 1 m deep that starts at x = 20 m on a plane falling to the right; for sliding_block and
+/// voellmy_plane.
 struct Slab {
     double slope_deg = 0;
     Material material;

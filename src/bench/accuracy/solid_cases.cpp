@@ -54,7 +54,7 @@ CaseStatistics run_wave(double cell) {
     const double c = block.laws.solid.wave_speed;
     double error = 0, size = 0, sum = 0, moment = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (std::abs(p[Field::y][i] - 40) > 5) continue;  // the free sides have not reached it
+        if (std::abs(p[Field::y][i] - 40) > 5) continue;  // disturbances of the free sides have not reached it
         const double x = p[Field::x][i] - k_middle, u = p[Field::u][i];
         const double exact = 0.5 * (pulse(x - c * k_time) + pulse(x + c * k_time));
         error += std::abs(u - exact);
@@ -64,7 +64,7 @@ CaseStatistics run_wave(double cell) {
         moment += u * u * x;
     }
     CaseStatistics f = watch.statistics(cell, p.size(), error / size);
-    // The mark: 3 % with twenty particles to the wave length.
+    // The mark: 3 % with twenty particles per wave length.
     f.own = {{"relative error of the wave's speed", moment / sum / k_time / c - 1,
               cell <= 3 ? std::optional(0.03) : std::nullopt}};
     return f;

@@ -7,9 +7,9 @@ namespace frana::bench {
 
 /// The structured model's solids against exact solutions. `l1_depth` holds each case's own error, relative:
 ///   p-wave           velocity of a pulse in a wide sheet against d'Alembert's, sqrt((K + 4 G / 3) / rho)
-///   rigid-rotation   greatest strain rate over the angular velocity, of a sheet that turns as a whole; stress
-///                    after a turn
-///   incline-block    speed of a dry block after 2 s on 35 degrees; how far one moves on 27.9, with phi = 28
+///   rigid-rotation   greatest strain rate over the angular velocity, of a rigidly rotating sheet; stress after
+///                    a turn
+///   incline-block    speed of a dry block after 2 s on 35 degrees; displacement of one on 27.9, with phi = 28
 ///   drag-relaxation  relative velocity of solids and fluid in a still cell, linear and quadratic drag
 std::vector<AccuracyCase> solid_cases();
 

@@ -10,9 +10,9 @@ namespace {
 using Surface = std::function<double(Point)>;
 using Profile = std::function<double(double)>;
 
-constexpr double k_film = 0.3;  // its pressure is worth 0.15 m of height
+constexpr double k_film = 0.3;  // its pressure is equivalent to 0.15 m of height
 
-// The film's means over its volume.
+// Means of the film, weighted by volume.
 struct Film {
     double height = 0;   // of the ground under it [m]
     double kinetic = 0;  // over gravity [m]
@@ -26,7 +26,7 @@ double square(double a) {
 
 class FilmRun {
   public:
-    /// @param film where it lies and how fast it starts (depth is not looked at but for its sign)
+    /// @param film position and initial speed (of the depth only the sign is used)
     FilmRun(double length, double width, double cell_size, Scheme scheme, Surface ground,
             const std::function<Seed(Point)>& film, double thickness = k_film)
         : ground_(std::move(ground)) {
@@ -42,14 +42,14 @@ class FilmRun {
         run_.emplace(setup_);
     }
 
-    /// Steps to `end`, or until nothing is left; see(film) after each step.
+    /// Steps to `end`, or until nothing is left; calls observe(film) after each step.
     void advance_to(double end, const std::function<void(const Film&)>& observe) {
         run_->advance_to(end, [&](const voellmy_bingham::StepReport& step) { observe(film(0.5 * step.dt)); });
     }
-    /// About which point angular momentum counts.
+    /// Sets the point about which angular momentum is computed.
     void turns_about(Point middle) { middle_ = middle; }
 
-    /// @param lag by which velocities are behind the positions [s]; heights are then those of their time
+    /// @param lag of the velocities behind the positions [s]; heights are then those of their time
     [[nodiscard]] Film film(double lag = 0) {
         Flow& flow = run_->flow();
         const ParticleSet& particles = flow.particles();
@@ -69,7 +69,7 @@ class FilmRun {
         }
         return film;
     }
-    /// Fraction of the volume at places that are so; what has left is nowhere.
+    /// Fraction of the volume where a condition is true; material that has left is nowhere.
     [[nodiscard]] double fraction(const std::function<bool(Point)>& where) {
         const ParticleSet& particles = run_->flow().particles();
         double there = 0, all = run_->flow().volume_left();
@@ -95,7 +95,7 @@ class FilmRun {
     }
 
   private:
-    // Along the bed: what the particle carries, or what its velocity in map view is there.
+    // Along the bed: from the velocity stored by the particle, or from its velocity in map view there.
     [[nodiscard]] double square_of_speed(std::size_t p, Point at, Point v) {
         const ParticleSet& particles = run_->flow().particles();
         if (setup_.numerics.curvature) return square(particles[Field::u][p]) + square(particles[Field::v][p]);
@@ -123,7 +123,7 @@ CaseStatistics statistics_of(double cell_size, std::vector<CaseStatistic> own, C
     return cost;
 }
 
-// A frame whose first axis runs at an angle to the grid's.
+// A frame whose first axis is at an angle to the grid's.
 struct Turned {
     Point origin;
     double cosine, sine;
@@ -146,8 +146,8 @@ std::string text_of(const char* format, double a, double b, double c) {
     return text;
 }
 
-// Particles that a film holds together: all with the same energy, that of rest at a height, so that none overtakes
-// another (where they meet, a continuum loses energy) and each goes the same way. They start along the first axis.
+// Particles of a film, all with the same energy, that of rest at a height, so that none overtakes another (where they
+// meet, a continuum loses energy) and all follow the same path. They start along the first axis.
 Seed flowing(const Turned& frame, Point p, Point middle, double radius, double height, const Profile& profile) {
     const Point at = frame.in(p);
     Seed seed = disc(at, middle, radius);
@@ -185,7 +185,7 @@ double climb(double cell_size, Scheme scheme, double down_deg, double up_deg, do
     FilmRun run = along(profile, ahead + 3.5 * beyond, 0, k_fall, angle_deg, cell_size, scheme);
     const double time =
         std::sqrt(2 * k_fall / k_gravity) * (0.5 / std::sin(down_deg * k_degree) + 1 / std::sin(up_deg * k_degree));
-    // Where the foremost turn they meet those behind: what is left is looked at before.
+    // Where the foremost turn they meet those behind: the film is measured before.
     Film climbing;
     double lowest = k_fall;
     run.advance_to(2 * time, [&](const Film& now) {
@@ -209,7 +209,7 @@ CaseStatistics run_valley(double cell_size, Scheme scheme) {
     return statistics_of(cell_size, own, cost);
 }
 
-// What a film on a profile gains of its energy at most, over its fall.
+// Returns the greatest gain of energy of a film on a profile, relative to its fall.
 double gain(const Profile& profile, double length, double height, double end, double angle, double cell_size,
             Scheme scheme, CaseStatistics& cost) {
     FilmRun run = along(profile, length, 40, height, angle, cell_size, scheme);
@@ -307,8 +307,8 @@ CaseStatistics run_gully_bend(double cell_size, Scheme scheme) {
                          {{"energy gained over fall", (end.energy() - height) / (height - end.height), 0.02}}, cost);
 }
 
-// Down 35 degrees and up a ridge of 45 degrees, rounded over 40 m: the height of rest from which a half of the film
-// passes.
+// Down 35 degrees and up a ridge of 45 degrees, rounded over 40 m: returns the height of rest from which half of the
+// film passes.
 double passing_height(double crest, double cell_size, Scheme scheme, double angle, CaseStatistics& cost) {
     constexpr double k_round = 20;
     const double down = std::tan(35 * k_degree), start = 0.6 * crest, ahead = start / down;
@@ -340,7 +340,7 @@ CaseStatistics run_ridge(double cell_size, Scheme scheme) {
     return statistics_of(cell_size, own, cost);
 }
 
-// At 20 m/s over an edge of 50 m: a parabola, then on at 20 m/s.
+// At 20 m/s over an edge of 50 m: a parabola, then further at 20 m/s.
 template <int Centimetres>
 CaseStatistics run_cliff_jump(double cell_size, Scheme scheme) {
     constexpr double k_speed = 20, k_edge = 100, k_drop = 50;

@@ -11,8 +11,8 @@ constexpr double k_deep = 10, k_radius = 100, k_swing = 20, k_stretch = 0.5, k_s
 constexpr Point k_middle{0.5 * k_side, 0.5 * k_side};
 constexpr double k_pi = 180 * k_degree;
 
-// The exact water at time zero, which is also the water after whole periods: a paraboloid about a middle, as
-// deep as `deep` there and dry from `radius` on, moving with one velocity.
+// The exact water at time zero and after whole periods: a paraboloid about a middle, with depth `deep` there and dry
+// from `radius` on, moving with one velocity.
 struct Disc {
     Point middle;
     double deep, radius;
@@ -36,7 +36,7 @@ Disc radial() {
     return {k_middle, k_deep * s / b, k_radius * std::sqrt(b / s), 0, 2 * k_pi / w};
 }
 
-// Energy per density [m5/s2], with the bed as the scheme sees it.
+// Energy per density [m5/s2], with the bed of the scheme's shape functions.
 double energy(const ParticleSet& particles, const SchemeBed& bed) {
     double sum = 0;
     for (std::size_t p = 0; p < particles.size(); ++p) {

@@ -11,7 +11,7 @@ constexpr double k_slope_deg = 30, k_friction_deg = 15, k_turbulence = 300, k_ti
 CaseStatistics run_voellmy(double cell_size, Scheme scheme) {
     const double cosine = std::cos(k_slope_deg * k_degree), sine = std::sin(k_slope_deg * k_degree);
     const double a = k_gravity * (sine - cosine * std::tan(k_friction_deg * k_degree));
-    const double terminal = std::sqrt(a * k_turbulence * cosine / k_gravity);  // thickness is the cosine
+    const double terminal = std::sqrt(a * k_turbulence * cosine / k_gravity);  // ratio of thickness to depth
     const auto travel = [=](double t) {
         return cosine * terminal * terminal / a * std::log(std::cosh(a * t / terminal));
     };

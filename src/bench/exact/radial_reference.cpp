@@ -9,7 +9,7 @@
 namespace frana::bench {
 namespace {
 
-constexpr double k_dry = 1e-9;  // thinner films carry no momentum [m]
+constexpr double k_dry = 1e-9;  // thinner films have no momentum [m]
 
 double van_leer(double a, double b) {
     return a * b > 0 ? 2 * a * b / (a + b) : 0;
@@ -23,7 +23,7 @@ Flux hll(double h_l, double u_l, double h_r, double u_r) {
     if (h_l <= k_dry && h_r <= k_dry) return {};
     const double c_l = std::sqrt(k_gravity * h_l), c_r = std::sqrt(k_gravity * h_r);
     double slow = std::min(u_l - c_l, u_r - c_r), fast = std::max(u_l + c_l, u_r + c_r);
-    if (h_l <= k_dry) slow = u_r - 2 * c_r;  // a dry front runs at twice the celerity
+    if (h_l <= k_dry) slow = u_r - 2 * c_r;  // a dry front moves at twice the celerity
     if (h_r <= k_dry) fast = u_l + 2 * c_l;
     const Flux left{h_l * u_l, h_l * u_l * u_l + 0.5 * k_gravity * h_l * h_l};
     const Flux right{h_r * u_r, h_r * u_r * u_r + 0.5 * k_gravity * h_r * h_r};

@@ -30,7 +30,7 @@ SimilaritySolution::SimilaritySolution(double slope_deg, double friction_deg, do
     // At the start g' = r t with r = spread - friction r / drive, since u = drive t.
     const double start = 1e-6 * time, sideways = spread * drive / (drive + friction);
     Variables y{1 + 0.5 * spread * start * start, spread * start, 1 + 0.5 * sideways * start * start, sideways * start};
-    // Steps that grow with time: the sideways friction's rate is friction / (drive t).
+    // Steps that grow with time: the rate of the sideways friction is friction / (drive t).
     for (double t = start; t < time;) {
         const double dt = std::min({0.01 * t, 1e-3 * time, time - t});
         const Variables k1 = rate(t, y), k2 = rate(t + 0.5 * dt, plus(y, 0.5 * dt, k1));

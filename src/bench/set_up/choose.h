@@ -9,8 +9,8 @@
 
 namespace frana::bench {
 
-/// The cases with these names, in the order asked for; all where none is named. Throws Error(input) with
-/// every unknown name.
+/// Returns the cases with these names, in the given order; all if none is named. Throws Error(input) with every unknown
+/// name.
 template <class Case>
 std::vector<Case> choose(std::vector<Case> all, const std::vector<std::string>& only, const std::string& bench) {
     if (only.empty()) return all;

@@ -4,7 +4,7 @@
 namespace frana::bench {
 namespace {
 
-// SplitMix64 (Steele, Lea, Flood 2014): a number in [-1/2, 1/2).
+// SplitMix64 (Steele, Lea, Flood 2014): returns a number in [-1/2, 1/2).
 double next_centred(std::uint64_t& state) {
     state += 0x9e3779b97f4a7c15ULL;
     std::uint64_t z = state;

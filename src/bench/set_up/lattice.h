@@ -20,11 +20,9 @@ struct Seed {
     double depth = 0, u = 0, v = 0;
 };
 
-/// Fills the grid with `per_side` x `per_side` particles a cell, each with the depth and velocity at its
-/// place.
-/// @param jitter 0: a lattice; otherwise each particle is displaced by up to jitter / 2 of the lattice
-/// spacing in both
-///               directions, from a fixed generator (SplitMix64), the same on every machine
+/// Fills the grid with `per_side` x `per_side` particles per cell, each with the depth and velocity at its place.
+/// @param jitter 0: a lattice; otherwise each particle is displaced by up to jitter / 2 of the lattice spacing in both
+///   directions, from a fixed generator (SplitMix64), the same on every machine
 ParticleSet fill_lattice(const GridSpec& grid, int per_side, double jitter, const std::function<Seed(Point)>& state);
 
 }  // namespace frana::bench

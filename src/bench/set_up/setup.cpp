@@ -70,7 +70,9 @@ void TimedFlow::advance_to(double end, const std::function<void(const voellmy_bi
         seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         peak_ = std::max(peak_, static_cast<std::int64_t>(flow_->particles().size()));
         non_finite_ += report.particles.non_finite;
-        if (!(flow_->time() > before)) ++non_finite_;  // a step that does not move time comes from no number
+        if (!(flow_->time() > before))
+            ++non_finite_;  // a step that does not advance time results from a non-finite
+                            // value
         if (after_step) after_step(report);
     }
     flow_->synchronise();

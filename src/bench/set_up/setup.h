@@ -11,7 +11,7 @@
 
 namespace frana::bench {
 
-/// Everything a flow starts from.
+/// Initial state and parameters of a flow.
 struct Setup {
     Raster bed;
     ParticleSet seeds;
@@ -25,13 +25,13 @@ Material water();
 /// Coulomb friction only.
 Material dry_friction(double angle_deg);
 
-/// The scheme as it is offered: `paper` never corrects for steep ground.
+/// Returns the scheme in its standard form: `paper` never corrects for steep ground.
 Numerics numerics_of(Scheme scheme, SlopeCorrection slope, Boundary boundary);
 
 /// "default" or "paper".
 const char* name_of(Scheme scheme);
 
-/// Bed elevation between the nodes as the scheme's own shape functions see it.
+/// Bed elevation between the nodes by the scheme's own shape functions.
 class SchemeBed {
   public:
     SchemeBed(const Raster& bed, Scheme scheme, Boundary boundary);
@@ -43,7 +43,7 @@ class SchemeBed {
     bool hats_;
 };
 
-/// A flow with a watch that runs only while the engine does, and with what went wrong on the way.
+/// A flow with a timer that runs only during the engine's work, and with the errors that occurred.
 class TimedFlow {
   public:
     explicit TimedFlow(const Setup& setup, int threads = 1);

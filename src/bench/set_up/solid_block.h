@@ -11,8 +11,8 @@
 
 namespace frana::bench {
 
-/// Structured solids for a bench or a test: laws, one material, columns on a lattice. Particles three a cell side, the
-/// smoothing length half a cell; dry, cohesive, E = 100 MPa, nu = 1/4, 1700 kg/m3, 28 degrees, unless changed.
+/// Structured solids for a bench or a test: laws, one material, columns on a lattice. Three particles per cell side,
+/// the smoothing length half a cell; dry, cohesive, E = 100 MPa, nu = 1/4, 1700 kg/m3, 28 degrees, unless changed.
 struct SolidBlock {
     explicit SolidBlock(double cell) : laws(0.5 * cell) {
         laws.solid.spacing = cell / 3;
@@ -44,8 +44,7 @@ struct SolidBlock {
         }
     }
 
-    /// The run's state, in order and on the nodes.
-    /// @param wet whether there is, or can be, free fluid
+    /// Returns the run's state, sorted and on the nodes.
     structured::State start(const Raster& bed, ThreadPool& pool, bool wet = false) {
         double lightest = material.grain_density;
         laws.solid.basal.gravity = laws.coupling.drag.fluid.gravity = laws.fluid.gravity = laws.solid.gravity;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of each kernel, in nanoseconds a particle (the counter "ns"), with Google Benchmark.
+// Time of each kernel, in nanoseconds per particle (the counter "ns"), with Google Benchmark.
 #include <benchmark/benchmark.h>
 
 #include "bench/speed/kernels.h"

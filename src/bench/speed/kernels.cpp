@@ -19,13 +19,13 @@ namespace {
 using Shape = QuadraticSplineShape;
 constexpr double k_cell = 5, k_fall = 9.81;
 
-// A tile's particles, and the nodes as the two kinds of sweeps find them.
+// A tile's particles, and the nodes in the state before either kind of sweep.
 struct Tile {
     ParticleSet particles;
     ParticleTile run{0, k_kernel_particles, 0};
     NodeGrid gathered, moved;  // sums of particles; velocities
     BinghamStress stress{0.5, 0.25};
-    // No time passes, so that a repeated sweep finds the particles where they were.
+    // Time step zero, so that a repeated sweep finds the particles in the same place.
     ParticleUpdate update{0, k_fall, 1e-3, false, {}};
 
     explicit Tile(const Raster& bed) : gathered(bed), moved(bed) {

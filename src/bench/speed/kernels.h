@@ -7,14 +7,14 @@
 
 namespace frana::bench {
 
-/// One kernel on one tile of a moving sheet: 1024 particles, 4 a cell, over uneven ground.
+/// One kernel on one tile of a moving sheet: 1024 particles, 4 per cell, over uneven ground.
 struct KernelCase {
     std::string name;           ///< what it does, and "plain" or "fast"
     std::function<void()> run;  ///< once over all particles; may be repeated
 };
 inline constexpr int k_kernel_particles = 1024;
 
-/// The particle sweeps of the default scheme, plain and, where the processor can, fast.
+/// Returns the default scheme's sweeps over particles, plain and, if the processor supports them, fast.
 std::vector<KernelCase> kernel_cases();
 
 }  // namespace frana::bench

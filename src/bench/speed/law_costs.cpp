@@ -24,7 +24,7 @@ struct Variant {
     std::function<void(Scenery&)> change;
 };
 
-// Each law of bed friction beside those of the plain scene, or instead of that which it excludes.
+// Each law of bed friction in addition to those of the plain scene, or replacing that which it excludes.
 std::vector<Variant> laws_of_friction() {
     std::vector<Variant> list;
     const Law& coulomb = find_law(LawKind::bed_friction, "coulomb");
@@ -88,7 +88,7 @@ std::vector<LawCost> run_law_costs(double particles, std::int64_t steps) {
             Flow flow(setup.bed, setup.seeds, m, scene.numerics, 1, {}, scene.zones, scene.entrainment);
             flow.advance(1e9);
             const std::int64_t before = flow.particle_steps();
-            const std::clock_t begin = std::clock();  // the processor's time: other programs do not count
+            const std::clock_t begin = std::clock();  // processor time: other programs do not count
             for (std::int64_t step = 0; step < steps; ++step) flow.advance(1e9);
             const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
             const double each = 1e9 * seconds / static_cast<double>(flow.particle_steps() - before);

@@ -25,7 +25,7 @@ double memory_bandwidth(int threads) {
             for (std::size_t i = from; i < to; ++i) out[i] = in[i] + s * factor[i];
         });
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        // The sum is looked at, so that no pass can be left out.
+        // The sum is used, so that no pass can be optimised away.
         if (a[k_elements / 2] == 1 + 2 * s) best = std::max(best, 3 * sizeof(double) * k_elements / seconds);
     }
     return best;

@@ -17,7 +17,7 @@
 namespace frana::bench {
 namespace {
 
-// As many steps for each number of threads, so that the ends can be compared.
+// The same number of steps for each number of threads, so that the final states can be compared.
 std::int64_t steps_for(double particles, bool quick) {
     const double particle_steps = quick ? 1e7 : 3e7;  // some seconds on one core
     return std::clamp<std::int64_t>(std::llround(particle_steps / particles), 10, 100);
@@ -51,7 +51,7 @@ Measured measure(const Setup& setup, const std::string& name, int threads, std::
     return measured;
 }
 
-// The sheet after ten steps with the fast kernels and with the plain ones.
+// Compares the sheet after ten steps with the fast kernels and with the plain ones.
 double difference_from_plain(bool mud) {
     const Setup setup = speed_sheet(4000, mud);
     const auto depth = [&](Kernels kernels) {
@@ -106,7 +106,7 @@ double free_memory() {
 
 std::vector<double> usual_sizes(bool quick, std::vector<std::string>& notes) {
     std::vector<double> sizes{1e4, 1e5, 1e6};
-    // Fields, their copy while sorting, seeds and nodes.
+    // Fields, their copy during sorting, seeds and nodes.
     constexpr double k_large = 1e7, k_bytes_at_most = 600;
     if (quick) {
         notes.emplace_back("1e7 particles left out (--quick)");
@@ -123,7 +123,7 @@ std::vector<double> usual_sizes(bool quick, std::vector<std::string>& notes) {
 Setup speed_sheet(double particles, bool mud) {
     constexpr double k_cell_size = 5, k_slope_deg = 20, k_speed = 12;
     const auto side = static_cast<std::int64_t>(std::lround(std::sqrt(particles / 4)));
-    // Cells of free ground round the sheet, and before it: room for some 100 steps at less than half a cell each.
+    // Cells of free ground around the sheet, and before it: room for some 100 steps at less than half a cell each.
     constexpr std::int64_t k_margin = 10, k_path = 50;
     Setup setup;
     const GridSpec grid = plain_grid(side + 2 * k_margin + k_path, side + 2 * k_margin, k_cell_size);
@@ -173,7 +173,7 @@ SpeedResult run_speed(const SpeedOptions& options) {
             }
         }
     }
-    // Of the structured model one size: its throughput hardly depends on it.
+    // One size for the structured model: its throughput hardly depends on it.
     const double solid_size = std::min(sizes.back(), 1e5);
     for (SpeedRow& row : measure_solids(solid_size, options.threads, options.quick ? 2 : 6)) {
         if (options.report) options.report(speed_line(row));

@@ -14,7 +14,7 @@ using voellmy_bingham::Stage;
 
 namespace {
 
-// Rounding grows in ten steps, but not to this: only another formula does.
+// Rounding errors grow in ten steps, but not to this: only another formula does.
 constexpr double k_same_answer = 1e-10;
 
 // Of a stage in the whole run; the runs of sort and resample are spread over all steps.
@@ -122,7 +122,7 @@ std::string speed_table(const SpeedResult& result) {
 
     out += "\nnanoseconds per particle-step, by stage (bytes of particle fields moved in the last column)\n";
     for (const SpeedRow& row : result.rows) {
-        if (row.bytes_moved == 0) continue;  // its stages are not watched
+        if (row.bytes_moved == 0) continue;  // its stages are not timed
         std::snprintf(line, sizeof line, "%-6s %9lld particles %3d threads ", row.case_name.c_str(),
                       static_cast<long long>(row.particles), row.threads);
         out += line;

@@ -7,7 +7,7 @@
 
 namespace frana::bench {
 
-/// One run in a line.
+/// Returns one run in one line.
 std::string speed_line(const SpeedRow& row);
 
 }  // namespace frana::bench

@@ -33,7 +33,7 @@ Setup on_plane(double friction_deg) {
     return setup;
 }
 
-// Farthest that any particle is from where it was; the order of particles at rest does not change.
+// Returns the greatest displacement of a particle from its start; the order of particles at rest does not change.
 StabilityStatistic displacement(const Setup& setup, Flow& flow) {
     TimedFlow fresh(setup);
     const ParticleSet &now = flow.particles(), &start = fresh.flow().particles();
@@ -68,7 +68,7 @@ StabilityStatistic slab_speed(const Setup&, Flow& flow) {
     return {"speed against a rigid block's, relative error", std::abs(sum / n / exact - 1), 1e-3};
 }
 
-// Coulomb friction alone does not know the density: ten of them must flow alike, bit for bit.
+// Coulomb friction alone is independent of the density: the flow must be the same for ten of them, bit for bit.
 StabilityStatistic ten_densities(int threads, Soundness& sound) {
     DepthAgreement agreement;
     for (const double density : {1.0, 100.0, 500.0, 1000.0, 1200.0, 1500.0, 2000.0, 2700.0, 5000.0, 20000.0}) {

@@ -8,7 +8,7 @@
 namespace frana::bench {
 namespace {
 
-// A fixed number in [0, 1) for a cell; the same on every machine.
+// Returns a fixed number in [0, 1) for a cell; the same on every machine.
 double noise(Point p, double cell) {
     auto h =
         static_cast<std::uint64_t>(p.x / cell) * 73856093ULL ^ static_cast<std::uint64_t>(p.y / cell) * 19349663ULL;
@@ -33,9 +33,9 @@ Setup with_gaps(const std::function<bool(Point)>& gap) {
     return setup;
 }
 
-// How far into a gap the farthest particle is, in cells: the distance to the nearest cell with ground. The
-// wall lies on the gap's outermost nodes, half a cell inside its edge, and velocities between a wall's node
-// and a free one are not zero, so up to one cell is to be expected.
+// Returns how far the farthest particle is inside a gap, in cells: the distance to the nearest cell with ground. The
+// wall is on the gap's outermost nodes, half a cell inside its edge, and velocities between a wall's node and a free
+// one are not zero, so up to one cell is expected.
 StabilityStatistic into_gaps(const Setup& setup, Flow& flow) {
     const ParticleSet& particles = flow.particles();
     const GridSpec& grid = setup.bed.grid;

@@ -13,7 +13,7 @@
 namespace frana::bench {
 namespace {
 
-// White noise of a mean of 0 on every elevation; the same for a seed on any machine.
+// Adds white noise of mean 0 to every elevation; the same for a seed on any machine.
 void roughen(Raster& terrain, double deviation, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     const auto between_0_and_1 = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
@@ -34,7 +34,7 @@ PlacedScene disturbed(const Scene& scene, const Disturbance& disturbance, const 
     return placed;
 }
 
-// One run that is to be made, or why it is not.
+// One planned run, or why it is refused.
 struct Planned {
     Disturbance disturbance;
     Numerics numerics;
@@ -45,7 +45,7 @@ bool same_numerics(const Numerics& a, const Numerics& b) {
     return a.cfl == b.cfl && a.particles_per_cell == b.particles_per_cell;
 }
 
-// Keys are tried on the scene before anything is run. What the scene has already is not run twice.
+// Keys are validated on the scene before anything is run. Values that the scene already has are not run twice.
 std::vector<Planned> plan(const RobustnessOptions& options, const Scene& scene) {
     std::vector<Planned> runs{{{"base", "as it is", {}}, scene.numerics, {}}};
     for (const Disturbance& one : choose(disturbances(), options.only, "robustness")) {
@@ -64,7 +64,7 @@ std::vector<Planned> plan(const RobustnessOptions& options, const Scene& scene) 
     return runs;
 }
 
-// Whether it was run to its end.
+// Returns whether it was run to its end.
 bool run_row(const RobustnessOptions& options, const Scene& scene, const Numerics& numerics, RobustnessRow& row) {
     const PlacedScene placed = disturbed(scene, row.disturbance, numerics, options.seed);
     const RunResult result = options.run(placed.scene);
@@ -110,8 +110,7 @@ std::vector<RobustnessRow> run_robustness(const RobustnessOptions& options) {
         try {
             if (row.refusal.empty() && !run_row(options, scene, planned.numerics, row)) return rows;
         } catch (const Error& error) {
-            // A turned release can come to lie over ground without elevation: the other runs are worth no
-            // less.
+            // A turned release may be on ground without elevation: the other runs are still useful.
             if (rows.empty() || error.kind() != ErrorKind::input) throw;
             row.refusal = error.what();
         }

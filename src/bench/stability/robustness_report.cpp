@@ -14,7 +14,7 @@ bool marked(std::optional<double> change) {
     return change && std::abs(*change) > k_robust_change;
 }
 
-// "12.34  +1.2 %  ", with a star behind a change that is marked.
+// Formats "12.34  +1.2 %  ", with a star after a marked change.
 std::string cell(const std::vector<RobustnessRow>& rows, std::size_t row, const RunStatistic& statistic) {
     char text[64];
     const double value = statistic.of(rows[row].statistics);

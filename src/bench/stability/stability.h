@@ -9,8 +9,8 @@
 
 namespace frana::bench {
 
-/// One row of stability.csv. A case passes when nothing is non-finite, the volume is kept to 1e-12, no speed
-/// passes sqrt(2 g drop) + 2 sqrt(g depth), and its own value is within its limit.
+/// One row of stability.csv. A case passes if nothing is non-finite, the volume is conserved to 1e-12, no speed exceeds
+/// sqrt(2 g drop) + 2 sqrt(g depth), and its own value is within its limit.
 struct StabilityRow {
     std::string case_name, what;
     bool passed = false;

@@ -10,9 +10,9 @@
 
 namespace frana::bench {
 
-/// What every hard case must keep, whatever else it is about.
+/// Conditions of every hard case.
 struct Soundness {
-    std::int64_t non_finite = 0;  ///< particles or fields that are not numbers; must be 0
+    std::int64_t non_finite = 0;  ///< particles or fields with non-finite values; must be 0
     double volume_error = 0;      ///< |inside + left - start| / start; at most 1e-12
     double speed_ratio = 0;       ///< greatest speed over sqrt(2 g drop) + 2 sqrt(g depth); at most 1
     std::int64_t clamped = 0;     ///< particles whose depth had to be bounded
@@ -28,21 +28,21 @@ struct StabilityStatistic {
     double limit = 0;
 };
 
-/// One hard case: what it starts from, how long it runs, what of its end is looked at. Cases without a value
-/// of their own are judged by their speed ratio.
+/// One hard case: its initial state, its duration, and the value measured at its end. Cases without a value of their
+/// own are judged by their speed ratio.
 struct HardCase {
     std::string name;
     std::string what;
     double end = 0;  ///< [s]
     std::function<Setup()> make;
     std::function<StabilityStatistic(const Setup&, Flow&)> statistic = {};
-    /// For cases that are not one flow (several runs compared): does everything itself.
+    /// For cases that compare several runs: does everything itself.
     std::function<StabilityStatistic(int threads, Soundness&)> compare = {};
 };
 
-/// Runs one flow to its end and watches it.
+/// Runs one flow to its end and checks it.
 Soundness watch(TimedFlow& run, const Setup& setup, double end);
-/// How far the depths of runs that must agree lie apart.
+/// Compares the depths of runs that must agree.
 class DepthAgreement {
   public:
     void compare(TimedFlow& run);
@@ -53,7 +53,7 @@ class DepthAgreement {
     double greatest_ = 0;
 };
 
-/// Takes the worse of two.
+/// Keeps the worse of two.
 void merge(Soundness& into, const Soundness& other);
 
 std::vector<HardCase> hard_terrain_cases();
@@ -61,11 +61,11 @@ std::vector<HardCase> hard_release_cases();
 std::vector<HardCase> hard_material_cases();
 std::vector<HardCase> hard_numerics_cases();
 
-/// The scene that most cases change in one thing: a slope of 1 : 2 that runs out on level ground at x = 80 m,
-/// a grid of 160 m x 80 m in cells of 2 m, a cap 3 m deep and 15 m in radius at (30, 40) m, phi = 15 degrees,
-/// xi = 500 m/s2, open sides, slope correction `normal`.
+/// Returns the scene in which most cases change one thing: a slope of 1 : 2 that ends in level ground at x = 80 m, a
+/// grid of 160 m x 80 m in cells of 2 m, a cap 3 m deep and 15 m in radius at (30, 40) m, phi = 15 degrees, xi = 500
+/// m/s2, open sides, slope correction `normal`.
 Setup usual_slide();
-/// The same with another ground.
+/// Returns the same on other ground.
 Setup usual_slide_on(double cell_size, const std::function<double(Point)>& bed);
 /// Depth of the usual cap [m].
 double usual_cap(Point place);
