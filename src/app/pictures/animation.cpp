@@ -121,7 +121,7 @@ Spec animation_spec(const AnimationSource& animation, Size size, double seconds)
 }
 
 /// Gives two results a common scale and terrain.
-void fraction(render::MapSpec& a, render::MapSpec& b, const MapLayer& greater) {
+void use_common_scale(render::MapSpec& a, render::MapSpec& b, const MapLayer& greater) {
     a.classes = b.classes = greater.classes;
     const auto left = render::data_bounds(*a.layer), right = render::data_bounds(*b.layer);
     if (!left || !right) return;
@@ -132,7 +132,7 @@ void fraction(render::MapSpec& a, render::MapSpec& b, const MapLayer& greater) {
     a.window = b.window = both;
 }
 
-void fraction(render::ViewSpec& a, render::ViewSpec& b, const MapLayer& greater) {
+void use_common_scale(render::ViewSpec& a, render::ViewSpec& b, const MapLayer& greater) {
     a.classes = b.classes = greater.classes;
     render::ViewLayout layout;
     render::draw_view(a, &layout);
@@ -155,7 +155,7 @@ bool animation(const AnimationRequest& request, const std::string& path) {
         Spec other =
             animation_spec<Spec>(*request.second, {request.size.width - half.width, half.height}, out.seconds());
         const bool first_greater = maximum(request.first.layer.values) >= maximum(request.second->layer.values);
-        fraction(left, other, first_greater ? request.first.layer : request.second->layer);
+        use_common_scale(left, other, first_greater ? request.first.layer : request.second->layer);
         right.emplace(other);
     }
     Animator animator(left);
