@@ -49,7 +49,7 @@ TEST(FieldUncertainty, IsTheFieldsOwnErrorForAFirstOrderField) {
     }
     const Raster uncertainty = field_uncertainty(levels);
     EXPECT_EQ(uncertainty.grid.columns, 32);
-    // Away from the rim, where the coarse rasters are interpolated between full cells.
+    // Away from the edge, where the coarse rasters are interpolated between full cells.
     EXPECT_NEAR(uncertainty.at(16, 16), 1.25 * 2, 1e-9);
 }
 

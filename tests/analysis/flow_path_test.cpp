@@ -39,8 +39,8 @@ TEST(FlowPath, FollowsTheDeepChannelRoundABend) {
     for (int row = 10; row <= 50; ++row) depth.at(row, 40) = 5;
     const Point top = depth.grid.cell_centre(10, 5), tip = depth.grid.cell_centre(50, 40);
     const Polyline path = flow_path(depth, top, tip);
-    // 35 cells and 40 cells; the straight line over the film would be 53. The corner may be cut: by
-    // a step aslant, 2 - sqrt(2) cells shorter, and by the straightening to within a cell; 1.5 cells in all.
+    // 35 cells and 40 cells; the straight line over the film would be 53. The corner may be cut: by a diagonal step, 2
+    // - sqrt(2) cells shorter, and by the simplification to within a cell; 1.5 cells in all.
     EXPECT_NEAR(length(path), 75, 1.5);
     EXPECT_NEAR(path_coordinate(path, depth.grid.cell_centre(10, 20)), 15, 0.05);
     // Run-out of a mask that ends in row 30: 35 + 20.
@@ -51,7 +51,7 @@ TEST(FlowPath, FollowsTheDeepChannelRoundABend) {
 }
 
 TEST(FlowPath, FilmsWithoutMeasureAreNoWall) {
-    // Their costs were infinite: no way was found, and the search for it never ended.
+    // Their costs were infinite: no path was found, and the search never ended.
     Raster depth = dry(40, 9);
     for (int column = 0; column < 40; ++column)
         if (column < 20 || column > 21) depth.at(4, column) = column % 2 == 0 ? 1e-320 : 1;

@@ -10,7 +10,7 @@
 namespace frana {
 namespace {
 
-/// One row of cells with every quantity; what a test does not set is zero.
+/// One row of cells with every quantity; zero unless a test sets it.
 struct Cells {
     explicit Cells(std::vector<double> depths) {
         GridSpec grid;
@@ -71,7 +71,8 @@ TEST(Hazard, ClassesDifferInLightnessForPrintsWithoutColours) {
         const std::vector<HazardClass> classes = hazard_scheme(name, {}).classes;
         for (std::size_t i = 1; i < classes.size(); ++i) {
             const auto tone = [](Rgb c) { return 0.299 * c.r + 0.587 * c.g + 0.114 * c.b; };  // Rec. 601, of 255
-            EXPECT_LT(tone(classes[i].colour), tone(classes[i - 1].colour) - 40) << name;  // and the worse the darker
+            EXPECT_LT(tone(classes[i].colour), tone(classes[i - 1].colour) - 40) << name;     // a higher intensity is
+                                                                                              // darker
         }
     }
 }

@@ -29,7 +29,7 @@ TEST(LineSet, OfASquareWithAHoleCountsTheHole) {
 }
 
 TEST(LineSet, SamplesAreEvenlySpreadWhateverTheVertices) {
-    // The same square with a vertex at every metre, as outlines along cells have.
+    // The same square with a vertex at every metre, as in outlines along cells.
     Ring fine;
     for (int i = 0; i < 10; ++i) fine.push_back({double(i), 0});
     for (int i = 0; i < 10; ++i) fine.push_back({10, double(i)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands for loops over all vertices says the same as they do, to the bit.
+// Replacements for loops over all vertices give the same results as the loops, to the bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ Ring random_ring(Point centre, double radius, int points, std::mt19937& random) 
     Ring ring;
     for (int i = 0; i < points; ++i) {
         const double angle = 2 * std::numbers::pi * i / points, r = radius * uniform(random);
-        // Whole numbers: many edges are level, and many points lie at a vertex's height.
+        // Whole numbers: many edges are level, and many points are at a vertex's height.
         ring.push_back({std::round(centre.x + r * std::cos(angle)), std::round(centre.y + r * std::sin(angle))});
     }
     return ring;
@@ -76,7 +76,7 @@ TEST(NearestSegment, IsAsNearAsOfAll) {
     EXPECT_TRUE(std::isinf(NearestSegment().square_of_distance({0, 0})));
 }
 
-// Two outlines of 200 000 vertices: each place against each would be 10^11 distances.
+// Two outlines of 200 000 vertices: comparing each pair would be 10^11 distances.
 TEST(LineDistance, OfManyVerticesTakesNoTime) {
     Ring inner, outer;
     for (int i = 0; i < 200'000; ++i) {

@@ -24,8 +24,7 @@ Raster row_of(std::vector<double> values, double cell_size = 10) {
 }
 
 TEST(Scores, CountsByHand) {
-    // Two hits, one false alarm, two misses, three cells that nobody touched; the threshold itself does not
-    // count.
+    // Two hits, one false alarm, two misses, three cells never touched; the threshold itself does not count.
     const Raster depth = row_of({3.0, 2.0, 1.5, 0.5, k_no_data, k_no_data, 0.1, 0.0});
     const Raster observed = row_of({1, 1, 0, 1, 1, 0, 0, k_no_data});
     const ComparisonStatistics statistics = compare(depth, observed, 0.5);
@@ -104,12 +103,12 @@ TEST(Scores, TheCurveOverTheThresholdByHand) {
     const Raster depth = row_of({3, 2, 0.012, k_no_data});
     const Raster observed = row_of({1, 0, 1, 1});
     const std::vector<ComparisonStatistics> curve = score_curve(depth, observed);
-    // 0; 0.01, 0.015 ... 0.07; 0.1 ... 0.7; 1, 1.5, 2 (3 is not under the greatest depth).
+    // 0; 0.01, 0.015 ... 0.07; 0.1 ... 0.7; 1, 1.5, 2 (3 is not below the greatest depth).
     ASSERT_EQ(curve.size(), 1U + 6 + 6 + 3);
     EXPECT_EQ(curve[0].threshold_m, 0);
     EXPECT_NEAR(curve[0].jaccard, 2.0 / 4, k_rounding);
-    EXPECT_NEAR(curve[1].jaccard, 2.0 / 4, k_rounding);  // 0.012 is over 0.01 ...
-    EXPECT_NEAR(curve[2].jaccard, 1.0 / 4, k_rounding);  // ... but not over 0.015
+    EXPECT_NEAR(curve[1].jaccard, 2.0 / 4, k_rounding);  // 0.012 is above 0.01 ...
+    EXPECT_NEAR(curve[2].jaccard, 1.0 / 4, k_rounding);  // ... but not above 0.015
     EXPECT_NEAR(curve.back().threshold_m, 2, 1e-12);
     EXPECT_NEAR(curve.back().jaccard, 1.0 / 3, k_rounding);
     for (const ComparisonStatistics& statistics : curve) EXPECT_EQ(statistics.auroc, compare(depth, observed, 1).auroc);

@@ -48,7 +48,7 @@ TEST(SlipSurface, IsHalfAnEllipsoidUnderAnEllipseOnAPlane) {
         EXPECT_EQ(slip.shape(), SlipShape::ellipsoid);
         const double exact = 2.0 / 3 * std::numbers::pi * a * b * depth;
         const double error = std::abs(slip.volume(depth) / exact - 1);
-        // The rim is vertical: summing cells by their centres errs by the order of cell / b there.
+        // The edge is vertical: summing cells by their centres has an error of the order of cell / b there.
         EXPECT_LT(error, 0.1 * cell / b);
         if (before > 0) {
             EXPECT_LT(error, before);
@@ -61,8 +61,8 @@ TEST(SlipSurface, IsHalfAnEllipsoidUnderAnEllipseOnAPlane) {
                 const double x = (p.x - 1200) * std::cos(0.5) + (p.y - 2200) * std::sin(0.5),
                              y = -(p.x - 1200) * std::sin(0.5) + (p.y - 2200) * std::cos(0.5);
                 const double left = 1 - x * x / (a * a) - y * y / (b * b);
-                if (std::abs(left) < 1e-3) continue;  // the 720 corners are not quite the ellipse
-                // The polygon's edges lie up to a (pi / 720)^2 / 2 inside the ellipse: 1e-5 of the radius.
+                if (std::abs(left) < 1e-3) continue;  // the 720 corners are only approximately the ellipse
+                // The polygon's edges are up to a (pi / 720)^2 / 2 inside the ellipse: 1e-5 of the radius.
                 EXPECT_NEAR(thickness.at(r, c), depth * std::sqrt(std::max(0.0, left)), 2e-3 * depth);
             }
         }
@@ -88,7 +88,7 @@ TEST(SlipSurface, FallsBackToTheBaseLevelOfConstantCurvature) {
         const double y = ground.grid.cell_centre(r, column).y - 2200;
         // The surface is zero at the centres of the first cells outside, 21 m from the middle line.
         const double exact = std::abs(y) < 20 ? 10 * (1 - y * y / (21 * 21)) : 0;
-        // Of an even number of rows none is in the middle; the highest, scaled to 10, lies 1 m beside it.
+        // With an even number of rows none is in the middle; the highest, scaled to 10, is 1 m beside it.
         EXPECT_NEAR(thickness.at(r, column), exact, 0.03) << y;
         largest = std::max(largest, thickness.at(r, column));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ARCHITECTURE.md and the comments point to files and sections that are there.
+// ARCHITECTURE.md and the comments refer to existing files and sections.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -16,12 +16,12 @@ bool exists(const std::string& path) {
     return fs::exists(fs::path(FRANA_SOURCE_DIR) / path);
 }
 
-/// Every match's group in the lines of a file.
+/// Returns every match's group in the lines of a file.
 std::vector<std::smatch> matches(const std::string& text, const std::regex& pattern) {
     return {std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator()};
 }
 
-/// Titles of the headings and of the paragraphs that begin in bold ("**Walls.**").
+/// Returns titles of the headings and of the paragraphs that begin in bold ("**Walls.**").
 std::set<std::string> sections_of(const std::string& document) {
     static const std::regex k_heading("^#+ (.*)$"), k_paragraph(R"(^(?:<a id="[^"]*"></a>)?\*\*([^*.]*))");
     std::set<std::string> titles;
@@ -39,7 +39,7 @@ TEST(Documents, EveryPathOfTheArchitectureExists) {
     for (const std::string& line : lines_of("ARCHITECTURE.md")) {
         for (const std::smatch& found : matches(line, k_path)) {
             const std::string path = found.str();
-            if (path.find("NAME") != std::string::npos) continue;  // stands for many
+            if (path.find("NAME") != std::string::npos) continue;  // a placeholder
             ++paths;
             EXPECT_TRUE(exists(path)) << "ARCHITECTURE.md names " << path << ": " << line;
         }
@@ -47,7 +47,7 @@ TEST(Documents, EveryPathOfTheArchitectureExists) {
     EXPECT_GT(paths, 50);
 }
 
-// share/doc/NAME.md, "Section": a comment that cites what no reader has, or what has gone, helps nobody.
+// Comments of the form share/doc/NAME.md, "Section".
 TEST(Documents, CommentsCiteSectionsThatExist) {
     static const std::regex k_citation("share/doc/[a-z_]+\\.md(?:, \"([^\"]+)\")?");
     static const std::regex k_other("\\bspecification\\b|shared spec|\\b(?:of|\\()section [0-9]");

@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>> k_may_include{
      {"core", "params", "analysis", "particles", "physics", "mpm", "models", "simulation", "bench", "gis", "render"}},
 };
 
-// The folders of a library, each above those before it. A library that is not here has one.
+// The folders of a library, each above those before it. A library not listed here has one.
 const std::map<std::string, std::vector<std::string>> k_folders{
     {"params", {"grammar", "keys", "check", "scene"}},
     {"bench", {"exact", "set_up", "accuracy", "stability", "speed"}},
@@ -36,7 +36,7 @@ const std::map<std::string, std::vector<std::string>> k_folders{
     {"app", {"process", "text", "input", "store", "pictures", "compare", "publish", "commands", "main.cpp"}},
 };
 
-// Folders that may not include all that their library may.
+// Folders that may not include everything that their library may.
 const std::map<std::string, std::set<std::string>> k_may_not_include{
     {"bench/exact", {"params", "analysis", "particles", "physics", "mpm", "models", "simulation"}},
     {"app/process",
@@ -56,7 +56,7 @@ std::string library_of(const std::string& path) {
     return rest.substr(0, rest.find('/'));
 }
 
-/// "gis/crs/crs.h" -> "crs"; empty for a file that lies in its library itself.
+/// "gis/crs/crs.h" -> "crs"; empty for a file directly in its library.
 std::string folder_of(const std::string& path) {
     const std::string rest = path.rfind("src/", 0) == 0 ? path.substr(4) : path;
     const auto library = rest.find('/');
@@ -65,7 +65,7 @@ std::string folder_of(const std::string& path) {
     return folder == std::string::npos ? std::string() : rest.substr(library + 1, folder - library - 1);
 }
 
-/// The place of a folder in its library, from below; none for a folder that its library does not list.
+/// Returns the position of a folder in its library, from below; none for a folder that its library does not list.
 std::optional<std::size_t> level_of(const std::string& path) {
     const auto library = k_folders.find(library_of(path));
     if (library == k_folders.end()) return 0;
@@ -75,7 +75,7 @@ std::optional<std::size_t> level_of(const std::string& path) {
     return static_cast<std::size_t>(found - library->second.begin());
 }
 
-/// What stands between the quotes or brackets of an #include line; empty for other lines.
+/// Returns the text between the quotes or brackets of an #include line; empty for other lines.
 std::string included(const std::string& line) {
     if (line.rfind("#include", 0) != 0) return {};
     const auto begin = line.find_first_of("<\"");

@@ -9,7 +9,7 @@
 
 namespace frana::test {
 
-/// Files of the source tree with these endings below these folders, as paths from the root, sorted.
+/// Returns files of the source tree with these endings below these folders, as paths from the root, sorted.
 inline std::vector<std::string> source_files(const std::vector<std::string>& folders,
                                              const std::vector<std::string>& endings) {
     namespace fs = std::filesystem;

@@ -68,7 +68,7 @@ TEST(Accuracy, RunsBothSchemesAtTwoResolutionsWhenQuick) {
     EXPECT_TRUE(block->met()) << block->value;
 }
 
-// The structured model has no schemes: one row a resolution, and second order in smooth flow.
+// The structured model has no schemes: one row per resolution, and second order in smooth flow.
 TEST(Accuracy, FreeFluidConvergesWithSecondOrderInSmoothFlow) {
     AccuracyOptions options;
     options.only = {"fluid-wave"};
@@ -77,7 +77,7 @@ TEST(Accuracy, FreeFluidConvergesWithSecondOrderInSmoothFlow) {
     for (const AccuracyRow& row : rows) {
         EXPECT_EQ(row.scheme, Scheme::standard);
         EXPECT_TRUE(row.statistics.error.empty()) << row.case_name;
-        // Minmod clips the crest of the wave: 1.7 rather than 2 in the mean.
+        // Minmod clips the crest of the wave: 1.7 rather than 2 on average.
         if (row.statistics.cell_size < 1) {
             EXPECT_GT(row.observed_order, 1.7);
         }
@@ -85,8 +85,8 @@ TEST(Accuracy, FreeFluidConvergesWithSecondOrderInSmoothFlow) {
     EXPECT_EQ(accuracy_verdict(rows).find("did not reach"), std::string::npos);
 }
 
-// The measure itself: a flow that starts with the exact state has no error, and one that is told another
-// state has exactly the difference.
+// The measure itself: a flow that starts with the exact state has no error, and one compared with another state has
+// exactly the difference.
 TEST(CompareWithExact, MeasuresWhatItSays) {
     bench::Setup setup;
     setup.bed = Raster(plain_grid(20, 10, 1), 0.0);
@@ -94,7 +94,7 @@ TEST(CompareWithExact, MeasuresWhatItSays) {
     setup.material = water();
     setup.numerics = numerics_of(Scheme::standard, SlopeCorrection::none, Boundary::wall);
     TimedFlow run(setup);
-    const auto middle = [](Point p) { return std::abs(p.x - 10) < 5; };  // walls take the momentum at the ends
+    const auto middle = [](Point p) { return std::abs(p.x - 10) < 5; };  // walls absorb the momentum at the ends
     const CaseStatistics none = compare_with_exact(
         run,
         [](Point) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the accuracy bench compares with must itself be right: equations, budgets, limits.
+// The exact solutions of the accuracy bench must themselves be right: equations, budgets, limits.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ TEST(RadialReference, KeepsTheVolume) {
     const RadialReference wet(60, 10, 2, 250, 4, 500);
     EXPECT_NEAR(wet.volume(), start, 1e-12 * start);  // finite volumes: rounding of 500 sums
     const RadialReference dry(60, 10, 0, 250, 4, 500);
-    // Where a cell's depth would fall under zero it is set to zero; that must stay below notice.
+    // Where a cell's depth would become negative it is set to zero; that must remain negligible.
     EXPECT_NEAR(dry.volume(), 0.5 * 10 * 60 * 60, 1e-6 * start);
 }
 
@@ -26,7 +26,7 @@ TEST(RadialReference, LeavesALakeAtRest) {
 }
 
 TEST(RadialReference, IsADamBreakBeforeTheCurvatureIsFelt) {
-    // After 0.2 s the waves have gone 4 m of 60: the circle is straight to one part in fifteen.
+    // After 0.2 s the waves have travelled 4 m of 60: the circle is straight to one part in fifteen.
     const double t = 0.2;
     const DamBreak straight(10, 2);
     const RadialReference wet(60, 10, 2, 120, t, 12000);

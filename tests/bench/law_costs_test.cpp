@@ -10,7 +10,7 @@
 namespace frana::bench {
 namespace {
 
-// Times are not tested; what is carried is.
+// Times are not tested; the particles' fields are.
 TEST(LawCosts, EveryLawRunsAndOnlyStressCarriesMore) {
     const auto costs = run_law_costs(400, 3);
     ASSERT_FALSE(costs.empty());
@@ -20,7 +20,7 @@ TEST(LawCosts, EveryLawRunsAndOnlyStressCarriesMore) {
         const bool stress = cost.law == "in-plane Bingham" || cost.law == "earth pressure";
         EXPECT_EQ(cost.bytes_per_particle - costs[0].bytes_per_particle, stress ? 3 * sizeof(double) : 0) << cost.law;
     }
-    // Voellmy's two are the plain scene.
+    // Voellmy's two terms are the plain scene.
     for (const Law& law : laws()) {
         const bool plain = law.word == "coulomb" || law.word == "turbulence";
         const bool there =

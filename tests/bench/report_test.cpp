@@ -26,7 +26,7 @@ AccuracyRow row(const char* name, Scheme scheme, double cell, double seconds, do
     return r;
 }
 
-// The paper's scheme is better here, for less time: the words must say so.
+// The paper's scheme is better here, in less time: the text must say so.
 std::vector<AccuracyRow> paper_wins() {
     return {row("stoker", Scheme::standard, 10, 1, 0.1, k_no_data), row("stoker", Scheme::standard, 5, 8, 0.05, 1),
             row("stoker", Scheme::paper, 10, 0.5, 0.02, k_no_data), row("stoker", Scheme::paper, 5, 4, 0.01, 1)};
@@ -66,7 +66,7 @@ TEST(AccuracyTable, SaysWhereAnotherCodeIsBetterAndWhereAMarkIsMissed) {
     const std::string table = accuracy_table(rows);
     EXPECT_NE(table.find("MISSED"), std::string::npos);
     EXPECT_NE(table.find("frana's default, 5 m: WORSE, 2.16 times"), std::string::npos) << table;
-    rows[1].statistics.own[0].value = 0.002;  // under every published value, whatever its cells
+    rows[1].statistics.own[0].value = 0.002;  // below every published value, whatever its cells
     EXPECT_EQ(accuracy_table(rows).find("WORSE"), std::string::npos);
 }
 

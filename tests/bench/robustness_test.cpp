@@ -33,7 +33,7 @@ Scene slope() {
     return scene;
 }
 
-// What a run would give back, all cells alike but for one that is deeper.
+// Returns the result of a run, all cells equal except one that is deeper.
 RunResult result_of(const Scene& scene, double depth, double speed) {
     RunResult result;
     result.bed = scene.terrain;

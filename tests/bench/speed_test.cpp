@@ -34,7 +34,7 @@ TEST(Speed, MeasuresOneAndSeveralThreadsWithTheSameBits) {
               "case,particles,threads,particle_steps_per_second,bytes_per_particle,fraction_of_memory_bandwidth");
 }
 
-// A wrong answer or other bits must not pass as a fast run.
+// A wrong result or other bits must not pass as a fast run.
 TEST(Speed, AWrongAnswerIsNotRight) {
     SpeedResult result;
     result.rows.resize(2);
@@ -47,7 +47,7 @@ TEST(Speed, AWrongAnswerIsNotRight) {
     EXPECT_NE(speed_table(result).find("NOT THE SAME ANSWER"), std::string::npos);
 }
 
-// The stages' bytes add up to what a step must move: 13 fields and the stress, each read or written where it is needed.
+// The stages' bytes add up to those a step must move: 13 fields and the stress, each read or written where needed.
 TEST(Speed, CountsTheBytesOfAStage) {
     using voellmy_bingham::Stage;
     EXPECT_EQ(bytes_moved(Stage::particles_to_nodes, false), 80);  // position, velocity, volume, area, affine part

@@ -43,7 +43,7 @@ TEST(Soundness, SeesValuesThatAreNotNumbers) {
 }
 
 TEST(Soundness, SeesSpeedsThatNoFallGives) {
-    // The bound counts what moved before; here that is hidden from it, so the speed must pass the bound.
+    // The bound includes the initial speed; here that is hidden from it, so the speed must exceed the bound.
     const bench::Setup setup = usual_slide();
     bench::Setup fast = setup;
     fast.seeds = fill_lattice(fast.bed.grid, 2, 0, [](Point p) { return Seed{usual_cap(p), 500, 0}; });

@@ -6,10 +6,10 @@
 namespace frana::test {
 namespace {
 
-/// A scene with one problem: what is done to a good one, and words the one message must contain.
+/// A scene with one problem: the change to a valid one, and words that the one message must contain.
 struct BadInput {
     std::string name;
-    std::string lines;                   ///< after the good scene
+    std::string lines;                   ///< after the valid scene
     std::vector<std::string> overrides;  ///< --set
     std::vector<std::string> said;
 };
@@ -132,7 +132,7 @@ TEST_F(BadFile, NegativeThicknessRasterNamesCells) {
 }
 
 TEST_F(BadFile, UnwritableOutput) {
-    // A folder below a file can be made by nobody, not even by root.
+    // Nobody can create a folder below a file, not even root.
     const Outcome outcome = frana({"run", "scene.ini", "--out", "scene.ini/result"});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("--out: cannot be written"), std::string::npos) << outcome.err;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What may be done to the files of a good scene. Paths are relative to its folder.
+/// Changes to the files of a valid scene. Paths are relative to its folder.
 class Workshop {
   public:
     explicit Workshop(fs::path folder) : folder_(std::move(folder)) {}
@@ -27,7 +27,7 @@ class Workshop {
         std::fclose(file);
     }
     [[nodiscard]] std::string bytes(const std::string& name) const { return read_text((folder_ / name).string()); }
-    /// The good DTM in another format.
+    /// The valid DTM in another format.
     void raster(const std::string& driver, const std::string& name, const char* option = nullptr) const {
         const gis::GdalSession session;
         const GDALDatasetUniquePtr from(GDALDataset::Open((folder_ / "dtm.asc").c_str(), GDAL_OF_RASTER));
@@ -38,7 +38,7 @@ class Workshop {
                 ->CreateCopy((folder_ / name).c_str(), from.get(), 0, const_cast<char**>(options), nullptr, nullptr));
         ASSERT_TRUE(to);
     }
-    /// The good perimeter in another format.
+    /// The valid perimeter in another format.
     void vector(const std::string& driver, const std::string& name) const {
         const gis::GdalSession session;
         const GDALDatasetUniquePtr from(GDALDataset::Open((folder_ / "perimeter.geojson").c_str(), GDAL_OF_VECTOR));
@@ -56,14 +56,14 @@ class Workshop {
         const std::string all = bytes(name);
         write(name, all.substr(0, static_cast<std::size_t>(fraction * static_cast<double>(all.size()))));
     }
-    /// Overwrites bytes from a place on (counted from the end if negative).
+    /// Overwrites bytes from an offset (counted from the end if negative).
     void patch(const std::string& name, std::int64_t at, const std::string& with) const {
         std::string all = bytes(name);
         all.replace(static_cast<std::size_t>(at < 0 ? static_cast<std::int64_t>(all.size()) + at : at), with.size(),
                     with);
         write(name, all);
     }
-    /// A virtual raster with this geotransform and size over the good DTM.
+    /// A virtual raster with this geotransform and size over the valid DTM.
     void vrt(const std::string& name, const std::string& geotransform, const std::string& columns = "60",
              const std::string& band =
                  "<VRTRasterBand dataType=\"Float64\" band=\"1\"><SimpleSource>"
@@ -88,7 +88,7 @@ struct BrokenFile {
     std::string name, key, file;
     std::function<void(const Workshop&)> make;
     std::string said = "";    ///< beside key and file
-    std::string before = "";  ///< the file's name in the scene, what stands before it
+    std::string before = "";  ///< text before the file's name in the scene
 };
 void PrintTo(const BrokenFile& broken, std::ostream* out) {
     *out << broken.name;
@@ -222,7 +222,7 @@ std::vector<BrokenFile> broken_rasters(const std::string& key) {
 INSTANTIATE_TEST_SUITE_P(Dtm, Broken, testing::ValuesIn(broken_rasters("terrain.dtm")), k_name);
 INSTANTIATE_TEST_SUITE_P(Thickness, Broken, testing::ValuesIn(broken_rasters("release.thickness")), k_name);
 
-/// A little-endian double, as a shapefile holds it.
+/// A little-endian double, as in a shapefile.
 std::string double_bytes(double value) {
     std::string bytes(8, '\0');
     std::memcpy(bytes.data(), &value, 8);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A result that lacks a file, or has it empty, cut off, of another kind or of another size: what can be drawn is drawn,
-// else the file is named. FRANA_BROKEN=all tries every damage with every command, for a quarter of an hour.
+// A result with a file missing, empty, truncated, of another kind or of another size: everything that can be drawn is
+// drawn, otherwise the file is named. FRANA_BROKEN=all tries every damage with every command, for a quarter of an hour.
 #include <cstdlib>
 #include <map>
 #include <optional>
@@ -28,14 +28,14 @@ const std::map<std::string, Arguments> k_commands{
 
 enum class Damage { missing, empty, half, garbage, other };
 
-/// A file of a result, and what the commands that read it must say of its damages: 2 is a refusal that names the file.
+/// A file of a result, and the exit codes of the commands that read it, by damage: 2 is a refusal that names the file.
 struct Case {
     std::string file;
     Arguments readers;
     std::map<Damage, int> codes;
 };
 
-// What can be drawn without a file is drawn where it is missing; a damaged file is always refused.
+// Without a missing file everything else is drawn; a damaged file is always refused.
 const std::map<Damage, int> k_needed{
     {Damage::missing, 2}, {Damage::empty, 2}, {Damage::half, 2}, {Damage::garbage, 2}, {Damage::other, 2}};
 const std::map<Damage, int> k_exchanged{{Damage::other, 2}};
@@ -51,7 +51,7 @@ const std::vector<Case> k_cases{
     {"max_depth.tif", {"film", "compare"}, {{Damage::missing, 2}, {Damage::empty, 2}, {Damage::other, 2}}},
     {"max_velocity.tif", {"maps"}, k_exchanged},
     {"release.tif", {"maps"}, k_exchanged},
-    {"bed.tif", {"maps"}, {{Damage::missing, 0}, {Damage::other, 0}}},  // nothing on them is from it
+    {"bed.tif", {"maps"}, {{Damage::missing, 0}, {Damage::other, 0}}},  // they contain nothing of it
     {"dtm.tif", {"maps"}, k_optional},
     {"dtm.tif", {"view"}, {{Damage::missing, 2}}},
     {"dtm.tif", {"plates"}, {{Damage::missing, 2}}},
@@ -135,7 +135,7 @@ TEST_F(BrokenResult, FilesAreNamedAndNothingCrashes) {
     for (const Case& one : k_cases)
         for (const std::string& command : one.readers)
             for (const auto& [how, code] : one.codes) {
-                // One reader shows what a file's damages do; of the others the emptied file is enough.
+                // One reader tests all damages of a file; for the others the empty file is enough.
                 if (command != one.readers.front() && how != Damage::empty) continue;
                 attempt(one.file, how, command, code);
             }

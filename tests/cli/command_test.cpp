@@ -85,7 +85,7 @@ TEST_F(Command, FullDeviceForStandardOutputIsAnError) {
                      "output.animation=off"})
                   .exit_code,
               0);
-    // All that print to stdout; the shell is needed for the redirection only.
+    // All commands that print to stdout; the shell is needed for the redirection only.
     for (const std::string words :
          {"params", "params --json", "materials", "--help", "--version", "run --help", "check scene.ini",
           "render result --map max_depth --size 800x600", "render result --charts --size 800x600",

@@ -15,7 +15,7 @@ TEST_F(Compare, AForeignRasterAgainstAnOutline) {
     // Depth 1 m in columns 4 to 13 of rows 10 to 19: 50 m x 50 m from (20, 50) to (70, 100).
     write_dtm([](int row, int column) { return row >= 10 && row < 20 && column >= 4 && column < 14 ? 1.0 : -9999.0; },
               true, "depth.asc");
-    write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});  // half of it, and as much beside
+    write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});  // half of it, and as much outside
     const Outcome outcome = frana({"compare", "depth.asc", "--scar", "scar.geojson", "--threshold", "0.5", "--out",
                                    "scores", "--size", "800x600"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -45,8 +45,8 @@ TEST_F(Compare, AScarBeyondTheGridCountsAsMissed) {
 TEST_F(Compare, AResultAgainstAnOutlineInAnotherCrs) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
-    // About the release, in degrees: a few hundredths of a square kilometre, any overlap shows the
-    // transformation works.
+    // Around the release, in degrees: a few hundredths of a square kilometre, any overlap shows that the transformation
+    // works.
     write("scar.geojson",
           R"({"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [[)"
           R"([9.3485, 45.9995], [9.3525, 45.9995], [9.3525, 46.0025], [9.3485, 46.0025], [9.3485, 45.9995]]]}})");
@@ -68,7 +68,7 @@ TEST_F(Compare, ClassesDifferInLightnessForPrintsWithoutColours) {
     for (const gis::NamedClass& one : classes)
         tones.push_back(0.299 * one.colour.r + 0.587 * one.colour.g + 0.114 * one.colour.b);
     std::sort(tones.begin(), tones.end());
-    // As far apart as neighbours in a scale of six classes.
+    // As different as neighbours in a scale of six classes.
     EXPECT_GT(tones[1] - tones[0], 40);
     EXPECT_GT(tones[2] - tones[1], 40);
 }
@@ -109,10 +109,10 @@ TEST_F(CompareSquare, OutlineDistancesOfASquareShiftedByHalf) {
     write_polygon("scar", {{45, 50}, {95, 50}, {95, 100}, {45, 100}});
     const Outcome outcome = compare({"--scar", "scar.geojson"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    // Squares of 50 m, 25 m apart. Of each outline: the far side lies 25 m away (50 m of it); of the two
-    // sides along the shift, the half that the other square covers is 0 m away, the other half 0 to 25,
-    // at 2.5, 7.5 ... 22.5 m (samples of 5 m); the near side lies inside the other square, 25 m from its edge
-    // except near the corners: min(25, distance to the sides) = 2.5, 7.5, 12.5, 17.5, 22.5 and back.
+    // Squares of 50 m, 25 m apart. For each outline: the far side is 25 m away (50 m of it); of the two sides along the
+    // shift, the half covered by the other square is 0 m away, the other half 0 to 25, at 2.5, 7.5 ... 22.5 m (samples
+    // of 5 m); the near side is inside the other square, 25 m from its edge except near the corners: min(25, distance
+    // to the sides) = 2.5, 7.5, 12.5, 17.5, 22.5 and back.
     const double along = 2 * (2.5 + 7.5 + 12.5 + 17.5 + 22.5);  // two sides; the covered halves add nothing
     const double near = 2 * (2.5 + 7.5 + 12.5 + 17.5 + 22.5);
     EXPECT_NEAR(json_number(outcome.out, "mean_m"), (10 * 25 + along + near) / 40, 1e-9);
@@ -174,8 +174,8 @@ TEST_F(CompareSquare, SeveralResultsAndScarsAreRanked) {
 TEST_F(Compare, ADepositAgainstAnElevationDifference) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
-    // The survey is the result's own deposit, half as deep: overlap is perfect (over a threshold that both
-    // exceed or neither does is not sure, so a low one), depths are twice the survey's.
+    // The survey is the result's own deposit, half as deep: depths are twice the survey's, and at this low threshold
+    // both cover the same cells.
     const Raster depth = gis::read_result_raster(path("result/final_depth.tif"));
     write_dtm([&](int row, int column) { return depth.has_data(row, column) ? depth.at(row, column) / 2 : 0.0; }, true,
               "change.asc");

@@ -20,13 +20,13 @@ TEST_F(ConvergeCommand, ReportsLevelsAndTellsLaterRuns) {
         EXPECT_TRUE(fs::exists(path("result-convergence/" + std::string(name)))) << name;
     }
     const std::string csv = read_text(path("result-convergence/convergence.csv"));
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);  // a head and three levels
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);  // a header and three levels
     for (const char* statistic : {"max_depth_m,max_depth_p999_m,", "max_velocity_ms,max_velocity_p999_ms,"})
         EXPECT_NE(csv.find(statistic), std::string::npos) << statistic;
 
     const Outcome same = frana({"run", "scene.ini", "--out", "result"});
     EXPECT_NE(same.err.find("estimated error"), std::string::npos) << same.err;
-    // Another material: the estimate is not its own.
+    // Another material: the estimate belongs to another scene.
     const Outcome other =
         frana({"run", "scene.ini", "--out", "result", "--overwrite", "--set", "material.density=1900"});
     EXPECT_EQ(other.exit_code, 0) << other.err;

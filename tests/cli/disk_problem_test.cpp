@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Disks that fill, places that cannot be written, inputs that go away while a run is under way, and nobody who listens
-// to its messages.
+// Full disks, unwritable places, inputs that disappear during a run, and closed message streams.
 #include <sys/mount.h>
 
 #include <atomic>
@@ -21,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// With a disk of its own of 48 MB, in the folder "disk".
+/// With a separate disk of 48 MB, in the folder "disk".
 class SmallDisk : public Resuming {
   protected:
     void SetUp() override {
@@ -47,7 +46,7 @@ class SmallDisk : public Resuming {
     bool mounted_ = false;
 };
 
-/// Takes every byte of a disk that is free or becomes so, until it goes.
+/// Allocates every free byte of a disk, continuously, during its lifetime.
 class Filler {
   public:
     explicit Filler(const std::string& disk) : path_(disk + "/filler") {
@@ -98,7 +97,7 @@ TEST_F(SmallDisk, ThatFillsStopsTheRunWhichGoesOnLater) {
         EXPECT_NE(outcome.err.find("resume with the same command"), std::string::npos) << outcome.err;
     }
     EXPECT_EQ(read_text(path("disk/result/summary.json")), earlier);
-    // Still no room: the same again, and nothing is lost.
+    // Still full: the same again, and nothing is lost.
     const Outcome again = frana(run("disk/result", {"--overwrite", "--resume"}));
     EXPECT_EQ(again.exit_code, 4) << again.err;
     EXPECT_EQ(read_text(path("disk/result/summary.json")), earlier);
@@ -110,7 +109,7 @@ TEST_F(SmallDisk, ThatFillsStopsTheRunWhichGoesOnLater) {
     expect_tidy("disk/result");
 }
 
-// Younger than its first checkpoint, a run has the room for one: the state is that of the moment the disk filled.
+// Before its first checkpoint, a run has space for one: the state is that at the moment the disk filled.
 TEST_F(SmallDisk, ThatFillsTakesTheStateOfAYoungRun) {
     const std::vector<std::pair<std::string, std::string>> moments{{"0.2", "a frame cannot be written"},
                                                                    {"4", "the result cannot be written"}};
@@ -145,7 +144,7 @@ TEST_F(SmallDisk, ThatFillsTakesTheStateOfAYoungRun) {
         } else {
             EXPECT_EQ(kept.head().time, 4);  // all is computed
         }
-        // Still no room: the same again, and nothing is lost.
+        // Still full: the same again, and nothing is lost.
         std::vector<std::string> resume = command(result);
         resume.emplace_back("--resume");
         EXPECT_EQ(frana(resume).exit_code, 4);
@@ -160,7 +159,7 @@ TEST_F(SmallDisk, ThatFillsTakesTheStateOfAYoungRun) {
     }
 }
 
-// A run that has just the room for its results must not end because a checkpoint to come holds the last of it.
+// A run with just enough space for its results must not end because the rest is reserved for a future checkpoint.
 TEST_F(SmallDisk, LeavesAsMuchRoomAsIsSetAside) {
     const std::string file = disk() + "/reserve";
     app::ReservedSpace space(file);
@@ -180,7 +179,7 @@ TEST_F(SmallDisk, ThatCannotBeWrittenIsSaidBeforeAnythingIsComputed) {
     const Outcome outcome = frana(run("disk/result"));
     EXPECT_EQ(outcome.exit_code, 4);
     EXPECT_NE(outcome.err.find("--out: cannot be written: Read-only file system"), std::string::npos) << outcome.err;
-    // With a problem of the scene's both are said, and the scene is to be corrected first.
+    // Together with a problem of the scene both are reported, and the scene must be corrected first.
     const Outcome both = frana(run("disk/result", {"--set", "numerics.cfl=9"}));
     EXPECT_EQ(both.exit_code, 2);
     EXPECT_NE(both.err.find("Read-only file system"), std::string::npos) << both.err;
@@ -202,7 +201,7 @@ TEST_F(RunProblem, TheFolderThatGoesAwayIsSaid) {
     EXPECT_FALSE(fs::exists(path("result")));
 }
 
-// Inputs are read before the run; what happens to them afterwards does not touch it.
+// Inputs are read before the run; later changes do not affect it.
 TEST_F(RunProblem, InputsMayGoAwayOnceTheyAreRead) {
     ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
     StartedProgram program(folder_.string(), run("result", {"--quiet"}));
@@ -213,7 +212,7 @@ TEST_F(RunProblem, InputsMayGoAwayOnceTheyAreRead) {
     expect_same_result("whole", "result");
 }
 
-/// Runs a line of shell in the folder, FRANA being the program; its exit code.
+/// Runs a shell command in the folder, FRANA being the program; returns its exit code.
 int shell(const fs::path& folder, const std::string& line) {
     return WEXITSTATUS(std::system(("cd '" + folder.string() + "' && FRANA='" FRANA_PROGRAM "'; " + line).c_str()));
 }
@@ -232,7 +231,7 @@ TEST_F(RunProblem, NobodyWhoListensDoesNotCostTheRun) {
             EXPECT_TRUE(read_text(path("whole/" + std::string(name))) == read_text(path(result + "/" + name)))
                 << result << " " << name;
     }
-    // What was asked for on stdout is another matter.
+    // Requested output to stdout is different: its loss is an error.
     EXPECT_EQ(shell(folder_, "\"$FRANA\" params --ini > /dev/full 2> err"), 4);
     EXPECT_NE(read_text(path("err")).find("could not be written to stdout"), std::string::npos);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What changes no bit of a result, through the program: running the scene.ini of a result, on random scenes; more
-// terrain.
+// Changes that affect no bit of a result, through the program: running the scene.ini of a result, on random scenes;
+// more terrain.
 #include <bit>
 #include <cmath>
 #include <iomanip>
@@ -21,7 +21,7 @@ std::vector<std::uint64_t> bits_of(const std::string& file) {
     return list;
 }
 
-// A scene file over the tiny slope: numbers with all their digits, keys given or left out.
+// A scene file on the tiny slope: numbers with all their digits, keys given or left out.
 std::string random_text(RandomNumbers& random) {
     std::ostringstream text;
     text << std::setprecision(17);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What flew over an edge, as a run's files tell it.
+// Flight over an edge, in a run's files.
 #include <algorithm>
 #include <cmath>
 
@@ -48,9 +48,9 @@ TEST_F(FlightFiles, TellTheJumpAsTheParabolaDoes) {
     EXPECT_NE(outcome.err.find("material flew over edges"), std::string::npos) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));
     const double length = 10 * std::sqrt(2 * 40 / 9.81);
-    // Its tips are faster and slower by 2 sqrt(g h) = 2.8 m/s, its middle is not; tips of 1 cm fly as well.
+    // Its tips are faster and slower by 2 sqrt(g h) = 2.8 m/s, its middle is not; tips of 1 cm depth fly as well.
     EXPECT_NEAR(json_number(summary, "mean_length_m"), length, 0.03 * length);
-    // The edge is two cells wide: the parabola has fallen by g/2 (10 m / 10 m/s)^2 where its foot is reached.
+    // The edge is two cells wide: at its foot the parabola has fallen by g/2 (10 m / 10 m/s)^2.
     EXPECT_NEAR(json_number(summary, "highest_m"), 40, 4.9);
     EXPECT_GT(json_number(summary, "volume_m3"), 0);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a large DTM only what lies under the energy line is taken, where a law of the scene draws one.
+// Of a large DTM only the part below the energy line is read, if a law of the scene allows one.
 #include "app/input/flow_window.h"
 
 #include "app/input/share_directory.h"
@@ -35,7 +35,7 @@ TEST_F(FlowWindow, IsCutByFrictionOnly) {
     EXPECT_FALSE(cuts({"material.pore-pressure-ratio=0.99"}));
 }
 
-// Every law says whether it bounds the run-out; those that do not are never trusted to.
+// Every law specifies whether it bounds the run-out; the others never cut the terrain.
 TEST_F(FlowWindow, AsEveryLawSays) {
     for (const Law& law : laws()) {
         if (law.kind != LawKind::bed_friction) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results and scenes tell the format they are in: a newer one is refused in a sentence, an older one read.
+// Results and scenes contain their format: a newer one is refused with a message, an older one read.
 #include <fstream>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene must not make frana do: take the machine's memory, or write a result that another run is writing.
+// What a scene must not make frana do: exhaust the machine's memory, or write a result that another run is writing.
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -42,14 +42,14 @@ TEST_F(Guard, ValuesThatNoSceneMeansAreRefusedInOnePass) {
         const std::string key = value.substr(0, value.find('='));
         EXPECT_NE(outcome.err.find("--set " + key + ": "), std::string::npos) << key << " in " << outcome.err;
     }
-    // Nothing of that size was tried: what the program takes with its libraries.
+    // No allocation of that size was tried: the memory is that of the program with its libraries.
     if (!k_sanitized) {
         EXPECT_LT(outcome.peak_memory_bytes, 300e6);
     }
     EXPECT_EQ(files(), before);
 }
 
-/// Tries the lock that a run holds on the folder in which it works.
+/// Tries to lock the folder in which a run works.
 bool locked(const fs::path& folder, int& descriptor) {
     descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY);
     return ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
@@ -66,8 +66,8 @@ TEST_F(Guard, TwoRunsDoNotWriteOneResult) {
     const Outcome second = frana(run);
     EXPECT_EQ(second.exit_code, 2) << second.err;
     EXPECT_NE(second.err.find("another run is writing this result now"), std::string::npos) << second.err;
-    EXPECT_EQ(files(), before);  // it took its own folder away
-    // A run that was killed leaves its folder, not its lock.
+    EXPECT_EQ(files(), before);  // it removed its own folder
+    // A killed run leaves its folder, not its lock.
     ::close(descriptor);
     EXPECT_EQ(frana(run).exit_code, 0);
     EXPECT_TRUE(fs::exists(folder_ / "result" / "summary.json"));

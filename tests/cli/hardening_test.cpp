@@ -19,7 +19,7 @@ std::string output_of(const std::string& command) {
     return text;
 }
 
-// The flags came through to the program that is shipped; readelf comes with the compiler.
+// The flags reached the shipped program; readelf comes with the compiler.
 TEST(Hardening, TheReleaseIsBuiltWithIt) {
 #ifndef FRANA_RELEASE
     GTEST_SKIP() << "not a release build";

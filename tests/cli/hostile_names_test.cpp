@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of files, folders, gauges and lines as users and their programs write them, through the whole program.
+// Unusual names of files, folders, gauges and lines by users and their programs, through the whole program.
 #include <chrono>
 
 #include "core/utf8.h"
@@ -90,7 +90,7 @@ TEST_F(HostileNames, BytesThatAreNotUtf8) {
     EXPECT_NE(report.find("caf\\xe9 &lt;i&gt;&amp;amp;&quot;"), std::string::npos);
     const Outcome info = frana({"check", "result/scene.ini"});
     EXPECT_EQ(info.exit_code, 0) << info.err;
-    // What the scene was, byte for byte: it can be run.
+    // The scene is preserved byte for byte: it can be run.
     const Outcome again = run("result/scene.ini", "again");
     ASSERT_EQ(again.exit_code, 0) << again.err;
     const auto values = [&](const std::string& result) {

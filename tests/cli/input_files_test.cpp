@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every key that can name a file: with another content it is another scene for --resume. Loops over the table of keys;
-// a new key needs a sample here.
+// Every key that can name a file: with another content --resume treats it as another scene. Loops over the table of
+// keys; a new key needs a sample here.
 #include <map>
 
 #include "../gis/files.h"
@@ -30,7 +30,7 @@ class InputFiles : public TinyScene {
         app::RunLog log(true);
         return app::prepare(read_scene(path(scene), sets, app::materials_directory()), log);
     }
-    /// `step`: up and down by turns.
+    /// `step`: alternately up and down.
     void write_raster(const std::string& name, double value, bool bytes = false, double step = 0) const {
         gis::test::TestRaster raster;
         raster.columns = k_columns;
@@ -53,7 +53,7 @@ class InputFiles : public TinyScene {
         return std::to_string(k_west + x) + " " + std::to_string(k_south + y);
     }
 
-    /// How a key comes to name a file, and two contents of that file.
+    /// How a key names a file, and two contents of that file.
     struct Sample {
         std::string scene = "scene.ini";
         Sets sets;
@@ -64,7 +64,7 @@ class InputFiles : public TinyScene {
     [[nodiscard]] Sample raster_sample_of(const Parameter& key) const;
 };
 
-// Two values that the key allows, under the law that reads them.
+// Two values allowed by the key, under the law that reads them.
 InputFiles::Sample InputFiles::raster_sample_of(const Parameter& key) const {
     const std::string name = key.name();
     std::vector<double> values;
@@ -166,7 +166,7 @@ TEST_F(InputFiles, AnotherContentOfAnyFileIsAnotherScene) {
     EXPECT_GT(keys, 25);
 }
 
-// The cells of the thickness's own raster give the volume, even where the working grid sees no difference.
+// The cells of the thickness's own raster determine the volume, even if the working grid is not affected.
 TEST_F(InputFiles, AThicknessCountsByItsOwnCells) {
     const Sets sets{"release.thickness=raster:file.tif", "terrain.cell-size=10", "terrain.crs=EPSG:32632"};
     const auto identity = [&](double step) {
@@ -178,7 +178,7 @@ TEST_F(InputFiles, AThicknessCountsByItsOwnCells) {
 
 class ChangedInput : public Resuming {};
 
-// What is only drawn or compared counts too: --resume would show the old one as the new.
+// Files only drawn or compared count too: --resume would show the old one as the new.
 TEST_F(ChangedInput, IsNotResumedAndNotCalledComplete) {
     write_polygon("scar", {{20, 50}, {200, 50}, {200, 100}, {20, 100}});
     const std::vector<std::string> more{"--set", "scar.perimeter=scar.geojson"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What frana understands of its inputs, and says.
+// Interpretation of inputs, and the messages about it.
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
@@ -87,7 +87,7 @@ TEST_F(Input, TheLogStatesOperationsAndResampling) {
     ASSERT_EQ(averaged.exit_code, 0) << averaged.err;
     expect_words(read_text(path("coarse/log.txt")), {"resampling average", "DTM transformed by:", "Monte Mario",
                                                      "accuracy 4 m", "perimeter transformed by:"});
-    // Austria's system in Italy: no survey ties them there, and PROJ leaves the datum as it is.
+    // Austria's system in Italy: no survey connects them there, and PROJ leaves the datum unchanged.
     expect_words(frana({"check", "scene.ini", "--set", "terrain.crs=EPSG:31287"}).err,
                  {"DTM: the accuracy of its transformation is unknown", "Ballpark", "hundreds of metres"});
     EXPECT_EQ(gis::read_result_raster(path("coarse/dtm.tif")).grid.cell_size, 10) << "the DTM really used is kept";
@@ -129,7 +129,7 @@ TEST_F(Input, FeetAreNeverGuessed) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     // The area between the corners that gdaltransform gives for EPSG:32610.
     expect_words(outcome.out, {"EPSG:32610", "3 714 m2"});
-    // A CRS that says so settles it.
+    // A CRS with a vertical unit decides it.
     std::vector<std::string> compound = scene;
     compound[5] = "terrain.dtm-crs=EPSG:2285+6360";
     EXPECT_EQ(frana(compound).exit_code, 0);
@@ -243,8 +243,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return tested.param.name; });
 
 TEST_F(Input, OfAHugeDtmOnlyWhatIsNeededIsRead) {
-    // 20 000 x 20 000 cells of 2 m, 1.6 GB if it were read; the ground is in the south-eastern corner, the
-    // rest was never written and is no data.
+    // 20 000 x 20 000 cells of 2 m, 1.6 GB if it were read; the ground is in the south-eastern corner, the rest was
+    // never written and is no data.
     constexpr int n = 20000;
     {
         const gis::GdalSession session;
@@ -274,15 +274,15 @@ TEST_F(Input, OfAHugeDtmOnlyWhatIsNeededIsRead) {
         if (!bounds.empty()) scene.insert(scene.end(), {"--set", "terrain.bounds=" + bounds});
         const Outcome outcome = frana(scene);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-        // The mark of 500 MB, for everything up to the engine; what check tries of the engine is in it.
+        // The limit of 500 MB, for everything up to the engine; it includes the engine's trial by check.
         if (!k_sanitized) {
             EXPECT_LT(outcome.peak_memory_bytes, 500e6) << bounds;
         }
         expect_words(outcome.out, {"20 000 x 20 000"});
     }
-    // The window holds the release and all that lies under the energy line of tan(20) * 0.8 = 0.291 through
-    // the release's top (1500 - 0.6 * 510 + 2 m): on a slope of 0.3 that is everything down to the corner's
-    // end. Up the slope it ends where the ground rises above the line, at once.
+    // The window contains the release and all ground below the energy line of tan(20) * 0.8 = 0.291 through the
+    // release's top (1500 - 0.6 * 510 + 2 m): on a slope of 0.3 that is everything down to the corner's end. Up the
+    // slope it ends where the ground rises above the line, at once.
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=0.1", "--set",
                      "terrain.dtm=huge.tif", "--set", "material.friction-angle=20"})
@@ -293,14 +293,14 @@ TEST_F(Input, OfAHugeDtmOnlyWhatIsNeededIsRead) {
     EXPECT_LT(grid.west, k_west + 20);
     EXPECT_GT(grid.west, k_west - 150);
     expect_words(read_text(path("result/log.txt")), {"the DTM is large", "terrain.bounds overrides"});
-    // At 40 m/s the line stands 81.6 m higher: up the slope, against 0.3 + 0.291, it ends 138 m farther away.
+    // At 40 m/s the line is 81.6 m higher: up the slope, against 0.3 + 0.291, it ends 138 m further away.
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "fast", "--quiet", "--set", "time.end=0.1", "--set",
                      "terrain.dtm=huge.tif", "--set", "material.friction-angle=20", "--set", "release.velocity=40"})
                   .exit_code,
               0);
     const double farther = grid.west - gis::read_result_raster(path("fast/dtm.tif")).grid.west;
     EXPECT_NEAR(farther, 40 * 40 / (2 * 9.81) / (0.3 + 0.8 * std::tan(20 * std::numbers::pi / 180)), 15);
-    // What flows in up the slope, 100 m from the release, needs its own ground.
+    // Inflow up the slope, 100 m from the release, needs its own ground.
     write("line.geojson",
           R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
           R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":[[)" +

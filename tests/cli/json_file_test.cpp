@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever lies in the place of a file that frana wrote is read, or is none; nothing ends the program.
+// Anything in the place of a file that frana wrote is read, or treated as missing; nothing crashes the program.
 #include "app/store/json_file.h"
 
 #include <cstdint>

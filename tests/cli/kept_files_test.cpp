@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No picture and no table takes the place of a file that is read or that a result is made of, whichever path or name
-// leads to it.
+// No picture and no table replaces an input or a file of a result, whichever path or name leads to it.
 #include <gdal.h>
 
 #include <fstream>
@@ -34,7 +33,7 @@ class KeptFilesOf : public TinyScene {
                 all[name] = read_text(path(name));
         return all;
     }
-    // With exit code 2, these words, and every file as it was.
+    // Exit code 2, these words, and every file unchanged.
     void expect_refusal(const std::vector<std::string>& arguments, const std::string& words) const {
         const auto before = contents();
         const Outcome outcome = frana(arguments);
@@ -77,7 +76,7 @@ TEST_F(KeptFilesOf, AnybodyWithTheNameOfAPicture) {
                                         "pictures", "--format", "tif",   "--size",    "640x480"};
     expect_refusal(draw, "exists already and was not drawn by frana");
     fs::remove(path("pictures/max_depth.tif"));
-    for (int i = 0; i < 2; ++i) {  // its own pictures it draws again
+    for (int i = 0; i < 2; ++i) {  // its own pictures may be redrawn
         const Outcome outcome = frana(draw);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_EQ(bands(path("pictures/max_depth.tif")), 3);
@@ -171,7 +170,7 @@ TEST_F(OwnFiles, OfABenchAreReplacedAndNoOthers) {
     for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(bench).exit_code, 0);
 }
 
-// What is drawn again belongs to the result: a run that replaces it takes it along.
+// Redrawn pictures belong to the result: a run that replaces it removes them.
 TEST_F(OwnFiles, OfAResultThatIsDrawnAnewGoWithIt) {
     ASSERT_EQ(frana({"render", "result", "--map", "max_depth", "--map", "release", "--size", "640x480"}).exit_code, 0);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=1"}).exit_code,
@@ -179,7 +178,7 @@ TEST_F(OwnFiles, OfAResultThatIsDrawnAnewGoWithIt) {
     EXPECT_FALSE(fs::exists(path("result/maps/release.png")));
 }
 
-// Of two runs each has its own files, whatever command writes, and however the place is spelt.
+// Each of two runs keeps its own files, whatever command writes, and however the place is written.
 class AnotherResult : public KeptFilesOf {
   protected:
     void SetUp() override {
@@ -202,7 +201,7 @@ TEST_F(AnotherResult, IsNotComparedInto) {
     expect_both_named({"compare", "result/max_depth.tif", "--scar", "scar.geojson", "--out", "other"},
                       "result/max_depth.tif");
     expect_both_named({"compare", "result", "dtm.asc", "--scar", "scar.geojson", "--out", "other"}, "result");
-    // What says which files are its own may have gone.
+    // The list of its own files may have been deleted.
     fs::remove(path("other/manifest.json"));
     expect_both_named({"compare", "result", "--scar", "scar.geojson", "--out", "other"}, "result");
     for (const std::string own : {"result", "result/more"})
@@ -264,7 +263,7 @@ TEST_F(OwnPictures, OfAnimationsAreReplacedAndNoOthers) {
     for (int i = 0; i < 2; ++i) EXPECT_EQ(frana(animation("film.gif")).exit_code, 0);
 }
 
-// A shorter animation: no frame of the longer one may stay behind it.
+// A shorter animation: no frame of the longer one may remain.
 TEST_F(OwnPictures, OfALongerAnimationGo) {
     ASSERT_EQ(frana(animation("film/")).exit_code, 0);
     const auto frames = [&](const std::string& more) {

@@ -12,13 +12,13 @@
 namespace frana::test {
 namespace {
 
-// Without what tells how a result was computed, not what it is.
+// Removes values about the computation rather than the result.
 void leave_out_cost(Json& summary) {
     for (const char* key : {"threads", "wall_seconds", "particle_steps_per_second", "peak_memory_bytes"})
         summary.erase(key);
 }
 
-// A list of files without its own time, and without the marks of files that tell theirs.
+// Removes the time of a list of files, and the marks of files that contain times.
 void leave_out_times(Json& manifest) {
     manifest.erase("written");
     for (Json& file : manifest["files"]) {
@@ -29,7 +29,7 @@ void leave_out_times(Json& manifest) {
     }
 }
 
-// Bytes that are no object, a user's own, stay as they are.
+// Bytes that are no object, the user's own, are unchanged.
 template <class LeaveOut>
 std::string without(const std::string& bytes, const LeaveOut& leave_out) {
     Json json = Json::parse(bytes, nullptr, false);
@@ -38,7 +38,7 @@ std::string without(const std::string& bytes, const LeaveOut& leave_out) {
     return frana::json_text(json);
 }
 
-// Without the column of seconds.
+// Removes the column of seconds.
 std::string without_seconds(const std::string& table) {
     std::istringstream lines(table);
     std::string kept;
@@ -55,7 +55,7 @@ std::string without_seconds(const std::string& table) {
     return kept;
 }
 
-// A GeoPackage says when it was written: 2026-11-22T14:26:06.028Z.
+// A GeoPackage contains its time of writing: 2026-11-22T14:26:06.028Z.
 std::string without_dates(std::string bytes) {
     const std::string form = "dddd-dd-ddTdd:dd:dd.dddZ";
     const auto fits = [&](std::size_t at) {

@@ -5,12 +5,12 @@
 
 namespace frana::test {
 
-/// What of a result's or study's file is the same whenever, on whatever and however often interrupted it is
-/// made: its bytes without what tells the time of day, how long it took, on how many threads and in how much
-/// memory; of a log and a report only whether there is one.
+/// Returns the part of a result's or study's file that does not depend on when, on what machine and with how many
+/// interruptions it is made: its bytes without the time of day, the duration, the number of threads and the memory; of
+/// a log and a report only whether there is one.
 std::string lasting_bytes(const std::string& file);
 
-/// The same, without what a summary says went wrong on the way.
+/// The same, without a summary's warnings.
 std::string lasting_bytes_but_warnings(const std::string& file);
 
 }  // namespace frana::test

@@ -24,7 +24,7 @@ class Late : public Resuming {
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }
-    // Whether a file is there in the folder in which a result is being built.
+    // Whether a file exists in the folder in which a result is being built.
     [[nodiscard]] bool has_begun(const std::string& result, const std::string& file) const {
         std::error_code ignored;
         for (const auto& entry : fs::directory_iterator(folder_, ignored))
@@ -32,7 +32,7 @@ class Late : public Resuming {
                 return true;
         return false;
     }
-    // Sends signals once a file is there.
+    // Sends signals once a file exists.
     Outcome stop_at(const std::string& result, const std::string& file, const std::vector<int>& signals,
                     const std::vector<std::string>& more = {}) const {
         StartedProgram program(folder_.string(), command(result, more));
@@ -57,7 +57,7 @@ TEST_F(Late, SignalLeavesOutPicturesWhichResumingDraws) {
     const Outcome outcome = stop_at("result", "maps/max_depth.png", {SIGTERM});
     EXPECT_EQ(outcome.exit_code, 128 + SIGTERM) << outcome.err;
     EXPECT_NE(outcome.err.find("left out because of the signal"), std::string::npos) << outcome.err;
-    // All numbers are there, and what is needed to draw the rest.
+    // All numbers are written, and the data needed to draw the rest.
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_NE(json_text(summary, "stop_reason"), "requested");
     EXPECT_TRUE(json_lists(summary, "warnings", "left out because of the signal")) << summary;
@@ -68,7 +68,7 @@ TEST_F(Late, SignalLeavesOutPicturesWhichResumingDraws) {
 }
 
 TEST_F(Late, SecondSignalEndsAtOnceAndResumingCompletes) {
-    // So large that drawing one takes longer than a second signal.
+    // So large that drawing one takes longer than the interval to the second signal.
     const std::vector<std::string> large{"--quiet",
                                          "--set",
                                          "output.map-size=2400x1600",
@@ -123,7 +123,7 @@ TEST_F(Late, ResumingAFinishedResultDrawsWhatIsMissing) {
     EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
     EXPECT_NE(drawn.err.find("maps/max_velocity, charts, animation.mp4"), std::string::npos) << drawn.err;
     expect_same_result("whole", "result");
-    // It is not computed again: not even for another scene, which is said.
+    // It is not computed again, also not for another scene, which is reported.
     const Outcome other = frana(command("result", {"--resume", "--set", "time.end=3"}));
     EXPECT_EQ(other.exit_code, 2);
     EXPECT_NE(other.err.find("contains the finished result of another scene: time.end is 3 here and was 4"),
@@ -135,8 +135,8 @@ TEST_F(Late, ResumingAFinishedResultDrawsWhatIsMissing) {
     EXPECT_NE(data.err.find("of another scene: the content of DTM differs"), std::string::npos) << data.err;
 }
 
-// What was drawn is drawn again and the ruin kept; what only the run can write, and the list itself, is
-// missed.
+// Damaged pictures are redrawn and the damaged file is kept; files that only the run can write, and the list itself,
+// are reported missing.
 TEST_F(Late, ResumingAResultWithFilesRuinedSaysWhich) {
     ASSERT_EQ(frana(command("result", {"--quiet"})).exit_code, 0);
     const std::string map = read_text(path("result/maps/max_velocity.png"));
@@ -161,7 +161,7 @@ TEST_F(Late, ResumingAResultWithFilesRuinedSaysWhich) {
     refused("the result's manifest is missing");
 }
 
-// Only a run can write them: a result that lacks one is not called complete.
+// Only a run can write them: a result without one is not reported as complete.
 TEST_F(Late, ResumingAResultWithFilesMissingSaysWhich) {
     ASSERT_EQ(frana(command("result", {"--quiet"})).exit_code, 0);
     for (const std::string name : {"report.html", "max_pressure.tif", "timeseries.csv"}) {
@@ -173,7 +173,7 @@ TEST_F(Late, ResumingAResultWithFilesMissingSaysWhich) {
                   std::string::npos)
             << outcome.err;
         EXPECT_EQ(fs::exists(path("result/maps/max_velocity.png")),
-                  name == "report.html");  // what can be drawn is
+                  name == "report.html");  // files that can be drawn are
         fs::rename(path("away"), path("result/" + name));
     }
     EXPECT_EQ(frana(command("result", {"--resume"})).exit_code, 0);

@@ -32,7 +32,7 @@ TEST(Layers, ClassesHoldEveryMaximum) {
             const std::vector<double> bounds = class_bounds(progressive, maximum);
             ASSERT_GE(bounds.size(), 2U) << progressive << ' ' << maximum;
             EXPECT_EQ(bounds.front(), 0) << progressive << ' ' << maximum;
-            // a bound may fall short of the maximum by the rounding of one product
+            // a bound may be below the maximum by the rounding of one product
             EXPECT_GE(bounds.back() * (1 + 1e-9), maximum) << progressive;
             for (std::size_t i = 1; i < bounds.size(); ++i) EXPECT_GT(bounds[i], bounds[i - 1]) << progressive;
         }
@@ -50,7 +50,7 @@ TEST(Layers, EveryMapOfTheSceneKeysIsARasterThatIsDrawn) {
     EXPECT_EQ(find_result_raster("view"), nullptr);
 }
 
-// What share/doc/results.md says of each: its file, its unit, and when there is one.
+// The description in share/doc/results.md: its file, its unit, and when it exists.
 TEST(Layers, EveryRasterIsExplained) {
     const std::vector<std::string> lines = lines_of_file(FRANA_SOURCE_DIR "/share/doc/results.md");
     for (const ResultRaster& row : result_rasters()) {
@@ -73,7 +73,7 @@ TEST(Layers, EveryFileIsExplained) {
             text += line + "\n";
     for (const ResultFile& file : result_files()) {
         if (file.kind == FileKind::style || file.kind == FileKind::working) continue;
-        // "frames/depth_*.tif" by its quantity, "maps/*.png" by its folder, a picture in whatever format.
+        // "frames/depth_*.tif" by its quantity, "maps/*.png" by its folder, a picture in any format.
         std::string name = file.pattern.substr(0, file.pattern.find('*'));
         while (name.ends_with('_') || name.ends_with('/')) name.pop_back();
         if (file.pattern.starts_with("frames/") && name.find('/') != std::string::npos)

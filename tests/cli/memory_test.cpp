@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `frana check` says a run will take is what it takes at its fullest.
+// The memory predicted by `frana check` is the peak memory of the run.
 #include <sys/resource.h>
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 namespace frana::test {
 namespace {
 
-// Nothing but numbers, and everything there is.
+// Numbers only, and all outputs.
 const std::vector<std::string> k_numbers{"output.maps=off", "output.animation=off", "output.frames=off"},
     k_pictures{"output.maps=on", "output.animation=on", "time.frame-interval=0.5"};
 
@@ -55,8 +55,8 @@ TEST_P(Memory, IsForeseenAndRatherTooMuchThanTooLittle) {
                  taken = json_number(read_text(path("result/summary.json")), "peak_memory_bytes");
     RecordProperty("foreseen_MB", std::to_string(foreseen / 1e6));
     RecordProperty("taken_MB", std::to_string(taken / 1e6));
-    // A twentieth: what versions of libraries and the system decide. A half: what need not come to pass, a disk that is
-    // slow to take frames, particles that all split.
+    // A twentieth: depends on versions of libraries and the system. A half: conditions that need not occur, a disk that
+    // is slow to store frames, particles that all split.
     EXPECT_GE(foreseen, 0.95 * taken);
     EXPECT_LE(foreseen, 1.5 * taken);
 }
@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
                           "structured.young-modulus=1e6", "structured.bulk-modulus=1e6", "terrain.cell-size=1"}}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
-// The shell's limit stands for a machine of little memory: the program looks for itself, without --memory-limit.
+// The shell's limit replaces a machine of little memory: the program finds the limit itself, without --memory-limit.
 class MemoryOfMachine : public TinyScene {
   protected:
     MemoryOfMachine() {
@@ -132,13 +132,13 @@ TEST_F(MemoryOfMachine, RefusesWhatItCannotHoldBeforeAnythingIsComputed) {
     refused({"render", "result/max_depth.tif", "--size", "8000x8000", "--out", "pictures"}, "--size");
     refused({"compare", "result", "--scar", "perimeter.geojson", "--size", "8000x8000", "--out", "compared"}, "--size");
     EXPECT_EQ(files(), before);
-    // Nobody can give what is not there.
+    // More memory than available cannot be allowed.
     refused({"check", "scene.ini", "--set", "output.maps=on", "--set", "output.map-size=8000x8000", "--memory-limit",
              "9GB"},
             "--memory-limit 9GB is more than");
 }
 
-// Libraries wait for ever for a thread that the shell's limit does not let them have.
+// Libraries wait for ever for a thread that the shell's limit does not allow.
 TEST_F(MemoryOfMachine, MayBeNextToNothing) {
     if (k_sanitized) GTEST_SKIP() << "a sanitizer reserves more addresses than that";
     write_scene();
@@ -161,7 +161,7 @@ TEST_F(MemoryOfMachine, IsTheLeastOfWhatIsFreeAndWhatControlGroupsLeave) {
     const auto bound = [&] { return app::machine_memory(folder_.string()); };
     EXPECT_EQ(bound().bytes, 1200100.0 * 1024);
     EXPECT_NE(bound().what.find("free"), std::string::npos);
-    // Version 2: a group above this one's holds it back; files in memory give way.
+    // Version 2: a group above this one limits it; files cached in memory are released.
     write("proc/self/cgroup", "0::/user/job\n");
     write("sys/fs/cgroup/user/memory.max", "700000000\n");
     write("sys/fs/cgroup/user/memory.current", "300000000\n");
@@ -169,7 +169,7 @@ TEST_F(MemoryOfMachine, IsTheLeastOfWhatIsFreeAndWhatControlGroupsLeave) {
     write("sys/fs/cgroup/user/job/memory.max", "max\n");
     EXPECT_EQ(bound().bytes, 500000000 + 102400);
     EXPECT_NE(bound().what.find("control group"), std::string::npos);
-    // Version 1, as a container sees it: the path is another's, the root is its own.
+    // Version 1, in a container: the path is that of another, the root is its own.
     write("proc/self/cgroup", "5:cpu,memory:/docker/abc\n4:pids:/x\n");
     write("sys/fs/cgroup/memory/memory.limit_in_bytes", "400000000\n");
     write("sys/fs/cgroup/memory/memory.usage_in_bytes", "100000000\n");

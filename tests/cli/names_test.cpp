@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of the user's in the files that frana writes: spreadsheets' formulas, bytes that are not UTF-8, names of files.
+// User's names in the files that frana writes: spreadsheets' formulas, bytes that are not UTF-8, names of files.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -16,7 +16,7 @@ TEST(Names, BytesThatAreNotUtf8AreWrittenOut) {
     const std::string good = "Val Ferret, 2 µm, 日本, 🏔";
     EXPECT_EQ(valid_utf8(good), good);
     EXPECT_EQ(valid_utf8("caf\xE9"), "caf\\xe9");
-    EXPECT_EQ(valid_utf8("\xC3"), "\\xc3");                             // cut off
+    EXPECT_EQ(valid_utf8("\xC3"), "\\xc3");                             // truncated
     EXPECT_EQ(valid_utf8("\xC0\xAF"), "\\xc0\\xaf");                    // overlong
     EXPECT_EQ(valid_utf8("\xED\xA0\x80"), "\\xed\\xa0\\x80");           // surrogate
     EXPECT_EQ(valid_utf8("\xF4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond Unicode
@@ -38,7 +38,7 @@ TEST(Names, NoCellOfATableIsAFormula) {
         const std::string cell = csv_cell(name);
         const bool quoted = cell.front() == '"';
         EXPECT_EQ(cell[quoted ? 1 : 0], '\'') << name;
-        // As a reader of CSV sees it.
+        // As read by a CSV reader.
         std::string bare = quoted ? cell.substr(1, cell.size() - 2) : cell;
         for (std::size_t at = bare.find("\"\""); at != std::string::npos; at = bare.find("\"\"", at + 1))
             bare.erase(at, 1);

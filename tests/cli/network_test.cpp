@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The network is reached only where whoever starts the program allows it, whatever the files say.
+// The network is used only if the user who starts the program allows it, whatever the files contain.
 #include <cpl_vsi.h>
 
 #include "tiny_scene.h"
@@ -38,7 +38,7 @@ class Network : public TinyScene {
                "527070,5094095 527020,5094055</gml:coordinates></gml:LinearRing></gml:outerBoundaryIs>"
                "</gml:Polygon></ogr:geometryProperty></ogr:a></gml:featureMember></ogr:FeatureCollection>";
     }
-    /// Bytes of a file under another name, in an archive if the name says so.
+    /// Writes bytes as a file of another name, in an archive if the name has that ending.
     static void write_at(const std::string& name, const std::string& text) {
         VSILFILE* file = VSIFOpenL(name.c_str(), "wb");
         ASSERT_NE(file, nullptr) << name;
@@ -101,12 +101,12 @@ TEST_F(Network, NoVectorFileLeadsThereUnlessAllowed) {
         EXPECT_NE(outcome.err.find(file.substr(file.rfind('/') + 1)), std::string::npos) << outcome.err;
         EXPECT_NE(outcome.err.find("--allow-network"), std::string::npos) << file << outcome.err;
     }
-    // A file's other keys go through the same door; so do lines and points.
+    // Files of other keys use the same filter; so do lines and points.
     for (const std::string key : {"scar.perimeter=", "scar.front=", "output.profiles=", "terrain.walls="}) {
         const Outcome outcome = frana({"check", "scene.ini", "--set", key + "url.vrt"});
         EXPECT_NE(outcome.err.find("on the network"), std::string::npos) << key << outcome.err;
     }
-    // What GDAL does not follow by itself.
+    // References that GDAL does not follow by itself.
     for (const std::string file : {"name.geojson", "crs.vrt", "schema.gml", "type.gml", "ogdi.vrt"})
         (void)frana({"check", "scene.ini", "--set", "release.perimeter=" + file});
     EXPECT_EQ(server.calls(), 0);

@@ -9,7 +9,7 @@ namespace {
 TEST(NumberText, Statistics) {
     EXPECT_EQ(number_text(0), "0");
     EXPECT_EQ(number_text(16.04, 3), "16");
-    EXPECT_EQ(number_text(123456.7, 3), "123457");  // no exponents for people
+    EXPECT_EQ(number_text(123456.7, 3), "123457");  // no exponents in messages
     EXPECT_EQ(number_text(0.01234, 2), "0.012");
 }
 

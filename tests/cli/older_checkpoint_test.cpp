@@ -33,7 +33,7 @@ class OlderCheckpoint : public TinyScene {
         EXPECT_GT(prepared_.scene.grid.origin_row, 0);
     }
 
-    // Runs to the end, with a checkpoint on the way as a run that was killed leaves it.
+    // Runs to the end, with a checkpoint as left by a killed run.
     Raster run_to_end(std::optional<OriginCell> told) {
         fs::create_directories(path("result.partial-killed/checkpoint"));
         RunOptions options;
@@ -61,7 +61,7 @@ class OlderCheckpoint : public TinyScene {
     [[nodiscard]] std::string file() const {
         return path("result.partial-killed/checkpoint/step_000000000000008.frana");
     }
-    // What --resume makes of it is what the run came to.
+    // --resume ends with the result of the run.
     void expect_goes_on_to(const Raster& expected) {
         const Outcome outcome = frana({"run", path("scene.ini"), "--out", "result", "--resume"});
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

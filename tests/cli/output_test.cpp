@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run leaves behind, file by file.
+// The outputs of a run, file by file.
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 class Output : public TinyScene {
   protected:
-    /// Runs the scene with these lines after it, into result/.
+    /// Runs the scene with these lines appended, into result/.
     void run(const std::string& more) {
         write_scene(more);
         const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
@@ -35,7 +35,7 @@ class Output : public TinyScene {
         return gis::read_result_raster(path("result/" + name));
     }
     [[nodiscard]] std::string text(const std::string& name) const { return read_text(path("result/" + name)); }
-    /// Points or lines in the DTM's system, offsets from its south-western corner.
+    /// Points or lines in the DTM's CRS, offsets from its south-western corner.
     void write_marks(const std::string& name, const std::string& type,
                      const std::vector<std::pair<std::string, std::string>>& features) const {
         std::string json =
@@ -149,7 +149,7 @@ TEST_F(Output, OutlinesCarryTheirValues) {
         EXPECT_GT(value("runout_m"), 0);
         EXPECT_NEAR(value("reach_angle_deg"), std::atan2(value("drop_m"), value("runout_m")) * 180 / M_PI, 1e-9);
         if (name == "deposit") {
-            // What is deeper than the threshold; the rest is animation.
+            // Volume deeper than the threshold; the rest is a thin film.
             EXPECT_LE(value("volume_m3"), 4000 * (1 + 1e-9));
             EXPECT_GT(value("volume_m3"), 0.9 * 4000);
             continue;
@@ -178,7 +178,7 @@ TEST_F(Output, HighValuesAreThoseOfTheRasters) {
         std::sort(inside.begin(), inside.end());
         ASSERT_GT(inside.size(), 100U);
         for (const int thousandths : {999, 990}) {
-            // As numpy.percentile(inside, 99.9) and 99; files hold 4 bytes a value, 6e-8 of it.
+            // As numpy.percentile(inside, 99.9) and 99; files have 4 bytes per value, 6e-8 of it.
             const std::size_t last = inside.size() - 1, place = last * thousandths / 1000;
             const double beyond = static_cast<double>(last * thousandths % 1000) / 1000;
             const double expected = inside[place] + beyond * (inside[place + 1] - inside[place]);
@@ -218,7 +218,7 @@ TEST_F(Output, ProfilesAlongTheFlowPathAndTheUsersLine) {
         const double x = std::stod(cells[2]), y = std::stod(cells[3]);
         const auto row = static_cast<std::int64_t>((bed.grid.north - y) / k_cell);
         const auto column = static_cast<std::int64_t>((x - bed.grid.west) / k_cell);
-        EXPECT_NEAR(std::stod(cells[4]), bed.at(row, column), 1e-4) << rows[i];  // the file holds floats
+        EXPECT_NEAR(std::stod(cells[4]), bed.at(row, column), 1e-4) << rows[i];  // the file contains floats
         if (cells[6].empty())
             EXPECT_FALSE(depth.has_data(row, column));
         else
@@ -231,9 +231,9 @@ TEST_F(Output, ProfilesAlongTheFlowPathAndTheUsersLine) {
             path_length = std::stod(cells[1]);
         }
     }
-    EXPECT_EQ(on_axis, 41);  // 200 m, a station a cell
-    // The flow runs straight down the slope: no shorter than the straight run-out, no longer than an eighth
-    // turn's.
+    EXPECT_EQ(on_axis, 41);  // 200 m, one station per cell
+    // The flow runs straight down the slope: not shorter than the straight run-out, not longer than with a turn of 45
+    // degrees.
     const double straight = json_number(text("summary.json"), "horizontal_m");
     EXPECT_GE(path_length, straight * (1 - 1e-9));
     EXPECT_LE(path_length, 1.083 * straight + k_cell);
@@ -316,7 +316,7 @@ TEST_F(Output, SchemesThatNeedFluxOrHeadRecordThem) {
     const Raster classes = raster("hazard.tif"), head = raster("max_head.tif"), deposit = raster("final_depth.tif");
     for (std::size_t i = 0; i < classes.values.size(); ++i) {
         if (std::isnan(classes.values[i])) continue;
-        // The file's floats may fall on the other side of a limit than the doubles that were classed.
+        // The file's floats may be on the other side of a limit than the classified doubles.
         if (std::abs(head.values[i] - 1.5) < 1e-6 || std::abs(deposit.values[i] - 0.7) < 1e-6) continue;
         ASSERT_EQ(classes.values[i], head.values[i] >= 1.5 || deposit.values[i] >= 0.7 ? 2 : 1);
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A result takes an older one's place: nothing of the older one passes for the new, and nothing of the user's
-// is lost.
+// A result replaces an older one: nothing of the older one is mistaken for the new, and no file of the user is lost.
 #include <algorithm>
 #include <csignal>
 #include <map>
@@ -46,7 +45,7 @@ TEST_F(Overwrite, LeavesWhatAFreshRunWrites) {
     }
 }
 
-// The table is complete, and nothing in it is made up.
+// The table is complete, and every row of it exists.
 TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
     run(k_voellmy + k_entrainment + k_every_output, "old");
     render_all();
@@ -67,7 +66,7 @@ TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
         }
         EXPECT_EQ(manifest->files.size() + 1, files_below(path(result)).size());
     }
-    // What neither of the two scenes asks for: notes of a run on its way, other formats of the same.
+    // Requested by neither of the two scenes: notes of an unfinished run, other formats of the same.
     const auto needs_luck = [](const app::ResultFile& row) {
         const ResultRaster* const raster = find_result_raster(row.pattern.substr(0, row.pattern.find('.')));
         return raster != nullptr && raster->if_it_happens;
@@ -89,7 +88,7 @@ TEST_F(Overwrite, KeepsTheUsersFilesWhereverTheyLie) {
                                                        {"frames/depth_9999_mine.txt", "d2"},
                                                        {"gis/deep/er.qgz", "e"},
                                                        {"manifest.json.bak", "f"}};
-    // Changed files, and those that a GIS lays beside ours: they would be read with the new raster.
+    // Changed files, and those that a GIS creates beside a raster: they would be read with the new raster.
     const std::map<std::string, std::string> other_name{{"max_depth.qml", "max_depth.kept-1.qml"},
                                                         {"eroded_depth.tif", "eroded_depth.kept-1.tif"},
                                                         {"maps/max_depth.png", "maps/max_depth.kept-1.png"},
@@ -125,7 +124,7 @@ TEST_F(Overwrite, KeepsTheUsersFilesWhereverTheyLie) {
         EXPECT_TRUE(lasting_bytes(path("fresh/" + name)) == lasting_bytes(path("old/" + name))) << name;
     EXPECT_EQ(files_below(path("old")).size(),
               files_below(path("fresh")).size() + same_name.size() + other_name.size() + 2);
-    // A second time the numbers count on.
+    // The second time the numbers continue.
     write("old/max_depth.qml", "again");
     run(k_voellmy + k_numbers_only, "old", {"--overwrite"});
     EXPECT_EQ(read_text(path("old/max_depth.kept-2.qml")), "again");
@@ -133,7 +132,7 @@ TEST_F(Overwrite, KeepsTheUsersFilesWhereverTheyLie) {
     for (const std::string& name : files()) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
 }
 
-// Drawing and comparing once more replace what they wrote, and keep what somebody made of it.
+// Drawing and comparing again replace their own files, and keep files changed by the user.
 TEST_F(Overwrite, WhatIsDrawnAgainKeepsWhatWasChanged) {
     run(k_voellmy + k_numbers_only, "old");
     for (int time = 0; time < 2; ++time) {
@@ -182,7 +181,7 @@ TEST_F(Overwrite, AnOlderResultWithoutAManifestIsKeptWhole) {
     expect_same_files(path("fresh"), path("old"));
 }
 
-// A manifest is only text: it does not lead out of the folder.
+// A manifest is only text: it must not lead out of the folder.
 TEST_F(Overwrite, AManifestReachesNoFileElsewhere) {
     run(k_voellmy + k_numbers_only, "old");
     fs::create_directory(path("photos"));
@@ -198,7 +197,7 @@ TEST_F(Overwrite, AManifestReachesNoFileElsewhere) {
     EXPECT_EQ(fs::read_symlink(path("old/album")), "../photos");
 }
 
-// Folders beside the result are frana's only where they say so, under their own name.
+// Folders beside the result belong to frana only if they have a note with their own name.
 TEST_F(Overwrite, FoldersBesideTheResultStay) {
     run(k_voellmy + k_numbers_only, "old");
     copy("old", "old.partial-backup");
@@ -210,7 +209,7 @@ TEST_F(Overwrite, FoldersBesideTheResultStay) {
     EXPECT_TRUE(exists("old.partial-Ab12Cd/maps/mine.png"));
 }
 
-// A run that was killed after the results had changed places, and before the user's files had followed.
+// A run killed after the results were exchanged, and before the user's files were moved.
 TEST_F(Overwrite, TheNextRunEndsWhatAKilledOneLeft) {
     run(k_voellmy + k_entrainment + k_numbers_only, "old");
     run(k_voellmy + k_numbers_only, "fresh");
@@ -230,7 +229,7 @@ TEST_F(Overwrite, TheNextRunEndsWhatAKilledOneLeft) {
     EXPECT_EQ(files_below(path("result")).size(), files_below(path("fresh")).size() + 2);
 }
 
-// One that cannot be exchanged, as on some file systems and where somebody has put another folder there.
+// One that cannot be exchanged, as on some file systems or if another folder was put there.
 TEST_F(Overwrite, AResultThatCannotTakeItsNameIsKeptBesideIt) {
     write("scene.ini",
           "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[time]\n"
@@ -259,7 +258,7 @@ TEST_F(Overwrite, AResultThatCannotTakeItsNameIsKeptBesideIt) {
     EXPECT_EQ(kept, 1);
 }
 
-// With every output there is, of either model.
+// With every output, of either model.
 TEST_F(Overwrite, AResumedRunWritesWhatAFreshOneDoes) {
     const std::map<std::string, std::string> models{{"first", k_voellmy + k_entrainment}, {"second", k_structured}};
     for (const auto& [name, text] : models) {

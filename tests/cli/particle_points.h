@@ -16,7 +16,7 @@ struct Points {
     [[nodiscard]] std::size_t size() const { return columns.count("x") == 0 ? 0 : columns.at("x").size(); }
 };
 
-/// Fails the test where there is no such layer.
+/// Fails the test if there is no such layer.
 Points read_points(const std::string& path);
 
 }  // namespace frana::test

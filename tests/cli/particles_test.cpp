@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particles of the frames as files, of both models: they hold the mass, lie where it lies, and say what it is
-// like.
+// Particles of the frames as files, of both models: they have the flow's mass, place and state.
 #include <cmath>
 
 #include "particle_points.h"
@@ -78,7 +77,7 @@ TEST_F(ParticleFiles, OfStructuredSolidsInBothFormats) {
           "shear_stress_kpa", "strain", "strain_xx", "strain_yy", "strain_xy", "cohesion_ratio", "fractured_fraction"})
         names.emplace_back(name);
     EXPECT_EQ(end.names, names);
-    // Nothing breaks: half of the volume stays confined, and all is one block.
+    // Nothing breaks: half of the volume remains confined, and all is one block.
     EXPECT_NEAR(end.sum("volume_m3"), 4000, 1e-6);
     EXPECT_NEAR(end.sum("confined_fluid_m3"), 2000, 1e-6);
     EXPECT_EQ(end.sum("fractured_fraction"), 0);
@@ -88,12 +87,12 @@ TEST_F(ParticleFiles, OfStructuredSolidsInBothFormats) {
         const double mean = (value("stress_xx_kpa") + value("stress_yy_kpa") + value("stress_zz_kpa")) / 3;
         EXPECT_NEAR(value("mean_stress_kpa"), mean, 1e-9 * (1 + std::abs(mean)));
         EXPECT_LT(value("strain"), 0.01);
-        // Plane strain of small size: sigma_zz = (K - 2G/3) (e_xx + e_yy), G = 3 K E/(9 K - E).
+        // Plane strain of small magnitude: sigma_zz = (K - 2G/3) (e_xx + e_yy), G = 3 K E/(9 K - E).
         const double shear = 3 * 1e4 * 1e4 / (9e4 - 1e4);
         EXPECT_NEAR(value("stress_zz_kpa"), (1e4 - 2 * shear / 3) * (value("strain_xx") + value("strain_yy")),
                     1e-6 * (1 + std::abs(value("stress_zz_kpa"))));
     }
-    // The polydata say the same, at the height of the column's top.
+    // The polydata have the same values, at the height of the column's top.
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(path("result/frames/particles_0002.vtp").c_str());
     reader->Update();

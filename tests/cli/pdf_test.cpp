@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every PDF that the program writes shows what the PNG beside it shows.
+// Every PDF written by the program shows the same as the PNG beside it.
 #include <cstdlib>
 
 #include "../gis/pdf_check.h"
@@ -10,12 +10,11 @@ namespace {
 
 class Pdf : public TinyScene {
   protected:
-    // GDAL's threads are what broke them, pictures of more than a megabyte; a machine of one processor has
-    // none.
+    // GDAL's threads damaged them, pictures of more than a megabyte; a machine with one processor has none.
     Pdf() { ::setenv("GDAL_NUM_THREADS", "2", 1); }
     ~Pdf() override { ::unsetenv("GDAL_NUM_THREADS"); }
 
-    // Those below a folder; every one must be good.
+    // Returns those below a folder; every one must be valid.
     [[nodiscard]] std::vector<std::string> good_pdfs(const std::string& folder) const {
         std::vector<std::string> found;
         for (const std::string& file : files()) {

@@ -48,7 +48,7 @@ Outcome run_program(const std::string& folder, const std::vector<std::string>& a
 
 namespace {
 
-// Those nearest the root.
+// Returns those nearest the root.
 std::vector<Json> find_in(const Json& root, const std::string& key) {
     for (std::vector<Json> level{root}; !level.empty();) {
         std::vector<Json> found, next;

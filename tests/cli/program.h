@@ -8,14 +8,14 @@
 
 namespace frana::test {
 
-/// Under a sanitizer most of a program's memory is the sanitizer's.
+/// With a sanitizer most of a program's memory is the sanitizer's.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool k_sanitized = true;
 #else
 inline constexpr bool k_sanitized = false;
 #endif
 
-/// What one call of the program did.
+/// The outcome of one call of the program.
 struct Outcome {
     int exit_code = -1;
     std::string out;
@@ -28,13 +28,12 @@ Outcome run_program(const std::string& folder, const std::vector<std::string>& a
 
 std::string read_text(const std::string& path);
 
-/// Fails the test where the text is no JSON.
+/// Fails the test if the text is no JSON.
 Json parse_json(const std::string& text);
-/// The value in a JSON text by its name where only one value nearest the root has it, or by names that follow each
-/// other
-/// ("runout.drop_m"). Fails the test where there is no such value, or more than one.
+/// Returns the value in a JSON text by its name if only one value nearest the root has it, or by names that follow each
+/// other ("runout.drop_m"). Fails the test if there is no such value, or more than one.
 Json json_value(const std::string& json, const std::string& key);
-/// The same as a text or a number; fails the test where it is none.
+/// The same as a text or a number; fails the test if it is none.
 std::string json_text(const std::string& json, const std::string& key);
 double json_number(const std::string& json, const std::string& key);
 /// Whether there is such a value, object or list.

@@ -17,7 +17,7 @@ namespace {
 
 class ReadFrames : public TinyScene {
   protected:
-    // Both quantities of every GeoTIFF frame in one file each; what Python is to find beside.
+    // Both quantities of every GeoTIFF frame in one file each, for Python to compare.
     void write_expected(const std::string& scene) const {
         const std::vector<app::StoredFrame> stored = app::stored_frames(path("result/frames"));
         ASSERT_EQ(stored.size(), 4U);

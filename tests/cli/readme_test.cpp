@@ -15,7 +15,7 @@ std::string document(const std::string& name) {
     return read_text(std::string(FRANA_SOURCE_DIR) + "/" + name);
 }
 
-/// The first block of a document that is marked as this language.
+/// Returns the first block of a document marked as this language.
 std::string first_block(const std::string& text, const std::string& language) {
     const std::string opening = "```" + language + "\n";
     const std::size_t begin = text.find(opening), end = text.find("\n```", begin + opening.size());
@@ -33,7 +33,7 @@ TEST_F(Readme, ItsFirstSceneRunsAsItStands) {
     write("my-slope/scene.ini", scene);
     const Outcome checked = frana({"check", "my-slope/scene.ini"});
     EXPECT_EQ(checked.exit_code, 0) << checked.err;
-    // A second of the flow is enough to know that it runs.
+    // A second of the flow is enough to show that it runs.
     const Outcome run = frana({"run", "my-slope/scene.ini", "--quiet", "--set", "time.end=1", "--set",
                                "output.maps=off", "--set", "output.animation=off"});
     EXPECT_EQ(run.exit_code, 0) << run.err;

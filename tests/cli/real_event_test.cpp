@@ -6,7 +6,7 @@
 namespace frana::test {
 namespace {
 
-/// The worked examples of share/scenes and the sample stay valid: `frana check` accepts them.
+/// The worked examples of share/scenes and the sample remain valid: `frana check` accepts them.
 class Example : public TinyScene, public ::testing::WithParamInterface<std::pair<const char*, const char*>> {};
 
 TEST_P(Example, IsReadyToRun) {

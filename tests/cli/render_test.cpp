@@ -47,7 +47,7 @@ TEST_F(Render, ViewAndAnimation) {
 TEST_F(Render, AnyRasterOfTheResultAndAnyTime) {
     const Outcome outcome = frana({"render", "result", "--map", "release", "--map", "depth@2.1", "--size", "800x600"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    // The first state that reached 2 s, under its true time.
+    // The first state at or after 2 s, with its true time.
     EXPECT_TRUE(std::regex_match(outcome.out,
                                  std::regex("result/maps/release\\.png\nresult/maps/depth_t2(\\.[0-9]+)?\\.png\n")))
         << outcome.out;
@@ -68,7 +68,7 @@ TEST_F(Render, WithoutAMapDrawsTheRunsRastersAndNoUsersOnes) {
     EXPECT_TRUE(fs::exists(path("all/max_depth.png")));
     for (const char* name : {"mine.png", "max_depth.kept-1.png", "photo.png"})
         EXPECT_FALSE(fs::exists(path(std::string("all/") + name))) << name;
-    // By its name it is drawn.
+    // Requested by its name it is drawn.
     EXPECT_EQ(frana({"render", "result", "--map", "mine", "--size", "640x480", "--out", "all"}).exit_code, 0);
     EXPECT_TRUE(fs::exists(path("all/mine.png")));
 }
@@ -148,7 +148,7 @@ TEST_F(Render, ResultsInUnequalCrsAreNotPutBesideEachOther) {
 }
 
 TEST_F(Render, MapsOfOneResultShareTheirWindow) {
-    // Drawn alone or in a series a map is the same, byte for byte.
+    // A map drawn alone or in a series is the same, byte for byte.
     ASSERT_EQ(frana({"render", "result", "--size", "800x600", "--map", "max_depth", "--map", "max_velocity", "--map",
                      "depth@1", "--out", "series"})
                   .exit_code,

@@ -54,12 +54,12 @@ TEST_F(Report, TellsEverythingInOneFile) {
     for (const std::string words : {"EPSG:32632", "dtm.asc", "perimeter.geojson", "scar.geojson", "Mass budget",
                                     "still moves", "Jaccard index", "High intensity", "Depths clamped"})
         EXPECT_NE(page.find(words), std::string::npos) << words;
-    // Tables and paragraphs close as often as they open.
+    // Every table and paragraph that is opened is closed.
     for (const std::string tag : {"table", "tr", "td", "svg", "figure", "h2", "p"})
         EXPECT_EQ(count(page, "<" + tag + ">") + count(page, "<" + tag + " "), count(page, "</" + tag + ">")) << tag;
 }
 
-// A browser shows PNG: pictures in other formats are drawn for the page as well.
+// A browser displays PNG: pictures in other formats are also drawn for the page.
 TEST_F(Report, ShowsPicturesThatTheSceneAsksForInOtherFormats) {
     write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
     write_scene(

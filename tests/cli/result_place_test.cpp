@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a result goes: links, mount points and folders that others own.
+// Places of a result: links, mount points and folders of other owners.
 #include <sys/mount.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ class Place : public TinyScene {
         arguments.insert(arguments.end(), more.begin(), more.end());
         return frana(arguments);
     }
-    /// What `run` and `check` say of a place: the same, with the same exit code, and nothing is computed.
+    /// `run` and `check` report the same, with the same exit code, and nothing is computed.
     void expect_refused(const std::string& out, int code, const std::string& words) const {
         const std::vector<std::string> before = files();
         for (const Outcome& outcome :
@@ -36,7 +36,7 @@ class Place : public TinyScene {
     [[nodiscard]] bool is_result(const std::string& name) const { return fs::exists(path(name + "/summary.json")); }
 };
 
-/// A file system of its own for as long as it lives.
+/// A mounted file system during its lifetime.
 class Mounted {
   public:
     explicit Mounted(std::string place) : place_(std::move(place)) {
@@ -107,7 +107,7 @@ TEST_F(Place, AFolderBoundToAnotherPlaceIsAMountPointToo) {
     ::umount2(path("bound").c_str(), MNT_DETACH);
 }
 
-/// Runs as a user without rights for as long as it lives.
+/// Runs as a user without permissions during its lifetime.
 class AsNobody {
   public:
     AsNobody() { is_ = ::geteuid() == 0 && ::setegid(65534) == 0 && ::seteuid(65534) == 0; }
@@ -138,7 +138,7 @@ TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
     };
     const AsNobody nobody;
     if (!nobody.is()) GTEST_SKIP() << "only root can be somebody else";
-    // access(2) asks for the real user, which is root still: the rights are asked for as the effective one.
+    // access(2) checks the real user, which is still root: the effective one must be checked.
     EXPECT_NE(refusal("closed/result").find("cannot be written"), std::string::npos) << refusal("closed/result");
     EXPECT_NE(refusal("closed").find("cannot be written"), std::string::npos);
     EXPECT_NE(refusal("open/closed").find("may not be changed"), std::string::npos) << refusal("open/closed");
@@ -148,8 +148,7 @@ TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
     EXPECT_EQ(refusal("sticky/another"), "");
 }
 
-// A colleague's share, a disk that is mounted for reading: all problems at once, and a remedy that check has
-// too.
+// A colleague's folder, a disk mounted read-only: all problems at once, with a remedy also by check.
 TEST_F(Place, ThatCannotBeWrittenIsToldBesideTheScenesProblems) {
     fs::create_directories(path("disk"));
     const Mounted disk(path("disk"));
@@ -181,7 +180,7 @@ TEST_F(Place, WhoseNameIsTooLongIsRefusedBeforeAFolderIsMade) {
     EXPECT_FALSE(fs::exists(path("above")));
 }
 
-// Whatever a file of the result that is replaced is called: by a link, by a layer in it, by GDAL's spellings.
+// Whatever the name of a file of the replaced result: by a link, by a layer in it, in GDAL's syntax.
 TEST_F(Place, InputsThatTheResultWouldReplaceAreRefusedUnderAnyName) {
     ASSERT_EQ(run("result").exit_code, 0);
     fs::create_symlink(path("result/dtm.tif"), path("linked.tif"));
@@ -199,7 +198,7 @@ TEST_F(Place, InputsThatTheResultWouldReplaceAreRefusedUnderAnyName) {
     EXPECT_EQ(files(), before);
 }
 
-// A second name of a result's file, and a user's own file in its folder, are read and are still there.
+// A second name of a result's file, and a user's own file in its folder, are read and still exist.
 TEST_F(Place, InputsThatTheResultDoesNotReplaceAreReadAndKept) {
     ASSERT_EQ(run("result").exit_code, 0);
     const std::string ground = read_text(path("result/dtm.tif"));
@@ -213,7 +212,7 @@ TEST_F(Place, InputsThatTheResultDoesNotReplaceAreReadAndKept) {
     }
 }
 
-// What could not be seen, moved or removed is told, and is still there.
+// What could not be read, moved or removed is reported, and still exists.
 TEST_F(Place, AnOlderResultThatCannotBeTakenApartIsToldOf) {
     for (const char* name : {"older", "older/frames", "older/private", "other", "other/frames", "result"}) {
         fs::create_directories(path(name));
@@ -242,7 +241,7 @@ TEST_F(Place, AnOlderResultThatCannotBeTakenApartIsToldOf) {
     }
     ASSERT_EQ(unseen.size(), 1U);
     EXPECT_NE(describe(unseen[0]).find(path("older/private")), std::string::npos) << describe(unseen[0]);
-    EXPECT_EQ(files_below(path("older")), before);  // nothing goes where something could not be seen
+    EXPECT_EQ(files_below(path("older")), before);  // nothing is removed if something could not be read
     EXPECT_TRUE(seen.empty());
     ASSERT_EQ(log.warnings().size(), 1U);
     EXPECT_NE(log.warnings()[0].find("what is left of it is in " + path("other")), std::string::npos)

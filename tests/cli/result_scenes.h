@@ -25,7 +25,7 @@ inline const std::string k_every_output =
     "gauges = gauge.geojson\ncross-sections = section.geojson\n"
     "[hazard]\nscheme = austrian-torrent\n[scar]\nperimeter = scar.geojson\n";
 
-/// Runs of many outputs on coarse cells.
+/// Runs with many outputs on coarse cells.
 class ResultScenes : public TinyScene {
   protected:
     ResultScenes() {

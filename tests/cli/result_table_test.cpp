@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a result holds is what its table of rasters says, and its values are said once.
+// The files of a result equal its table of rasters, and its values are computed once.
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 class ResultTable : public ResultScenes {};
 
-// Plates are drawn from whatever the result holds.
+// Plates are drawn from any result.
 TEST_F(ResultTable, PlatesOfTheNewResultAreAFreshOnes) {
     const std::string text = k_voellmy + "[output]\nmaps = off\nanimation = off\n[scar]\nperimeter = scar.geojson\n";
     run(text + k_entrainment, "old");
@@ -34,7 +34,7 @@ TEST_F(ResultTable, PlatesOfTheNewResultAreAFreshOnes) {
     EXPECT_GT(expect_same_files(path("old"), path("plated")), 20U);
 }
 
-// A row says when its raster comes: every scene that asks for it has it, and no other.
+// A row specifies when its raster exists: every scene that requests it has it, and no other.
 TEST_F(ResultTable, EveryResultHasTheRastersOfTheTable) {
     const std::map<std::string, std::string> scenes{
         {"first", k_voellmy + k_entrainment + k_numbers_only + "[hazard]\nscheme = austrian-torrent\n"},
@@ -55,7 +55,7 @@ TEST_F(ResultTable, EveryResultHasTheRastersOfTheTable) {
     }
 }
 
-// The words on a map are those of summary.json, not values of their own.
+// The values on a map are those of summary.json, not computed separately.
 TEST_F(ResultTable, MapsShowTheValuesOfTheSummary) {
     run(k_voellmy + k_numbers_only, "old");
     const auto notes = [&] { return joined(app::ResultReader(path("old")).map_source().notes, "; "); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs that are killed, stopped by signals and gone on with, as a user meets them.
+// Runs that are killed, stopped by signals and resumed, from the user's view.
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -29,8 +29,8 @@ std::vector<std::string> with(std::vector<std::string> first, const std::vector<
     return first;
 }
 
-// Kills a run at a random moment, sometimes the run that goes on as well, and lets it come to its end. Some
-// moments come before the first checkpoint, some after the last file.
+// Kills a run at a random moment, sometimes the resumed run as well, and lets it complete. Some moments are before the
+// first checkpoint, some after the last file.
 class Killed : public Resuming {
   protected:
     void kill_and_resume(int kills, const std::vector<std::string>& more) {
@@ -51,7 +51,7 @@ class Killed : public Resuming {
                 std::this_thread::sleep_for(std::chrono::duration_cast<std::chrono::milliseconds>(fraction * whole));
                 program.send(SIGKILL);
                 const Outcome outcome = program.wait();
-                // Under its name there is a whole result or none.
+                // Under its name there is a complete result or none.
                 EXPECT_EQ(fs::exists(path(result)), fs::exists(path(result + "/summary.json")));
                 continues = outcome.exit_code == -SIGKILL && random() % 2 == 0;
                 if (outcome.exit_code == -SIGKILL) ++survived;
@@ -66,7 +66,7 @@ class Killed : public Resuming {
         }
     }
 
-    // So many in the default tests; FRANA_KILLS asks for more.
+    // The number in the default tests; FRANA_KILLS sets another.
     static int kills() {
         const char* asked = std::getenv("FRANA_KILLS");
         return asked != nullptr ? std::atoi(asked) : 4;
@@ -85,7 +85,7 @@ TEST_F(Killed, AtAnyMomentTheStructuredModelEndsInTheSameBits) {
 class Stopped : public Resuming {};
 
 TEST_F(Stopped, BySignalsItKeepsWhatThereIsAndGoesOn) {
-    // Checkpoints only where a signal stops it.
+    // Checkpoints only when a signal stops it.
     const auto run_once = [&](const std::string& result) {
         std::vector<std::string> arguments = run(result);
         arguments.back() = "output.checkpoint-interval=0";
@@ -139,7 +139,7 @@ TEST_F(Interrupted, ItIsNeitherForgottenNorLost) {
     EXPECT_NE(refused.err.find("an interrupted run of it is kept in"), std::string::npos) << refused.err;
     EXPECT_NE(refused.err.find("--resume continues it"), std::string::npos) << refused.err;
     EXPECT_EQ(checkpoints("result"), before);
-    // Anew, when told so; then it has been replaced.
+    // From the start, if requested; then it is replaced.
     EXPECT_EQ(frana(run("result", {"--overwrite", "--quiet"})).exit_code, 0);
     expect_tidy("result");
     for (const std::string& name : files()) EXPECT_EQ(name.rfind("result.", 0), std::string::npos) << name;
@@ -166,7 +166,7 @@ TEST_F(Interrupted, ADamagedCheckpointGivesWayToTheOneBefore) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("checkpoint not used: " + both[0] + ": is damaged"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("resuming from"), std::string::npos) << outcome.err;
-    // The summary tells of the damaged checkpoint; all else is the same.
+    // The summary reports the damaged checkpoint; all else is the same.
     fs::remove(path("result/summary.json"));
     fs::remove(path("whole/summary.json"));
     expect_same_result("whole", "result");
@@ -182,7 +182,7 @@ TEST_F(Interrupted, NothingToGoOnFromIsSaidNotBegunAnew) {
         EXPECT_NE(outcome.err.find("the run cannot be resumed from any checkpoint"), std::string::npos) << outcome.err;
         return outcome.err;
     };
-    // Another scene: which keys, which data.
+    // Another scene: reports which keys, which data.
     EXPECT_NE(refusal({"--set", "material.turbulence=400"})
                   .find("is from another scene: material.turbulence is 400 here and was 500"),
               std::string::npos);
@@ -224,7 +224,7 @@ TEST_F(Interrupted, AMissingInputOrFrameIsSaid) {
     EXPECT_EQ(frana(run("result", {"--resume", "--quiet"})).exit_code, 0);
 }
 
-// Every byte counts: whatever is changed, the file is refused, and never by a crash.
+// Every byte counts: with any change, the file is refused, without a crash.
 TEST_F(Interrupted, NoChangedByteOfACheckpointPasses) {
     interrupt("result");
     const std::string file = checkpoints("result").front(), bytes = read_text(file);

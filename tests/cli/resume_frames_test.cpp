@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of the frames that an interrupted run has left: all of them are there after it was resumed, and none that
-// is damaged is counted on.
+// Frame files of an interrupted run: all of them exist after it was resumed, and damaged ones are not used.
 #include <csignal>
 #include <fstream>
 
@@ -82,7 +81,8 @@ TEST_F(ResumedFrames, OfWhichAnyFileIsMissingAreSaid) {
     EXPECT_NE(refused.err.find("needs a frame that is missing: " + file.string()), std::string::npos) << refused.err;
 }
 
-// Else all would be computed, and the animation or the stack of frames fail in the end, each time again.
+// Otherwise everything would be computed, and the animation or the stack of frames would fail at the end, each time
+// again.
 TEST_F(ResumedFrames, ThatAreDamagedAreSaidBeforeAnythingIsComputed) {
     interrupt("result");
     const fs::path file = folder_of(checkpoints("result")[0]) / "frames/velocity_0000.tif";
@@ -98,7 +98,7 @@ TEST_F(ResumedFrames, ThatAreDamagedAreSaidBeforeAnythingIsComputed) {
 TEST_F(ResumedFrames, ThatAreDamagedCostNoMoreThanTheyMust) {
     ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
     StartedProgram program(folder_.string(), run("result"));
-    // Two checkpoints that count on different numbers of frames.
+    // Two checkpoints with different numbers of frames.
     ASSERT_TRUE(program.wait_until([&] {
         const auto found = checkpoints("result");
         if (found.size() < 2) return false;
@@ -120,7 +120,7 @@ TEST_F(ResumedFrames, ThatAreDamagedCostNoMoreThanTheyMust) {
     EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
     EXPECT_NE(resumed.err.find("checkpoint not used: " + newest + ": needs a frame"), std::string::npos) << resumed.err;
     EXPECT_NE(resumed.err.find("resuming from"), std::string::npos) << resumed.err;
-    // The summary tells of the checkpoint that was not used; all else is the same.
+    // The summary reports the checkpoint that was not used; all else is the same.
     fs::remove(path("result/summary.json"));
     fs::remove(path("whole/summary.json"));
     expect_same_result("whole", "result");

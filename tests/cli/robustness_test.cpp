@@ -27,7 +27,7 @@ class RobustnessCommand : public TinyScene {
 };
 
 TEST_F(RobustnessCommand, RunsTheSceneUnderEveryDisturbance) {
-    // Gullied, so that no cell is as high as another and values have one answer.
+    // With gullies, so that no two cells have the same height and every value is unique.
     write_dtm([](int row, int column) {
         const double x = k_cell * column, y = k_cell * row;
         return 400 - 0.5 * x + 0.15 * std::abs(y - 75 - 8 * std::sin(x / 23)) + 0.003 * x * x * (x > 150);
@@ -48,7 +48,7 @@ TEST_F(RobustnessCommand, RunsTheSceneUnderEveryDisturbance) {
         EXPECT_EQ(rows[row].back(), "done");
         for (std::size_t column = 1; column < 19; ++column) {
             const double value = std::stod(rows[row][column]);
-            // Nothing but rounding where the grid is turned by a quarter; elsewhere a flow of a few cells' width.
+            // Only rounding if the grid is turned by a quarter; otherwise a flow of a few cells' width.
             const double limit = rows[row][0] == "turned-90" ? 1e-9 : 0.5;
             const bool is_change = column % 2 == 0;
             EXPECT_TRUE(is_change ? std::abs(value) <= limit : value > 0.1)

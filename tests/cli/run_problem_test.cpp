@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run that goes wrong says where and when, on the terminal and in the files, and keeps what it had.
+// A run with a problem reports where and when, on the terminal and in the files, and keeps its state.
 #include <nlohmann/json.hpp>
 
 #include "tiny_scene.h"
@@ -29,7 +29,7 @@ TEST_F(FailingRun, NamesPlaceStepAndTimeEverywhere) {
     EXPECT_FALSE(fs::is_empty(path("result/checkpoint"))) << "the state at that step";
 }
 
-// What ends with another code than 0 says why, however quiet it was to be.
+// An exit code other than 0 is explained, also with --quiet.
 TEST_F(FailingRun, IsNotSilentWhereItIsToBeQuiet) {
     write_dtm([](int, int column) { return column == 16 ? -9999.0 : 300 - 2.5 * column; });
     write_scene(k_numbers_only);
@@ -84,7 +84,7 @@ TEST_F(MemoryLimit, TinyCellsAreAnEstimateAndARefusal) {
     EXPECT_NE(many.err.find("--memory-limit"), std::string::npos) << many.err;
 }
 
-// Paths as people have them.
+// Paths with spaces and other characters.
 using OddPaths = TinyScene;
 
 TEST_F(OddPaths, SpacesAccentsLengthAndLinks) {
@@ -109,7 +109,7 @@ TEST_F(OddPaths, SpacesAccentsLengthAndLinks) {
     EXPECT_NE(too_long.err.find("--out"), std::string::npos) << too_long.err;
 }
 
-// What a scene names is read, never written; results go into the output directory alone.
+// Files named by a scene are read, never written; results are written to the output directory alone.
 TEST_F(OddPaths, AScenesNamesDoNotLeadOutOfTheResult) {
     write_scene(k_numbers_only + "directory = out\n");
     const auto before = files();

@@ -100,8 +100,7 @@ TEST_F(RunCommand, WritesEveryFileOfTheContract) {
         EXPECT_TRUE(json_has(summary, key)) << key;
     EXPECT_EQ(json_number(summary, "columns"), 60);
     EXPECT_EQ(json_number(summary, "cell_size"), 5);
-    // 50 m x 40 m x 2 m; the outline's corners lie on cell edges, so the lattice fills it exactly but for
-    // rounding
+    // 50 m x 40 m x 2 m; the outline's corners are on cell edges, so the lattice fills it exactly except for rounding
     EXPECT_NEAR(json_number(summary, "initial_m3"), 4000, 1e-6);
     EXPECT_LE(json_number(summary, "relative_error"), 1e-12);  // the measure
     EXPECT_EQ(json_number(summary, "non_finite"), 0);
@@ -150,7 +149,7 @@ TEST_F(RunCommand, TheResolvedSceneReproducesTheRunWhateverTheThreads) {
     EXPECT_EQ(json_number(read_text(path("b/summary.json")), "simulated_seconds"), 3);
 }
 
-// Bytes of every file, pictures and animation too; but for those that tell the time of day or how long it took.
+// Bytes of every file, pictures and animation too; except those that contain the time of day or a duration.
 TEST_F(RunCommand, EveryOutputIsTheSameForAnyNumberOfThreadsAndASecondTime) {
     write_scene("frame-interval = 1\n[output]\nmap-size = 640x480\n");
     const std::vector<std::string> runs{"1", "2", "3", "7", "1"};
@@ -179,7 +178,7 @@ TEST_F(RunCommand, AnExistingResultIsKeptUnlessToldOtherwise) {
     EXPECT_EQ(replaced.exit_code, 0) << replaced.err;
     EXPECT_EQ(json_number(read_text(path("result/summary.json")), "simulated_seconds"), 2);
     EXPECT_EQ(read_text(path("result/notes.txt")), "mine");
-    // A faulty scene does not cost the older result either.
+    // An invalid scene does not remove the older result either.
     EXPECT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--set", "numerics.cfl=9"}).exit_code, 2);
     EXPECT_EQ(json_number(read_text(path("result/summary.json")), "simulated_seconds"), 2);
 }
@@ -246,8 +245,8 @@ TEST_F(RunCommand, ADtmInDegreesIsComputedInItsUtmZone) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_NE(json_text(summary, "crs").find("EPSG:32632"), std::string::npos);
-    // 2000 m2 of 2 m; the outline does not follow the cells, so the lattice is clipped by it: a lattice
-    // square is (cell/2)^2 and the 180 m of outline can miscount half of one all along
+    // 2000 m2 of 2 m; the outline does not follow the cells, so the lattice is clipped by it: a lattice square is
+    // (cell/2)^2 and the 180 m of outline can miscount half of one all along
     EXPECT_NEAR(json_number(summary, "initial_m3"), 4000, 180 * 2 * json_number(summary, "cell_size") / 4);
 }
 
@@ -258,7 +257,7 @@ TEST_F(RunCommand, AFullDiskLeavesTheOlderResultAndNoLitter) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     const std::vector<std::string> before = files();
-    // The limit of the shell's ulimit (blocks of 512 or 1024 bytes) stands for the full disk.
+    // The limit of the shell's ulimit (blocks of 512 or 1024 bytes) simulates a full disk.
     const int status = std::system(("cd '" + folder_.string() +
                                     "' && ulimit -f 4 && '" FRANA_PROGRAM
                                     "' run scene.ini --out result --overwrite --quiet 2> /dev/null")
@@ -278,7 +277,7 @@ TEST_F(RunCommand, ThicknessInItsFourFormsReleasesTheSameVolume) {
         const Outcome outcome = frana({"run", "scene.ini", "--out", out, "--quiet", "--set",
                                        "release.thickness=" + thickness, "--set", "time.end=0.1"});
         ASSERT_EQ(outcome.exit_code, 0) << thickness << ": " << outcome.err;
-        // 50 m x 40 m x 2 m, filled but for rounding
+        // 50 m x 40 m x 2 m, filled except for rounding
         EXPECT_NEAR(json_number(read_text(path(out + "/summary.json")), "initial_m3"), 4000, 1e-6) << thickness;
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Zones, obstacles, release and inflow that do not make sense: one clear message each, nothing written.
+// Invalid zones, obstacles, release and inflow: one clear message each, nothing written.
 #include <algorithm>
 
 #include "tiny_scene.h"
@@ -11,7 +11,7 @@ struct SiteProblem {
     std::string name;
     std::string lines;  ///< after the tiny scene's own
     std::vector<std::string> said;
-    std::string set{};  ///< a key that the tiny scene has already
+    std::string set{};  ///< a key that the tiny scene already has
 };
 
 void PrintTo(const SiteProblem& tested, std::ostream* out) {
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {"zone.geojson", "is not a line"}}),
     [](const auto& test) { return test.param.name; });
 
-/// Both columns are missing: both are told.
+/// Both columns are missing: both are reported.
 TEST_F(TinyScene, AHydrographWithoutItsColumnsIsToldAllAtOnce) {
     write("line.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},)"
                           R"("geometry":{"type":"LineString","coordinates":[[9.35,46.0],[9.3501,46.0]]}}]})");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is surveyed on site, from files to results: zones, obstacles, walls, slip surfaces, late areas, inflow.
+// Data surveyed on site, from files to results: zones, obstacles, walls, slip surfaces, late areas, inflow.
 #include <cmath>
 #include <numbers>
 
@@ -36,12 +36,12 @@ class Site : public TinyScene {
     static Corners box(double west, double south, double east, double north) {
         return {{west, south}, {east, south}, {east, north}, {west, north}};
     }
-    /// Runs the scene with these lines after it and returns what it said; fails unless it is done.
-    /// Keys that the tiny scene has already are given in `sets`.
+    /// Runs the scene with these lines appended and returns its messages; fails unless the run succeeds. Keys that the
+    /// tiny scene already has are given in `sets`.
     std::string run_with(const std::string& lines, const std::string& out = "out",
                          const std::vector<std::string>& sets = {}) {
         write_scene(lines + k_numbers_only);
-        // Eight seconds: the mass then comes to 130 m.
+        // Eight seconds: the mass then reaches 130 m.
         std::vector<std::string> arguments{"run", "scene.ini", "--out", out, "--overwrite", "--set", "time.end=8"};
         for (const std::string& text : sets) {
             arguments.emplace_back("--set");
@@ -83,7 +83,7 @@ TEST_F(Site, OverlapsAndGapsOfZonesAreReported) {
                              {box(90, 60, 300, 150), R"("mu": 0.3)"},
                              {box(250, 50, 300, 60), R"("mu": 0.3)"}});
     const std::string said = run_with("[terrain]\nfriction-zones = zones.geojson\n");
-    // 10 m x 140 m lie in two zones; a strip of 10 m x 150 m lies in none and is shut in.
+    // 10 m x 140 m are in two zones; a strip of 10 m x 150 m is in none and enclosed.
     EXPECT_NE(said.find("zones overlap on 1 400 m2"), std::string::npos) << said;
     EXPECT_NE(said.find("gaps between the zones on 1 500 m2"), std::string::npos) << said;
 }
@@ -101,7 +101,7 @@ TEST_F(Site, ZonesByRasterHaveTheirDefaultOutside) {
 TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleGround) {
     run_with("");
     const double fastest = summary("max_velocity_ms");
-    // Drag without end below the release: v^2 = xi h (sin - mu cos) stays under 1 m2/s2 for 4 m of depth.
+    // Very high drag below the release: v^2 = xi h (sin - mu cos) stays below 1 m2/s2 for 4 m of depth.
     write_features("zones", {{box(70, 0, 300, 150), R"("xi": 0.5)"}});
     run_with("[terrain]\nfriction-zones = zones.geojson\n", "drag");
     EXPECT_LT(summary("max_velocity_ms", "drag"), 0.9 * fastest);
@@ -112,7 +112,7 @@ TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleGround) {
         "cohesion = 0\n",
         "held");
     EXPECT_EQ(summary("max_velocity_ms", "held"), 0);
-    // What can be eroded comes from a raster: none up to 100 m, 0.5 m beyond.
+    // The erodible depth comes from a raster: none up to 100 m, 0.5 m beyond.
     write_dtm([](int, int column) { return column >= 20 ? 0.5 : 0.0; }, true, "layer.asc");
     run_with("[entrainment]\nerosion = growth\ngrowth-rate = 0.05\n[zones]\nerodible-depth = raster:layer.asc\n",
              "eroded");
@@ -121,7 +121,7 @@ TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleGround) {
     const Raster eroded = result("eroded_depth", "eroded");
     for (std::int64_t r = 0; r < eroded.grid.rows; ++r)
         for (std::int64_t c = 0; c < eroded.grid.columns; ++c) {
-            // A node stands at a cell's corner: half a cell of the layer's edge lies on the other side.
+            // A node is at a cell's corner: half a cell of the erodible layer's edge is on the other side.
             const double depth = eroded.at(r, c);
             EXPECT_FALSE(depth > (c < 19 ? 0 : 0.5 + 1e-6)) << r << ", " << c;
         }
@@ -151,7 +151,7 @@ TEST_F(Site, ZonesOfFrictionForRammsYield) {
     const Outcome outcome = frana({"check", "scene.ini", "--set", no_voellmy[0], "--set", no_voellmy[1]});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find("too large for the law ramms-yield"), std::string::npos) << outcome.err;
-    // Friction that only the stress in the plane reads.
+    // Friction read only by the stress in the plane.
     write_scene(
         "[terrain]\nfriction-zones = zones.geojson\n[material]\nbed-friction = chezy\nchezy = 20\n"
         "in-plane-stress = earth-pressure\ninternal-friction-angle = 30\n" +
@@ -209,7 +209,7 @@ TEST_F(Site, WallsAreNotPassed) {
     write_features("houses", {{box(110, 0, 125, 150), ""}});
     run_with("[terrain]\nwalls = houses.geojson\n");
     const Raster depth = result("max_depth");
-    EXPECT_GT(depth.at(14, 21), 0.5);  // it came to the wall
+    EXPECT_GT(depth.at(14, 21), 0.5);  // it reached the wall
     for (std::int64_t r = 0; r < depth.grid.rows; ++r)
         for (std::int64_t c = 22; c < depth.grid.columns; ++c) EXPECT_TRUE(std::isnan(depth.at(r, c)));
     EXPECT_EQ(summary("entered_no_data"), 0);
@@ -235,7 +235,7 @@ TEST_F(Site, SlipSurfaceIsFittedAndTakenOutOfTheGround) {
     const Raster dtm = result("dtm"), bed = result("bed");
     double deepest = 0;
     for (std::size_t i = 0; i < bed.values.size(); ++i) deepest = std::max(deepest, dtm.values[i] - bed.values[i]);
-    // The deepest cell's centre lies 3.5 m beside the centroid of an outline 20 m wide: 6 sqrt(1 - r^2) > 5.7.
+    // The deepest cell's centre is 3.5 m from the centroid of an outline 20 m wide: 6 sqrt(1 - r^2) > 5.7.
     EXPECT_GT(deepest, 5.5);
     EXPECT_LT(deepest, 6.0 + 1e-4);
     EXPECT_NE(read_text(path("out/log.txt")).find("ellipsoid, 6 m deep"), std::string::npos);
@@ -263,7 +263,7 @@ TEST_F(Site, HydrographFlowsInToTheLastDrop) {
     EXPECT_EQ(summary("initial_m3", "flood"), 0);
     EXPECT_NEAR(summary("inflow_m3", "flood"), 180, 180e-12);
     EXPECT_LT(summary("relative_error", "flood"), 1e-12);
-    // The same volumes, measured as a volume; at the critical speed.
+    // The same volumes, given as a volume; at the critical speed.
     write("flood.csv", "time;volume\n0;0\n1;60\n3;180\n");
     const Outcome again = frana({"run", "flood.ini", "--out", "again"});
     ASSERT_EQ(again.exit_code, 0) << again.err;

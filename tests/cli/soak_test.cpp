@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs and renders back to back in one process: memory stays flat, no file is left open or behind. Some seconds in the
-// default tests; ctest -C long -R soak: half an hour of runs (FRANA_SOAK_SECONDS), a thousand renders
+// Runs and renders back to back in one process: memory does not grow, no file is left open or on the disk. Some seconds
+// in the default tests; ctest -C long -R soak: half an hour of runs (FRANA_SOAK_SECONDS), a thousand renders
 // (FRANA_SOAK_RENDERS).
 #include <fcntl.h>
 #include <unistd.h>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Bytes that this process really holds.
+// Resident memory of this process [bytes].
 std::int64_t resident_bytes() {
     std::ifstream file("/proc/self/statm");
     std::int64_t pages = 0, resident = 0;
@@ -34,7 +34,7 @@ double asked(const char* variable, double otherwise) {
     return text == nullptr ? otherwise : std::atof(text);
 }
 
-// What frana's own files are in the folder for temporary ones.
+// Returns frana's files in the folder for temporary ones.
 std::vector<std::string> temporary_files() {
     std::vector<std::string> found;
     for (const auto& entry : fs::directory_iterator(fs::temp_directory_path())) {
@@ -46,8 +46,7 @@ std::vector<std::string> temporary_files() {
 
 class Soak : public TinyScene {
   protected:
-    // Calls `once` until the time is over; memory may grow while caches fill, in the first fifth, and then no
-    // more.
+    // Calls `once` until the time is over; memory may grow while caches fill, in the first fifth, and not afterwards.
     template <class Once>
     void repeat(const Once& once, double seconds, int at_least) {
         const auto begin = std::chrono::steady_clock::now();
@@ -69,7 +68,7 @@ class Soak : public TinyScene {
         const std::int64_t grown = resident_bytes() - after_warming;
         std::printf("  %d times; memory grew by %.2f MB over the last %d, from %.1f MB\n", count,
                     static_cast<double>(grown) / 1e6, count - warm, static_cast<double>(after_warming) / 1e6);
-        // Allocators keep pages back in lumps of some megabytes; a leak grows with the count.
+        // Allocators keep pages in blocks of some megabytes; a leak grows with the number of calls.
         if (!k_sanitized) {
             EXPECT_LT(grown, 16'000'000 + 2'000 * static_cast<std::int64_t>(count));
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inputs that are no files, never end, or would do more than hold data; and folders that stay as they were.
+// Inputs that are special files, never end, or would do more than contain data; and folders that remain unchanged.
 #include <ogrsf_frmts.h>
 #include <sys/stat.h>
 
@@ -54,7 +54,7 @@ TEST_F(SpecialFile, IsNoHydrograph) {
                        "is not a regular file");
 }
 
-// What stands under the names of frana's own lists is looked at before it is read.
+// A special file with the name of one of frana's lists is detected before it is read.
 TEST_F(SpecialFile, IsNoListOfFiles) {
     for (const char* name : {"manifest.json", "summary.json", "being_built.json", "being_replaced.json"}) {
         fs::create_directories(path("other"));
@@ -96,7 +96,7 @@ TEST_F(SpecialFile, InputsKeepTheirFolderAsItIs) {
     }
 }
 
-// Each pair told would be 44 850 lines.
+// Reporting each pair would be 44 850 lines.
 TEST_F(SpecialFile, EqualPolygonsAreToldOnceAndCounted) {
     const std::string square = "POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))";
     gis::test::make_vector(path("equal.gpkg"), "GPKG", "EPSG:32632", std::vector<std::string>(300, square));
@@ -151,7 +151,7 @@ TEST_F(SpecialFile, AFilterThatHoldsAQueryIsRefused) {
               0);
 }
 
-// Somebody who lets VRTs run programs in work of their own has not said that those of a stranger may.
+// A user who allows VRTs to run programs in their own work has not allowed those of others.
 TEST_F(SpecialFile, AVrtRunsNoProgram) {
     write("own.vrt", "<VRTDataset rasterXSize=\"60\" rasterYSize=\"30\"><SRS>EPSG:32632</SRS><GeoTransform>" +
                          std::to_string(k_west) + ",5,0," + std::to_string(k_south + 150) +
@@ -167,7 +167,7 @@ TEST_F(SpecialFile, AVrtRunsNoProgram) {
     EXPECT_FALSE(fs::exists(folder_ / "ran"));
 }
 
-// A library cannot be stopped in the middle; the program can.
+// A library cannot be interrupted; the program can.
 TEST_F(SpecialFile, AViewThatNeverEndsIsGivenUp) {
     const std::string file = path("view.gpkg");
     gis::test::make_vector(file, "GPKG", "EPSG:32632",

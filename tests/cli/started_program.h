@@ -9,7 +9,7 @@
 
 namespace frana::test {
 
-/// A call of the program that can be watched, stopped and killed on its way. stdout and stderr go into files.
+/// A call of the program that can be watched, stopped and killed while it runs. stdout and stderr are written to files.
 class StartedProgram {
   public:
     StartedProgram(const std::string& folder, const std::vector<std::string>& arguments);
@@ -19,9 +19,9 @@ class StartedProgram {
     StartedProgram& operator=(const StartedProgram&) = delete;
 
     void send(int signal_number) const;
-    /// Looks every few milliseconds; false when the program ended first.
+    /// Polls every few milliseconds; returns false if the program ended first.
     bool wait_until(const std::function<bool()>& happens);
-    /// Waits for its end; the exit code is minus the signal's number where one killed it.
+    /// Waits for its end; the exit code is minus the signal's number if one killed it.
     Outcome wait();
 
   private:

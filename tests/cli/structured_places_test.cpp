@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the structured model's release is made of from place to place, and what comes to it.
+// Properties of the structured model's release that vary from place to place, and later additions.
 #include <cmath>
 #include <sstream>
 
@@ -63,8 +63,7 @@ class StructuredPlaces : public TinyScene {
     [[nodiscard]] Points start() const { return read_points(path("result/frames/particles_0000.gpkg")); }
 };
 
-// Loose solids in the west, whose fluid is free from the start; whole material in the east, which holds its
-// own.
+// Loose solids in the west, whose fluid is free from the start; intact material in the east, which confines its fluid.
 TEST_F(StructuredPlaces, PolygonsGiveCohesionAndSolidsShare) {
     const Outcome outcome = run({"structured.zones=zones.geojson", "structured.cohesion=attribute:c",
                                  "structured.solid-fraction=attribute:alpha"});
@@ -90,7 +89,7 @@ TEST_F(StructuredPlaces, PolygonsGiveCohesionAndSolidsShare) {
     EXPECT_LT(number("relative_error"), 1e-12);
 }
 
-// Depths of solids and of fluid as rasters: their sum is released, their ratio is the solids' share.
+// Depths of solids and of fluid as rasters: their sum is released, their ratio is the solids' fraction.
 TEST_F(StructuredPlaces, RastersGiveTheDepthsOfBothPhases) {
     write_dtm([](int, int) { return 1.5; }, true, "solids.asc");
     write_dtm([](int, int column) { return column < 9 ? 0.5 : 1.0; }, true,
@@ -119,8 +118,7 @@ TEST_F(StructuredPlaces, FluidLiesOnTheGroundAtTheStart) {
     EXPECT_LT(number("relative_error"), 1e-12);
 }
 
-// Solids that fail later, and a flood that comes in through a line: nothing is lost, and the flood has no
-// particles.
+// Solids that fail later, and a flood through a line: nothing is lost, and the flood has no particles.
 TEST_F(StructuredPlaces, SolidsFailLaterAndFluidFlowsIn) {
     write("hydrograph.csv", "time,discharge,velocity\n0,0,2\n0.5,40,2\n1,40,2\n1.5,0,2\n");
     write("line.geojson",
@@ -134,19 +132,19 @@ TEST_F(StructuredPlaces, SolidsFailLaterAndFluidFlowsIn) {
     EXPECT_NEAR(number("inflow_m3"), 40, 1e-9);
     EXPECT_NEAR(number("entered_m3"), 4040, 1e-6);
     EXPECT_LT(number("relative_error"), 1e-12);
-    // The last: steps may be longer than the interval.
+    // The last frame: steps may be longer than the interval.
     std::string last;
     for (const auto& file : std::filesystem::directory_iterator(path("result/frames")))
         if (file.path().extension() == ".gpkg") last = std::max(last, file.path().string());
     const Points end = read_points(last);
     EXPECT_NEAR(end.sum("volume_m3"), 4000, 1e-6);
-    // A second of sliding on 26.6 degrees with 12 degrees of friction, slowed or hastened by what flows round
-    // it.
+    // A second of sliding on 26.6 degrees with 12 degrees of friction, decelerated or accelerated by the surrounding
+    // flow.
     const double angle = std::atan(0.5), gain = 9.81 * (std::sin(angle) - std::cos(angle) * std::tan(12 * M_PI / 180));
     EXPECT_NEAR(end.sum("speed_ms") / static_cast<double>(end.size()), gain, 0.1 * gain);
 }
 
-// All particles of one volume, as many in a cell as its depth calls for.
+// All particles have the same volume, their number in a cell follows from its depth.
 TEST_F(StructuredPlaces, TheR2SequenceSpreadsTheSameVolume) {
     const Outcome outcome = run({"structured.placement=r2"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -156,7 +154,7 @@ TEST_F(StructuredPlaces, TheR2SequenceSpreadsTheSameVolume) {
     const auto fraction = [](double place) { return place - std::floor(place); };
     for (std::size_t p = 0; p < points.size(); ++p) {
         EXPECT_NEAR(points.columns.at("volume_m3")[p], 4000.0 / 720, 1e-9);
-        // Equation 88, in every cell again.
+        // Equation 88, again in every cell.
         double nearest = 1;
         for (int n = 0; n < 9; ++n)
             nearest = std::min(nearest, std::hypot(fraction((points.columns.at("x")[p] - k_west) / k_cell) -

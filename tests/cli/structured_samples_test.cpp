@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What van den Bout et al. (2021) tell of their flume and of their scenarios 2A to 3C, each statement an assertion with
-// its value, on the scenes in sample_data and coarse cells. What is missed says so, with the reason.
+// The statements of van den Bout et al. (2021) about their flume and their scenarios 2A to 3C, each an assertion with
+// its value, on the scenes in sample_data and coarse cells. Statements not reproduced are listed with the reason.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,10 +23,11 @@ struct Statistics {
     double whole_strain = 0;  // greatest of particles that lost none
     double least_strain = 1;  // of those that lost a tenth and more, the least of their greatest strains so far
     double length = 0;        // from the hindmost to the foremost particle, eastward [m]
-    double apart = 0;         // rms of the phases' difference in velocity where both are, weighted by fluid [m/s]
+    double apart = 0;         // rms of the phases' difference in velocity where both are present, weighted by fluid
+                              // [m/s]
 };
 
-// A sample scene, with each particle's diameter telling the cell it starts in: by millionths, which moves nothing.
+// A sample scene, with the cell of each particle's start encoded in its diameter: by millionths, which affects nothing.
 class SampleRun {
   public:
     SampleRun(const std::string& file, const std::string& cell_size, std::vector<std::string> overrides = {})
@@ -70,7 +71,7 @@ class SampleRun {
         }
         return {std::sqrt(squares / count), greatest};
     }
-    /// What became of the particles that started in a cell, of which there are any.
+    /// Statistics of the particles that started in a cell with any.
     struct Start {
         std::int64_t column = 0, row = 0;  // from the south-west
         double lost = 0, count = 0, x = 0;
@@ -118,7 +119,7 @@ class SampleRun {
     StructuredFlow flow_;
 };
 
-// No numerical fracture: what lost nothing has moved as one, and what lost a tenth and more has been strained.
+// No numerical fracture: material without loss has moved as one, and material that lost a tenth or more was strained.
 void breaks_where_it_yields(const Statistics& f) {
     EXPECT_LT(f.whole_strain, 0.01);
     EXPECT_GT(f.least_strain, 0.002);
@@ -159,8 +160,9 @@ TEST(FractureSample, ThreeAKeepsItsShape) {
     }
 }
 
-// "Slight fragmentation at the edges" on the slope is missed: there is none. On an even slope nothing strains a block
-// that bears its own weight, and one that does not loses its edges and then all of it; 20 m of it bear 84 kPa or more.
+// "Slight fragmentation at the edges" on the slope is not reproduced: there is none. On an even slope nothing strains a
+// block that bears its own weight, and one that does not loses its edges and then all of it; 20 m of it bear 84 kPa or
+// more.
 TEST(FractureSample, ThreeBBreaksMostlyInTheValley) {
     SampleRun run("fracture/3b.ini", "20");
     EXPECT_LT(run.at(14).lost, 0.05);
@@ -178,8 +180,9 @@ TEST(FractureSample, ThreeCBreaksAtOnceTogetherWithItsWater) {
     for (const double time : {8.0, 14.0, 20.0, 24.0}) EXPECT_LT(run.at(time).apart, 5) << time << " s";
 }
 
-// How much of it hardly depends on the cells, of 20, 12.5 and 10 m, where it breaks as a whole. Where a band breaks
-// (2B) the loss is as wide as a cell or two, and that is missed: only that it breaks, and how far its parts get, hold.
+// The loss hardly depends on the cell size, 20, 12.5 and 10 m, if the block breaks as a whole. If a band breaks (2B)
+// the loss is as wide as a cell or two, which is not reproduced: only that it breaks, and how far its parts move, are
+// tested.
 TEST(FractureSample, HardlyDependsOnTheCells) {
     std::vector<double> third, valley, length;
     for (const char* cell : {"20", "12.5", "10"}) {
@@ -194,8 +197,8 @@ TEST(FractureSample, HardlyDependsOnTheCells) {
 }
 
 // A quarter of a second after the impact. Along the obstacle's corner the block is broken from its front to about half
-// its length; behind it, and on the free side of it, whole. What is missed: not a line breaks but all that the obstacle
-// stopped, on its side of the corner.
+// its length; behind it, and on its free side, intact. Not reproduced: not a line breaks but everything that the
+// obstacle stopped, on its side of the corner.
 TEST(FlumeSample, ACrackFromTheCornerAlongHalfTheBlock) {
     SampleRun run("flume/material_1.ini", "0.05");
     const Statistics f = run.at(0.9);
@@ -229,8 +232,8 @@ TEST(FlumeSample, TheWeakerTheMoreBreaks) {
     EXPECT_GT(second, first);
 }
 
-// Sums over neighbours do not see what alternates from particle to particle, so that a block at rest keeps stress which
-// nothing balances. It must stay far from the strength, 4 MPa: 1 % of it at most (measured: 1.9 kPa rms, 28 at most).
+// Sums over neighbours do not detect what alternates from particle to particle, so that a block at rest has stress
+// without balance. It must remain far from the strength, 4 MPa: 1 % of it at most (measured: 1.9 kPa rms, 28 at most).
 TEST(FlumeSample, WhatAlternatesAtRestIsFarFromTheStrength) {
     SampleRun run("flume/strong.ini", "0.05");
     run.at(1.4);

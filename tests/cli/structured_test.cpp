@@ -37,20 +37,20 @@ TEST_F(StructuredScene, WritesTheSameFilesAsTheFirstModel) {
     for (const std::string words : {"Manning bed resistance", "finite volumes"})
         EXPECT_TRUE(json_lists(summary, "terms", words)) << words;
     EXPECT_FALSE(json_lists(summary, "terms", "Coulomb"));
-    // 50 m x 40 m, 2 m thick; nothing is lost on the way.
+    // 50 m x 40 m, 2 m thick; nothing is lost.
     EXPECT_NEAR(summary_number("result", "initial_m3"), 4000, 1e-6);
     EXPECT_LT(summary_number("result", "relative_error"), 1e-12);
     EXPECT_GT(summary_number("result", "max_velocity_ms"), 3);
 
-    // The map's depths are the volume: final depth times cell area is what is left, but for animations under 1 cm.
+    // The map's depths give the volume: final depth times cell area is the remaining volume, except for films below 1
+    // cm.
     const Raster depth = gis::read_result_raster(path("result/final_depth.tif"));
     double volume = 0;
     for (const double d : depth.values) volume += std::isnan(d) ? 0 : d * k_cell * k_cell;
     EXPECT_NEAR(volume, summary_number("result", "final_m3"), 0.02 * 4000);
 }
 
-// Blocks of solids with their water, through the same pipeline: both phases in rasters and frames, nothing
-// lost.
+// Blocks of solids with their water, through the same program: both phases in rasters and frames, nothing lost.
 TEST_F(StructuredScene, RunsSolidsWithTheirFluid) {
     write_fluid("frame-interval = 1\n[numerics]\nparticles-per-cell = 9\n[output]\nmaps = off\nanimation = off\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2", "--set",
@@ -67,7 +67,7 @@ TEST_F(StructuredScene, RunsSolidsWithTheirFluid) {
     EXPECT_GT(summary_number("result", "particle_steps"), 0);
     EXPECT_NEAR(summary_number("result", "initial_m3"), 4000, 1e-6);
     EXPECT_LT(summary_number("result", "relative_error"), 1e-12);
-    // Half of the mass is solids: no more of them lies in the raster than there is.
+    // Half of the mass is solids: the raster contains at most that volume.
     const Raster solids = gis::read_result_raster(path("result/solid_depth.tif"));
     double volume = 0;
     for (const double d : solids.values) volume += std::isnan(d) ? 0 : d * k_cell * k_cell;
@@ -99,7 +99,7 @@ TEST_F(StructuredScene, CheckTellsWhatWouldRun) {
     EXPECT_EQ(outcome.out.find("particles"), std::string::npos) << outcome.out;
 }
 
-// Inflow and a release that fails later come in as they do in the first model.
+// Inflow and a release that fails later enter as in the first model.
 TEST_F(StructuredScene, ReceivesWhatComesLater) {
     write("hydrograph.csv", "time,discharge,velocity\n0,0,2\n2,30,2\n8,30,2\n10,0,2\n");
     write("line.geojson",

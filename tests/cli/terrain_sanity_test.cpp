@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ground that no one has: units mistaken, "no data" forgotten, single wrong cells; releases and paths that no
-// run can keep.
+// Impossible terrain: wrong units, missing nodata values, single wrong cells; releases and paths that no run can use.
 #include "tiny_scene.h"
 
 namespace frana::test {
@@ -25,10 +24,10 @@ TEST_F(Terrain, BeyondAllGroundIsRefused) {
     expect_warning(check([](int row, int column) { return row == 20 && column == 40 ? 1e38 : slope(column); }), 2,
                    {"terrain.dtm", "dtm.asc", "an impossible elevation", "1e+38 m at 527202.5, 5094047.5",
                     "row 20, column 40", "-100 000 to 100 000 m", "terrain.nodata-value"});
-    // Declared, it is no elevation any more.
+    // Declared, it is no longer an elevation.
     EXPECT_EQ(frana({"check", "scene.ini", "--set", "terrain.nodata-value=1e38"}).exit_code, 0);
     expect_warning(check([](int, int column) { return column > 50 ? -2e5 : slope(column); }), 2, {"-200000 m at"});
-    // In a frame of it that the grid leaves out it does not matter.
+    // In an edge strip outside the grid it does not matter.
     EXPECT_EQ(frana({"check", "scene.ini", "--set", "terrain.bounds=527000 5094000 527250 5094150"}).exit_code, 0);
 }
 
@@ -53,7 +52,7 @@ TEST_F(Terrain, SingleCellsOffAllNeighboursAreToldAndCounted) {
                        return slope(column) + (row % 4 == 2 && column % 4 == 2 && column > 20 ? -30 : 0);
                    }),
                    0, {"70 single cells stand", "-27.5 m at", "; ..."});
-    // Of slopes, steps and ridges one cell wide none is a needle.
+    // Slopes, steps and ridges one cell wide are no needles.
     const Outcome ridge =
         check([](int row, int column) { return slope(column) + (row == 25 || column > 50 ? 60 : 0); });
     EXPECT_EQ(ridge.err.find("single cell"), std::string::npos) << ridge.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flow that maps do not show is refused at the start or told of at the end.
+// Flow not shown on maps is refused at the start or reported at the end.
 #include <filesystem>
 
 #include "tiny_scene.h"
@@ -68,7 +68,7 @@ TEST_F(ThinFlow, ThatOutlinesDoNotShowIsAWarningOfCheckAndRun) {
     const std::string summary = read_text(path("result/summary.json"));
     EXPECT_EQ(json_number(summary, "covered_area_m2"), 0);
     EXPECT_TRUE(json_lists(summary, "warnings", flowed)) << summary;
-    // As it says.
+    // Following the remedy.
     const std::string heeded = call({"run", "scene.ini", "--out", "heeded"}, "output.trace-threshold=0.005");
     EXPECT_EQ(heeded.find("output.trace-threshold"), std::string::npos) << heeded;
     EXPECT_GT(json_number(read_text(path("heeded/summary.json")), "covered_area_m2"), 2000);

@@ -17,7 +17,7 @@ double slope(int, int column) {
     return 300 - 0.5 * std::min(x, 200.0);
 }
 
-/// An ASCII grid's .prj holds ESRI's own kind of WKT.
+/// An ASCII grid's .prj contains ESRI's own version of WKT.
 std::string esri_utm_32() {
     OGRSpatialReference utm;
     utm.importFromEPSG(32632);

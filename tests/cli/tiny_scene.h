@@ -12,8 +12,8 @@
 
 namespace frana::test {
 
-/// A folder of its own for every test, with a slope small enough to run in a second: 60 x 30 cells of 5 m in
-/// EPSG:32632, 27 degrees falling east to a flat, a release of 50 m x 40 m near the top.
+/// A separate folder for every test, with a slope small enough to run in a second: 60 x 30 cells of 5 m in EPSG:32632,
+/// 27 degrees falling east to a flat, a release of 50 m x 40 m near the top.
 class TinyScene : public ::testing::Test {
   protected:
     TinyScene();
@@ -21,18 +21,18 @@ class TinyScene : public ::testing::Test {
 
     [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
     void write(const std::string& name, const std::string& text) const;
-    /// dtm.asc; `elevation` by row and column (default: the slope), nodata where it answers below -9000.
+    /// Writes dtm.asc; `elevation` by row and column (default: the slope), nodata where it returns less than -9000.
     void write_dtm(const std::function<double(int, int)>& elevation = {}, bool with_crs = true,
                    const std::string& name = "dtm.asc") const;
-    /// NAME.geojson in EPSG:32632 with one polygon of these corners (offsets from the DTM's south-western
+    /// Writes NAME.geojson in EPSG:32632 with one polygon of these corners (offsets from the DTM's south-western
     /// corner) and the attribute depth = 2.
     void write_polygon(const std::string& name, const std::vector<std::pair<double, double>>& corners) const;
-    /// scene.ini with the least that runs, and these lines after it (start with a [section]).
+    /// Writes scene.ini with the minimal keys, and these lines after them (start with a [section]).
     void write_scene(const std::string& more = "") const;
     [[nodiscard]] Outcome frana(const std::vector<std::string>& arguments, int signal_after_ms = 0) const {
         return run_program(folder_.string(), arguments, signal_after_ms);
     }
-    /// Every file below the folder, sorted, as relative paths.
+    /// Returns every file below the folder, sorted, as relative paths.
     [[nodiscard]] std::vector<std::string> files() const;
 
     std::filesystem::path folder_;

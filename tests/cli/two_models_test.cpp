@@ -29,9 +29,9 @@ class BothModels : public TinyScene {
     }
 };
 
-// Without cohesion and water the structured model's equations are those of the first with Coulomb friction alone: what
-// differs is how they are solved. On 10 m cells extents differ by 2 % and run-outs by 7 m; here a cell's diagonal is
-// let pass.
+// Without cohesion and water the structured model's equations are those of the first with Coulomb friction alone: only
+// the solution methods differ. On 10 m cells extents differ by 2 % and run-outs by 7 m; here a cell's diagonal is
+// allowed.
 TEST_F(BothModels, AgreeWhereTheirEquationsDo) {
     const std::string friction = summary("coulomb.ini");
     const std::string loose = summary("structured.ini", {"structured.cohesion=0", "structured.solid-fraction=1"});
@@ -42,8 +42,8 @@ TEST_F(BothModels, AgreeWhereTheirEquationsDo) {
     EXPECT_NEAR(json_number(loose, "initial_m3"), json_number(friction, "initial_m3"), 1);
 }
 
-// 38 m load their mean height with some 300 kPa: blocks of 300 kPa stay whole and cover a third less ground; of 30 kPa
-// they break and set all their water free, which goes farther than what is dry.
+// 38 m load their mean height with some 300 kPa: blocks of 300 kPa remain intact and cover a third less ground; those
+// of 30 kPa break and release all their water, which flows further than dry material.
 TEST_F(BothModels, StrongBlocksCoverLessAndWeakOnesBreak) {
     const std::string loose = summary("structured.ini", {"structured.cohesion=0", "structured.solid-fraction=1"});
     const std::string strong = summary("structured.ini", {"structured.cohesion=300000"}),
@@ -56,7 +56,7 @@ TEST_F(BothModels, StrongBlocksCoverLessAndWeakOnesBreak) {
     EXPECT_NEAR(json_number(weak, "initial_m3"), json_number(loose, "initial_m3"), 1);
 }
 
-// With frames, their particles and a animation as without.
+// With frames, their particles and an animation as without.
 TEST_F(BothModels, LookingOnChangesNothing) {
     for (const std::string scene : {"coulomb.ini", "structured.ini"}) {
         const std::vector<std::string> brief{"time.end=20", "hazard.scheme=swiss-flood"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of a run that has not ended, as one draws them who looks in on it.
+// Pictures of an unfinished run, drawn while it continues.
 #include <csignal>
 #include <fstream>
 #include <memory>
@@ -23,7 +23,7 @@ class UnderWay : public TinyScene {
         run_ = std::make_unique<StartedProgram>(
             folder_.string(), std::vector<std::string>{"run", "scene.ini", "--out", "result", "--set", "time.end=400"});
     }
-    /// The folder in which the result is being built; empty where there is none yet.
+    /// The folder in which the result is being built; empty if there is none yet.
     [[nodiscard]] fs::path building() const {
         for (const auto& entry : fs::directory_iterator(folder_))
             if (entry.path().filename().string().starts_with("result.partial-")) return entry.path();
@@ -41,7 +41,7 @@ class UnderWay : public TinyScene {
 
 TEST_F(UnderWay, AnimationsAndMapsShowTheFramesSoFar) {
     ASSERT_TRUE(run_->wait_until([&] { return frames() >= 3; })) << run_->wait().err;
-    run_->send(SIGSTOP);  // a moment of it
+    run_->send(SIGSTOP);  // to draw a fixed state
     const Outcome animation = frana({"render", "result", "--animation", "film/", "--size", "640x480"});
     ASSERT_EQ(animation.exit_code, 0) << animation.err;
     EXPECT_TRUE(fs::exists(path("film/frame_0002.png")));
@@ -53,7 +53,7 @@ TEST_F(UnderWay, AnimationsAndMapsShowTheFramesSoFar) {
     EXPECT_TRUE(std::regex_match(map.out, std::regex("maps/depth_t(0\\.[0-9]+)\\.png\nmaps/velocity_t\\1\\.png\n")))
         << map.out;
 
-    // What is known at the end only is refused, and nothing is put into the run's folder.
+    // Requests for values known only at the end are refused, and nothing is written to the run's folder.
     const std::vector<std::vector<std::string>> refused{{"render", "result"},
                                                         {"render", "result", "--map", "depth@0.1"},
                                                         {"render", "result", "--charts", "--out", "charts"},

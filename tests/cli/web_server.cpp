@@ -46,7 +46,7 @@ void WebServer::serve() {
 void WebServer::answer(int caller) const {
     std::string request;
     char bytes[4096];
-    // A caller that says nothing for a second is answered all the same.
+    // A client that sends nothing for a second gets a response all the same.
     for (pollfd waiting{caller, POLLIN, 0}; request.find("\r\n\r\n") == std::string::npos;) {
         if (::poll(&waiting, 1, 1000) <= 0) break;
         const ssize_t count = ::recv(caller, bytes, sizeof bytes, 0);

@@ -8,7 +8,7 @@
 
 namespace frana::test {
 
-/// Answers HTTP on a port of this machine: 404, or the text that was put under a path; counts the calls.
+/// Answers HTTP on a port of this machine: 404, or the text stored under a path; counts the calls.
 class WebServer {
   public:
     WebServer();
@@ -20,7 +20,7 @@ class WebServer {
     [[nodiscard]] std::string url() const { return "http://" + place(); }
     [[nodiscard]] std::string place() const { return "127.0.0.1:" + port(); }
     [[nodiscard]] std::string port() const { return std::to_string(port_); }
-    /// To be called before anybody asks.
+    /// Must be called before the first request.
     void put(const std::string& path, const std::string& text) { texts_[path] = text; }
     [[nodiscard]] int calls() const { return calls_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files have their name when they are whole, and leave nothing when they never are.
+// Files get their name when they are complete, and leave nothing if they never are.
 #include "core/file_aside.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ class FileAsideIn : public ::testing::Test {
 };
 
 TEST_F(FileAsideIn, AnUnnamedFileNothingIsSeenUntilItIsWhole) {
-    for (const char* content : {"first", "second"}) {  // a new name, and one that is there
+    for (const char* content : {"first", "second"}) {  // a new name, and an existing one
         const auto before = names();
         FileAside file(path("a.txt"));
         if (file.partial_path().find("/proc/") == std::string::npos) GTEST_SKIP() << "no files without a name here";
@@ -73,7 +73,7 @@ TEST_F(FileAsideIn, EveryByteIsSeenTo) {
     EXPECT_THROW(write_file(path("no/folder/a.txt"), "x"), Error);
 }
 
-/// The number of a process that is no more.
+/// Returns the number of a process that has ended.
 std::string gone_process() {
     const pid_t child = ::fork();
     if (child == 0) ::_exit(0);

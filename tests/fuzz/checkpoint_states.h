@@ -16,11 +16,11 @@ struct SavedRun {
     Bytes state;
 };
 
-/// v: Voellmy-Bingham with all that a bed can do; p: the published scheme; s: structured, solids and fluid; w:
+/// v: Voellmy-Bingham with every feature of the bed; p: the published scheme; s: structured, solids and fluid; w:
 /// structured, fluid alone. Made once. Null for others.
 const SavedRun* saved_run(char kind);
 
-/// A whole checkpoint file, with the state of 'v'. Made once.
+/// A complete checkpoint file, with the state of 'v'. Made once.
 const Bytes& checkpoint_file();
 
 }  // namespace frana::fuzz

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checkpoints, changed. First byte: f a file; h a file whose size and checksum are made to fit, as if it had been
-// written like that; v, p, s, w the state of a small run (see checkpoint_states.h), which goes on from it. Then the
-// changes, one after another: place (4 bytes), count of bytes (1), the bytes; a count of 0 cuts off what follows the
-// place.
+// Modified checkpoints. First byte: f a file; h a file with size and checksum corrected, as if it had been written like
+// that; v, p, s, w the state of a small run (see checkpoint_states.h), which is resumed from it. Then the changes, one
+// after another: offset (4 bytes), number of bytes (1), the bytes; a number of 0 truncates at the offset.
 #include <sys/mman.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -56,7 +55,7 @@ void make_fit(Bytes& file) {
     std::memcpy(file.data() + k_start + size, &sum, sizeof sum);
 }
 
-// A state that is believed is computed with: some steps of it do no more harm than numbers that are none.
+// An accepted state is computed with: some steps of it do no more harm than non-finite values.
 void go_on(const frana::Scene& scene, const Bytes& state) {
     std::size_t place = 0;
     frana::StateReader reader(

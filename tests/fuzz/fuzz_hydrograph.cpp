@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hydrographs, read and cut into what flows in.
+// Hydrographs, read and divided into rows of inflow.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             if (!std::isfinite(p.time + p.discharge + p.speed) || p.discharge < 0 || p.speed < 0) __builtin_trap();
             if (i > 0 && p.time < points[i - 1].time) __builtin_trap();
         }
-        // The program refuses what would be more rows than memory holds; here a million are enough.
+        // The program refuses more rows than fit in memory; here a million are enough.
         double fastest = 0, volume = 0;
         for (const HydrographPoint& p : points) fastest = std::max(fastest, p.speed);
         if (fastest > 1e4) return;

@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         grid.west = info.bounds.west;
         grid.north = info.bounds.north;
         grid.crs_wkt = info.crs_wkt;
-        // Whole rasters larger than this are read in parts, which takes long, not room.
+        // Larger whole rasters are read in parts, which takes time, not memory.
         if (static_cast<double>(info.columns) * static_cast<double>(info.rows) > 1e6 || !(grid.cell_size > 0)) return;
         const gis::RasterRead read = gis::read_raster_on(file.path(), grid, "", gis::Resampling::automatic);
         for (const double z : read.raster.values)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene files: what can be read without a problem is written and read again to the same scene.
+// Scene files: a scene read without a problem is written and read again as the same scene.
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-// A file without a name on any disk; a scene reader wants a path.
+// A file in memory; the reader of scenes needs a path.
 class ScenePath {
   public:
     ScenePath() : file_(::memfd_create("scene", 0)), path_("/proc/self/fd/" + std::to_string(file_)) {}
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::string text = frana::scene_text(first.scene, {});
         const frana::SceneReading second = read(path, text.data(), text.size());
         if (!second.problems.empty()) __builtin_trap();
-        // Where a value came from is a comment and may differ; the lines that hold values may not.
+        // The source of a value is a comment and may differ; the lines with values may not.
         const auto values = [](const std::string& all) {
             std::string kept;
             for (std::size_t from = 0; from < all.size();) {

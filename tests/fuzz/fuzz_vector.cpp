@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const fuzz::MemoryFile file("/vsimem/fuzz/outline." + ending, input.data, input.size);
     fuzz::refused_or_done([&] {
         const gis::PolygonLayer layer = gis::read_polygons(file.path(), utm, "release.perimeter");
-        // What is accepted can be computed with.
+        // Accepted outlines can be computed with.
         if (layer.features.empty()) __builtin_trap();
         for (const PolygonFeature& feature : layer.features) {
             for (const Polygon& polygon : feature.parts) {

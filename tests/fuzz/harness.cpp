@@ -8,7 +8,7 @@
 namespace frana::fuzz {
 
 MemoryFile::MemoryFile(std::string path, const std::uint8_t* data, std::size_t size) : path_(std::move(path)) {
-    // GDAL reads the bytes where they are.
+    // GDAL reads the bytes in place.
     VSIFCloseL(VSIFileFromMemBuffer(path_.c_str(), const_cast<GByte*>(data), size, FALSE));
 }
 

@@ -7,12 +7,12 @@
 
 #include "core/error.h"
 
-/// What a harness gives to libFuzzer, and what replay.cpp calls for every file of a corpus. Must return for any bytes.
+/// The entry point for libFuzzer, and for replay.cpp with every file of a corpus. Must return for any bytes.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace frana::fuzz {
 
-/// Runs what may refuse its input: an Error must say what is wrong; anything else that is thrown ends the program.
+/// Runs work that may refuse its input: an Error must contain a problem; any other exception ends the program.
 template <class Work>
 void refused_or_done(const Work& work) {
     try {
@@ -22,7 +22,7 @@ void refused_or_done(const Work& work) {
     }
 }
 
-/// A file in memory under a name that GDAL opens, for as long as this lives.
+/// A file in memory under a name that GDAL opens, during its lifetime.
 class MemoryFile {
   public:
     MemoryFile(std::string path, const std::uint8_t* data, std::size_t size);
@@ -35,7 +35,7 @@ class MemoryFile {
     std::string path_;
 };
 
-/// The file's kind is its first byte; returns what follows it.
+/// The file's kind is its first byte; returns the rest.
 struct Input {
     char kind = 0;
     const std::uint8_t* data = nullptr;

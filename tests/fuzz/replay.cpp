@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every file of a corpus through a harness, then for some seconds random changes of them, without a fuzzer and on any
-// compiler: replay_NAME FOLDER [SECONDS]. FRANA_SEED (1 where not given) chooses others. What a harness did not survive
-// is left in replay_NAME.input.
+// Runs every file of a corpus through a harness, then for some seconds random changes of them, without a fuzzer and
+// with any compiler: replay_NAME FOLDER [SECONDS]. FRANA_SEED (default 1) selects others. An input on which a harness
+// crashed is left in replay_NAME.input.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -21,12 +21,12 @@ namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
 using Random = std::mt19937_64;
 
-// A number below a count, which is above zero.
+// Returns a number below `count`, which is positive.
 std::size_t below(Random& random, std::size_t count) {
     return static_cast<std::size_t>(random() % count);
 }
 
-// What readers stumble over: numbers that are none, too large or negative, both as text and as bytes.
+// Values difficult for readers: non-finite, too large or negative numbers, both as text and as bytes.
 constexpr std::string_view k_words[] = {"nan",
                                         "inf",
                                         "-1",
@@ -61,7 +61,7 @@ void change(Bytes& bytes, const std::vector<Bytes>& corpus, Random& random) {
         case 2:
             bytes.erase(at(bytes, place), at(bytes, place + below(random, most + 1)));
             break;
-        case 3: {  // a word, over what is there or before it
+        case 3: {  // a word, over the present bytes or before them
             const std::string_view word = k_words[below(random, std::size(k_words))];
             if (random() % 2 == 0) bytes.erase(at(bytes, place), at(bytes, place + std::min(most, word.size())));
             bytes.insert(at(bytes, place), word.begin(), word.end());
@@ -80,7 +80,7 @@ void change(Bytes& bytes, const std::vector<Bytes>& corpus, Random& random) {
     }
 }
 
-// Kept on disk while the harness has it.
+// Kept on disk while the harness runs.
 void run_kept(const Bytes& bytes, const fs::path& file) {
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

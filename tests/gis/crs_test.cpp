@@ -41,7 +41,7 @@ TEST(Crs, OnlyMetresEastAndNorthMakeSquareCells) {
     EXPECT_FALSE(is_projected_in_metres(crs_from_user("EPSG:2927", "")));  // US survey feet
     EXPECT_FALSE(is_projected_in_metres(crs_from_user("EPSG:2053", "")));  // axes west and south
     EXPECT_FALSE(is_projected_in_metres(""));
-    // Round the poles both axes follow meridians.
+    // Around the poles both axes follow meridians.
     for (const char* polar : {"EPSG:3413", "EPSG:3031", "EPSG:5041", "EPSG:32661", "EPSG:32761"})
         EXPECT_TRUE(is_projected_in_metres(crs_from_user(polar, ""))) << polar;
     EXPECT_TRUE(is_projected_in_metres(crs_from_user("EPSG:25832+5783", "")));  // with heights
@@ -68,7 +68,7 @@ TEST(Crs, TrueNorthLiesWestOfGridNorthEastOfTheCentralMeridian) {
     const double expected = -(9.38 - 9) * std::sin(46 * std::numbers::pi / 180);
     EXPECT_NEAR(meridian_convergence_deg(utm, {529424.272, 5094117.682}), expected, 1e-5);
     EXPECT_NEAR(meridian_convergence_deg(utm, {470575.728, 5094117.682}), -expected, 1e-5);
-    // South of the equator it turns round.
+    // South of the equator the sign is reversed.
     EXPECT_GT(meridian_convergence_deg(crs_from_user("EPSG:32732", ""), {529424.272, 4905882.318}), 0.27);
     EXPECT_EQ(meridian_convergence_deg("", {1, 2}), 0);
 }

@@ -22,9 +22,9 @@ struct Case {
     double accuracy_m;
 };
 
-// The ends were computed with GDAL's gdaltransform (GDAL 3.6.2, PROJ 9.1.1), a program of its own, and cs2cs
-// agrees to its last digit: echo X Y | gdaltransform -s_srs FROM -t_srs TO -output_xy
-// 1 cm is what a map needs. The accuracies are those that projinfo -s FROM -t TO --summary states.
+// The ends were computed with GDAL's gdaltransform (GDAL 3.6.2, PROJ 9.1.1), a separate program, and cs2cs agrees to
+// its last digit: echo X Y | gdaltransform -s_srs FROM -t_srs TO -output_xy
+// 1 cm is the accuracy needed for a map. The accuracies are those stated by projinfo -s FROM -t TO --summary.
 constexpr double k_metres = 0.01;
 constexpr double k_degrees = 1e-7;
 
@@ -48,15 +48,15 @@ TEST_P(Known, AgreesWithGdaltransform) {
 INSTANTIATE_TEST_SUITE_P(
     Places, Known,
     testing::Values(
-        // Degrees: longitude first although EPSG:4326 says latitude first.
+        // Degrees: longitude first although EPSG:4326 has latitude first.
         Case{"EPSG:4326", "EPSG:32632", {9.38, 46.0}, {529424.272046, 5094117.681870}, 0},
         Case{"EPSG:32632", "EPSG:4326", {529421, 5094042}, {9.37995308172, 45.99931899255}, 0},
         Case{"EPSG:4326", "EPSG:32719", {-70.5, -33.4}, {360505.619897, 6303362.288123}, 0},
         // Gauss-Boaga on the datum Monte Mario; a missed shift would be off by some 100 m.
         Case{"EPSG:3003", "EPSG:32632", {1529430, 5094000}, {529401.483581, 5093978.921519}, 4},
         Case{"EPSG:32632", "EPSG:3003", {529421.3, 5094001.7}, {1529449.817497, 5094022.778938}, 4},
-        // Axes north, east in the register; easting first in files. In Tyrol PROJ also knows an operation
-        // meant for Styria, one metre off here and said to be more accurate.
+        // Axes north, east in the register; easting first in files. In Tyrol PROJ also offers an operation meant for
+        // Styria, one metre off here and listed as more accurate.
         Case{"EPSG:31287", "EPSG:32632", {300000, 380000}, {727461.323950, 5244210.718594}, 1.5},
         Case{"EPSG:31287", "EPSG:4326", {300000, 380000}, {12.0095696273656, 47.3118301646198}, 1.5},
         Case{"EPSG:31468", "EPSG:25832", {4450000, 5260000}, {675949.022964, 5260768.369819}, 0.9},
@@ -106,7 +106,7 @@ TEST(CrsTransform, EqualCrssLeaveCoordinatesToTheLastBit) {
 }
 
 TEST(CrsTransform, SaysWhenABetterGridIsMissing) {
-    // Debian ships no OSTN15: the Helmert operation remains, 2 m instead of centimetres.
+    // Debian does not contain OSTN15: the Helmert operation remains, 2 m instead of centimetres.
     const CrsTransform transform(crs_from_user("EPSG:27700", ""), crs_from_user("EPSG:4326", ""),
                                  Bounds{400000, 300000, 401000, 301000});
     EXPECT_TRUE(transform.info().needs_missing_grid);
@@ -116,7 +116,7 @@ TEST(CrsTransform, SaysWhenABetterGridIsMissing) {
 }
 
 TEST(CrsTransform, AnAreaAcrossTheAntimeridianIsASmallOne) {
-    // Taken for an area round the whole Earth, PROJ's choice for Fiji 1986 would not be Fiji's.
+    // For an area around the whole Earth, PROJ's choice for Fiji 1986 would not be Fiji's.
     const CrsTransform transform(crs_from_user("EPSG:4720", ""), crs_from_user("EPSG:32760", ""),
                                  Bounds{179.9, -16.6, 180.1, -16.4});
     const CrsTransform west(crs_from_user("EPSG:4720", ""), crs_from_user("EPSG:32760", ""),
@@ -139,7 +139,7 @@ TEST(CrsTransform, PointsBeyondTheProjectionAreRefusedOrMarked) {
 TEST(CrsTransform, BoundsFollowBentEdges) {
     const CrsTransform transform(crs_from_user("EPSG:4326", ""), crs_from_user("EPSG:32632", ""));
     const Bounds b = transform.around({8, 46, 10, 47});
-    // The southern edge sags towards the central meridian: its lowest point is there, not at a corner.
+    // The southern edge is curved towards the central meridian: its lowest point is there, not at a corner.
     EXPECT_NEAR(b.south, transform(Point{9, 46}).y, 1.0);
     EXPECT_LT(b.south, transform(Point{8, 46}).y - 100);
 }

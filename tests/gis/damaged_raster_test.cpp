@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A disk that fails once, at any write: the raster is refused, or it is right. A process that is traced writes it,
-// and one of its writes is answered with "no space left".
+// A disk with one error, at any write: the raster is refused, or it is right. It is written by a traced process, one of
+// whose writes fails with "no space left".
 #include <gtest/gtest.h>
 #include <sys/ptrace.h>
 #include <sys/syscall.h>
@@ -23,13 +23,13 @@
 namespace frana::gis {
 namespace {
 
-constexpr const char* k_asked = "FRANA_TEST_RASTER";  // where the other process is to write it
+constexpr const char* k_asked = "FRANA_TEST_RASTER";  // path for the other process
 
 enum class End { written, refused, untouched, not_traced };
 
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-// Lets another process write the raster, of which the `failing`-th write fails; untouched: it made fewer. It begins
-// again: GDAL's threads do not outlive a fork.
+// Runs another process that writes the raster, of which the `failing`-th write fails; untouched: it made fewer. It is
+// started anew: GDAL's threads do not survive a fork.
 End write_with_error(int failing, const std::string& path) {
     const pid_t child = ::fork();
     if (child == 0) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ESRI binary grid, a folder of .adf files, which GDAL reads but does not write: put together here byte
-// by byte.
+// The ESRI binary grid, a folder of .adf files, which GDAL reads but does not write: assembled here byte by byte.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -80,7 +79,7 @@ void write_grid(const std::string& folder) {
             for (int column = 0; column < k_columns; ++column)
                 data.put(row < k_rows ? ground(row, column) : k_esri_nodata);
     }
-    // Both name their length in shorts at byte 24.
+    // Both contain their length in shorts at byte 24.
     data.put_at(24, static_cast<std::int32_t>(data.size() / 2)).write(folder + "/w001001.adf");
     index.put_at(24, static_cast<std::int32_t>(index.size() / 2)).write(folder + "/w001001x.adf");
     std::ofstream(folder + "/prj.adf") << "Projection    UTM\nZone          32\nDatum         WGS84\nZunits        NO\n"
@@ -96,7 +95,7 @@ TEST(EsriGrid, AFolderOfAdfFilesIsARaster) {
     EXPECT_EQ(info.driver, "AIG");
     EXPECT_EQ(info.columns, k_columns);
     EXPECT_EQ(info.rows, k_rows);
-    EXPECT_FALSE(info.crs_wkt.empty());  // that it is UTM zone 32 shows below, where nothing is resampled
+    EXPECT_FALSE(info.crs_wkt.empty());  // UTM zone 32 is tested below, where nothing is resampled
     const GridSpec grid{k_west, k_north, k_cell, k_columns, k_rows, crs_from_user("EPSG:32632", "")};
     const RasterRead read = read_raster_on(path, grid, "", Resampling::automatic);
     EXPECT_EQ(read.resampling_used, "exact copy");

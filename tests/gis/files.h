@@ -11,7 +11,7 @@
 
 namespace frana::gis::test {
 
-/// A folder that vanishes with its contents.
+/// A folder that is removed with its contents.
 class Folder {
   public:
     Folder();
@@ -26,7 +26,7 @@ class Folder {
     std::filesystem::path path_;
 };
 
-/// What a test raster looks like; values row by row from the north.
+/// Properties of a test raster; values row by row from the north.
 struct TestRaster {
     int columns = 0, rows = 0;
     double west = 0, north = 0, cell_x = 1, cell_y = 1;
@@ -40,14 +40,14 @@ struct TestRaster {
 };
 void make_raster(const std::string& path, const TestRaster& raster);
 
-/// A vector file of one layer from WKT geometries, with a number "thick" (10, 20, ...) and a text "name".
+/// Writes a vector file of one layer from WKT geometries, with a number "thick" (10, 20, ...) and a text "name".
 void make_vector(const std::string& path, const std::string& driver, const std::string& crs,
                  const std::vector<std::string>& wkt, const std::string& layer = "shapes");
 
 std::string text_in(const std::string& path);
 void write_text(const std::string& path, const std::string& text);
 
-/// The Error that a call throws; fails the test (and returns an empty one) when it throws none.
+/// Returns the Error that a call throws; fails the test (and returns an empty one) if it throws none.
 Error error_of(const std::function<void()>& call);
 
 }  // namespace frana::gis::test

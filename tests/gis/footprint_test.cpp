@@ -37,7 +37,7 @@ TEST(Footprint, TakesCellsByTheirCentres) {
     EXPECT_EQ(mask.at(19 - 5, 5), 1);
 }
 
-// A dam one metre wide that runs aslant: every row of cells has one, and each touches the next by a side.
+// An oblique dam one metre wide: every row of cells has one, and each touches the next by a side.
 TEST(Footprint, LeavesNoGapInAThinDam) {
     const MultiPolygon dam{{{{1011, 2001}, {1012, 2001}, {1082, 2099}, {1081, 2099}}, {}}};
     bool thin = false;

@@ -82,7 +82,7 @@ TEST_P(Stack, HasCfCoordinatesUnitsAndCrs) {
     if (GetParam() == StackFormat::netcdf) {
         EXPECT_EQ(text_of(*root->OpenMDArray("x"), "standard_name"), "projection_x_coordinate");
     } else {
-        // GDAL takes this attribute for itself as it reads; others see it.
+        // GDAL hides this attribute when it reads; other readers do not.
         const auto attributes = nlohmann::json::parse(test::text_in(path_ + "/x/.zattrs"));
         EXPECT_EQ(attributes["standard_name"], "projection_x_coordinate");
     }
@@ -131,7 +131,7 @@ TEST_P(Stack, OpensAsAnOrdinaryRasterInItsPlace) {
     EXPECT_TRUE(file->GetSpatialRef()->IsProjected());
 }
 
-// zarr decodes metadata as ASCII, xarray asks every array for its dimensions.
+// zarr decodes metadata as ASCII, xarray reads the dimensions of every array.
 TEST(ZarrMetadata, IsAsciiAndNamesTheDimensionsOfEveryArray) {
     const Folder folder;
     const std::string path = folder.file("frames.zarr");

@@ -15,7 +15,7 @@ MapScale scale_of(const char* crs, Point map) {
     return map_scale(crs_from_user(crs, ""), map);
 }
 
-// 100 m lines read off in degrees of 1e-15 relative precision: 1e-7 at worst.
+// 100 m lines measured in degrees of 1e-15 relative precision: 1e-7 at worst.
 constexpr double k_rounding = 2e-7;
 
 TEST(MapScale, IsTheProjectionsOwnWhereItIsKnown) {

@@ -10,7 +10,7 @@
 namespace frana::gis {
 namespace {
 
-/// Two particles as a result's frame has them.
+/// Two particles as in a result's frame.
 void write_particles(const std::string& path) {
     GDALAllRegister();
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");

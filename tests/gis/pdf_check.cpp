@@ -14,7 +14,7 @@
 namespace frana::gis::test {
 namespace {
 
-// Runs it; adds what it says on stderr, and how it ended unless well.
+// Runs it; adds its stderr, and its exit status unless 0.
 void run(const std::string& command, const std::string& path, std::vector<std::string>& problems) {
     const std::string said = path + ".stderr";
     const int status = std::system((command + " 2>'" + said + "'").c_str());
@@ -23,7 +23,7 @@ void run(const std::string& command, const std::string& path, std::vector<std::s
     std::filesystem::remove(said);
 }
 
-// A picture that a tool wrote and nobody needs any more.
+// Reads and deletes a picture written by a tool.
 Pixels taken(const std::string& path) {
     Pixels pixels = pixels_of(path);
     std::filesystem::remove(path);
@@ -45,7 +45,7 @@ void compare_inside(const Pixels& found, const Pixels& expected, std::vector<std
     if (others > 0) problems.push_back("the picture inside has " + std::to_string(others) + " other bytes");
 }
 
-// Poppler stretches a picture over one pixel more on either side.
+// Poppler stretches a picture by one pixel on either side.
 constexpr int k_stretched = 1;
 constexpr int k_block = 20;
 // The whole contrast, moved by a pixel over a block's side, both ways.

@@ -7,19 +7,18 @@
 
 namespace frana::gis::test {
 
-/// Three bytes a pixel, row by row from the top.
+/// Three bytes per pixel, row by row from the top.
 struct Pixels {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgb;
 };
 
-/// The first three bands of any picture that GDAL reads; fails the test where it reads none.
+/// Returns the first three bands of any picture that GDAL reads; fails the test if it reads none.
 Pixels pixels_of(const std::string& path);
 
-/// What keeps a PDF from showing just these pixels at this print size; empty: nothing. Poppler (Debian:
-/// poppler-utils), by which most viewers read, must have no word of complaint, must find one picture with
-/// these very pixels, and must draw a page that is this picture, but for its own way of stretching it by a
-/// pixel. Writes beside the file.
+/// Returns the reasons why a PDF does not show just these pixels at this print size; empty: none. Poppler (Debian:
+/// poppler-utils), used by most viewers, must report no error, must find one picture with exactly these pixels, and
+/// must draw a page equal to this picture, except for stretching it by a pixel. Writes files beside it.
 std::vector<std::string> pdf_problems(const std::string& path, const Pixels& expected, double dots_per_inch);
 
 }  // namespace frana::gis::test

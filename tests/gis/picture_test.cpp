@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of maps go out with their place on the ground, users' pictures come in under the map.
+// Pictures of maps are written with their position on the ground, users' pictures are read as backgrounds.
 #include <cpl_conv.h>
 #include <gdal.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace {
 
 const std::string k_utm = "EPSG:32632";
 
-/// Red grows to the east, green to the south; blue is 40.
+/// Red increases to the east, green to the south; blue is 40.
 std::vector<std::uint8_t> gradient(int width, int height) {
     std::vector<std::uint8_t> rgb;
     for (int row = 0; row < height; ++row)
@@ -85,13 +85,13 @@ TEST(PictureOut, PdfIsAPageOfTheRightSizeThatKnowsItsPlace) {
     EXPECT_NE(GDALGetMetadataItem(file.get(), "NEATLINE", nullptr), nullptr);
 }
 
-// On several processors GDAL packs a PDF's stream on a thread of its own and notes its place and length before that is
-// done (OSGeo/gdal#6270): readers then find rubbish. A page's first bytes and its place on the ground are right all the
-// same.
+// On several processors GDAL compresses a PDF's stream on a separate thread and records its place and length before
+// that is done (OSGeo/gdal#6270): readers then find invalid data. A page's first bytes and its position on the ground
+// are right all the same.
 TEST(PictureOut, PdfShowsTheVeryPixelsOnSeveralThreads) {
     const test::Folder folder;
     CPLSetConfigOption("GDAL_NUM_THREADS", "2");
-    // Too varied to be packed small: several blocks of the packer. A page of A5 across.
+    // Too varied to be compressed well: several blocks of the compressor. An A5 page in landscape.
     test::Pixels picture{1240, 874, {}};
     picture.rgb.resize(3 * 1240 * 874);
     std::uint32_t state = 1;
@@ -121,7 +121,7 @@ TEST(PictureOut, AFullOrMissingFolderIsSaid) {
 TEST(PictureIn, APictureInAnotherCrsComesToItsPlace) {
     const test::Folder folder;
     const std::string path = folder.file("ortho.tif");
-    // In degrees, 0.00002 a pixel (1.5 m by 2.2 m); red counts columns, green rows.
+    // In degrees, 0.00002 per pixel (1.5 m by 2.2 m); red counts columns, green rows.
     const std::string degrees = crs_from_user("EPSG:4326", "");
     const Bounds box{9.348, 45.998, 9.352, 46.002};
     const std::vector<std::uint8_t> rgb = gradient(200, 200);
@@ -139,7 +139,7 @@ TEST(PictureIn, APictureInAnotherCrsComesToItsPlace) {
         EXPECT_NEAR(p[2], 40, 1);
         EXPECT_EQ(p[3], 255);
     }
-    // Nothing beyond its rim.
+    // Nothing beyond its edge.
     const std::vector<std::uint8_t> beyond =
         warp_picture(path, utm, {middle.x + 1000, middle.y, middle.x + 1100, middle.y + 100}, 10, 10);
     for (const std::uint8_t value : beyond) EXPECT_EQ(value, 0);

@@ -14,7 +14,7 @@ inline GridSpec utm_grid(double west, double north, double cell, int columns, in
     return {west, north, cell, columns, rows, crs_from_user("EPSG:32632", "")};
 }
 
-/// An inclined plane: z = 1000 + 0.3 (x - west) + 0.2 (y - north), which every fair resampling reproduces.
+/// An inclined plane: z = 1000 + 0.3 (x - west) + 0.2 (y - north), which every consistent resampling reproduces.
 inline double plane(double x, double y) {
     return 1000 + 0.3 * (x - 527000) + 0.2 * (y - 5095000);
 }

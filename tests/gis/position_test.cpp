@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One square on the ground near the Brenner, told in four systems, lies in one place.
+// One square on the ground near the Brenner, given in four systems, is in one place.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,8 +53,8 @@ TEST(Position, ASquareInThreeSystemsCoversTheSameCells) {
         const Raster square = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::bilinear).raster;
         const Raster released = coverage(release.features[0].parts, grid);
         const Raster scarred = coverage(scar.features[0].parts, grid);
-        // Half a cell all along the outline of 800 m is the area of 80 cells. The two outlines lie within a
-        // centimetre of each other: of their cells only those whose centres lie on an edge may differ.
+        // Half a cell all along the outline of 800 m is the area of 80 cells. The two outlines are within a centimetre
+        // of each other: of their cells only those whose centres are on an edge may differ.
         int by_raster = 0, by_scar = 0;
         for (std::size_t i = 0; i < square.values.size(); ++i) {
             by_raster += (square.values[i] > 5) != (released.values[i] > 0);

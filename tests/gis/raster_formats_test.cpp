@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every kind of raster file a user may have, written by GDAL, read by frana: the same ground in the same
-// place.
+// Raster files of all common formats, written by GDAL, read by frana: the same ground in the same place.
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
@@ -120,7 +119,7 @@ TEST(RasterFiles, AMosaicOfTilesIsOneRaster) {
     const char* const tiles[] = {west.c_str(), east.c_str()};
     GDALClose(GDALBuildVRT(folder.file("all.vrt").c_str(), 2, nullptr, tiles, nullptr, nullptr));
     expect_ground(folder.file("all.vrt"));
-    // A tile that is gone must not read as flat ground.
+    // A missing tile must not be read as flat ground.
     std::filesystem::remove(east);
     const GridSpec grid{k_west, k_north, k_cell, k_columns, k_rows, crs_from_user("EPSG:32632", "")};
     EXPECT_EQ(error_of([&] { (void)read_raster_on(folder.file("all.vrt"), grid, "", Resampling::automatic); }).kind(),
@@ -159,7 +158,7 @@ TEST(RasterFiles, SeveralRastersInOneFileAreNamed) {
 TEST(RasterFiles, PixelIsPointMeansTheCentre) {
     const GdalSession session;
     const Folder folder;
-    // As written, the tie point ties the first cell's centre.
+    // As written, the tie point is the first cell's centre.
     CPLSetThreadLocalConfigOption("GTIFF_POINT_GEO_IGNORE", "YES");
     {
         const auto from = part_of_ground(0, k_columns, GDT_Float32);
@@ -206,7 +205,7 @@ void expect_tile(const std::string& driver, const std::string& name) {
     const CrsTransform to_degrees(grid.crs_wkt, crs_from_user("EPSG:4326", ""), grid.bounds());
     for (int i = 0; i < 40; ++i) {
         const Point place = to_degrees(grid.cell_centre(i, 39 - i));
-        // Half a metre was rounded away; half a cell's slip would be 8 m and 3 m.
+        // Half a metre was rounded away; a shift of half a cell would be 8 m and 3 m.
         ASSERT_NEAR(read.raster.at(i, 39 - i), height(place.x, place.y), 0.7) << driver;
     }
 }

@@ -62,7 +62,7 @@ TEST(InspectRaster, RefusesWithPathAndKey) {
     EXPECT_EQ(error_of([&] { (void)inspect_raster(folder.file("unplaced.pgm"), ""); }).kind(), ErrorKind::input);
 }
 
-// 4 cells whose blocks would take 2.5 GB, all bands side by side.
+// 4 cells whose blocks would need 2.5 GB, all bands interleaved.
 TEST(InspectRaster, RefusesBlocksThatTakeTooMuchMemory) {
     const Folder folder;
     const GdalSession session;
@@ -132,8 +132,8 @@ TEST(ReadRaster, APlaneStaysAPlane) {
     }
 }
 
-// Larger cells that are no whole multiple of the file's, on any lattice: a mean over part cells, each as a step, would
-// make the plane uneven by up to an eighth of a cell's rise, here 0.2 m.
+// Larger cells that are no integer multiple of the file's, on any lattice: a mean over partial cells, each as a step,
+// would make the plane uneven by up to an eighth of a cell's rise, here 0.2 m.
 TEST(ReadRaster, APlaneStaysAPlaneWhateverTheRatio) {
     const Folder folder;
     make_raster(folder.file("dtm.tif"), plane_raster(60, 60, 5));
@@ -151,7 +151,7 @@ TEST(ReadRaster, APlaneStaysAPlaneWhateverTheRatio) {
     }
 }
 
-// One high cell: its volume is kept, wherever the larger cells' rims cut it.
+// One high cell: its volume is conserved, wherever the edges of the larger cells divide it.
 TEST(ReadRaster, AnAverageKeepsVolume) {
     const Folder folder;
     TestRaster spike = plane_raster(60, 60, 5);
@@ -167,10 +167,10 @@ TEST(ReadRaster, AnAverageKeepsVolume) {
         return sum * cell * cell / 25;
     };
     for (const double shift : {0.0, 0.9, 1.7, 3.1, 4.2}) {
-        // One or two points for each cell along each side share it out exactly.
+        // One or two points for each cell along each side distribute it exactly.
         for (const double cell : {5.0, 7.5, 10.0, 12.5, 20.0}) ASSERT_NEAR(kept(cell, shift), 1, 1e-9) << cell;
-        // Otherwise to what a hat's sum over points differs from its integral by: its transform, sinc^2, at multiples
-        // of the number of points to a cell; in both directions.
+        // Otherwise to the difference of a hat function's sum over points from its integral: its transform, sinc^2, at
+        // multiples of the number of points per cell; in both directions.
         for (const double cell : {12.0, 10.5, 6.5}) {
             const double points = std::ceil(2 * cell / 5) / (cell / 5);
             double off = 0;
@@ -314,7 +314,7 @@ TEST(ReadRaster, AcrossTheAntimeridianThereIsNoGap) {
         for (int row = 0; row < 100; ++row)
             for (int column = 0; column < 200; ++column) raster.values.push_back(column);
         make_raster(folder.file("dtm.tif"), raster);
-        // UTM zone 1 south round 180 E 16.45 S, which gdaltransform puts at 179629.768, 8178910.424.
+        // UTM zone 1 south around 180 E 16.45 S, which gdaltransform puts at 179629.768, 8178910.424.
         const GridSpec grid{175000, 8180000, 100, 90, 20, crs_from_user("EPSG:32701", "")};
         const RasterRead read = read_raster_on(folder.file("dtm.tif"), grid, "", Resampling::bilinear);
         EXPECT_EQ(read.nodata_cells, 0);

@@ -28,7 +28,7 @@ TEST(ReadRaster, NoDataStaysAndDoesNotBleed) {
     for (double& value : raster.values) value = 500;
     raster.nodata = -9999;
     raster.values[10 * 20 + 10] = -9999;
-    raster.values[3 * 20 + 4] = k_nan;  // undeclared, but no number either
+    raster.values[3 * 20 + 4] = k_nan;  // undeclared, but not finite either
     raster.values[15 * 20 + 4] = std::numeric_limits<double>::infinity();
     make_raster(folder.file("dtm.tif"), raster);
     for (const Resampling resampling : {Resampling::bilinear, Resampling::cubic, Resampling::nearest}) {
@@ -125,13 +125,13 @@ TEST(ReadRaster, AFrameOfZerosIsNoticedAndCanBeDeclared) {
     const RasterRead declared = read_raster_on(folder.file("framed.tif"), grid, "", Resampling::automatic, "auto", 0);
     EXPECT_EQ(declared.nodata_cells, 20);
     EXPECT_EQ(declared.zero_rim_cells, 0);
-    // The sea: its shore rises gently.
+    // The sea: its shore rises gradually.
     for (int row = 0; row < 20; ++row)
         for (int column = 0; column < 20; ++column)
             raster.values[static_cast<std::size_t>(row * 20 + column)] = std::max(0, 2 * (column - 5));
     make_raster(folder.file("shore.tif"), raster);
     EXPECT_EQ(read_raster_on(folder.file("shore.tif"), grid, "", Resampling::automatic).zero_rim_cells, 0);
-    // Resampled, the frame would no longer be 0: it is seen in the file.
+    // Resampled, the frame would no longer be 0: it is detected in the file.
     EXPECT_EQ(
         read_raster_on(folder.file("framed.tif"), utm_grid(527000, 5095000, 10, 10, 10), "", Resampling::automatic)
             .zero_rim_cells,

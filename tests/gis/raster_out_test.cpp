@@ -32,7 +32,7 @@ Raster bowl(int columns, int rows) {
 
 const BandText k_text{"max_depth", "Maximum flow depth, vertical", "m", {{"PROGRAM", "frana"}, {"VERSION", "0"}}};
 
-/// No file may grow beyond a limit while one lives: what a full disk does.
+/// Limits the size of any file during its lifetime, as a full disk does.
 class FullDisk {
   public:
     explicit FullDisk(rlim_t bytes) {
@@ -97,7 +97,7 @@ TEST(WriteGeotiff, IsCloudOptimisedWithTextsAndStatisticsInside) {
         if (!std::isnan(value)) expected = std::max(expected, static_cast<float>(value));
     }
     EXPECT_EQ(static_cast<float>(std::atof(most)), expected);
-    // GDAL's own count over the file must agree.
+    // GDAL's own statistics of the file must agree.
     double least = 0, greatest = 0, mean = 0, deviation = 0;
     ASSERT_EQ(band.ComputeStatistics(FALSE, &least, &greatest, &mean, &deviation, nullptr, nullptr), CE_None);
     EXPECT_EQ(greatest, expected);
@@ -128,11 +128,11 @@ TEST(WriteGeotiff, TheCheckFindsWhatIsNotCloudOptimised) {
     }
     EXPECT_FALSE(test::cog_problems(folder.file("b.tif")).empty()) << "stripes";
     {
-        // A value changed in place: GDAL rewrites blocks and says so in the file.
+        // A value changed in place: GDAL rewrites blocks and marks that in the file.
         const GDALDatasetUniquePtr file(
             GDALDataset::Open(folder.file("a.tif").c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE));
         std::vector<float> values(1100 * 300);
-        std::uint32_t noise = 1;  // which does not compress, so that blocks outgrow their place
+        std::uint32_t noise = 1;  // which does not compress, so that blocks exceed their place
         for (float& value : values) value = static_cast<float>(noise = noise * 1664525 + 1013904223);
         ASSERT_EQ(file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 1100, 300, values.data(), 1100, 300, GDT_Float32, 0,
                                                    0, nullptr),

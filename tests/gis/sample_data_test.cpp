@@ -55,14 +55,14 @@ TEST(SampleData, ReleaseHasItsVolumeAndLiesInItsPerimeter) {
         volume += value * thickness.grid.cell_area();
         thickest = std::max(thickest, value);
     }
-    EXPECT_NEAR(volume, sample::k_release_volume, 0.01 * sample::k_release_volume);  // the sample's promise
+    EXPECT_NEAR(volume, sample::k_release_volume, 0.01 * sample::k_release_volume);  // the accuracy stated for the
+                                                                                     // sample
     EXPECT_NEAR(thickest, sample::k_release_thickest, 0.1);
     const PolygonLayer perimeter = read_polygons(committed("perimeter.shp"), thickness.grid.crs_wkt, "perimeter");
     ASSERT_EQ(perimeter.features.size(), 1U);
     for (std::int64_t row = 0; row < thickness.grid.rows; ++row) {
         for (std::int64_t column = 0; column < thickness.grid.columns; ++column) {
-            // The rim's 120 straight pieces lie up to 0.15 m inside the curve, where the bowl is thinner than
-            // 0.2 m.
+            // The edge's 120 straight segments are up to 0.15 m inside the curve, where the bowl is thinner than 0.2 m.
             if (thickness.at(row, column) < 0.2) continue;
             ASSERT_TRUE(contains(perimeter.features[0].parts, thickness.grid.cell_centre(row, column)));
         }
@@ -103,7 +103,7 @@ TEST(SampleData, TheHillsideIsAsSteepAsTheEvents) {
     for (std::int64_t column = 0; column < 300; ++column) fall += dtm.at(0, column) - dtm.at(190, column);
     const double degrees = std::atan(fall / 300 / (190 * 5)) * 180 / 3.14159265358979;
     EXPECT_NEAR(degrees, 28, 1);
-    // The river runs to the east: its bed there lies lower.
+    // The river flows to the east: its bed there is lower.
     const auto lowest = [&](std::int64_t column) {
         double low = 1e9;
         for (std::int64_t row = 0; row < 270; ++row) low = std::min(low, dtm.at(row, column));

@@ -36,7 +36,7 @@ TEST(Sweep, KnowsSoundOutlinesAndCrossings) {
     EXPECT_FALSE(sweep({hole, {square}}).sound) << "the hole lies round the outline";
     EXPECT_FALSE(sweep({square, {hole, {{2.5, 2.5}, {3, 2.5}, {3, 3}}}}).sound) << "a hole in a hole";
     EXPECT_TRUE(sweep({square, {{{8, 8}, {12, 8}, {9, 9}}}}).crossing) << "the hole leaves the outline";
-    // Touching is left to others: no verdict.
+    // Touching edges: no verdict.
     for (const Ring& ring :
          {Ring{{0, 0}, {10, 0}, {5, 0}, {5, 5}}, Ring{{0, 0}, {10, 0}, {5, 5}, {10, 10}, {0, 10}, {5, 5}},
           Ring{{0, 0}, {10, 0}, {10, 10}, {5, 0}, {0, 10}}}) {
@@ -46,7 +46,7 @@ TEST(Sweep, KnowsSoundOutlinesAndCrossings) {
     }
 }
 
-// GEOS is the oracle: of five random points in a circle hardly two outlines in three are sound.
+// GEOS is the reference: of five random points in a circle hardly two outlines in three are sound.
 TEST(Sweep, AgreesWithGeosOnRandomOutlines) {
     const GdalSession session;
     std::mt19937 random(3);
@@ -71,7 +71,7 @@ TEST(Sweep, AgreesWithGeosOnRandomOutlines) {
     EXPECT_GT(crossed, 1000);
 }
 
-// GEOS would compare each of these edges with each.
+// GEOS would compare each pair of these edges.
 TEST(Sweep, AStarOfManySpikesTakesNoTime) {
     Polygon star{round_ring({0, 0}, 8, 45, 200'000), {round_ring({0, 0}, 3, 5, 100'000)}};
     EXPECT_TRUE(sweep(star).sound);

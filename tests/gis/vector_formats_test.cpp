@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every kind of vector file a user may have; layers, filters and CRSs named from outside.
+// Vector files of all common formats; layers, filters and CRSs specified by keys.
 #include <cpl_vsi.h>
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST_P(VectorFormat, LiesWhereItWasDrawn) {
     EXPECT_NEAR(layer.own_bounds.west, 9.38, 1e-9);
 }
 
-/// Every file of a folder with what is in it.
+/// Returns every file of a folder with its content.
 std::map<std::string, std::string> contents(const Folder& folder) {
     std::map<std::string, std::string> all;
     for (const std::string& name : folder.names()) all[name] = test::text_in(folder.file(name));
@@ -75,7 +75,7 @@ TEST_P(VectorFormat, StaysAloneInItsFolder) {
     const Format& format = GetParam();
     make_vector(folder.file(format.file), format.driver, "EPSG:4326",
                 {"POLYGON((9.38 46.0,9.381 46.0,9.381 46.001,9.38 46.001,9.38 46.0))"});
-    // Without its schema GML is where GDAL would write another.
+    // Without its schema, GDAL would write another beside the GML.
     std::filesystem::remove(folder.file("a.xsd"));
     const auto before = contents(folder);
     (void)read_polygons(folder.file(format.file), utm(), k_where);
@@ -164,7 +164,7 @@ TEST(VectorFiles, ACrsThatIsNotUnderstoodIsRefused) {
                   "EPSG:4326");
     }
     EXPECT_EQ(read(named("EPSG:4267")).crs_label.substr(0, 9), "EPSG:4267");
-    // Who knows better says so.
+    // A CRS given by a key is used.
     test::write_text(folder.file("a.geojson"), geojson(named("NAD27 / nonsense"), ""));
     EXPECT_EQ(read_polygons(folder.file("a.geojson"), utm(), k_where, {"", "", crs_from_user("EPSG:4267", "")})
                   .crs_label.substr(0, 9),
@@ -217,7 +217,7 @@ TEST(VectorFiles, ArchivesAreReadInPlace) {
 }
 
 TEST(VectorFiles, ADatabaseInUseStaysAsItIs) {
-    // QGIS opens GeoPackages with a log beside them, in which the newest state may still be.
+    // QGIS opens GeoPackages with a log beside them, which may contain the latest state.
     const Folder folder;
     const std::string path = folder.file("a.gpkg");
     make_vector(path, "GPKG", "EPSG:32632", {"POLYGON((0 0,10 0,10 10,0 10,0 0))"});
@@ -265,13 +265,14 @@ TEST(VectorFiles, HolesThatTouchTheRimAndMeasuresDoNotMatter) {
 
 TEST(VectorFiles, AnEdgeRoundTheWholeEarthIsRefused) {
     const Folder folder;
-    // A square of 0.2 degrees at Taveuni, Fiji, not split at the antimeridian: as drawn it goes the long way.
+    // A square of 0.2 degrees at Taveuni, Fiji, not split at the antimeridian: as drawn it encloses the rest of the
+    // Earth.
     make_vector(folder.file("long.gpkg"), "GPKG", "EPSG:4326",
                 {"POLYGON((179.9 -16.5,-179.9 -16.5,-179.9 -16.4,179.9 -16.4,179.9 -16.5))"});
     const std::string fiji = crs_from_user("EPSG:32760", "");
     const Error error = error_of([&] { (void)read_polygons(folder.file("long.gpkg"), fiji, k_where); });
     EXPECT_NE(std::string(error.what()).find("antimeridian"), std::string::npos) << error.what();
-    // Split there, or counted beyond 180, it is one area of 21.4 km by 11.1 km.
+    // Split there, or with longitudes beyond 180, it is one area of 21.4 km by 11.1 km.
     make_vector(folder.file("split.gpkg"), "GPKG", "EPSG:4326",
                 {"MULTIPOLYGON(((179.9 -16.5,180 -16.5,180 -16.4,179.9 -16.4,179.9 -16.5)),"
                  "((-180 -16.5,-179.9 -16.5,-179.9 -16.4,-180 -16.4,-180 -16.5)))"});

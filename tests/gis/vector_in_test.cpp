@@ -59,7 +59,7 @@ TEST(ReadPolygons, EveryUsualFormatAndCrs) {
         const PolygonLayer layer = read_polygons(folder.file(name), utm(), k_where);
         EXPECT_NEAR(layer.bounds.west, 529424.272, 0.6) << name;  // convergence moves the upper corner west
         EXPECT_NEAR(layer.bounds.south, 5094117.682, 0.01) << name;
-        // 77.5 m by 111.2 m on the ground, less 0.08 percent for UTM's scale twice over.
+        // 77.5 m by 111.2 m on the ground, minus 0.08 percent for UTM's scale squared.
         EXPECT_NEAR(total_area(layer), 77.46 * 111.15 * 0.9992, 5) << name;
     }
 }
@@ -79,12 +79,11 @@ TEST(ReadPolygons, ShiftsTheDatum) {
 
 TEST(ReadPolygons, LongEdgesBendWithTheProjection) {
     const Folder folder;
-    // The southern edge runs a degree along a parallel, which UTM bends: its middle lies 121 m south of its
-    // ends.
+    // The southern edge follows a parallel for a degree, which UTM curves: its middle is 121 m south of its ends.
     make_vector(folder.file("a.gpkg"), "GPKG", "EPSG:4326", {"POLYGON((8.5 46,9.5 46,9.5 46.1,8.5 46.1,8.5 46))"});
     const PolygonLayer layer = read_polygons(folder.file("a.gpkg"), utm(), k_where);
     EXPECT_NEAR(layer.bounds.south, 5094047.492, 0.001);  // 9 E 46 N by gdaltransform
-    // Around the curve no vertex may be missed by more than a millimetre; that takes some hundred of them.
+    // Along the curve no vertex may deviate by more than a millimetre; that needs some hundred of them.
     EXPECT_GT(layer.features[0].parts[0].outer.size(), 100U);
     // The ellipsoid's 860.24 km2 (77 393 m by 11 115.2 m at 46.05 N) times UTM's scale squared (0.9996, and
     // 6e-6 more on the average of half a degree either side), to the 1e-4 of these round values.
@@ -102,7 +101,7 @@ TEST(ReadPolygons, TakesClosedLinesAndCollections) {
     EXPECT_EQ(total_area(read_polygons(folder.file("mixed.gpkg"), utm(), k_where)), 100);
     make_vector(folder.file("curve.gpkg"), "GPKG", "EPSG:32632",
                 {"CURVEPOLYGON(CIRCULARSTRING(10 0,0 10,-10 0,0 -10,10 0))"});
-    // Straight pieces of 4 degrees leave 0.2 percent of a circle out.
+    // Straight segments of 4 degrees leave 0.2 percent of a circle out.
     EXPECT_NEAR(total_area(read_polygons(folder.file("curve.gpkg"), utm(), k_where)), 314.159, 0.7);
 }
 
@@ -131,7 +130,7 @@ TEST(ReadPolygons, TellsTenProblemsAndCountsTheRest) {
 
 TEST(ReadPolygons, MendsWhatOnlyTouchesItself) {
     const Folder folder;
-    // A ring that pinches to a point: two squares corner to corner in one ring.
+    // A ring that touches itself in a point: two squares corner to corner in one ring.
     make_vector(folder.file("pinch.gpkg"), "GPKG", "EPSG:32632",
                 {"POLYGON((0 0,10 0,10 10,20 10,20 20,10 20,10 10,0 10,0 0))"});
     const PolygonLayer layer = read_polygons(folder.file("pinch.gpkg"), utm(), k_where);

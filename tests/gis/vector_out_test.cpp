@@ -19,7 +19,7 @@ OutlineLayer release() {
                       {{{527020, 5094020}, {527040, 5094020}, {527040, 5094040}, {527020, 5094040}}}},
                      {{{527200, 5094000}, {527210, 5094000}, {527210, 5094010}}, {}}};
     feature.numbers["thickness_m"] = 2.5;
-    feature.numbers["fid"] = 3;  // a name GeoPackage keeps for itself
+    feature.numbers["fid"] = 3;  // a name that GeoPackage reserves
     feature.texts["name"] = "upper part";
     return {"release", {feature}};
 }

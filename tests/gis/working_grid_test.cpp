@@ -53,7 +53,7 @@ TEST(WorkingGrid, OtherCellsSitOnMultiplesAndInsideTheDtm) {
     EXPECT_LE(grid.east(), dtm.bounds.east);
     EXPECT_GE(grid.south(), dtm.bounds.south);
     EXPECT_LE(grid.north, dtm.bounds.north);
-    EXPECT_EQ(grid.columns, 749);  // 1500 m less the part cells at both ends
+    EXPECT_EQ(grid.columns, 749);  // 1500 m minus the partial cells at both ends
 }
 
 TEST(WorkingGrid, DegreesBecomeARoundNumberOfMetres) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every key of a scene with values that nobody means: numbers that are none or out of all bounds, devices,
-// folders and pipes instead of files, texts of ten thousand letters or of no encoding. `check` and `run` must
-// agree, and end.
+// Every key of a scene with absurd values: non-finite or far out of bounds, devices, folders and pipes instead of
+// files, texts of ten thousand letters or of no encoding. `check` and `run` must agree, and end.
 #include <sys/stat.h>
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 
 namespace frana::test {
 
-/// Every file below a folder by its path, with its lasting bytes but for warnings; folders have "/" after
-/// their names and hold nothing.
+/// Every file below a folder by its path, with its lasting bytes without warnings; folders have "/" after their names
+/// and no content.
 using FolderState = std::map<std::string, std::string>;
 FolderState state_of(const std::string& folder);
 
@@ -21,11 +21,11 @@ FolderState part_of(const FolderState& state, const Wanted& wanted) {
     return part;
 }
 
-/// What is missing, new or changed, in words; empty: nothing.
+/// Returns what is missing, new or changed, as text; empty: nothing.
 std::vector<std::string> differences(const FolderState& expected, const FolderState& found);
 std::string in_lines(const std::vector<std::string>& texts);
 
-/// Rasters below a folder (GeoTIFF) that do not open or cannot be read to the last cell.
+/// Returns rasters below a folder (GeoTIFF) that do not open or cannot be read to the last cell.
 std::vector<std::string> broken_rasters(const std::string& folder);
 
 }  // namespace frana::test

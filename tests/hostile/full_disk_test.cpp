@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Disks of every size: nothing fits, the frames do not fit, all but the last picture fits. Then there is room
+// Disks of every size: nothing fits, the frames do not fit, all but the last picture fits. Afterwards there is space
 // again.
 #include <sys/mount.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A disk of its own under a folder, for as long as it lives.
+/// A separate disk mounted under a folder during its lifetime.
 class Disk {
   public:
     explicit Disk(std::string folder) : folder_(std::move(folder)) {}
@@ -42,7 +42,7 @@ class Disk {
 
 class FullDisk : public TrialGround {
   protected:
-    // What is in out/ goes onto a disk of its own.
+    // Moves the content of out/ to a separate disk.
     [[nodiscard]] bool move_out_onto(Disk& disk, std::size_t kilobytes) const {
         fs::rename(at("out"), path("moved"));
         fs::create_directory(at("out"));

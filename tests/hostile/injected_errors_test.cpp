@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls to the system that fail: the disk is full, broken or read-only at the n-th write, rename or fsync, a
-// file cannot be opened or read, a write takes only half.
+// System calls that fail: the disk is full, broken or read-only at the n-th write, rename or fsync, a file cannot be
+// opened or read, a write stores only half.
 #include <cerrno>
 #include <cstring>
 
@@ -43,17 +43,17 @@ class InjectedError : public TrialGround {
         const bool write = call.name == "write" || call.name == "pwrite64";
         if (write && random_.once_in(4)) return {{Answer::Kind::shorten}, false};
         const int error = errors[random_.below(errors.size())];
-        return {{Answer::Kind::fail, error}, error != EINTR && random_.once_in(2)};  // what interrupts goes by
+        return {{Answer::Kind::fail, error}, error != EINTR && random_.once_in(2)};  // interruptions are temporary
     }
 
-    /// One call of those that change the disk, read it, or ask for memory, by turns.
+    /// Returns a call that changes the disk, reads it, or allocates memory, in turn.
     [[nodiscard]] SystemCall call_of(const TriedCommand& command, int turn) {
         std::vector<SystemCall> calls;
         for (const SystemCall& call : command.calls)
             if (group_of(call) == turn % 3) calls.push_back(call);
         return random_call(calls.empty() ? command.calls : calls, random_);
     }
-    /// 0 to 2: changes, reads, memory. Most files are opened to be read.
+    /// 0 to 2: changes, reads, memory. Most files are opened for reading.
     static int group_of(const SystemCall& call) {
         if (call.name == "mmap") return 2;
         return call.name.find("read") != std::string::npos || call.name == "getdents64" || call.name == "openat";
@@ -62,7 +62,7 @@ class InjectedError : public TrialGround {
     void attempt(const TriedCommand& command, const SystemCall& where, const ErrorToInject& injected, Trials& trials) {
         restore(command.begins_in);
         bool met = false;
-        // GDAL reads an ASCII grid without end where the disk fails for good: frana's own limit ends that.
+        // GDAL reads an ASCII grid without end if the disk fails permanently: frana's own limit ends that.
         Launch launch{command.arguments, {"FRANA_READ_SECONDS=30"}};
         const bool memory = where.name == "mmap";
         if (memory) launch.patience_seconds = 20;
@@ -73,7 +73,7 @@ class InjectedError : public TrialGround {
         });
         if (ending.err.find("error while loading shared libraries") != std::string::npos)
             return;  // frana has not begun
-        // What cannot be listed cannot be removed either.
+        // A folder that cannot be listed cannot be removed either.
         const bool removal = where.name.rfind("unlink", 0) == 0 || where.name == "rmdir" || where.name == "getdents64";
         trials.ended(ending.exit_code);
         expect_nothing_lost(command, ending,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs that are killed or stopped exactly before a rename, an fsync, an unlink or any other change on disk,
-// and at random moments; then the same command again.
+// Runs that are killed or stopped just before a rename, an fsync, an unlink or any other change on disk, and at random
+// moments; then the same command again.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -48,7 +48,7 @@ TEST_F(Killed, OrStoppedBeforeAnyChangeOnDiskLosesNothing) {
     }
 }
 
-// Before its disk changes most of a command's time passes: moments by the clock as well.
+// Most of a command's time passes before its disk changes: hence also moments by the clock.
 TEST_F(Killed, AtRandomMomentsLosesNothing) {
     std::vector<TriedCommand> tried = commands();
     if (HasFatalFailure()) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What frana could not remove, or had in the making when it was killed, goes with the next command; files of
-// a user's with names like those stay.
+// Files that frana could not remove, or had not completed when it was killed, are removed by the next command; user's
+// files with similar names are kept.
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -25,7 +25,7 @@ class Leftovers : public TrialGround {
         }
         throw std::logic_error(name);
     }
-    /// The command, where each of certain calls gets an answer; `again`: only one of them, counted from 0.
+    /// Runs the command with this answer to certain calls; `again`: only to one of them, counted from 0.
     [[nodiscard]] Ending disturb(const TriedCommand& command, const Answer& answer,
                                  const std::function<bool(const SystemCall&)>& meets, int only = -1) {
         restore(command.begins_in);
@@ -34,7 +34,7 @@ class Leftovers : public TrialGround {
             return meets(call) && (only < 0 || met_++ == only) ? answer : Answer{};
         });
     }
-    /// The same command again ends in what it ends in undisturbed.
+    /// The same command again ends as it does undisturbed.
     void expect_repaired(const TriedCommand& command, const std::vector<std::string>& again) const {
         const Ending ending = run(again);
         EXPECT_EQ(ending.exit_code, 0) << ending.err;
@@ -61,13 +61,13 @@ TEST_F(Leftovers, ACheckpointThatCannotBeRemovedGoesWithTheNextRun) {
         EXPECT_FALSE(differences(command.after, state()).empty());
         expect_repaired(command, command.again);
     }
-    // What --resume finds is a finished result: nothing is computed once more.
+    // --resume finds a complete result: nothing is computed again.
     const TriedCommand& command = measured("run");
     const auto stuck = [](const SystemCall& call) { return is_of(call, "unlink", "out/r/checkpoint/"); };
     ASSERT_EQ(disturb(command, {Answer::Kind::fail, EACCES}, stuck).exit_code, 0);
     const Ending told = run({"run", "in/scene.ini", "--out", "out/r", "--resume"});
     EXPECT_NE(told.err.find("the result is complete"), std::string::npos) << told.err;
-    // And --overwrite does not take it for a user's.
+    // And --overwrite does not treat it as a file of the user.
     ASSERT_EQ(disturb(command, {Answer::Kind::fail, EACCES}, stuck).exit_code, 0);
     expect_repaired(command, {"run", "in/scene.ini", "--out", "out/r", "--quiet", "--overwrite"});
 }
@@ -111,7 +111,7 @@ TEST_F(Leftovers, AListThatCannotBeReadIsSaidAndTheNextRunTidiesUp) {
         EXPECT_EQ(ending.exit_code, 4) << ending.err;
         EXPECT_NE(ending.err.find("manifest.json: cannot be read"), std::string::npos) << ending.err;
         expect_repaired(command, command.again);
-        // Interrupted is no problem.
+        // An interrupted call is no problem.
         EXPECT_EQ(disturb(command, {Answer::Kind::fail, EINTR}, read, k).exit_code, 0);
         EXPECT_EQ(in_lines(differences(command.after, state())), "");
     }
@@ -125,13 +125,13 @@ TEST_F(Leftovers, AnEmptiedFolderGoesWithTheNextRun) {
     EXPECT_EQ(emptied.exit_code, 0) << emptied.err;
     EXPECT_FALSE(differences(over.after, state()).empty());
     expect_repaired(over, over.again);
-    // A folder in it that cannot be removed keeps list and note.
+    // If a folder in it cannot be removed, list and note are kept.
     const Ending part = disturb(over, {Answer::Kind::fail, EACCES},
                                 [](const SystemCall& call) { return is_of(call, "rmdir", "out/r.partial-*/maps"); });
     EXPECT_EQ(part.exit_code, 0) << part.err;
     EXPECT_FALSE(differences(over.after, state()).empty());
     expect_repaired(over, over.again);
-    // And one that got no note.
+    // And one without a note.
     const TriedCommand& anew = measured("run");
     const Ending refused = disturb(anew, {Answer::Kind::fail, EMLINK}, [](const SystemCall& call) {
         return is_of(call, "link", "out/r.partial-*/being_built.json");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inputs, results and checkpoints that are damaged: bits turned over, ends cut off, stretches of nothing,
-// pieces in the wrong place. The program refuses them or computes; it does not crash, hang or touch them.
+// Damaged inputs, results and checkpoints: flipped bits, truncated ends, zeroed ranges, pieces in the wrong place. The
+// program refuses them or computes; it does not crash, hang or change them.
 #include <gdal_utils.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ std::string damaged(std::string bytes, RandomNumbers& random, std::string& how) 
 
 class Damaged : public TrialGround {
   protected:
-    /// Damages one of these files; tells which and how.
+    /// Damages one of these files; returns which and how.
     std::string damage_one_of(const std::vector<std::string>& files) {
         const std::string& file = files[random_.below(files.size())];
         std::string how;
@@ -153,12 +153,12 @@ TEST_F(Damaged, ResultsAndCheckpointsAreRefusedOrDrawnAndChangeNoResult) {
         trials.ended(ended.exit_code);
         const FolderState now = state();
         EXPECT_EQ(in_lines(differences(part_of(command.before, is_users), part_of(now, is_users))), "");
-        // What was damaged is replaced as a whole, or is not used.
+        // Damaged files are replaced as a whole, or not used.
         if (ended.exit_code == 0 && command.whole) {
             std::vector<std::string> wrong = differences(command.after, now);
             std::erase_if(wrong, is_kept_copy);
             if (what.find("/being_built.json") != std::string::npos && !wrong.empty()) {
-                // A folder whose own note is damaged may be anybody's: it stays, and is told of.
+                // A folder with a damaged note may belong to anybody: it is kept, and reported.
                 EXPECT_NE(
                     read_text(at("out/r/log.txt")).find("it contains files that frana did not write, and is kept"),
                     std::string::npos);

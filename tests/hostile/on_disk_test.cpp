@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A result that has its name outlasts a power cut: each of its files and folders was brought to the disk
-// before.
+// A result that has its name survives a power failure: each of its files and folders was synced to the disk before.
 #include <algorithm>
 
 #include "trial_ground.h"
@@ -10,7 +9,7 @@ namespace {
 
 class OnDisk : public TrialGround {
   protected:
-    /// Whether a path was brought to the disk before the first call that satisfies `then`.
+    /// Whether a path was synced to the disk before the first call that satisfies `then`.
     template <class Then>
     static bool is_synced_before(const std::vector<SystemCall>& calls, const std::string& path, const Then& then) {
         const auto end = std::find_if(calls.begin(), calls.end(), then);
@@ -35,7 +34,7 @@ TEST_F(OnDisk, IsEveryFileOfAResultBeforeItHasItsName) {
          part_of(state(), [](const auto& path) { return path.rfind("out/r/", 0) == 0; })) {
         std::string made = "out/r.partial-*/" + name.substr(std::string("out/r/").size());
         if (made.ends_with("/")) made.pop_back();
-        if (made.ends_with("/manifest.json")) continue;  // of no name until it is whole
+        if (made.ends_with("/manifest.json")) continue;  // without a name until it is complete
         EXPECT_TRUE(is_synced_before(ending.calls, made, takes_name)) << name;
         ++files;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same bytes on one processor and on several, with any number of threads, whatever libraries are told
-// about threads, and on a machine that is busy with other things.
+// The same bytes on one processor and on several, with any number of threads, whatever thread settings libraries get,
+// and on a busy machine.
 #include <atomic>
 #include <thread>
 
@@ -10,7 +10,7 @@
 namespace frana::test {
 namespace {
 
-/// Keeps processors busy until it goes.
+/// Keeps processors busy during its lifetime.
 class BusyMachine {
   public:
     explicit BusyMachine(int threads) {

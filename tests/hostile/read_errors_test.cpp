@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A single read of the file in which a map's outlines lie fails: the map is drawn whole or not at all.
+// A single read of the file with a map's outlines fails: the map is drawn completely or not at all.
 #include <cerrno>
 
 #include "trial_ground.h"
@@ -12,7 +12,7 @@ constexpr const char* k_outlines = "extent.gpkg";
 
 class ReadError : public TrialGround {
   protected:
-    /// What draws a map, and where the map is then.
+    /// A command that draws a map, and the path of the map.
     struct Drawing {
         std::vector<std::string> arguments;
         std::string begins_in, map;

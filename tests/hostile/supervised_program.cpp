@@ -27,7 +27,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Longer than anything here takes on a machine that is busy with other things.
+// Longer than anything here takes on a busy machine.
 constexpr double k_patience_seconds = k_sanitized ? 600 : 120;
 constexpr const char *k_out = ".stdout", *k_err = ".stderr";  // beside the folder
 
@@ -35,7 +35,7 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// A descriptor that is closed in the end.
+/// A descriptor that is closed by its destructor.
 class Descriptor {
   public:
     explicit Descriptor(int number = -1) : number_(number) {}
@@ -106,7 +106,7 @@ int receive_descriptor(int socket) {
 
 std::string text_at(pid_t process, std::uint64_t address) {
     std::string text(PATH_MAX, '\0');
-    // Up to a page's end at a time: the next may not be there.
+    // At most to a page's end at a time: the next page may not be mapped.
     std::size_t got = 0;
     while (got < text.size()) {
         const std::size_t step = std::min<std::size_t>(text.size() - got, 4096 - (address + got) % 4096);
@@ -128,7 +128,7 @@ std::string descriptor_path(pid_t process, int descriptor) {
     return length < 0 ? "" : std::string(path, static_cast<std::size_t>(length));
 }
 
-// The part of a path below the folder; "" for what is elsewhere.
+// Returns the part of a path below the folder; "" for other paths.
 std::string below(const std::string& path, const std::string& folder) {
     if (path.rfind(folder + "/", 0) != 0) return {};
     return path.substr(folder.size() + 1);
@@ -140,7 +140,7 @@ std::string without_chance(const std::string& path) {
     return std::regex_replace(path, k_drawn, "$1*");
 }
 
-/// Answers what the watched program asks.
+/// Answers the calls of the watched program.
 class Supervisor {
   public:
     Supervisor(std::string folder, pid_t child, int listener, const Judge& judge, Ending& ending)
@@ -196,7 +196,7 @@ class Supervisor {
         ::ioctl(listener_, SECCOMP_IOCTL_NOTIF_SEND, &reply);
     }
 
-    // In the program's name, by its own open file; 0 where that cannot be done.
+    // On behalf of the program, by its own open file; returns 0 if that is not possible.
     [[nodiscard]] ssize_t write_half(const seccomp_notif& asked) const {
         const bool placed = asked.data.nr == SYS_pwrite64;
         if ((!placed && asked.data.nr != SYS_write) || asked.data.args[2] < 2) return 0;

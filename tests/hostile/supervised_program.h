@@ -10,10 +10,11 @@
 
 namespace frana::test {
 
-/// A call to the system that is about to happen.
+/// A system call about to be made.
 struct SystemCall {
     std::string name;  ///< rename, pwrite64 ...
-    std::string path;  ///< from the folder watched; what a rename makes; letters and numbers drawn for a name are *
+    std::string path;  ///< relative to the folder watched; for a rename the new name; random letters and numbers of a
+                       ///< name are *
     int again = 0;     ///< earlier calls of this name on this path
 
     /// The same call in another run of the same command.
@@ -23,10 +24,10 @@ struct SystemCall {
     }
 };
 
-/// What becomes of it.
+/// The answer to a call.
 struct Answer {
     enum class Kind { proceed, fail, shorten, signal } kind = Kind::proceed;
-    int number = 0;  ///< errno to fail with; signal to send before it happens (SIGKILL: it does not happen)
+    int number = 0;  ///< errno to fail with; signal to send before the call (SIGKILL: it is not made)
 };
 using Judge = std::function<Answer(const SystemCall&)>;
 
@@ -35,19 +36,19 @@ struct Launch {
     std::vector<std::string> environment{};  ///< NAME=value, added
     double stop_after_seconds = 0;           ///< SIGTERM then; 0: never
     double patience_seconds = 0;             ///< SIGKILL then; 0: longer than anything takes on a busy machine
-    int processors = 0;                      ///< it may use; 0: all
+    int processors = 0;                      ///< available to it; 0: all
 };
 
 struct Ending : Outcome {
-    bool hung = false;  ///< it did not end in its time and was killed
+    bool hung = false;  ///< it did not end in time and was killed
     std::vector<SystemCall> calls;
 };
 
-/// Whether calls can be watched here at all: kernels before 5.0 and some containers do not let us.
+/// Whether calls can be watched here: kernels before 5.0 and some containers do not allow it.
 bool can_watch_calls();
 
-/// Runs frana in a folder to its end. `judge`, where there is one, decides on every watched call on a file
-/// below the folder (or on memory).
+/// Runs frana in a folder to its end. `judge`, if given, decides on every watched call on a file below the folder (or
+/// on memory).
 Ending run_supervised(const std::string& folder, const Launch& launch, const Watch& watch = {},
                       const Judge& judge = {});
 

@@ -12,12 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In a result, in its folders, beside it, and with names close to those that frana gives.
+// In a result, in its folders, beside it, and with names similar to those of frana.
 const std::vector<std::string> k_users_files{
     "out/beside.txt",        "out/r/notes.txt",     "out/r/my maps/valley.qgz",        "out/r/maps/mine.png",
     "out/r/frames/mine.csv", "out/r/max_depth.txt", "out/r.partial-copy/summary.json", "out/r.old/max_depth.tif"};
 
-// Pictures that could not be drawn do not cost the run: exit code 4, all else is there.
+// Pictures that could not be drawn do not fail the run: exit code 4, all else is written.
 bool is_picture(const std::string& path) {
     return path.ends_with(".png") || path.ends_with(".mp4") || path.ends_with("/");
 }
@@ -26,10 +26,10 @@ bool is_result(const std::string& path) {
     return path.rfind("out/r/", 0) == 0 && !is_users(path) && path.find("partial") == std::string::npos &&
            path.find("/checkpoint/") == std::string::npos &&
            !path.ends_with("/manifest.json") &&   // it lists checkpoints
-           !path.ends_with("/being_built.json");  // goes when the result has its name
+           !path.ends_with("/being_built.json");  // removed when the result has its name
 }
 
-// A user's file that the program had to leave beside the result, whence the next run brings it back.
+// A user's file that the program had to leave beside the result; the next run moves it into the result.
 bool is_left_beside(const std::string& difference, const FolderState& users, const FolderState& now) {
     const std::string mark = "missing: out/r/";
     if (difference.rfind(mark, 0) != 0) return false;
@@ -42,8 +42,7 @@ bool is_left_beside(const std::string& difference, const FolderState& users, con
 
 }  // namespace
 
-// Of what was written but not listed when the program was killed, of what was damaged, and of what could not
-// be read.
+// A copy of files written but not listed when the program was killed, of damaged files, and of unreadable ones.
 bool is_kept_copy(const std::string& difference) {
     return difference.rfind("new: ", 0) == 0 && difference.find(".kept-") != std::string::npos;
 }
@@ -91,7 +90,7 @@ void TrialGround::restore(const std::string& name) const {
 
 Ending TrialGround::run(const Launch& launch, const Watch& watch, const Judge& judge) const {
     Launch with_date = launch;
-    with_date.environment.emplace_back("OGR_CURRENT_DATE=2020-01-01T00:00:00.000Z");  // GeoPackages tell it
+    with_date.environment.emplace_back("OGR_CURRENT_DATE=2020-01-01T00:00:00.000Z");  // GeoPackages contain the date
     return run_supervised(place(), with_date, watch, judge);
 }
 
@@ -107,7 +106,7 @@ void TrialGround::keep_older_result() const {
     keep("older");
 }
 
-// With a checkpoint on disk: before the next is complete, or else before the last file.
+// With a checkpoint on disk: killed before the next is complete, or else before the last file.
 void TrialGround::keep_killed_run() const {
     restore("inputs");
     const Ending ending = run({{"run", "in/scene.ini", "--out", "out/r"}}, {}, [](const SystemCall& call) {
@@ -127,7 +126,7 @@ void TrialGround::measure(TriedCommand& command, const Watch& watch) const {
     ASSERT_EQ(ending.exit_code, 0) << command.name << ": " << ending.err;
     command.after = state();
     command.calls = ending.calls;
-    EXPECT_EQ(broken_rasters(place()).size(), command.begins_in == "older" ? 1U : 0U);  // the user's is none
+    EXPECT_EQ(broken_rasters(place()).size(), command.begins_in == "older" ? 1U : 0U);  // the user's file is no raster
 }
 
 std::vector<TriedCommand> TrialGround::commands() const {
@@ -163,14 +162,14 @@ void expect_decent_end(const Ending& ending, Disturbance by) {
     if (by == Disturbance::memory && ending.exit_code < 0) return;
     if (by == Disturbance::kill && ending.exit_code == -SIGKILL) return;
     EXPECT_FALSE(ending.hung && by != Disturbance::kill) << ending.err;
-    const bool known = ending.exit_code == 0 || ending.exit_code == -SIGTERM ||  // the shell says 143 of both
+    const bool known = ending.exit_code == 0 || ending.exit_code == -SIGTERM ||  // the shell returns 143 for both
                        (ending.exit_code >= 2 && ending.exit_code <= 4) || ending.exit_code == 128 + SIGHUP ||
                        ending.exit_code == 128 + SIGINT || ending.exit_code == 128 + SIGTERM;
     EXPECT_TRUE(known) << "exit code " << ending.exit_code << ": " << ending.err;
     for (const char* word : {"Sanitizer", "runtime error:", "terminate called", "Assertion"})
         EXPECT_EQ(ending.err.find(word), std::string::npos) << ending.err;
     if (ending.exit_code < 2 || ending.exit_code > 4) return;
-    // A file, a key, an option, or memory; warnings say why not all could be drawn.
+    // A file, a key, an option, or memory; warnings explain why not everything could be drawn.
     static const std::regex k_named(R"(frana: [^]*(/|\.[a-z]|[a-z]+\.[a-z-]+|--[a-z]+|memory|warning))");
     EXPECT_TRUE(std::regex_search(ending.err, k_named))
         << "exit code " << ending.exit_code << ": '" << ending.err << "'";
@@ -189,7 +188,7 @@ void TrialGround::expect_old_or_new(const TriedCommand& command, const Ending& e
         return;
     }
     if (differences(before, found).empty()) return;
-    if (ending.exit_code > 128) return;  // stopped: what there is until then takes the place
+    if (ending.exit_code > 128) return;  // stopped: the files until then are published
     std::vector<std::string> wrong = differences(after, found);
     std::erase_if(wrong, is_kept_copy);
     if (ending.exit_code == 4)
@@ -212,7 +211,7 @@ void TrialGround::expect_nothing_lost(const TriedCommand& command, const Ending&
     std::erase_if(wrong, is_kept_copy);
     if (by == Disturbance::removal) {
         const auto is_new = [](const auto& text) { return text.rfind("new: ", 0) == 0; };
-        // What stays in a result stays in its list too.
+        // Files that remain in a result remain in its list too.
         const bool stays = std::any_of(wrong.begin(), wrong.end(), is_new);
         std::erase_if(wrong, [&](const auto& text) {
             return is_new(text) || (stays && text.rfind("changed: out/r/manifest.json", 0) == 0);

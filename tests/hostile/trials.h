@@ -7,14 +7,14 @@
 
 namespace frana::test {
 
-/// FRANA_SEED, else 1: the default tests try the same trials every time.
+/// Returns FRANA_SEED, else 1: the default tests run the same trials every time.
 std::uint64_t trial_seed();
 
-/// FRANA_TRIALS, else `usual`.
+/// Returns FRANA_TRIALS, else `usual`.
 int trial_count(int usual);
 
-/// Counts trials by their kind, and says in the end, on stdout and in the test's record, how many there were,
-/// how the program ended in them, and in how many the test failed.
+/// Counts trials by their kind, and reports at the end, on stdout and in the test's record, their number, how the
+/// program ended in them, and in how many the test failed.
 class Trials {
   public:
     Trials();
@@ -22,7 +22,7 @@ class Trials {
     Trials(const Trials&) = delete;
     Trials& operator=(const Trials&) = delete;
 
-    /// Begins one, and ends the one before.
+    /// Begins one, and ends the previous one.
     void begin(const std::string& kind);
     void ended(int exit_code) { ++kinds_[kind_].endings[exit_code]; }
 

@@ -26,7 +26,7 @@ struct Row {
     CallPlace place;
 };
 
-// openat counts as a change where it may create or write: see the filter.
+// openat counts as a change if it may create or write: see the filter.
 constexpr Row k_calls[] = {
     {SYS_openat, "openat", Group::changes, {Kind::path, 1, 0}},
     {SYS_write, "write", Group::changes, {Kind::descriptor, 0}},
@@ -44,7 +44,7 @@ constexpr Row k_calls[] = {
     {SYS_fallocate, "fallocate", Group::changes, {Kind::descriptor, 0}},
     {SYS_copy_file_range, "copy_file_range", Group::changes, {Kind::descriptor, 2}},
     {SYS_sendfile, "sendfile", Group::changes, {Kind::descriptor, 0}},
-#ifdef SYS_open  // newer machines have only the calls that count from a folder
+#ifdef SYS_open  // newer machines have only the calls relative to a folder
     {SYS_rename, "rename", Group::changes, {Kind::path, 1}},
     {SYS_link, "link", Group::changes, {Kind::path, 1}},
     {SYS_symlink, "symlink", Group::changes, {Kind::path, 1}},
@@ -92,7 +92,7 @@ class Filter {
     }
     void end(std::uint32_t action) { code_.push_back(BPF_STMT(BPF_RET | BPF_K, action)); }
 
-    // Opened to read is a read, else a change.
+    // Opening for reading is a read, else a change.
     void add_open(const Watch& watch) {
         const std::uint32_t writes = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC;
         code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_openat, 0, 4));

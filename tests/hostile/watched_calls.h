@@ -6,26 +6,26 @@
 
 namespace frana::test {
 
-/// Which calls to the system somebody wants to see before they happen.
+/// Which system calls are watched before they are made.
 struct Watch {
-    bool changes = true;  ///< whatever changes what is on disk: write, rename, fsync, unlink, mkdir and their like
+    bool changes = true;  ///< everything that changes the disk: write, rename, fsync, unlink, mkdir and similar
     bool reads = false;   ///< openat, read, pread64, getdents64
     bool memory = false;  ///< mmap of 128 KiB and more that belong to no file
 };
 
-/// From now on every watched call of this process and its children waits for an answer at the descriptor that
-/// is returned (seccomp_unotify(2); nothing is injected into the program itself, so that its own and its
-/// libraries' calls are seen alike). -1, with errno, where the system does not let us.
+/// From now on every watched call of this process and its children waits for an answer at the returned descriptor
+/// (seccomp_unotify(2); nothing is injected into the program itself, so that its own calls and those of its libraries
+/// are watched alike). Returns -1, with errno, if the system does not allow it.
 int watch_own_calls(const Watch& watch);
 
-/// A call's name; "" for one that is never watched.
+/// Returns a call's name; "" for one that is never watched.
 std::string call_name(int number);
 
-/// Where a call has the file it is about.
+/// Where a call has its file.
 struct CallPlace {
     enum class Kind { path, descriptor, memory } kind = Kind::path;
     int argument = 0;  ///< of the path, or of the descriptor
-    int folder = -1;   ///< argument of the descriptor that a relative path counts from; -1: the current folder
+    int folder = -1;   ///< argument of the descriptor to which a relative path refers; -1: the current folder
 };
 CallPlace call_place(int number);
 

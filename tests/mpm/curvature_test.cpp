@@ -16,7 +16,7 @@ struct Track {
     std::function<double(double)> bed, slope;
 };
 
-// Means over a film that starts round `start`, 8 m long, right across a walled strip.
+// Means over a film that starts around `start`, 8 m long, across a whole walled strip.
 struct Rider {
     double x = 0, speed = 0;  ///< place; speed along the bed there
     double map_speed = 0;
@@ -32,7 +32,7 @@ Rider ride(const Track& track, double start, double speed, double friction, bool
     how.curvature = curvature;
     how.flight = false;
     how.minimum_depth = 1e-7;
-    how.cfl = 0.05;  // a film's waves are slow, and its steps would be long
+    how.cfl = 0.05;  // a film's waves are slow, so its steps would be long
     Material material = water();
     material.friction_coefficient = friction;
     Flow flow(bench::sample_raster(grid, [&](Point p) { return track.bed(p.x); }), seeds, material, how, 1);
@@ -99,7 +99,7 @@ TEST(CircularArc, WithoutCurvatureFrictionIsTooLittleAndEnergyIsLost) {
     EXPECT_LT(rider.speed, 0.97 * std::sqrt(2 * k_gravity * fall));
 }
 
-// A ridge Z = -x^2 / (2 R) round x = 40 m: v.K.v = -u^2 / R in map view, whatever the slope.
+// A ridge Z = -x^2 / (2 R) around x = 40 m: v.K.v = -u^2 / R in map view, whatever the slope.
 Track ridge(double radius) {
     return {80, 0.5, [=](double x) { return -(x - 40) * (x - 40) / (2 * radius); },
             [=](double x) { return -(x - 40) / radius; }};
@@ -114,8 +114,8 @@ TEST(Bump, FasterThanGravityBendsItsPathItHasNoFrictionAndKeepsItsEnergy) {
     EXPECT_GT(rider.unsupported, 0);
 }
 
-// Down a slope of 35 degrees, over a cliff of 68 and out on the flat, edges rounded over some 20 m: what the
-// cliff's steepness reads as speed along the bed must not come out as speed on the flat.
+// Down a slope of 35 degrees, over a cliff of 68 and out on the flat, edges rounded over some 20 m: the cliff's
+// steepness increases the speed along the bed, which must not remain as speed on the flat.
 TEST(Curvature, CliffGivesTheSpeedOfItsDrop) {
     const auto rounded = [](double x) { return 5 * std::log1p(std::exp(x / 5)); };
     const auto bed = [&](double x) { return 0.7 * rounded(140 - x) + 1.8 * (rounded(140 - x) - rounded(100 - x)); };
@@ -129,8 +129,8 @@ TEST(Curvature, CliffGivesTheSpeedOfItsDrop) {
     }
 }
 
-// Velocities along the bed are linear in those in map view where the slope is the same everywhere: nothing may differ,
-// however they come back to the particles.
+// Velocities along the bed are linear in those in map view if the slope is uniform: there must be no difference,
+// whatever the transfer to the particles.
 TEST(Curvature, ChangesNothingOnAPlaneInThePaperScheme) {
     const GridSpec grid = bench::plain_grid(60, 30, 5);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return 300 - p.x + 0.3 * p.y; });
@@ -149,7 +149,7 @@ TEST(Curvature, ChangesNothingOnAPlaneInThePaperScheme) {
         };
         const Point with = moved(true), without = moved(false);
         EXPECT_GT(without.x, 70);  // it slid
-        // Rounding, which 40 steps of an unstable scheme let grow.
+        // Rounding, amplified by 40 steps of an unstable scheme.
         EXPECT_NEAR(with.x, without.x, 1e-9 * without.x) << static_cast<int>(transfer);
         EXPECT_NEAR(with.y, without.y, 1e-9 * without.y) << static_cast<int>(transfer);
     }
@@ -166,7 +166,7 @@ TEST(Bump, SlowerItPressesLess) {
     EXPECT_NEAR(u - without.map_speed, mu * k_gravity * time, 0.02 * mu * k_gravity * time);
 }
 
-// On a plane the curvature is nothing to rounding, and a quadric's is exact.
+// On a plane the curvature is zero up to rounding, and a quadric's is exact.
 TEST(CurvatureLoad, IsExactOnQuadrics) {
     const GridSpec grid = bench::plain_grid(9, 9, 2);
     const NodeGrid nodes(bench::sample_raster(

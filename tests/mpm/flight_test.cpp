@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Over an edge and back on the ground: the parabola, what landing takes, what is not thrown.
+// Flight over an edge: the parabola, the loss at landing, and flows that do not fly.
 #include <gtest/gtest.h>
 
 #include "mpm/flight.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double k_gravity = 9.81;
 
-// A film, thin enough for its own pressure not to matter, that starts round x = 20 m in a walled strip.
+// A film, thin enough for its own pressure not to matter, that starts around x = 20 m in a walled strip.
 struct Strip {
     double cell = 2;
     std::function<double(double)> bed;
@@ -79,7 +79,7 @@ TEST(OverACliff, ABeadOnItsOwnLandsWithinATenthOfACell) {
 }
 
 TEST(Landing, KeepsThePartAlongTheBed) {
-    // From a ledge on to a slope of 45 degrees that falls away: v along it after landing is (u + |climb|) / sqrt(2).
+    // From a ledge onto a slope of 45 degrees that falls away: v along it after landing is (u + |climb|) / sqrt(2).
     const Strip ledge{2, [](double x) { return x < 60 ? 200 - 0.0 * x : 190 - (x - 60); }};
     Flow flow = film_on(ledge);
     const auto jump = find_jump(flow.nodes(), {k_gravity, true}, {58, 8}, {20, 0}, 1, 0.5);
@@ -97,14 +97,14 @@ TEST(Flight, AnEdgeThatIsTooGentleOrTooLowThrowsNothing) {
         flow.advance_to(4);
         EXPECT_EQ(flow.flights().statistics().volume, 0);
     }
-    // What is deeper than the step is high keeps to its bed; a film does not.
+    // A flow deeper than the height of the step stays on its bed; a film does not.
     Flow flow = film_on({2, [](double x) { return x < 100 ? 1.0 : 0; }});
     EXPECT_FALSE(find_jump(flow.nodes(), {k_gravity, true}, {98, 8}, {20, 0}, 1, 1.1));
     EXPECT_TRUE(find_jump(flow.nodes(), {k_gravity, true}, {98, 8}, {20, 0}, 1, 0.5));
 }
 
-// What flows level over the lip is not as fast as the face below is steep, and what has spread in the air covers more
-// ground.
+// A level flow over the lip is not accelerated by the steepness of the face below, and material that has spread in the
+// air covers more ground.
 TEST(Flight, AThickFilmIsNoFasterAtTheLipAndShowsItsVolumeAfterwards) {
     Strip strip{5, cliff, 20, 400};
     strip.thickness = 1;

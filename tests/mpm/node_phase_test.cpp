@@ -13,7 +13,7 @@ TEST(NodePhase, RecordsAreReadOnlyAsWhatTheyAre) {
     grid.north = 20;
     NodeGrid nodes{Raster(grid, 0.0)};
     nodes.sums()->mass = 3;
-    EXPECT_DEBUG_DEATH((void)nodes.motion(), "phase");  // only builds with assertions end
+    EXPECT_DEBUG_DEATH((void)nodes.motion(), "phase");  // only builds with assertions abort
     nodes.phase = NodePhase::motion;
     EXPECT_EQ(nodes.motion()->mass, 3);
     EXPECT_EQ(nodes.mass(0), 3);

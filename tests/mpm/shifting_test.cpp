@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particle shifting (mpm/shifting.h): irregular particles become even while they flow. That still water stays with
-// irregular particles is in lake_at_rest_test.cpp, what shifting does to errors in dam_break_test.cpp, that it changes
-// neither volume nor velocity of any particle in vector_kernels_test.cpp.
+// Particle shifting (mpm/shifting.h): irregular particles become even during flow. lake_at_rest_test.cpp tests that
+// still water with irregular particles remains at rest, dam_break_test.cpp the effect on errors,
+// vector_kernels_test.cpp that shifting changes neither volume nor velocity of any particle.
 #include <gtest/gtest.h>
 
 #include "mpm/shifting.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double k_jitter = 0.8;
 
-// Root mean square of phi - 1 over the nodes of a block of columns, a cell from its sides.
+// Root mean square of phi - 1 over the nodes of a block of columns, one cell from its sides.
 double unevenness(Flow& flow, std::int64_t first, std::int64_t last) {
     flow.nodal_fields();  // gathers on the nodes
     const NodeGrid& nodes = flow.nodes();
@@ -27,7 +27,7 @@ double unevenness(Flow& flow, std::int64_t first, std::int64_t last) {
     return std::sqrt(sum / count);
 }
 
-// Water that flows uniformly through a channel: nothing but shifting changes how its particles lie to each other.
+// Water that flows uniformly through a channel: only shifting changes the arrangement of its particles.
 TEST(Shifting, MakesIrregularParticlesEven) {
     const GridSpec grid = bench::plain_grid(200, 10, 1);
     const ParticleSet seeds = bench::fill_lattice(grid, 2, k_jitter, [](Point) { return bench::Seed{2, 5, 0}; });
@@ -35,11 +35,11 @@ TEST(Shifting, MakesIrregularParticlesEven) {
               1);
     const double before = unevenness(flow, 60, 140);
     EXPECT_GT(before, 0.02);
-    flow.advance_to(5);  // 25 cells; what happens at the ends is over 40 cells away
+    flow.advance_to(5);  // 25 cells; the disturbed ends are over 40 cells away
     EXPECT_LT(unevenness(flow, 60, 140), 0.3 * before);
 }
 
-// Nothing without motion, at a free front, where a cell of the stencil is far from full or particles lie on each other;
+// No shift without motion, at a free front, where a cell of the stencil is far from full or particles overlap strongly;
 // and never far.
 TEST(Shifting, IsBounded) {
     const auto far = [](double courant, double support, double least, double slope, double fraction = 1) {
@@ -55,7 +55,7 @@ TEST(Shifting, IsBounded) {
     EXPECT_DOUBLE_EQ(far(1e-3, 1, 1, 10), -2 * shift_reach(1e-3));
 }
 
-// The depth follows the nodes' depth, here one that grows by a tenth over a metre; phi does not matter to it.
+// The depth follows the nodes' depth, here one that increases by a tenth over a metre; phi does not affect it.
 TEST(Shifting, CarriesTheDepthAlongItsGradient) {
     const double phi = 1.1, phi_x = 0.2, depth = 3, depth_x = 0.3;
     const Shift<double> s =

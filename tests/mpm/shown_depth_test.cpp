@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The depth that rasters show of a cell: free of the particles' unevenness, and never far from the volume it holds.
+// The depth of a cell in rasters: independent of the particles' unevenness, and never far from its volume.
 #include "mpm/shown_depth.h"
 
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@
 namespace frana {
 namespace {
 
-constexpr double k_cell = 25, k_filled = 1;  // [m2]; supported all round
+constexpr double k_cell = 25, k_filled = 1;  // [m2]; supported on all sides
 
-// A layer whose particles say 2 m, with these fractions of the cells (i, j); what its volume is over the ground.
-struct Layer {
+// Particles of depth 2 m with these fractions of the cells (i, j), and their volume over the area.
+struct Patch {
     NodeGrid nodes{Raster(grid(), 0.0)};
     double volume = 0, shown = 0;
 
@@ -23,7 +23,7 @@ struct Layer {
         g.north = 120;
         return g;
     }
-    explicit Layer(const std::function<double(int, int)>& fraction) {
+    explicit Patch(const std::function<double(int, int)>& fraction) {
         nodes.phase = NodePhase::forces;
         for (int j = 0; j < 24; ++j)
             for (int i = 0; i < 24; ++i) nodes.forces()[nodes.index(i, j)].area = k_cell * fraction(i, j);
@@ -43,32 +43,32 @@ struct Layer {
 };
 
 TEST(ShownDepth, IsTheParticlesMeanWhereTheyLieUnevenly) {
-    // 6 % more or less in turn, in rows of two: no cell shows them.
-    const Layer layer([](int i, int j) { return 1 + 0.06 * ((i / 2 + j) % 2 == 0 ? 1 : -1); });
+    // Alternately 6 % more or less, in rows of two: no cell has it.
+    const Patch patch([](int i, int j) { return 1 + 0.06 * ((i / 2 + j) % 2 == 0 ? 1 : -1); });
     for (int j = 0; j < 24; ++j)
-        for (int i = 0; i < 24; ++i) EXPECT_DOUBLE_EQ(layer.depth(i, j), 2);
+        for (int i = 0; i < 24; ++i) EXPECT_DOUBLE_EQ(patch.depth(i, j), 2);
 }
 
 TEST(ShownDepth, HoldsTheVolumeWhereParticlesCrowd) {
-    // The same, with more than the ground has room for: a cell shows its neighbourhood's.
+    // The same, with more than the available area: a cell has the value of its neighbourhood.
     for (const double mean : {1.03, 1.05, 1.2, 1.5}) {
-        const Layer layer([&](int i, int j) { return mean * (1 + 0.06 * ((i / 2 + j) % 2 == 0 ? 1 : -1)); });
-        EXPECT_NEAR(layer.shown, layer.volume, 0.001 * layer.volume) << mean;
-        EXPECT_NEAR(layer.depth(12, 12), 2 * mean, 0.04 * mean) << mean;
+        const Patch patch([&](int i, int j) { return mean * (1 + 0.06 * ((i / 2 + j) % 2 == 0 ? 1 : -1)); });
+        EXPECT_NEAR(patch.shown, patch.volume, 0.001 * patch.volume) << mean;
+        EXPECT_NEAR(patch.depth(12, 12), 2 * mean, 0.04 * mean) << mean;
     }
     // A few percent that may be unevenness are lost, at most k_lasting_from.
     for (const double mean : {1.005, 1.01, 1.015, 1.02}) {
-        const Layer layer([&](int, int) { return mean; });
-        EXPECT_GT(layer.shown, layer.volume / 1.0151) << mean;
-        EXPECT_LT(layer.shown, layer.volume * (1 + 1e-12)) << mean;
+        const Patch patch([&](int, int) { return mean; });
+        EXPECT_GT(patch.shown, patch.volume / 1.0151) << mean;
+        EXPECT_LT(patch.shown, patch.volume * (1 + 1e-12)) << mean;
     }
 }
 
 TEST(ShownDepth, HoldsTheVolumeOfANarrowCrowd) {
-    // A gully three cells wide in which particles lie on each other, in ground that is just filled.
-    const Layer layer([](int i, int) { return i >= 10 && i < 13 ? 1.4 : 1.0; });
-    EXPECT_NEAR(layer.shown, layer.volume, 0.01 * layer.volume);
-    EXPECT_GT(layer.depth(11, 12), 2 * 1.3);
+    // A gully three cells wide in which particles overlap, in surroundings that are just filled.
+    const Patch patch([](int i, int) { return i >= 10 && i < 13 ? 1.4 : 1.0; });
+    EXPECT_NEAR(patch.shown, patch.volume, 0.01 * patch.volume);
+    EXPECT_GT(patch.depth(11, 12), 2 * 1.3);
 }
 
 TEST(ShownDepth, IsTheVolumesAtAFront) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fast kernels against the plain templates that say what they compute, on random particles over a random bed.
+// The fast kernels against the plain templates that specify their results, on random particles over a random bed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ Raster rough_bed(std::mt19937& random) {
     return bed;
 }
 
-// Particles of one tile, drifted by up to three cells, some at the grid's very edge.
+// Particles of one tile, drifted by up to three cells, some at the very edge of the grid.
 ParticleSet random_particles(std::size_t count, double low, double high, std::mt19937& random) {
     std::uniform_real_distribution<double> place(low * k_cell, high * k_cell), unit(0, 1), sign(-1, 1);
     ParticleSet particles(k_all_fields);
@@ -145,13 +145,13 @@ TEST_P(VectorKernelsTest, PressureToNodes) {
     compare_pressure<true>(bed_, particles, {1, 1 + GetParam(), 0});
 }
 
-// Particles that reach over more nodes than a local copy holds, and over the whole grid with its edges.
+// Particles over more nodes than a local copy contains, and over the whole grid with its edges.
 TEST_P(VectorKernelsTest, PressureToNodesOfParticlesFarApart) {
     const ParticleSet particles = random_particles(GetParam(), 0, 40, random_);
     compare_pressure<false>(bed_, particles, {0, GetParam(), 0});
 }
 
-// Nodes as nodes_to_particles finds them.
+// Nodes in the state before nodes_to_particles.
 template <bool FollowsBed>
 void step_nodes(const ParticleSet& particles, const ParticleTile& tile, double dt, NodeGrid& nodes) {
     particles_to_nodes<Shape, true, true>(tile, particles, nodes);
@@ -217,8 +217,7 @@ TEST_P(VectorKernelsTest, NodesToParticles) {
     compare_update<false>(bed_, particles, tile, BinghamStress{0, 0.25, 0.01, true}, false);
 }
 
-// Small ones, of which 15 000 claim 22 x 22 cells about once: what lies on top of each other is not shifted, nor what
-// is alone.
+// Small ones, of which 15 000 claim 22 x 22 cells about once: overlapping particles are not shifted, nor isolated ones.
 ParticleSet side_by_side(std::size_t count, std::mt19937& random) {
     ParticleSet particles = random_particles(count, 13, 35, random);
     for (std::size_t p = 0; p < count; ++p) {
@@ -258,14 +257,14 @@ TEST(Shifting, ChangesNeitherVolumeNorVelocity) {
             ASSERT_EQ(still[f][p], shifted[f][p])
                 << k_field_table[static_cast<std::size_t>(f)].name << " of particle " << p;
         const double x = shifted[Field::x][p] - still[Field::x][p], y = shifted[Field::y][p] - still[Field::y][p];
-        // To the rounding of a sum of places, some tens of metres.
+        // To the rounding of a sum of coordinates, some tens of metres.
         ASSERT_LE(std::max(std::abs(x), std::abs(y)), k_shift_farthest * k_cell + 1e-13);
         moved += x != 0 || y != 0;
     }
     EXPECT_GT(moved, still.size() / 2);
 }
 
-// Some leave, some come to rest on cells without terrain, some are kept in by walls.
+// Some leave, some come to rest on cells without terrain, some are kept inside by walls.
 TEST_P(VectorKernelsTest, NodesToParticlesAtTheEdge) {
     const ParticleSet particles = random_particles(GetParam(), 0, 40, random_);
     compare_update<true>(bed_, particles, {0, GetParam(), 0}, NoStress{}, false);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws of friction, stress, erosion and deposition: which keys they need, which contradict them, what is
-// echoed.
+// Laws of friction, stress, erosion and deposition: required keys, contradicting keys, the echo.
 #include <algorithm>
 
 #include "params/keys/laws.h"
@@ -121,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 using Laws = SceneFixture;
 
-// What the table names is there, and each law is found by what asks for it.
+// Keys named in the table exist, and each law is found by the keys that select it.
 TEST_F(Laws, OfTheTableReadKeysThatExist) {
     const std::vector<Parameter> parameters = scene_parameters();
     for (const std::string& key : law_keys()) EXPECT_NE(find_parameter(parameters, key), nullptr) << key;
@@ -151,8 +150,7 @@ TEST_F(Laws, StressInThePlaneGivesWayToTheBed) {
     EXPECT_EQ(in_plane_stress(material), "none");
 }
 
-// A preset with Voellmy values, a scene with another law: the preset's friction is forgotten, the echo can be
-// run.
+// A preset with Voellmy values, a scene with another law: the preset's friction is dropped, the echo can be run.
 TEST_F(Laws, AnotherLawThanThePresetsForgetsItsFriction) {
     const SceneReading reading =
         read(k_ground + "[material]\npreset = rock-avalanche\nbed-friction = manning\nmanning = 0.06\n");
@@ -162,7 +160,7 @@ TEST_F(Laws, AnotherLawThanThePresetsForgetsItsFriction) {
     EXPECT_EQ(messages(scene_text(reading.scene, {})), "");
 }
 
-// What a preset could not take from a source, the scene must give.
+// Values without a source in a preset must be given by the scene.
 std::string given_beside(const std::string& preset) {
     return preset == "earthflow" ? "viscosity = 20000\n" : "";
 }

@@ -39,7 +39,7 @@ TEST_F(ReadScene, EveryProblemInOnePass) {
     EXPECT_NE(all.find("time.end: is out of range (value 0"), std::string::npos);
     EXPECT_NE(all.find("terrain.dtm: is missing"), std::string::npos);
     EXPECT_NE(all.find("release.perimeter: is missing"), std::string::npos);
-    // a key with a bad value is there, not missing
+    // a key with an invalid value is present, not missing
     EXPECT_EQ(all.find("release.thickness: is missing"), std::string::npos);
     EXPECT_EQ(all.find("no bed friction"), std::string::npos);
 }
@@ -65,7 +65,7 @@ TEST_F(ReadScene, LaterLayersOverrideEarlierOnes) {
     EXPECT_EQ(from_preset.scene.material.density, 1500);
     EXPECT_EQ(from_preset.scene.origin_of("material.friction-angle"), Origin::preset);
 
-    // The command line names friction the other way: it replaces, it does not contradict.
+    // The command line gives friction by the other key: it replaces, it does not contradict.
     const SceneReading overridden = read(k_least, {"material.friction-coefficient=0.25", "time.end = 12.5"});
     EXPECT_TRUE(overridden.problems.empty());
     EXPECT_FALSE(overridden.scene.material.friction_angle);
@@ -106,7 +106,7 @@ TEST_F(ReadScene, ThicknessInEveryForm) {
     EXPECT_EQ(thickness("raster:sub/d.tif").raster, (folder_ / "sub/d.tif").string());
     EXPECT_EQ(thickness("difference:pre.tif, /data/post.tif").raster, (folder_ / "pre.tif").string());
     EXPECT_EQ(thickness("difference:pre.tif, /data/post.tif").post, "/data/post.tif");
-    // A raster says where as well as how thick; a number does not.
+    // A raster specifies place as well as thickness; a number does not.
     EXPECT_EQ(messages(head + "thickness = raster:d.tif\n"), "");
     EXPECT_NE(messages(head + "thickness = 3\n").find("release.perimeter: is missing"), std::string::npos);
     EXPECT_NE(messages(head + "perimeter = b\nthickness = difference:pre.tif\n").find("is not understood"),

@@ -14,7 +14,7 @@
 
 namespace frana {
 
-/// A folder of its own for every test, with scene files in it.
+/// A separate folder for every test, with scene files in it.
 class SceneFixture : public ::testing::Test {
   protected:
     SceneFixture() {
@@ -36,7 +36,7 @@ class SceneFixture : public ::testing::Test {
     SceneReading read(const std::string& text, const std::vector<std::string>& overrides = {}) const {
         return read_scene(write(text), overrides, FRANA_SOURCE_SHARE "/materials");
     }
-    /// All messages of a scene, one a line.
+    /// Returns all messages of a scene, one per line.
     std::string messages(const std::string& text, const std::vector<std::string>& overrides = {}) const {
         const SceneReading reading = read(text, overrides);
         std::string all;
@@ -47,7 +47,7 @@ class SceneFixture : public ::testing::Test {
     std::filesystem::path folder_;
 };
 
-/// The least that makes a scene.
+/// The minimal scene.
 inline const std::string k_least =
     "[terrain]\ndtm = dtm.tif\n[release]\nperimeter = area.shp\nthickness = 2\n[material]\nfriction-angle = "
     "20\n";

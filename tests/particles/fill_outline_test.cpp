@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outlines of many vertices: the particles of the simple way, in time that does not grow with their square.
+// Outlines of many vertices: the particles of the simple method, in less than quadratic time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double k_turn = 2 * std::numbers::pi;
 
-/// Round a centre, the radius between two bounds at random; sharp where `wild`.
+/// Around a centre, the radius random between two bounds; spiky if `wild`.
 Ring random_ring(Point centre, double radius, int points, double wild, std::mt19937& random) {
     std::uniform_real_distribution<double> uniform(1 - wild, 1);
     Ring ring;
@@ -57,8 +57,7 @@ TEST(FillOutline, IsTheSimpleWayToTheBit) {
     expect_same_bits({{{{0, 0}, {10, 0}, {10, 10}, {5, 5}, {0, 10}}, {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}}}}, 1);
 }
 
-// An outline drawn along the cells, or taken from a raster, passes their edges by what rounding leaves of
-// coordinates.
+// An outline drawn along the cells, or derived from a raster, deviates from their edges by the rounding of coordinates.
 TEST(FillOutline, SliversGiveNoParticlesButKeepTheirVolume) {
     const auto one = [](Point) { return 1.0; };
     for (const double over : {1e-8, 3e-7, 1e-6, 9e-6}) {
@@ -71,14 +70,14 @@ TEST(FillOutline, SliversGiveNoParticlesButKeepTheirVolume) {
         for (std::size_t p = 0; p < particles.size(); ++p) area += particles[Field::area][p];
         EXPECT_NEAR(area / volume, 1, 1e-12);
     }
-    // What is no more than that is kept.
+    // An outline of slivers alone is kept.
     ParticleSet line;
     EXPECT_NEAR(fill_outline({{{{0, 0.5}, {10, 0.5}, {10, 0.5 + 1e-6}, {0, 0.5 + 1e-6}}, {}}}, 1, one, line), 1e-5,
                 1e-14);
     EXPECT_EQ(line.size(), 10U);
 }
 
-/// Spikes from a circle to another, with the area that the shoelace formula gives.
+/// Spikes from one circle to another, with the area by the shoelace formula.
 Polygon star(Point centre, double inner, double outer, int spikes) {
     Polygon polygon;
     for (int i = 0; i < 2 * spikes; ++i) {
@@ -88,7 +87,7 @@ Polygon star(Point centre, double inner, double outer, int spikes) {
     return polygon;
 }
 
-// By strips each of these rows would be cut a thousand million times.
+// By strips each of these rows would be divided a thousand million times.
 TEST(FillOutline, AStarOfManySpikesKeepsAreaAndCentroid) {
     for (const bool turned : {false, true}) {
         Polygon polygon = star({60, 55}, 5, 50, 100'000);
@@ -109,7 +108,7 @@ TEST(FillOutline, AStarOfManySpikesKeepsAreaAndCentroid) {
     }
 }
 
-// The two ways meet: rows with a few crossings too many for strips, against the simple way.
+// Both methods are compared: rows with slightly too many crossings for strips, against the simple method.
 TEST(FillOutline, AlongTheEdgesIsAsByStrips) {
     const MultiPolygon outline{star({60.1, 55.2}, 20, 50, 3000)};
     ParticleSet simple, filled;

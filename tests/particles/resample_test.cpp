@@ -105,8 +105,8 @@ TEST(Resample, MergesCrowdedCellsAndKeepsTheBudgets) {
     EXPECT_NEAR(after.moment_x, before.moment_x, 1e-12);
 }
 
-// Positions, volumes and shapes of what is left of a crowd of particles that lies so many cells to the east and north,
-// as if it lay at 0; by place.
+// Positions, volumes and shapes of the remaining particles of a crowd the given number of cells to the east and north,
+// moved to 0; by place.
 std::vector<std::array<double, 5>> left_of_crowd(int east, int north) {
     ParticleSet particles(k_mask);
     std::uint64_t random = 1;
@@ -137,7 +137,7 @@ std::vector<std::array<double, 5>> left_of_crowd(int east, int north) {
     return left;
 }
 
-// As many areas of release on each other: all pairs for each that merges would take the cube of that, hours.
+// As many overlapping release areas: comparing all pairs for each merge would take the cube of that, hours.
 TEST(Resample, MergesACrowdInTimeThatGrowsWithIt) {
     ParticleSet particles(k_mask);
     for (int i = 0; i < 50'000; ++i)

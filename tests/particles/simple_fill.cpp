@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every line against every edge: slow, and the oracle for fill_outline.
+// Every line against every edge: slow, and the reference for fill_outline.
 #include "simple_fill.h"
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace frana::test {
 namespace {
 
-// Where parts may overlap, their edges cross at heights that are not looked for: a row is divided this often
-// besides.
+// Edges of overlapping parts may cross within a row; the crossings are not computed: the row is divided this often
+// instead.
 constexpr int k_divisions = 8;
 constexpr double k_gauss = 0.57735026918962576;  // 1 / sqrt(3)
 
@@ -18,7 +18,7 @@ struct Interval {
     double from, to;
 };
 
-// Where a horizontal line crosses a polygon, as intervals inside it (even-odd, holes respected).
+// Intersects a polygon with a horizontal line, as intervals inside it (even-odd, holes excluded).
 void cut(const Polygon& polygon, double y, std::vector<double>& crossings, std::vector<Interval>& inside) {
     crossings.clear();
     const auto cross = [&](const Ring& ring) {
@@ -36,7 +36,7 @@ void cut(const Polygon& polygon, double y, std::vector<double>& crossings, std::
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) inside.push_back({crossings[i], crossings[i + 1]});
 }
 
-// Sorts and joins intervals that overlap: parts drawn twice count once.
+// Sorts and joins intervals that overlap: area covered twice counts once.
 void join(std::vector<Interval>& intervals) {
     std::sort(intervals.begin(), intervals.end(), [](Interval a, Interval b) { return a.from < b.from; });
     std::size_t kept = 0;
@@ -68,8 +68,8 @@ void for_each_edge(const MultiPolygon& outline, const Visit& visit) {
     }
 }
 
-// Heights within a row of the lattice at which the outline bends or passes from one column to the next, with
-// the row's ends: between two of them the outline's edges are straight within each cell.
+// Returns the y within a row of the lattice at which the outline bends or crosses from one column to the next, with the
+// row's ends: between two of them the outline's edges are straight within each cell.
 std::vector<double> strip_edges(const MultiPolygon& outline, double from, double to, double spacing) {
     std::vector<double> edges{from, to};
     const int divisions = outline.size() > 1 ? k_divisions : 1;
@@ -110,7 +110,7 @@ double simple_fill(const MultiPolygon& outline, double spacing, const std::funct
         for (std::size_t strip = 0; strip + 1 < edges.size(); ++strip) {
             const double half = 0.5 * (edges[strip + 1] - edges[strip]);
             if (!(half > 0)) continue;
-            // Gauss's two lines: exact for the area and the moments, which are quadratic in y within a strip.
+            // Gauss's two points: exact for the area and the moments, which are quadratic in y within a strip.
             for (const double side : {-1.0, 1.0}) {
                 const double y = edges[strip] + half * (1 + side * k_gauss);
                 inside.clear();

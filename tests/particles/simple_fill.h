@@ -8,8 +8,8 @@
 
 namespace frana::test {
 
-/// What fill_outline does, to the bit where it goes by strips, in time that grows with the square of the
-/// vertices.
+/// Gives the result of fill_outline, to the bit where that uses strips, in time proportional to the square of the
+/// number of vertices.
 double simple_fill(const MultiPolygon& outline, double spacing, const std::function<double(Point)>& thickness,
                    ParticleSet& particles);
 

@@ -30,7 +30,7 @@ BedState bed_under(const Law& law, double thickness = k_thickness, double normal
     return bed;
 }
 
-// R(s1) that backward Euler found, from s0 = s1 + dt R.
+// Returns R(s1) of backward Euler, from s0 = s1 + dt R.
 template <class Excess>
 double resistance_met(const BedState& bed, const Excess& excess, double s0, double dt, double* s1) {
     *s1 = speed_after_friction(bed, 0, excess, s0, dt);
@@ -59,7 +59,7 @@ TEST(TurbulentFriction, IsVoellmysSecondPartAndChezysLaw) {
     EXPECT_EQ(bed_under(TurbulentFriction{k_gravity, {std::numeric_limits<double>::infinity()}}).square, 0);
 }
 
-// The sum of Coulomb's and the turbulent part is the law that scenes with Voellmy alone run with.
+// The sum of Coulomb's and the turbulent part equals the law used for scenes with Voellmy alone.
 TEST(TurbulentFriction, WithCoulombIsTheUniformVoellmyLaw) {
     const VoellmyFriction uniform{0.2, 1 / 400.0};
     BedState bed = bed_under(CoulombFriction{{0.2}});
@@ -126,7 +126,7 @@ TEST(HerschelBulkley, MeanSpeedIsTheIntegralOfTheProfile) {
     for (const double index : {0.4, 0.8, 1.0, 1.5}) {
         const HerschelBulkleyExcess law{k_density, 200, 60, index};
         const double exact = mean_speed_by_quadrature(650, 200, 60, index, k_thickness);
-        // Simpson's rule at the end of the sheared layer, where the profile's slope goes like a power.
+        // Simpson's rule at the end of the sheared zone, where the profile's slope varies as a power.
         EXPECT_NEAR(law.speed(450, k_thickness), exact, 1e-6 * exact) << index;
     }
 }
@@ -140,7 +140,7 @@ TEST(HerschelBulkley, WithIndexOneIsTheCubicOfBingham) {
         const double met = resistance_met(bed, law, s0, 0.02, &s) * k_density * k_thickness;
         ASSERT_GT(s, 0);
         const double zeta = ExactYieldRatio{}(6 * viscosity * s / (yield * k_thickness));
-        // (s0 - s) / dt loses digits where friction takes little.
+        // (s0 - s) / dt loses digits if friction is small.
         EXPECT_NEAR(met, yield / zeta, 1e-10 * s0 / 0.02 * k_density * k_thickness + 1e-9 * met) << s0;
     }
 }

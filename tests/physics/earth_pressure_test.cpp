@@ -39,8 +39,7 @@ TEST(EarthPressure, ChangesWithoutAJump) {
     EXPECT_EQ(dry.xx, 0);
 }
 
-// Savage and Hutter's parabolic cap, which spreads from the start, under K_act; and the same run without the
-// law is wrong.
+// Savage and Hutter's parabolic cap, which spreads from the start, under K_act; the same run without the law is wrong.
 double depth_error(bool with_law) {
     constexpr double k_slope = 35, k_bed = 20, k_inside = 36, k_height = 4, k_radius = 80, k_time = 5, k_cell = 5;
     const double sine = std::sin(k_slope * M_PI / 180), cosine = std::cos(k_slope * M_PI / 180);
@@ -74,7 +73,7 @@ double depth_error(bool with_law) {
 }
 
 TEST(EarthPressure, CapFollowsTheSimilaritySolution) {
-    // With K = 1 the bench's similarity case has 0.015 as its mark at this cell size.
+    // With K = 1 the limit of the bench's similarity case is 0.015 at this cell size.
     EXPECT_LT(depth_error(true), 0.025);
     EXPECT_GT(depth_error(false), 0.05);
 }

@@ -75,7 +75,7 @@ TEST(BinghamStress, ResultDoesNotDependOnTheRegularisation) {
         return flow.centroid().x - 20;
     };
     const double middle = front(0.01);
-    // One percent of the displacement: far below what a yield stress is known to.
+    // One percent of the displacement: far less than the uncertainty of any yield stress.
     EXPECT_NEAR(front(0.1), middle, 0.01 * middle);
     EXPECT_NEAR(front(0.001), middle, 0.01 * middle);
     EXPECT_GT(middle, 2);

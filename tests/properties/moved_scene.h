@@ -5,18 +5,18 @@
 
 namespace frana::test {
 
-/// The scene as a mirror sees it: east becomes west.
+/// Returns the mirrored scene: east becomes west.
 Scene mirrored(const Scene& scene);
 Raster mirrored(const Raster& raster);
 
-/// The scene elsewhere: so many cells to the east and to the north.
+/// Returns the scene at another place: the given number of cells to the east and to the north.
 Scene moved(const Scene& scene, std::int64_t east, std::int64_t north);
 
-/// The scene on a larger terrain: so many more cells on each side, where the ground goes on at the height of the edge
-/// less `drop` a cell.
+/// Returns the scene on a larger terrain: with further cells on each side, where the ground continues at the height of
+/// the edge minus `drop` per cell.
 Scene widened(const Scene& scene, std::int64_t west, std::int64_t east, std::int64_t south, std::int64_t north,
               double drop);
-/// The part of a widened scene's raster that the first scene had.
+/// Returns the part of a widened scene's raster on the original grid.
 Raster narrowed(const Raster& raster, const GridSpec& grid);
 
 }  // namespace frana::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds for every flow: nothing is lost, density alone changes nothing, friction shortens.
+// Properties of every flow: nothing is lost, density alone changes nothing, friction shortens the run-out.
 #include "scene_tests.h"
 
 namespace frana::test {
@@ -19,7 +19,7 @@ TEST(Property, NothingIsLostAndNothingHardHappens) {
         }
         for (const SeriesRow& row : result.series) {
             ASSERT_TRUE(std::isfinite(row.max_depth + row.max_speed + row.kinetic_energy));
-            if (result.exchanges) continue;  // the series does not say what came from the bed
+            if (result.exchanges) continue;  // the series does not contain the volume eroded from the bed
             ASSERT_NEAR(row.volume + row.volume_left, row.volume_entered, k_volume_error * row.volume_entered)
                 << "step " << row.step;
         }
@@ -42,7 +42,7 @@ TEST(Property, TwiceTheDensityChangesNothingWithoutViscosityAndYieldStress) {
     });
 }
 
-// The easternmost edge of what was reached [m].
+// Returns the easternmost edge of the reached cells [m].
 double reach(const RunResult& result) {
     const GridSpec& grid = result.max_depth.grid;
     double east = 0;

@@ -23,7 +23,7 @@ class RandomNumbers {
     }
     /// In [from, to).
     double between(double from, double to) { return from + (to - from) * static_cast<double>(word() >> 11) * 0x1p-53; }
-    /// As often small as large.
+    /// Uniform in the logarithm.
     double log_between(double from, double to) { return from * std::pow(to / from, between(0, 1)); }
     /// 0 to count - 1.
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(word() % count); }

@@ -60,7 +60,7 @@ Raster random_terrain(RandomNumbers& random, const GridSpec& grid) {
     return terrain;
 }
 
-// A star with three to nine corners; the middle lies within the inner half of the grid.
+// A star with three to nine corners; the middle is within the inner half of the grid.
 Polygon random_star(RandomNumbers& random, const GridSpec& grid) {
     const double width = grid.east() - grid.west, height = grid.north - grid.south();
     const Point middle{grid.west + random.between(0.3, 0.7) * width, grid.south() + random.between(0.3, 0.7) * height};
@@ -128,7 +128,7 @@ Scene random_scene(RandomNumbers& random, Made made) {
             scene.numerics.scheme = Scheme::paper;
             scene.numerics.slope_correction = SlopeCorrection::none;
             scene.numerics.curvature = false;
-            // With 9 one lies on every node, where the hat functions have a kink and their slope two values.
+            // With 9 one is on every node, where the hat functions have a kink and their slope two values.
             scene.numerics.particles_per_cell = 4;
         }
         if (random.once_in(4)) {

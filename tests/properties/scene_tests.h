@@ -12,13 +12,12 @@
 
 namespace frana::test {
 
-/// Three scenes of five of a mass, one of fluid, one of solids with fluid.
+/// Three scenes of five with a mass, one with fluid, one with solids and fluid.
 inline Made made_of(int scene) {
     return scene % 5 == 4 ? Made::of_solids : scene % 5 == 3 ? Made::of_fluid : Made::of_mass;
 }
 
-/// Calls look(scene, random, number) for a test's fraction of the random scenes, each with a stream of numbers of its
-/// own.
+/// Calls look(scene, random, number) for a test's part of the random scenes, each with a separate stream of numbers.
 template <class Look>
 void for_scenes(int of_a_hundred, std::uint64_t stream, const Look& look) {
     const int count = scene_count(of_a_hundred);
@@ -36,7 +35,7 @@ inline bool same_bits(const Raster& a, const Raster& b) {
            std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(double)) == 0;
 }
 
-/// The rasters of a result that do not hold times, which jump where rounding makes a step earlier or later.
+/// The rasters of a result that contain no times, which jump if rounding makes a step earlier or later.
 inline constexpr Raster RunResult::*k_fields[] = {&RunResult::release, &RunResult::max_depth, &RunResult::max_velocity,
                                                   &RunResult::final_depth};
 

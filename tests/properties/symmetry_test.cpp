@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must not change a flow: where its map lies, which way round it is, how much map there is beyond it.
+// Changes that must not affect a flow: the position of its map, its orientation, the extent of the map beyond it.
 #include "moved_scene.h"
 #include "scene_tests.h"
 #include "simulation/placed_scene.h"
@@ -7,7 +7,7 @@
 namespace frana::test {
 namespace {
 
-// Greatest difference of any cell, over the greatest value; what is dry counts as 0.
+// Returns the greatest difference of any cell, relative to the greatest value; dry cells count as 0.
 double greatest_difference(const Raster& a, const Raster& b) {
     const auto value = [](double v) { return std::isnan(v) ? 0 : v; };
     double difference = 0, greatest = 0;
@@ -18,9 +18,8 @@ double greatest_difference(const Raster& a, const Raster& b) {
     return greatest > 0 ? difference / greatest : difference;
 }
 
-// Sums run in another order, so values differ by rounding (1e-16), which a flow that runs apart makes larger:
-// by up to 1e-8 in some thousand scenes. A decision that falls otherwise (a particle split here, not there; a
-// face taken for dry) shows as 1e-5 or more.
+// Sums are in another order, so values differ by rounding (1e-16), amplified by a diverging flow: by up to 1e-8 in some
+// thousand scenes. A different decision (a particle split here, not there; a face treated as dry) gives 1e-5 or more.
 constexpr double k_rounding = 1e-6;
 
 void expect_same(const RunResult& straight, const RunResult& other, Raster (*move)(const Raster&)) {
@@ -53,7 +52,7 @@ TEST(Property, ATurnedSceneFlowsTurned) {
     });
 }
 
-// Whether nothing came within five cells of an edge, where what lies beyond is felt.
+// Whether nothing came within five cells of an edge, where the terrain beyond has an effect.
 bool stays_inside(const RunResult& result) {
     const GridSpec& grid = result.max_depth.grid;
     for (std::int64_t row = 0; row < grid.rows; ++row) {
@@ -70,8 +69,8 @@ TEST(Property, MoreTerrainOnAnySideGivesTheSameBits) {
     for_scenes(20, 4, [&](Scene& scene, RandomNumbers& random, int) {
         scene.numerics.boundary = Boundary::open;
         const RunResult narrow = run(scene, {});
-        // The bound of speeds is that of the window's lowest ground: a run that breaks it (scheme = paper can, with a
-        // particle next to nothing) ends in the narrower window first.
+        // The bound of speeds is that of the window's lowest ground: a run that exceeds it (scheme = paper can, with a
+        // particle of almost no volume) ends in the narrower window first.
         if (!stays_inside(narrow) || !narrow.run_problems.empty()) return;
         ++compared;
         const auto more = [&] { return static_cast<std::int64_t>(random.below(60)); };

@@ -28,8 +28,7 @@ TEST(MapAnimator, AFrameOfTheBaseIsTheMapItself) {
     ASSERT_EQ(frame.rgb.size(), map.rgb.size());
     std::size_t different = 0;
     for (std::size_t i = 0; i < map.rgb.size(); ++i) different += frame.rgb[i] != map.rgb[i] ? 1 : 0;
-    // The subtitle is set by itself in a frame and with everything else in a map: rounding of soft edges
-    // only.
+    // The subtitle is drawn separately in a frame and with everything else in a map: only rounding of soft edges.
     EXPECT_LT(different, map.rgb.size() / 500);
 }
 
@@ -69,7 +68,7 @@ TEST(MapAnimator, WithAGivenMaximumHigherValuesHaveAClass) {
     const Raster ground = test::terrain(), layer = test::tongue();
     MapSpec spec = test::full_map(ground, layer, 640, 480);
     spec.layer = nullptr;
-    EXPECT_THROW(MapAnimator{spec}, Error);  // nothing fixes the scale
+    EXPECT_THROW(MapAnimator{spec}, Error);  // nothing defines the scale
     spec.maximum = 5;
     MapAnimator animator(spec);
     EXPECT_EQ(animator.frame(test::tongue(25), "").width, 640);

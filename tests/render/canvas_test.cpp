@@ -8,7 +8,7 @@
 namespace frana::render {
 namespace {
 
-/// A pixel of the page; nothing where the layer does not reach.
+/// Returns a pixel of the page; null outside the overlay.
 const std::uint8_t* at(const OverlayImage& layer, int column, int row) {
     static constexpr std::uint8_t k_nothing[4]{};
     const int x = column - layer.left, y = row - layer.top;
@@ -44,7 +44,7 @@ TEST(Canvas, LaterShapesCoverEarlierOnes) {
 TEST(Canvas, HalfCoveredPixelsAreHalfInked) {
     Canvas canvas(20, 20);
     canvas.fill(PageBox{2.5, 2, 10, 10}, {0, 0, 0});
-    // Eight samples, one in each eighth of the pixel: half of them lie in the right half.
+    // Eight samples, one in each eighth of the pixel: half of them are in the right half.
     EXPECT_NEAR(at(canvas.draw(), 2, 5)[3], 127.5, 1);
 }
 

@@ -104,7 +104,7 @@ TEST(Chart, AsSvgHasTheSamePlacesAndNames) {
     EXPECT_NE(chart_svg(chart, 1000, 600).find(">a &lt; b &amp; &quot;c&quot;</text>"), std::string::npos);
 }
 
-// A run has one row a step.
+// A run has one row per step.
 TEST(Chart, ALineOfManyPointsKeepsItsPeaksAndStaysSmall) {
     Chart chart{"", "", "", 1, {{"", "time [s]", "speed [m/s]", {{"", {0, 114, 178}, {}}}, true}}};
     constexpr int k_count = 1'000'000;

@@ -31,7 +31,7 @@ TEST(Colour, EveryPaletteDarkensSteadilySoThatGreyPrintsKeepTheOrder) {
         double last = 200;  // lighter than anything
         for (int i = 0; i <= 7; ++i) {
             const double now = lightness(colour_at(palette(name), i / 7.0));
-            EXPECT_LT(now, last - 4) << name << " class " << i;  // four units of L* are told apart side by side
+            EXPECT_LT(now, last - 4) << name << " class " << i;  // four units of L* are distinguishable side by side
             last = now;
         }
     }

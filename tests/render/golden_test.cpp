@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A few pictures as they should look, kept at a quarter of their size: a guard against what no rule on structure
-// catches (a palette reversed, light from below, a layer gone). FRANA_WRITE_GOLDEN=1 writes them again; then look.
+// A few reference pictures, stored at a quarter of their size: they detect what tests of the structure do not (a
+// palette reversed, light from below, a missing layer). FRANA_WRITE_GOLDEN=1 rewrites them; inspect them then.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,8 +63,8 @@ void expect_like(const Image& drawn, const std::string& name) {
         sum += difference;
         far += difference > 48 ? 1 : 0;
     }
-    // Another processor or Mesa moves edges by a pixel and tones by a few: seen as a block of 16 pixels off by up to
-    // a fifth, here and there. A missing layer or a wrong palette moves the mean by 5 and more.
+    // Another processor or Mesa moves edges by a pixel and tones by a few: a block of 16 pixels differs by up to a
+    // fifth in places. A missing layer or a wrong palette changes the mean by 5 and more.
     EXPECT_LT(sum / static_cast<double>(now.rgb.size()), 2) << name;
     EXPECT_LT(far, static_cast<int>(now.rgb.size()) / 100) << name;
 }

@@ -18,7 +18,7 @@ TEST(Graticule, DegreesAreWrittenAsFinelyAsTheirStep) {
     EXPECT_EQ(degree_words(46, 1.0 / 60, "NS"), "46°00′ N");
     EXPECT_EQ(degree_words(46 + 0.5 / 3600, 0.5 / 3600, "NS"), "46°00′00.5″ N");
     EXPECT_EQ(degree_words(0, 1, "NS"), "0°");
-    // Rounding must carry over: 59.9999999 seconds are the next minute.
+    // Rounding must carry: 59.9999999 seconds are the next minute.
     EXPECT_EQ(degree_words(9 + 59.99999999 / 3600, 1.0 / 3600, "EW"), "9°01′00″ E");
 }
 
@@ -42,7 +42,7 @@ TEST(Graticule, TicksStandWhereTheProjectionPutsThem) {
         char side = 0;
         if (std::sscanf(text.text.c_str(), "%d°%d′%d″ %c", &degrees, &minutes, &seconds, &side) != 4) continue;
         const double value = degrees + minutes / 60.0 + seconds / 3600.0;
-        // The middle of the label's ink; a pixel of it is at most a pixel off, letters are not symmetric.
+        // The middle of the label's ink; at most a pixel off, since letters are not symmetric.
         const Point centre{(text.box.left + text.box.right) / 2, (text.box.top + text.box.bottom) / 2};
         if (side == 'E') {
             const double east = layout.window.west + (centre.x - layout.map.left) * layout.metres_per_pixel;

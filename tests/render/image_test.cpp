@@ -35,7 +35,7 @@ TEST(WritePng, IsReadBackPixelForPixel) {
             ASSERT_EQ((Rgb{p[0], p[1], p[2]}), image.colour(column, row));
         }
     }
-    EXPECT_EQ(folder.count(), 1U);  // nothing left aside
+    EXPECT_EQ(folder.count(), 1U);  // no unfinished file left
 }
 
 TEST(WritePng, SaysHowLargeItIsPrinted) {
@@ -45,7 +45,8 @@ TEST(WritePng, SaysHowLargeItIsPrinted) {
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
     const auto place = bytes.find("pHYs");
     ASSERT_NE(place, std::string::npos);
-    // 300 dots in 0.0254 m are 11811 in a metre, in four bytes, most significant first, across and down; 1: metre.
+    // 300 dots in 0.0254 m are 11811 per metre, in four bytes, most significant first, horizontally and vertically; 1:
+    // metre.
     EXPECT_EQ(bytes.substr(place + 4, 9), std::string("\0\0\x2e\x23\0\0\x2e\x23\1", 9));
     write_png(folder.file("b.png"), Image(4, 4));
     std::ifstream other(folder.file("b.png"), std::ios::binary);

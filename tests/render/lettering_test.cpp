@@ -6,7 +6,7 @@
 namespace frana::render {
 namespace {
 
-/// The smallest box round all dark pixels.
+/// Returns the smallest box around all dark pixels.
 PageBox ink(const Image& page) {
     PageBox box{1e9, 1e9, -1e9, -1e9};
     for (int row = 0; row < page.height; ++row) {
@@ -33,7 +33,7 @@ TEST(Lettering, BoxesTellWhereTheInkIs) {
             const PageBox found = ink(page);
             EXPECT_EQ(told.box.left, placed.box.left);
             EXPECT_EQ(told.box.top, placed.box.top);
-            // The faintest rim (one part in 255) rounds to white: a pixel of difference on each side.
+            // The faintest rim (one part in 255) is rounded to white: a pixel of difference on each side.
             EXPECT_NEAR(found.left, told.box.left, 1);
             EXPECT_NEAR(found.top, told.box.top, 1);
             EXPECT_NEAR(found.right, told.box.right, 1);

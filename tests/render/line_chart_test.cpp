@@ -33,13 +33,13 @@ TEST(LineChart, PointsLieWhereTheAxesSay) {
     draw_chart(chart(), 1600, 1200, &layout);
     ASSERT_EQ(layout.panels.size(), 2U);
     ASSERT_EQ(layout.points.size(), 2U);
-    // Straight in data, straight on the page; and its ends at the panel's sides.
+    // Straight in data, straight on the page; with its ends at the panel's sides.
     const std::vector<Point>& bed = layout.points[0];
     ASSERT_EQ(bed.size(), 101U);
     EXPECT_NEAR(bed.front().x, layout.panels[0].left, 1e-6);
     EXPECT_NEAR(bed.back().x, layout.panels[0].right, 1e-6);
     EXPECT_NEAR(bed[50].y, (bed[0].y + bed[100].y) / 2, 1e-6);
-    // 800 and 500 m are read off the labels: the tick of 700 stands at a third of the way.
+    // 800 and 500 m are read from the labels: the tick of 700 is at a third of the distance.
     const auto tick = std::find_if(layout.texts.begin(), layout.texts.end(), [&](const TextBox& text) {
         return text.text == "700" && text.box.right < layout.panels[0].left;
     });
@@ -86,7 +86,7 @@ TEST(Plate, PartsStandInRowsUnderTheTitle) {
         EXPECT_TRUE(page.colour(5, static_cast<int>(text.box.top)) == (Rgb{255, 255, 255})) << text.text;
 }
 
-// 640 x 480 is the smallest size that --size takes: two rows and the title leave less than a map needs.
+// 640 x 480 is the smallest size of --size: two rows and the title leave less than a map needs.
 TEST(Plate, GrowsWherePartsWouldBeTooSmallToDraw) {
     Plate plate{"Four parts", "below a title", "foot", 2, {}};
     int least_width = 10000, least_height = 10000;

@@ -12,7 +12,7 @@
 namespace frana::render {
 namespace {
 
-/// Pixel that shows a map point.
+/// Returns the pixel of a map point.
 std::pair<int, int> pixel(const MapLayout& layout, Point map) {
     return {static_cast<int>(layout.map.left + (map.x - layout.window.west) / layout.metres_per_pixel),
             static_cast<int>(layout.map.top + (layout.window.north - map.y) / layout.metres_per_pixel)};
@@ -36,7 +36,7 @@ TEST(Map, EveryCellHasTheColourThatTheLegendGivesItsValue) {
     for (std::int64_t row = 0; row < layer.grid.rows; ++row) {
         for (std::int64_t column = 0; column < layer.grid.columns; ++column) {
             if (!layer.has_data(row, column)) continue;
-            // A quarter of a cell off the centre, where a coordinate cross could lie.
+            // A quarter of a cell off the centre, where there could be a coordinate cross.
             Point at = layer.grid.cell_centre(row, column);
             at.x += layer.grid.cell_size / 4;
             at.y += layer.grid.cell_size / 4;
@@ -46,7 +46,7 @@ TEST(Map, EveryCellHasTheColourThatTheLegendGivesItsValue) {
             if (map.colour(x, y) == legend->colour) ++seen;
         }
     }
-    // All but the cells that a thin coordinate cross covers.
+    // All except the cells covered by a thin coordinate cross.
     EXPECT_GE(seen, 20 * 65 - 30);
 }
 
@@ -57,7 +57,7 @@ TEST(Map, LegendBoxesShowThePalettesColours) {
     ASSERT_EQ(layout.legend.size(), 5U);  // 0, 2, ... 10 for 9.5 m
     for (std::size_t i = 0; i < layout.legend.size(); ++i) {
         const LegendEntry& one = layout.legend[i];
-        // The greatest class stands on top.
+        // The greatest class is on top.
         const Rgb expected = colour_at(palette("depth"), 1 - static_cast<double>(i) / 4);
         EXPECT_EQ(one.colour, expected);
         EXPECT_EQ(map.colour(static_cast<int>((one.box.left + one.box.right) / 2),
@@ -111,7 +111,7 @@ TEST(Map, TheFlowHasADarkEdgeOnTheGroundBesideIt) {
                 break;
             }
     }
-    EXPECT_GT(darker, rows - 5);  // a coordinate cross may lie there
+    EXPECT_GT(darker, rows - 5);  // there may be a coordinate cross
 }
 
 TEST(Map, ScaleBarIsAsLongAsItSays) {
@@ -119,8 +119,8 @@ TEST(Map, ScaleBarIsAsLongAsItSays) {
     for (const auto& [width, height] : {std::pair{800, 600}, {1600, 1200}, {1234, 777}}) {
         MapLayout layout;
         const Image map = draw_map(test::full_map(ground, layer, width, height), &layout);
-        // On the page: the bar's frame at both ends, thinner than a pixel on small pages, so any ink counts.
-        // Half a pixel of frame and one of rounding.
+        // On the page: the bar's frame at both ends, thinner than a pixel on small pages, so any ink counts. Half a
+        // pixel of frame and one of rounding.
         const int y = static_cast<int>((layout.scale_bar.top + layout.scale_bar.bottom) / 2);
         int first = -1, last = -1;
         for (int x = static_cast<int>(layout.map.right) + 2; x < width; ++x) {
@@ -131,7 +131,7 @@ TEST(Map, ScaleBarIsAsLongAsItSays) {
         const double grid_metres = (last - first) * layout.metres_per_pixel;
         EXPECT_NEAR(grid_metres, layout.scale_bar_metres, 1.5 * layout.metres_per_pixel);
         EXPECT_NEAR(layout.scale_bar.width() * layout.metres_per_pixel, layout.scale_bar_metres, 1e-6);
-        // A round length, and said so.
+        // A round length, with its label.
         const double power = std::pow(10, std::floor(std::log10(layout.scale_bar_metres)));
         const double leading = layout.scale_bar_metres / power;
         EXPECT_TRUE(std::fabs(leading - 1) < 1e-9 || std::fabs(leading - 2) < 1e-9 || std::fabs(leading - 5) < 1e-9);
@@ -179,7 +179,7 @@ TEST(Map, NorthArrowTurnsWithTheConvergence) {
             (letter->box.left + letter->box.right) / 2 - (layout.north_arrow.left + layout.north_arrow.right) / 2;
         const double y =
             (layout.north_arrow.top + layout.north_arrow.bottom) / 2 - (letter->box.top + letter->box.bottom) / 2;
-        // The letter stands some 30 pixels from the centre; a pixel of rounding is two degrees there.
+        // The letter is some 30 pixels from the centre; a pixel of rounding is two degrees there.
         EXPECT_NEAR(std::atan2(x, y) * 180 / std::numbers::pi, angle, 2.5);
         const bool said = std::any_of(layout.texts.begin(), layout.texts.end(),
                                       [](const TextBox& text) { return text.text.find("true north") == 0; });

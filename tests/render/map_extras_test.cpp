@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Continuous colours, the inset, places and lines, and a user's picture under the map.
+// Continuous colours, the inset, places and lines, and a user's picture as background.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ TEST(ContinuousLegend, EveryCellHasTheColourOfItsValueInTheRamp) {
             ++cells;
         }
     }
-    EXPECT_GE(seen, cells - 30);  // all but those under a coordinate cross
+    EXPECT_GE(seen, cells - 30);  // all except those under a coordinate cross
     // The ramp has no gap and its colours are on the page, in the order of the values.
     for (std::size_t i = 1; i < layout.legend.size(); ++i) {
         EXPECT_DOUBLE_EQ(layout.legend[i].box.top, layout.legend[i - 1].box.bottom);
@@ -154,7 +154,7 @@ TEST(Background, LiesUnderTheMapInItsPlaceAndTheLayerOverIt) {
     const Rgb west = at(527277, 5094333), east = at(527323, 5094333), north = at(527277, 5094922);
     EXPECT_GT(west.g, west.b + 100);
     EXPECT_GT(east.b, east.g + 100);
-    EXPECT_NEAR(north.r, north.g, 3);  // the paper of no terrain shows through
+    EXPECT_NEAR(north.r, north.g, 3);  // the background without terrain is visible
     const Rgb flow = at(layer.grid.cell_centre(52, 59).x + 2, layer.grid.cell_centre(52, 59).y + 2);
     EXPECT_EQ(flow, layout.legend.front().colour);
 }
@@ -171,7 +171,7 @@ TEST(MapSeries, SharesTheGroundAndDrawsWhatSingleMapsShow) {
     EXPECT_EQ(series.draw(second, &shared).rgb, draw_map(second, &alone).rgb);
     EXPECT_EQ(shared.texts.size(), alone.texts.size());
     EXPECT_EQ(shared.window.west, alone.window.west);
-    second.outlines.pop_back();  // another ground
+    second.outlines.pop_back();  // different ground
     EXPECT_EQ(series.draw(second).rgb, draw_map(second).rgb);
 }
 
@@ -265,7 +265,8 @@ TEST(Dots, ShowInViewsAndThoseOfTheFrameBeforeAreGone) {
     animation.frame(left, "t = 0 s");
     const Image second = animation.frame(right, "t = 1 s");
     EXPECT_EQ(count(second, fast), 0);
-    // The animation's scale is open above: its slowest class has the same colour only where both scales begin.
+    // The animation's scale is open above: its slowest class has the same colour only if both scales begin at the same
+    // value.
     EXPECT_GT(count(second, slow), 100);
     EXPECT_THROW(animation.frame(Dots{{{{527600, 5094500}, 0, -1}}, 1}, ""), Error)
         << "a speed that the legend has not";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No text is cut off or covers another, at any size and with any of the things a map may hold.
+// No text is cut off or covers another, at any size and with any content of a map.
 #include <gtest/gtest.h>
 
 #include "render/animation/animation.h"
@@ -27,7 +27,7 @@ void expect_tidy(const std::vector<TextBox>& texts, const PageBox& page, const I
     for (std::size_t i = 0; i < texts.size(); ++i) {
         EXPECT_TRUE(texts[i].box.inside(page)) << texts[i].text;
         EXPECT_GE(texts[i].size_px, 9) << texts[i].text;  // DejaVu is legible from 9 pixels on
-        // Rotated or straight, letters ink at least one pixel in twelve of their box.
+        // Rotated or upright, letters ink at least one pixel in twelve of their box.
         EXPECT_GT(dark_pixels(image, texts[i].box), texts[i].box.width() * texts[i].box.height() / 12) << texts[i].text;
         for (std::size_t j = 0; j < i; ++j) {
             EXPECT_FALSE(texts[i].box.overlaps(texts[j].box)) << texts[i].text << " / " << texts[j].text;
@@ -54,7 +54,7 @@ TEST_P(AtSize, MapsAreTidy) {
     }
     for (const TextBox& text : layout.texts) {
         EXPECT_FALSE(text.box.overlaps(layout.scale_bar)) << text.text;
-        // A text is on the map or off it, never across the frame.
+        // A text is inside the map or outside, never across the frame.
         EXPECT_TRUE(text.box.inside(layout.map) || !text.box.overlaps(layout.map)) << text.text;
     }
     EXPECT_FALSE(layout.north_arrow.overlaps(layout.scale_bar));
@@ -107,7 +107,7 @@ TEST_P(AtSize, ViewsAreTidy) {
     for (const TextBox& text : layout.texts) EXPECT_FALSE(text.box.overlaps(layout.picture)) << text.text;
 }
 
-/// All that a run can put on a map: every kind of outline, all values, a animation's pace, long texts.
+/// Everything a run can put on a map: every kind of outline, all values, an animation's pace, long texts.
 MapSpec fullest_map(const Raster& ground, const Raster& layer, int width, int height) {
     MapSpec spec = test::crowded_map(ground, layer, width, height);
     spec.title = std::string(119, 'w') + "\u2026: Maximum energy head";
@@ -123,8 +123,8 @@ MapSpec fullest_map(const Raster& ground, const Raster& layer, int width, int he
     return spec;
 }
 
-// The least and the most oblong pages that output.map-size takes, and the animations made of them: what can be asked
-// for can be drawn, at the end of a run of days too.
+// The smallest and the most oblong pages that output.map-size accepts, and their animations: what is accepted can be
+// drawn, also at the end of a run of days.
 TEST(OnSmallPages, EverythingFits) {
     const Raster ground = test::terrain(), layer = test::tongue();
     for (const auto& [width, height] : {std::pair{640, 480}, {1280, 480}, {8000, 480}, {640, 8000}}) {

@@ -26,7 +26,7 @@ struct Animation {
     std::vector<Image> frames;
 };
 
-/// Decodes a animation completely, with libav's decoder and not with the writer's code.
+/// Decodes an animation completely, with libav's decoder and not with the writer's code.
 Animation decoded(const std::string& path) {
     Animation animation;
     AVFormatContext* format = nullptr;
@@ -102,13 +102,13 @@ TEST(Movie, Mp4HasItsFramesInOrderWithSizeRateAndColours) {
         const Image& frame = animation.frames[static_cast<std::size_t>(k)];
         ASSERT_EQ(frame.width, 160);
         ASSERT_EQ(frame.height, 120);
-        // The codec loses a little, BT.601 read as BT.709 would lose thirty.
+        // The codec changes colours slightly; BT.601 read as BT.709 would change them by thirty.
         EXPECT_TRUE(test::near(frame.colour(80, 30), {static_cast<std::uint8_t>(40 + 15 * k), 120, 60}, 8)) << k;
         EXPECT_TRUE(test::near(frame.colour(80, 90), {30, 40, 200}, 8)) << k;
     }
 }
 
-/// The bytes of a animation made on so many of the processors this process may use.
+/// Returns the bytes of an animation made with the given number of processors.
 std::string animation_on(int processors, const std::string& file) {
     cpu_set_t all, some;
     CPU_ZERO(&some);

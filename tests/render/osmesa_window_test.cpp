@@ -87,8 +87,7 @@ TEST(OsmesaWindow, AVtkErrorBecomesAnErrorAndNothingIsPrinted) {
         mesh->SetPolys(cells);
         vtkNew<vtkPolyDataMapper> mapper;
         mapper->SetInputData(mesh);
-        // VTK's pipeline runs while it draws; a file that is not there makes it complain, draw without and go
-        // on.
+        // VTK's pipeline runs while it draws; with a missing file it reports an error, draws without it and continues.
         vtkNew<vtkPNGReader> reader;
         reader->SetFileName("there is no such picture.png");
         vtkNew<vtkTexture> texture;

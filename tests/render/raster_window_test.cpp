@@ -49,7 +49,7 @@ TEST(RasterWindow, InterpolationIsExactOnAPlaneAndKeepsGaps) {
     EXPECT_TRUE(std::isnan(interpolated(plane, {120.5, 479.5})));
     const Point beside = plane.grid.cell_centre(10, 11);
     EXPECT_NEAR(interpolated(plane, beside), 3 * beside.x - beside.y,
-                1e-9);  // a gap has no share at a centre
+                1e-9);  // a gap has no weight at a centre
 }
 
 TEST(RasterWindow, DataBoundsAndCells) {

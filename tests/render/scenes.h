@@ -27,7 +27,7 @@ inline Raster terrain() {
     return raster;
 }
 
-/// A tongue down the middle of that slope: depths 0 to `deepest`, NaN round it.
+/// A tongue down the middle of that slope: depths 0 to `deepest`, NaN around it.
 inline Raster tongue(double deepest = 9.5) {
     Raster raster(terrain().grid, k_no_data);
     for (std::int64_t row = 20; row < 85; ++row) {
@@ -48,7 +48,7 @@ inline MultiPolygon square(Point centre, double half) {
                     {}}};
 }
 
-/// A map with everything on it. The rasters must outlive it.
+/// A map with all elements. The rasters must outlive it.
 inline MapSpec full_map(const Raster& ground, const Raster& layer, int width, int height) {
     MapSpec spec;
     spec.title = "Maximum flow depth";
@@ -68,8 +68,8 @@ inline MapSpec full_map(const Raster& ground, const Raster& layer, int width, in
     return spec;
 }
 
-/// Degrees of a made-up projection: a thousandth of a degree for 80 m to the east, 110 m to the north,
-/// sheared a little.
+/// Degrees of an invented projection: a thousandth of a degree for 80 m to the east, 110 m to the north, slightly
+/// sheared.
 inline Point degrees_at(Point map) {
     const double x = map.x - 527000, y = map.y - 5094000;
     return {9.35 + x / 80e3 + y / 4e6, 46.0 + y / 110e3 - x / 5e6};
@@ -95,7 +95,7 @@ inline bool near(Rgb a, Rgb b, int tolerance) {
     return std::abs(a.r - b.r) <= tolerance && std::abs(a.g - b.g) <= tolerance && std::abs(a.b - b.b) <= tolerance;
 }
 
-/// A folder of its own for each test, removed with what is in it.
+/// A separate folder for each test, removed with its contents.
 class Folder {
   public:
     explicit Folder(const std::string& name)

@@ -17,7 +17,7 @@ ViewSpec view(const Raster& ground, const Raster& layer) {
     ViewSpec spec;
     spec.title = "Maximum depth";
     spec.legend_title = "Maximum depth";
-    spec.unit = std::string("m");  // from a literal, GCC 12 warns of an overlap that cannot be
+    spec.unit = std::string("m");  // from a literal, GCC 12 warns of an impossible overlap
     spec.terrain = &ground;
     spec.layer = &layer;
     spec.width = 800;
@@ -46,7 +46,7 @@ TEST(View, AGivenCameraBehindTheSlopeIsRaisedOverIt) {
     EXPECT_GT(layout.camera.elevation_deg, 20);
     spec.camera = Camera{0, 30, 1};
     draw_view(spec, &layout);
-    EXPECT_EQ(layout.camera.elevation_deg, 30);  // sees it all
+    EXPECT_EQ(layout.camera.elevation_deg, 30);  // all of it is visible
 }
 
 TEST(View, LooksUphillFromBeforeTheFront) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Material that flows in through a line: the hydrograph's volume to rounding, and the uniform flow that discharge
-// and slope must give.
+// Inflow through a line: the hydrograph's volume up to rounding, and the uniform flow given by discharge and slope.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +28,7 @@ TEST(CutHydrograph, KeepsTheVolumeUntilTheEnd) {
         // Q / v is 2.5 m2 at every time, and so is every row's section.
         EXPECT_NEAR(row.volume / row.length, 2.5, 1e-9);
     }
-    // Trapezia by hand: 500 m3 until 100 s, then (10 + 7.5) / 2 x 50 m3.
+    // Trapezoidal sums by hand: 500 m3 until 100 s, then (10 + 7.5) / 2 x 50 m3.
     const auto cut = cut_hydrograph(triangle, 2.5, 150);
     EXPECT_NEAR(sum_of(cut), 937.5, 1e-12 * 937.5);
     EXPECT_EQ(cut.back().time, 150);
@@ -72,7 +71,7 @@ Scene channel_scene() {
 }
 
 // Steady uniform flow on a plane: v^2 = xi h (S - mu). One metre deep: v = sqrt(500 x 0.08) = 6.32 m/s, twice the
-// critical speed, so that what comes in decides.
+// critical speed, so that the inflow determines it.
 TEST(Inflow, GivesTheUniformFlowOfItsDischarge) {
     Scene scene = channel_scene();
     const double speed = std::sqrt(500 * 0.08), discharge = speed * 20;
@@ -80,20 +79,20 @@ TEST(Inflow, GivesTheUniformFlowOfItsDischarge) {
     scene.time.frame_interval = 20;
     RunOptions options;
     Raster velocity;
-    options.on_frame = [&](const Frame& frame) { velocity = frame.velocity; };  // the last one stays
+    options.on_frame = [&](const Frame& frame) { velocity = frame.velocity; };  // the last one is kept
     const RunResult result = run(scene, options);
     EXPECT_NEAR(result.volume_inflow, discharge * 20, 1e-12 * discharge * 20);
     EXPECT_NEAR(result.volume_final + result.volume_left, result.volume_entered, 1e-12 * result.volume_entered);
     EXPECT_TRUE(result.hard_events.none());
-    // From 42 m to 80 m, where the front passed long ago and the jolt behind the line, a few cells long, has faded: one
-    // per cent. Without the pressure that the rows bring with them it would be six.
+    // From 42 m to 80 m, where the front passed long ago and the disturbance behind the line, a few cells long, has
+    // decayed: one per cent. Without the rows' pressure it would be six.
     for (std::int64_t c = 21; c < 40; ++c) {
         for (std::int64_t r = 1; r < 9; ++r) {
             EXPECT_NEAR(result.final_depth.at(r, c), 1, 0.01) << "column " << c;
             EXPECT_NEAR(velocity.at(r, c), speed, 0.01 * speed) << "column " << c;
         }
     }
-    // The front of a supercritical uniform flow keeps near its speed: neither held back at the line nor thrown.
+    // The front of a supercritical uniform flow moves near its speed: neither delayed at the line nor ejected.
     EXPECT_NEAR(result.series.back().front_distance, speed * 20, 0.25 * speed * 20);
 }
 
@@ -112,7 +111,8 @@ TEST(Inflow, SeriesAndThreadsAgree) {
               0);
     EXPECT_NEAR(one.volume_entered, 0.5 * 90 * 6 + 20 * 12, 1e-12 * one.volume_entered);
     EXPECT_TRUE(one.released[0].failed);
-    // What failed and flowed in later belongs to the budget: against the initial volume it would be off by all.
+    // Material that failed and flowed in later is part of the budget: relative to the initial volume the error would be
+    // 100 %.
     EXPECT_EQ(one.volume_initial, 0);
     EXPECT_LT(relative_volume_error(one), 1e-11);
     for (const SeriesRow& row : one.series)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Areas that fail at their own time with their own velocity, and walls that no flow passes.
+// Areas that fail at separate times with separate velocities, and walls that no flow passes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,7 +44,7 @@ TEST(LateRelease, ComesInWholeAtItsTime) {
     EXPECT_NEAR(result.volume_entered, first + second, 1e-12 * second);
     EXPECT_GE(result.arrival_time.at(15, 10), 3);  // in the middle of the second area
     EXPECT_LT(result.arrival_time.at(35, 10), 1);
-    // The bed lies under both, by their thicknesses.
+    // The bed is below both, by their thicknesses.
     EXPECT_NEAR(scene.terrain.at(15, 10) - result.bed.at(15, 10), 3, 1e-9);
     EXPECT_NEAR(result.release.at(15, 10), 3, 1e-9);
     EXPECT_TRUE(result.released[1].failed);
@@ -54,7 +54,7 @@ TEST(LateRelease, ComesInWholeAtItsTime) {
     EXPECT_NEAR(shorter.volume_entered, first, 1e-12 * first);
 }
 
-// Over ground that has not failed yet, an earlier mass must not fall into the hole of a later one: it slides at the
+// On ground that has not failed yet, an earlier mass must not fall into the hollow of a later one: it slides at the
 // speed of the plane, as if there were no second area. Until the second fails, both runs have the same bits.
 TEST(LateRelease, IsGroundUntilItFails) {
     Scene alone = plane_scene(0.5);
@@ -72,7 +72,7 @@ TEST(LateRelease, IsGroundUntilItFails) {
     }
 }
 
-// What falls on something makes it deeper in the same instant: one metre on one metre of still water.
+// Material released onto other material makes it deeper immediately: one metre on one metre of still water.
 TEST(LateRelease, LiesOnWhatIsThere) {
     Scene scene = plane_scene(0);
     scene.release = {{{box(0, 0, 200, 100)}, 1}};
@@ -82,7 +82,7 @@ TEST(LateRelease, LiesOnWhatIsThere) {
     Flow flow(pool.bed, pool.particles, scene.material, scene.numerics, 1);
     flow.add_particles(more.particles);
     const Raster depth = flow.nodal_fields().depth;
-    // A cell and a half from the new mass's edge the splines see nothing of it; 1e-9 is rounding.
+    // A cell and a half from the new mass's edge the splines do not reach it; 1e-9 is rounding.
     for (std::int64_t r = 18; r < 32; ++r)
         for (std::int64_t c = 33; c < 67; ++c) EXPECT_NEAR(depth.at(r, c), 2, 1e-9);
     EXPECT_NEAR(depth.at(5, 10), 1, 1e-9);
@@ -123,7 +123,7 @@ TEST(ReleaseVolume, IsSharedByAllAreas) {
     EXPECT_NEAR(release.areas[1].scaled, 2.5, 1e-12);
 }
 
-// A wall one cell thick across the way of a steep, fast mass: nothing gets behind it, nothing is lost.
+// A wall one cell thick across the path of a steep, fast mass: nothing gets behind it, nothing is lost.
 TEST(Walls, HoldWhatRunsAgainstThem) {
     Scene scene = plane_scene(0.5);
     scene.release = {{{box(10, 10, 40, 90)}, 3}};

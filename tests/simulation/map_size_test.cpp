@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cost of a flow follows the flow, not the map it runs on.
+// The cost of a flow depends on the flow, not on the size of its map.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -20,7 +20,7 @@ std::unique_ptr<Flow> pile_on_map(std::int64_t columns) {
                                   numerics(Scheme::standard, SlopeCorrection::normal, Boundary::open), 1);
 }
 
-// Memory really held by this process [bytes].
+// Resident memory of this process [bytes].
 std::int64_t resident_bytes() {
     std::ifstream file("/proc/self/statm");
     std::int64_t pages = 0, resident = 0;
@@ -41,7 +41,7 @@ TEST(MapSize, DoesNotChangeTheFlowNorWhatAStepTouches) {
     ASSERT_EQ(small->particles().size(), large->particles().size());
     for (std::size_t p = 0; p < small->particles().size(); ++p)
         ASSERT_EQ(small->particles()[Field::x][p], large->particles()[Field::x][p]);
-    // The large map's node records would take 36 MB. A page holds 42 nodes of a row: rows of a tile may share none.
+    // The large map's node records would need 36 MB. A page contains 42 nodes of a row: rows of a tile may share none.
     const auto whole = static_cast<std::int64_t>(600 * 600 * large->bytes_per_node());
     EXPECT_LT(grown, whole / 4) << "nodes far from the flow take memory";
 }

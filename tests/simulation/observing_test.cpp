@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who looks on changes nothing: with frames or without, at any interval, with gauges, saved often or never, by any
+// Observation changes nothing: with frames or without, at any interval, with gauges, saved often or never, by any
 // number of threads, a run has the same rasters, series and values, bit for bit.
 #include "played_runs.h"
 
@@ -11,7 +11,7 @@ struct Case {
     Scene (*scene)();
 };
 
-// As the scene is, without frames, saved once.
+// The scene unchanged, without frames, saved once.
 Played unobserved(Scene scene) {
     scene.time.frame_interval = 0;
     return play(scene, 1, 1'000'000'000);
@@ -35,8 +35,8 @@ TEST_P(Observed, FramesChangeNothing) {
     }
 }
 
-// The first state at or after each asked time, at the end of a step that the series lists; none twice. None shows more
-// than the greatest values over time do.
+// The first state at or after each requested time, at the end of a step in the series; none twice. None exceeds the
+// greatest values over time.
 TEST_P(Observed, FramesAreTheFirstStatesThatReachTheirTimes) {
     Scene scene = GetParam().scene();
     for (const double interval : {1e-3, 0.37}) {

@@ -19,8 +19,8 @@ double square(double value) {
     return value * value;
 }
 
-// 60 x 44 cells of 4 m far from the origin of their coordinates: a crooked gully that falls to the
-// south-east, and a release of five corners that lie on no cell's edge.
+// 60 x 44 cells of 4 m far from the origin of their coordinates: a curved gully that falls to the south-east, and a
+// release with five corners on no cell's edge.
 Scene gully() {
     Scene scene;
     GridSpec& grid = scene.grid;
@@ -89,7 +89,7 @@ TEST(PlacedScene, GroundLiesWhereTheTurnedOutlineLies) {
     for (const GridPlacement& placement : {GridPlacement{0.5, 0}, GridPlacement{0, 30}, GridPlacement{0, 45}}) {
         const PlacedScene placed = placed_otherwise(scene, placement);
         const Scene& other = placed.scene;
-        // Two corners of the outline tell where a place of the new grid lies on the old one.
+        // Two corners of the outline define where a place of the new grid is on the old one.
         const auto& from = scene.release[0].outline[0].outer;
         const auto& to = other.release[0].outline[0].outer;
         const double turn = placement.turn_deg * k_degree, c = std::cos(turn), s = std::sin(turn);
@@ -160,9 +160,8 @@ TEST(PlacedScene, WhatLeavesTheGroundDoesNotComeBack) {
         ASSERT_EQ(fenced.scene.walls->values[i], fenced.inside.values[i] == 0 ? 1 : 0);
 }
 
-// In a whole scene, over hundreds of steps in which thousands of particles split and merge: sums run in
-// another order, and rounding grows as neighbours run apart (1e-9 here); one particle that splits otherwise
-// is seen at 1e-4.
+// In a whole scene, over hundreds of steps in which thousands of particles split and merge: sums are in another order,
+// and rounding is amplified as neighbours diverge (1e-9 here); one particle that splits differently gives 1e-4.
 TEST(PlacedScene, AFlowTurnedByAQuarterIsTheSameButForRounding) {
     const Scene scene = gully();
     RunOptions options;

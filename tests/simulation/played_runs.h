@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs that tests save, interrupt and look at, of both models and all that can happen along the way; compared bit for
-// bit.
+// Runs that tests save, interrupt and observe, of both models with all events; compared bit for bit.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -41,7 +40,7 @@ inline Scene hillside() {
     return scene;
 }
 
-// All that arrives, is recorded and is changed along the way.
+// With all arrivals, recordings and changes during the run.
 inline Scene eventful() {
     Scene scene = hillside();
     scene.terrain_contains_release = true;
@@ -65,7 +64,7 @@ inline Scene eventful() {
     return scene;
 }
 
-// Long enough for most of it to rest, and for resting tiles to be woken by a second mass.
+// Long enough for most of it to come to rest, and for tiles at rest to be reactivated by a second mass.
 inline Scene resting() {
     Scene scene = hillside();
     scene.material.friction_coefficient = 0.5;
@@ -76,7 +75,7 @@ inline Scene resting() {
     return scene;
 }
 
-// Ends when its values have stopped changing.
+// Ends when its results have stopped changing.
 inline Scene settling() {
     Scene scene = hillside();
     scene.time.end = 300;
@@ -130,7 +129,7 @@ inline Scene fluid() {
     return scene;
 }
 
-// Blocks that break and set their fluid free, until some leave through the edge.
+// Blocks that break and release their fluid, until some leave through the edge.
 inline Scene breaking() {
     Scene scene = hillside();
     StructuredMaterial& material = scene.structured.emplace();
@@ -172,7 +171,7 @@ struct Played {
     std::vector<std::int64_t> steps;
 };
 
-// Saves after every `every`th step; from a state, or from the start. Stops on request after the step `stop`.
+// Saves after every `every`th step; starts from a state, or from the beginning. Stops on request after the step `stop`.
 inline Played play(const Scene& scene, int threads, std::int64_t every, const Bytes* from = nullptr,
                    std::int64_t stop = 0) {
     Played played;
@@ -253,7 +252,7 @@ inline void expect_same(const RunResult& a, const RunResult& b) {
     for (std::size_t i = 0; i < a.released.size(); ++i) EXPECT_EQ(a.released[i].failed, b.released[i].failed);
 }
 
-// All but the wall time, which comes first.
+// Compares all but the wall time, which comes first.
 inline bool same_state(const Bytes& a, const Bytes& b) {
     return a.size() == b.size() && std::equal(a.begin() + sizeof(double), a.end(), b.begin() + sizeof(double));
 }

@@ -12,8 +12,8 @@
 namespace frana::test {
 namespace {
 
-// Ritter's dam break, 10 m over dry ground: at the dam the depth is 4/9 of 10 m, the speed 2/3 sqrt(g 10 m)
-// and the discharge 8/27 10 m sqrt(g 10 m) a metre of width, from the first moment and for ever.
+// Ritter's dam break, 10 m over dry ground: at the dam the depth is 4/9 of 10 m, the speed 2/3 sqrt(g 10 m) and the
+// discharge 8/27 10 m sqrt(g 10 m) per metre of width, from the first moment and for ever.
 class AtTheDam : public ::testing::Test {
   protected:
     static constexpr double k_end = 20;
@@ -48,7 +48,7 @@ class AtTheDam : public ::testing::Test {
 
 TEST_F(AtTheDam, DischargeAndVolumeAreRitters) {
     Recording recording;
-    // From the south to the north the flow passes to the right; the other way to the left.
+    // From the south to the north the flow passes to the right; in the other direction to the left.
     recording.sections = {{"north", {dam(0), dam(width())}}, {"south", {dam(width()), dam(0)}}};
     recording.gauges = {{"dam", dam(width() / 2)}};
     record(recording);
@@ -63,8 +63,8 @@ TEST_F(AtTheDam, DischargeAndVolumeAreRitters) {
         EXPECT_EQ(row.discharge > 0, row.section == 0);
         EXPECT_NEAR(row.wetted_width, width(), 1e-9);
     }
-    // What the nodes say has passed against what the particles say, who cross column by column: 1.25 m of
-    // them side by side hold 125 m3, so their sum is known to half of that.
+    // The volume passed by the nodes against that by the particles, which cross column by column: a column of 1.25 m
+    // contains 125 m3, so their sum is accurate to half of that.
     const SectionRow& last = result_.sections[result_.sections.size() - 2];
     EXPECT_NEAR(last.volume, beyond_, 0.5 * 10 * 1.25 * width());
     EXPECT_NEAR(result_.sections.back().volume, -last.volume, 1e-9 * beyond_);

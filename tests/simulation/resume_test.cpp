@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run that is saved and goes on elsewhere is the run that never stopped: same result, same frames, and the same state
-// at every later moment, bit for bit, whatever the number of threads before and after.
+// A run that is saved and resumed elsewhere equals the run that never stopped: same result, same frames, and the same
+// state at every later moment, bit for bit, for any number of threads before and after.
 #include <gtest/gtest.h>
 
 #include "core/error.h"
@@ -41,7 +41,7 @@ TEST_P(Resume, EndsAsNeverInterrupted) {
     }
 }
 
-// A stop shows the flow as it is then, which must not leave a mark on what comes after.
+// A stop writes the flow's state, which must not affect the later run.
 TEST_P(Resume, GoesOnAfterAStopOnRequest) {
     const Scene scene = GetParam().scene();
     const std::int64_t never = 1'000'000'000, at = 2 * GetParam().every - 1;
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(, Resume,
                                          Case{"loose_and_dry", loose_and_dry, 15}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
-// Of another grid, of another model, cut short, with a count that no file could hold.
+// Of another grid, of another model, truncated, with an impossible count.
 TEST(ResumeRefuses, AStateThatDoesNotFit) {
     const Scene scene = hillside();
     const Bytes whole = play(scene, 1, 60).states.front();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must not happen is seen at the step at which it happens, with its place.
+// Forbidden events are detected at the step at which they occur, with their place.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ using Kind = RunProblem::Kind;
 
 enum class Of { mass, fluid, solids };
 
-// 2 m on a slope of 1 : 2 that runs out on the flat; it falls 30 m.
+// 2 m on a slope of 1 : 2 that ends on the flat; it falls 30 m.
 Scene slope(Of of) {
     Scene scene;
     scene.grid = {600000, 5000120, 2, 120, 60, ""};
@@ -60,8 +60,8 @@ TEST_P(AnyMaterial, AGoodRunHasNoProblem) {
     EXPECT_TRUE(result.run_problems.empty());
 }
 
-// A flume of cells of 2 cm and a slope a hundred times as large, with outlines that pass the cells' edges by
-// nothing.
+// A flume of cells of 2 cm and a slope a hundred times as large, with outlines that exceed the cells' edges by a
+// rounding error.
 TEST(RunProblem, AnOutlineThatPassesTheCellsByNothingIsNone) {
     for (const double scale : {1.0, 100.0}) {
         for (const double over : {1e-10, 1e-9, 3e-9}) {
@@ -89,7 +89,7 @@ TEST(RunProblem, AnOutlineThatPassesTheCellsByNothingIsNone) {
     }
 }
 
-// Water that lies there from the start, higher and deeper than what is released, may be as fast as its own fall.
+// Initial water, higher and deeper than the release, may be as fast as its own fall.
 TEST(RunProblem, WaterThatLiesHigherThanTheReleaseIsNone) {
     Scene scene = slope(Of::fluid);
     scene.release[0].outline = {{{{600100, 5000040}, {600110, 5000040}, {600110, 5000060}, {600100, 5000060}}, {}}};
@@ -104,7 +104,7 @@ TEST(RunProblem, WaterThatLiesHigherThanTheReleaseIsNone) {
     EXPECT_GT(fastest, 5);  // the release alone could do sqrt(2 g 0.1) + 2 sqrt(g 0.1) = 3.4 m/s
 }
 
-// A mass that starts at 1e200 m/s: the first step cannot be told in numbers.
+// A mass that starts at 1e200 m/s: the first step overflows.
 TEST_P(AnyMaterial, NumbersThatAreNoneEndTheRunAtTheirStep) {
     Scene scene = slope(GetParam());
     scene.release[0].speed = 1e200;
@@ -114,7 +114,7 @@ TEST_P(AnyMaterial, NumbersThatAreNoneEndTheRunAtTheirStep) {
     options.on_problem = [&](const RunProblem& run_problem) { seen.push_back(run_problem); };
     options.on_frame = [&](const Frame& frame) {
         ++frames;
-        // The start's own speed squared is already beyond numbers.
+        // The square of the initial speed already overflows.
         if (frame.time > 0) {
             EXPECT_TRUE(finite_or_no_data(frame.depth) && finite_or_no_data(frame.velocity));
         }
@@ -139,13 +139,13 @@ double bound_of(const Scene& scene) {
 
 TEST_P(AnyMaterial, TheBoundIsWhatTheFallAllows) {
     Scene scene = slope(GetParam());
-    // The release's highest cell, the one that begins at x = 20 m, lies 20 m above the flat; 2 m deep.
+    // The release's highest cell, the one that begins at x = 20 m, is 20 m above the flat; 2 m deep.
     EXPECT_NEAR(bound_of(scene), std::sqrt(2 * 9.81 * (0.5 * (60 - 20) + 2)) + 2 * std::sqrt(9.81 * 2), 1e-9);
     scene.release[0].speed = 5;
     EXPECT_NEAR(bound_of(scene) - bound_of(slope(GetParam())), 5, 1e-9) << "what moves from the start may go on";
 }
 
-// Blocks of 2 MPa that hook on a corner and tear off: 2 T / (rho c) = 2 * 2.4034 MPa / (1700 kg/m3 * 129.845 m/s).
+// Blocks of 2 MPa that catch on a corner and tear off: 2 T / (rho c) = 2 * 2.4034 MPa / (1700 kg/m3 * 129.845 m/s).
 TEST(RunProblem, StrongSolidsMaySpringBack) {
     Scene scene = slope(Of::solids);
     const double loose = bound_of(scene);
@@ -157,11 +157,11 @@ TEST(RunProblem, StrongSolidsMaySpringBack) {
     EXPECT_NEAR(bound_of(scene) - loose, 21.776, 0.005);
 }
 
-// One of the grounds that `frana bench stability` fails on: a needle one cell wide and 30 m high in the way.
+// One of the terrains on which `frana bench stability` fails: a needle one cell wide and 30 m high in the path.
 TEST(RunProblem, ASpeedAboveTheBoundEndsTheRunAtItsStep) {
     Scene scene = slope(Of::mass);
     scene.material.friction_coefficient = 0.1;
-    scene.numerics.curvature = false;  // with it the speed stays under the bound
+    scene.numerics.curvature = false;  // with it the speed remains below the bound
     scene.terrain.at(30, 25) += 60;
     scene.terrain.at(30, 16) += 60;
     scene.time.end = 10;
@@ -177,7 +177,7 @@ TEST(RunProblem, ASpeedAboveTheBoundEndsTheRunAtItsStep) {
     ASSERT_TRUE(seen.place);
 }
 
-// The engine loses nothing; values that do must be seen.
+// The engine loses nothing; a lost volume must be detected.
 TEST(RunProblem, AVolumeThatDoesNotAddUpIsSeen) {
     const Scene scene = slope(Of::mass);
     const Release release = make_release(scene);

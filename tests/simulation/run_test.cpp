@@ -8,7 +8,7 @@
 namespace frana {
 namespace {
 
-// A slide of 2 m on a 27 degree slope that runs out on the flat.
+// A slide of 2 m on a 27 degree slope that ends on the flat.
 Scene slide() {
     Scene scene;
     scene.grid = {600000, 5000120, 2, 120, 60, ""};
@@ -96,7 +96,7 @@ TEST(Estimate, CountsWithoutRunning) {
     EXPECT_GT(e.first_step_seconds, 0);
 }
 
-// Ends at the first step under the fraction of the peak, and not before.
+// Ends at the first step below the fraction of the peak, and not before.
 TEST(Run, EndsAtAShareOfThePeakOfKineticEnergy) {
     Scene scene = slide();
     scene.time.stop_energy_fraction = 0.05;
@@ -144,7 +144,7 @@ TEST(Run, ErosionIsInTheBudgetAndInTheRasters) {
     EXPECT_FALSE(run(scene, {}).exchanges);
 }
 
-// Every row of the series says where all the volume is, with erosion, deposition, late areas, inflow and outflow.
+// Every row of the series accounts for all the volume, with erosion, deposition, late areas, inflow and outflow.
 TEST(Run, EveryRowOfTheSeriesClosesItsBalance) {
     Scene scene = slide();
     for (std::int64_t r = 0; r < 60; ++r)  // down to the eastern edge

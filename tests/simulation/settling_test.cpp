@@ -20,7 +20,7 @@ double apart(const Raster& a, const Raster& b) {
 
 class Settles : public testing::TestWithParam<bool> {};
 
-// What is shown then is what a run ten times as long shows.
+// The results then are those of a run ten times as long.
 TEST_P(Settles, WithTheValuesOfAMuchLongerRun) {
     Scene scene = GetParam() ? fluid() : hillside();
     scene.inflows.clear();
@@ -46,7 +46,7 @@ TEST_P(Settles, WithTheValuesOfAMuchLongerRun) {
 
 INSTANTIATE_TEST_SUITE_P(, Settles, testing::Values(false), [](const auto&) { return "Mass"; });
 
-// Down a plane without end it never does, however slowly it goes.
+// On an infinite plane it never settles, however slowly it moves.
 TEST(Settling, NeverWhileItRunsOn) {
     Scene scene;
     scene.grid = {0, 100, 5, 400, 20, ""};
@@ -62,7 +62,7 @@ TEST(Settling, NeverWhileItRunsOn) {
     EXPECT_EQ(run(scene, {}).stop_reason, StopReason::end_time);
 }
 
-// What begins to move slowly changes nothing for a while: its kinetic energy is then at its peak.
+// A mass that begins to move slowly changes nothing for a while: its kinetic energy is then at its peak.
 TEST(Settling, NeverBeforeItHasBegun) {
     Scene scene = hillside();
     scene.release[0].outline = {box(10, 40, 40, 80)};
@@ -74,7 +74,7 @@ TEST(Settling, NeverBeforeItHasBegun) {
     EXPECT_EQ(result.stop_reason, StopReason::end_time) << result.simulated_seconds;
 }
 
-// Later areas and inflows are waited for, and the window begins with them.
+// The run waits for later areas and inflows, and the window begins with them.
 TEST(Settling, WaitsForWhatComesLater) {
     Scene scene = hillside();
     scene.release.push_back({{box(60, 50, 80, 70)}, 2});

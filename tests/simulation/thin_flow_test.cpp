@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A flow thinner than what maps show is not at rest while it moves, and what is released so thin is refused.
+// A flow thinner than visible on maps is not at rest while it moves, and a release so thin is refused.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace frana {
 namespace {
 
-// Cells of a size on an even slope of 17 degrees without friction, and a release in the middle of its upper part.
+// Cells of a given size on an even slope of 17 degrees without friction, and a release in the middle of its upper part.
 Scene slope(double cell, double side, double thickness, bool fluid) {
     Scene scene;
     scene.grid = {0, 40 * cell, cell, 80, 40, ""};
@@ -46,7 +46,7 @@ TEST_P(ThinFlow, AWideFilmIsRefusedWithTheKeyThatShowsIt) {
         EXPECT_NE(said.find("Set numerics.minimum-depth = 0.0005 or less"), std::string::npos) << said;
     }
     EXPECT_THROW(estimate(scene, 1), Error);
-    // As it says: then the map shows it, far down the slope.
+    // Following the remedy: then the map shows it, far down the slope.
     scene.numerics.minimum_depth = 0.0005;
     const RunResult result = run(scene, {});
     EXPECT_EQ(result.stop_reason, StopReason::end_time);
@@ -62,10 +62,10 @@ TEST_P(ThinFlow, AReleaseSmallerThanACellIsRefused) {
     EXPECT_THROW(run(scene, {}), Error);
 }
 
-// Two centimetres on a flume of 4 m: soon thinner than the one that counts, and still going.
+// Two centimetres on a flume of 4 m: soon thinner than the minimum depth, and still moving.
 TEST_P(ThinFlow, AFlumeIsNotAtRestWhileItFlows) {
     Scene scene = slope(0.05, 0.25, 0.02, GetParam());
-    scene.time.end = 10;  // of fluid, what is left after 15 s is thinner than what the solver moves
+    scene.time.end = 10;  // of fluid, the rest after 15 s is thinner than the solver moves
     const RunResult result = run(scene, {});
     EXPECT_NE(result.stop_reason, StopReason::still) << result.simulated_seconds;
     EXPECT_GT(result.thin_fraction, 0.5);

@@ -34,7 +34,7 @@ inline Numerics numerics(Scheme scheme, SlopeCorrection slope, Boundary boundary
     return n;
 }
 
-/// Bed elevation as the default scheme sees it, through quadratic splines from the nodes.
+/// Bed elevation by the default scheme: quadratic splines from the nodes.
 inline std::function<double(Point)> spline_bed(const Raster& bed, Boundary boundary) {
     auto nodes = std::make_shared<NodeGrid>(bed);
     if (boundary == Boundary::wall) mirror_bed(*nodes);

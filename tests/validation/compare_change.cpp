@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Change of elevation by a run of frana's beside a surveyed one, for share/doc/validation.md.
+// Compares the change of elevation of a result with a surveyed one, for share/doc/validation.md.
 //
 //     compare_change RESULT_DIR SURVEYED.tif
 //
-// The run must have taken the release out of the DTM. Its change is: deposit less release, less what was eroded, plus
-// what was deposited into the bed.
+// The run must have removed the release from the DTM. Its change is: deposit minus release, minus erosion, plus
+// deposition into the bed.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables and pictures of share/doc/validation.md: a result of frana's beside other codes' rasters of the same case.
+// The tables and pictures of share/doc/validation.md: a result of frana beside other codes' rasters of the same case.
 //
 //     compare_codes RESULT_DIR MODELS_DIR THRESHOLD OUT.png TITLE
 //
-// MODELS_DIR holds each code's greatest thickness, normal to the bed, as *_pft.tif or *_h_max.tif. Prints a Markdown
-// row of frana's values with thickness measured the same way, and draws for every cell how many codes went over the
+// MODELS_DIR contains each code's greatest thickness, normal to the bed, as *_pft.tif or *_h_max.tif. Prints a Markdown
+// row of frana's values with thickness measured the same way, and draws for every cell how many codes exceeded the
 // threshold [m] with frana's outline on it.
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,7 @@ int compare(const std::string& result, const std::string& models, double thresho
     std::printf("| frana | %.1f | %.1f | %.0f | %.0f | %.0f |\n", maximum(thickness), maximum(speed),
                 area_over(thickness, 0.1), area_over(thickness, 0.5), area_over(thickness, 1));
 
-    GridSpec local = bed.grid;  // the codes' files mostly name no CRS; their coordinates are the terrain's
+    GridSpec local = bed.grid;  // most of the codes' files name no CRS; their coordinates are the terrain's
     local.crs_wkt.clear();
     Raster codes(bed.grid);
     const std::vector<std::string> files = thickness_files(models);

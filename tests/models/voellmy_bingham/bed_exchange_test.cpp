@@ -26,7 +26,7 @@ double sum_of(const Raster& raster) {
     return sum;
 }
 
-// A sheet 1 m thick at 5 m/s on flat ground, with so little gravity that nothing pushes it.
+// A sheet 1 m thick at 5 m/s on flat ground, with so little gravity that nothing accelerates it.
 Flow drifting_sheet(const Entrainment& entrainment, Scheme scheme = Scheme::standard) {
     const GridSpec grid = bench::plain_grid(120, 20, 1);
     const ParticleSet seeds = bench::fill_lattice(grid, 2, 0.5, [](Point p) {
@@ -36,7 +36,7 @@ Flow drifting_sheet(const Entrainment& entrainment, Scheme scheme = Scheme::stan
     material.density = k_density;
     Numerics how = numerics(scheme, SlopeCorrection::normal, Boundary::open);
     how.gravity = 1e-12;
-    how.curvature = false;  // what is laid down would turn the motion
+    how.curvature = false;  // deposited material would deflect the motion
     return Flow(Raster(grid), seeds, material, how, 2, std::nullopt, {}, entrainment);
 }
 
@@ -54,7 +54,7 @@ TEST_P(Growth, IsExponentialInTheWayAndKeepsMassAndMomentum) {
     EXPECT_NEAR(now, volume + flow.exchanged().eroded, 1e-12 * now);
     EXPECT_NEAR(sum_of(flow.eroded_depth()), flow.exchanged().eroded, 1e-12 * now);
     EXPECT_NEAR(momentum_x(flow), momentum, 1e-12 * momentum) << "what is taken up is at rest";
-    // V = V_0 exp(E S), for the uniform sheet's mean way; a step is of first order.
+    // V = V_0 exp(E S), for the uniform sheet's mean distance; the step is of first order.
     const double exact = volume * std::exp(e.growth_rate * (flow.centroid().x - start));
     EXPECT_GT(exact, 1.05 * volume);
     EXPECT_NEAR(now - volume, exact - volume, 0.02 * (exact - volume));
@@ -75,7 +75,7 @@ TEST(Growth, EndsWithTheErodibleLayer) {
     EXPECT_NEAR(flow.volume(), 400 + flow.exchanged().eroded, 1e-12 * 400);
 }
 
-// A wide slab that slides steadily in a tilted frame: friction equals the drive, so the stress at the bed is
+// A wide slab that slides steadily in a tilted frame: friction equals the driving force, so the stress at the bed is
 // rho d g_x.
 struct SteadySlab {
     double eroded, deposited, speed;
@@ -111,7 +111,7 @@ TEST(ShearStressErosion, DigsAtItsRateDownToItsPotentialDepth) {
     e.critical_shear = 2000;
     // tau = 2000 kg/m3 x 1 m x 2 m/s2 = 4 kPa: 2 kPa above the critical stress.
     EXPECT_NEAR(steady_slab(e, 2, 4, 1).eroded, 0.025, 0.01 * 0.025);
-    e.potential_depth = 1e-5;  // 0.02 m for 2 kPa, and 0.01 m for each kPa that the growing slab adds
+    e.potential_depth = 1e-5;  // 0.02 m for 2 kPa, and 0.01 m for each kPa added by the growing slab
     const double depth = steady_slab(e, 2, 4, 3).eroded;
     EXPECT_NEAR(depth, 0.02 / (1 - 1e-5 * k_density * 2), 0.01 * 0.02);
     e.critical_shear = 4500;
@@ -126,7 +126,7 @@ TEST(MechanicalErosion, IsTheExcessOfStressOverMomentum) {
     e.bed_cohesion = 500;
     e.bed_pore_pressure_ratio = 0.2;
     e.velocity_ratio = 0.8;
-    // Strength 500 + 0.8 x 18000 x 0.1 = 1940 Pa; the rate grows with the slab and its slowing: a short time.
+    // Strength 500 + 0.8 x 18000 x 0.1 = 1940 Pa; the rate increases with the slab and as it slows down: a short time.
     const double rate = (4000 - 1940) / (k_density * 0.8 * 4), time = 0.05;
     EXPECT_NEAR(steady_slab(e, 2, 4, time).eroded, rate * time, 0.03 * rate * time);
 }
@@ -144,9 +144,9 @@ TEST(Deposition, SettlesAtItsRateWhereStressIsBelowCapacity) {
     e.deposition = true;
     e.deposition_rate = 0.02;
     e.deposition_shear = 5000;
-    // Still on level ground: tau = 0, the full rate.
+    // At rest on level ground: tau = 0, the full rate.
     EXPECT_NEAR(steady_slab(e, 0, 0, 5).deposited, 0.02 * 5, 1e-9);
-    // Sliding: tau = rho d g_x falls with the slab's thickness, d' = -w (1 - rho d g_x / tau_d).
+    // Sliding: tau = rho d g_x decreases with the slab's thickness, d' = -w (1 - rho d g_x / tau_d).
     const double k = 0.02 * k_density * 2 / 5000, limit = 5000 / (k_density * 2);
     const double thickness = limit + (1 - limit) * std::exp(k * 4);
     EXPECT_NEAR(steady_slab(e, 2, 4, 4).deposited, 1 - thickness, 0.01 * (1 - thickness));
@@ -189,8 +189,8 @@ TEST(BedExchange, ErodibleDepthByZones) {
     EXPECT_NEAR(steady_slab(e, 2, 4, 1, zones).eroded, 0.01, 1e-15);
 }
 
-// Bed, volumes and momenta are the same bits for any number of threads, on a slope with walls, both ways of
-// exchange.
+// Bed, volumes and momenta are the same bits for any number of threads, on a slope with walls, with exchange in both
+// directions.
 TEST(BedExchange, SameBitsForAnyNumberOfThreads) {
     Entrainment e;
     e.erosion = "shear-stress";

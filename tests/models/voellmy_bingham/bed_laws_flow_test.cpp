@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every law of bed friction as a scene chooses it: a wide slab in a frame tilted along the bed must move as a
-// block under that law. Only the slab's middle is looked at: its edges collapse.
+// Every law of bed friction as selected by a scene: a wide slab in a frame tilted along the bed must move as a block
+// under that law. Only the slab's middle is compared: its edges collapse.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,8 +25,8 @@ Material material_of(std::vector<std::string> terms) {
     return material;
 }
 
-// Mean speed of what lies within 5 m of the slab's middle after `time`; the slab, 1 m thick, starts at 10 m <
-// x < 70 m, and the pressure wave from its ends goes 3 m/s. Steps are short, since each law is applied to
+// Returns the mean speed of the material within 5 m of the slab's middle after `time`; the slab, 1 m thick, starts at
+// 10 m < x < 70 m, and the pressure wave from its ends travels 3 m/s. Steps are short, since each law is applied to
 // first order in time.
 double slab_speed(const Material& material, double time, double travelled, const MaterialZones& zones = {},
                   double side = 0, std::int64_t rows = 4, double step = 0.005) {
@@ -50,7 +50,7 @@ double slab_speed(const Material& material, double time, double travelled, const
     return sum / n;
 }
 
-// Speed and way after `time` from rest under ds/dt = k_along - R(s, t), by the classical Runge-Kutta method.
+// Speed and distance after `time` from rest under ds/dt = k_along - R(s, t), by the classical Runge-Kutta method.
 struct BlockMotion {
     double speed = 0, way = 0;
 };
@@ -179,8 +179,8 @@ TEST(BedLaws, SumOfThree) {
     });
 }
 
-// The strips that are looked at lie 6 m from the zones' border, and in 1 s a pressure wave goes 3 m;
-// steps are long, since each one blurs the shear between the zones a little.
+// The compared strips are 6 m from the zones' border, and in 1 s a pressure wave travels 3 m; steps are long, since
+// each one smooths the shear between the zones slightly.
 TEST(BedLaws, ZonesGiveEachPlaceItsOwnFriction) {
     Material m = material_of({"coulomb", "turbulence"});
     m.friction_coefficient = 0.1;
@@ -203,7 +203,7 @@ TEST(BedLaws, SummedVoellmyIsUniformVoellmy) {
     EXPECT_NEAR(slab_speed(m, 3, 10, same), slab_speed(m, 3, 10), 1e-9);
 }
 
-// The table of laws tells the truth of those that are built.
+// The table of laws agrees with the laws built from it.
 TEST(BedLaws, OfTheTableAreBuiltAndReadTheZonesThatItSays) {
     const GridSpec grid = bench::plain_grid(4, 4, 1);
     const Raster ground(grid), values(grid, 0.5);
@@ -232,7 +232,7 @@ TEST(BedLaws, OfTheTableAreBuiltAndReadTheZonesThatItSays) {
     }
 }
 
-// What yields holds at rest exactly, by its own bound: a cone on a slope, whose driving stress is at most
+// A law with yield holds material exactly at rest, by its own bound: a cone on a slope, whose driving stress is at most
 // rho g h times the slope of its surface, 0.1 + 0.2: 9 kPa at its middle, less everywhere else.
 class StaysAtRest : public testing::TestWithParam<std::string> {};
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Equation (45) of the paper: a mudflow on a slope splits round an obstacle. Masses and momenta of particles
-// and nodes agree at every step, and the flow stays symmetric about y = 10 m.
+// Equation (45) of the paper: a mudflow on a slope divides around an obstacle. Masses and momenta of particles and
+// nodes agree at every step, and the flow remains symmetric about y = 10 m.
 #include <gtest/gtest.h>
 
 #include "support/cases.h"
@@ -47,7 +47,7 @@ TEST_P(Conservation, ParticlesAndNodesAgreeAtEveryStep) {
             }
         }
         ASSERT_NEAR(node_mass, volume, 1e-12 * volume);
-        // The end walls take x-momentum by mirroring; while the flow has not come to them, none is lost.
+        // The end walls absorb x-momentum by mirroring; before the flow reaches them, none is lost.
         if (flow.time() < 4) {
             ASSERT_NEAR(node_mx, mx, 1e-12 * scale + 1e-12);
         }
@@ -64,7 +64,7 @@ TEST_P(Conservation, StaysSymmetric) {
             greatest = std::max(greatest, std::abs(fields.depth.at(row, column) - fields.depth.at(19 - row, column)));
         }
     }
-    // Rounding only, grown by the flow's own instability round the obstacle for 3 s.
+    // Rounding only, amplified by the flow's own instability around the obstacle for 3 s.
     EXPECT_LT(greatest, 1e-9);
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frictionless dam breaks in a 1000 m channel, 20 s, against Stoker and Ritter (bench/dam_break.h). The
-// bounds are the values that the method's scratch study reached (0.028 / 0.016 m wet, 0.022 / 0.011 m dry at
-// 200 / 400 cells), with a quarter to spare; they are no worse than finite-volume codes of second order
-// within a factor 1.5.
+// Frictionless dam breaks in a 1000 m channel, 20 s, against Stoker and Ritter (bench/dam_break.h). The bounds are the
+// values of the method's initial study (0.028 / 0.016 m wet, 0.022 / 0.011 m dry at 200 / 400 cells), with a margin of
+// a quarter; they are no worse than finite-volume codes of second order within a factor 1.5.
 #include <gtest/gtest.h>
 
 #include "bench/exact/dam_break.h"
@@ -46,16 +45,16 @@ TEST(DamBreak, RitterConverges) {
     EXPECT_LT(fine, 0.62 * coarse);
 }
 
-// Particles displaced by up to 0.4 of their spacing, as a flow leaves them: without shifting their errors are 1.9
-// and 2.2 times the lattice's here, with it 1.36 and 1.29; a tenth to spare.
+// Particles displaced by up to 0.4 of their spacing, as after a flow: without shifting their errors are 1.9 and 2.2
+// times the lattice's here, with it 1.36 and 1.29; with a margin of a tenth.
 TEST(DamBreak, IrregularParticlesCostLittle) {
     constexpr double k_jitter = 0.8;
     EXPECT_LT(depth_error(200, 2, Scheme::standard, k_jitter), 1.5 * depth_error(200, 2, Scheme::standard));
     EXPECT_LT(depth_error(200, 0, Scheme::standard, k_jitter), 1.45 * depth_error(200, 0, Scheme::standard));
 }
 
-// The published scheme is kept as published: it does not converge (share/doc/numerics.md, "What is known about the
-// error"), and that is known.
+// The published scheme is kept as published: it is known not to converge (share/doc/numerics.md, "What is known about
+// the error").
 TEST(DamBreak, PaperSchemeDoesNotConverge) {
     EXPECT_GT(depth_error(400, 0, Scheme::paper), depth_error(200, 0, Scheme::paper));
 }

@@ -14,7 +14,7 @@ struct EndState {
     ParticleSet particles;
 };
 
-// A flow that spreads, splits, merges, meets a slope and leaves through an edge; with stress in the plane or without.
+// A flow that spreads, splits, merges, meets a slope and leaves through an edge; with or without stress in the plane.
 EndState end_state(int threads, bool mud) {
     const GridSpec grid = bench::plain_grid(120, 90, 2);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return 0.3 * (240 - p.x) + 2 * std::sin(0.1 * p.y); });

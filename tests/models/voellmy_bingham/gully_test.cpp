@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// V-shaped gullies: the pressure of a layer on a slope must not hold back the levelling of what fills the
-// gully.
+// V-shaped gullies: the pressure of thin flow on a slope must not prevent the material in the gully from levelling.
 #include <gtest/gtest.h>
 
 #include "support/cases.h"
@@ -19,7 +18,7 @@ Raster gully(double dx, double wall_deg, double fall_deg) {
 
 class LevelPool : public testing::TestWithParam<std::tuple<double, double>> {};
 
-// The mark is rounding, as for the lakes at rest; 30 m of water make it three times theirs.
+// The limit is rounding, as for the lakes at rest; 30 m of water make it three times theirs.
 TEST_P(LevelPool, StaysLevelHoweverSteepItsWalls) {
     const auto [wall_deg, jitter] = GetParam();
     const double level = 30 * std::tan(wall_deg * k_degree);
@@ -36,8 +35,8 @@ TEST_P(LevelPool, StaysLevelHoweverSteepItsWalls) {
 INSTANTIATE_TEST_SUITE_P(Walls, LevelPool,
                          testing::Combine(testing::Values(30.0, 45.0, 60.0), testing::Values(0.0, 0.8)));
 
-/// A cap of 8 m slumps into the gully, with friction of 15 degrees; sum h^2 / sum h after 6 s, a depth that
-/// hangs on no single cell [m].
+/// A cap of 8 m slumps into the gully, with friction of 15 degrees; sum h^2 / sum h after 6 s, a depth independent of
+/// single cells [m].
 double slumped_depth(double dx, double wall_deg) {
     const Raster bed = gully(dx, wall_deg, 20);
     const ParticleSet seeds = bench::fill_lattice(bed.grid, 2, 0, [&](Point p) {
@@ -58,9 +57,8 @@ double slumped_depth(double dx, double wall_deg) {
 
 class Slump : public testing::TestWithParam<double> {};
 
-// Order 0.8: halving the cells leaves at most 2^-0.8 of the change that the halving before made. With the
-// linear form of the pressure in the whole gully the depth grew on: 6.6, 6.9, 10.7, 12.5 m between walls of
-// 60 degrees.
+// Order 0.8: halving the cells leaves at most 2^-0.8 of the change by the previous halving. With the linear form of the
+// pressure in the whole gully the depth kept growing: 6.6, 6.9, 10.7, 12.5 m between walls of 60 degrees.
 TEST_P(Slump, SettlesWithRefinement) {
     const double coarse = slumped_depth(2.5, GetParam()), middle = slumped_depth(1.25, GetParam()),
                  fine = slumped_depth(0.625, GetParam());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lake at rest, equations (42)-(43) and Table 1 of the paper: h + Z = 10 m on [0,10]^2, 50 x 50 cells, 4
-// particles a cell, walls, 1 s. The still-water depth is not given: the scheme finds its own level. The mark
-// is rounding: 1e-12, a hundred times the spacing of doubles at 10 m times some hundred steps.
+// Lake at rest, equations (42)-(43) and Table 1 of the paper: h + Z = 10 m on [0,10]^2, 50 x 50 cells, 4 particles per
+// cell, walls, 1 s. The still-water depth is not specified: the scheme computes its own level. The limit is rounding:
+// 1e-12, a hundred times the spacing of doubles at 10 m times some hundred steps.
 #include <gtest/gtest.h>
 
 #include "support/cases.h"
@@ -63,9 +63,9 @@ TEST_P(LakeAtRestOver, StaysStill) {
     EXPECT_GT(flow.steps(), 20);
 }
 
-// Hills and valleys that bend within a few cells: a node knows a shore from a free front by how much of its cells'
-// ground lies under water, which the plane through its neighbours tells to some percent of a cell. Not all lakes stay
-// still: where the ground is rougher than that, some shores are taken for fronts.
+// Hills and valleys that curve within a few cells: a node distinguishes a shore from a free front by the fraction of
+// its cells' area under water, which the plane through its neighbours gives to some percent of a cell. Not all lakes
+// remain still: where the ground is rougher than that, some shores are treated as fronts.
 TEST(LakeAtRest, StaysStillRoundMostRaggedShorelines) {
     int still = 0;
     for (int k = 0; k < 40; ++k) {
@@ -83,10 +83,10 @@ TEST(LakeAtRest, StaysStillRoundMostRaggedShorelines) {
         flow.advance_to(1);
         still += greatest_speed(flow) < 1e-11;  // 60 m of water, some ten steps
     }
-    EXPECT_GE(still, 36);  // 31 where flooded ground was taken to be known exactly
+    EXPECT_GE(still, 36);  // 31 when the flooded area was assumed to be known exactly
 }
 
-// What the reference level is for: without it the same lake starts to move.
+// The purpose of the reference level: without it the same lake starts to move.
 TEST(LakeAtRest, MovesWithoutTheReferenceLevel) {
     const GridSpec grid = bench::plain_grid(50, 50, 0.2);
     const Raster bed = bench::sample_raster(grid, [](Point p) { return bump(p.x, p.y); });

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mass whose driving force is under the friction bound stays exactly at rest: not one bit of any position
-// changes.
+// A mass whose driving force is below the friction bound remains exactly at rest: not one bit of any position changes.
 #include <gtest/gtest.h>
 
 #include "support/cases.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A wide uniform slab on a plane must accelerate in map view by g cos^2(theta) (tan theta - tan phi)
-// (share/doc/model.md, "Unknowns"), and reach Voellmy's terminal speed. Only the slab's middle is looked at: its
-// edges collapse.
+// (share/doc/model.md, "Unknowns"), and reach Voellmy's terminal speed. Only the slab's middle is compared: its edges
+// collapse.
 #include <gtest/gtest.h>
 
 #include "support/cases.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double k_gravity = 9.81;
 
-// Mean speed (map view) of particles in the middle of a slab 200 m long that started at rest at 20 m < x <
+// Returns the mean speed (map view) of particles in the middle of a slab 200 m long that started at rest at 20 m < x <
 // 220 m.
 double slab_speed(double slope_deg, const Material& material, SlopeCorrection slope, double jitter, double time,
                   double travelled) {
@@ -43,7 +43,7 @@ TEST_P(SlidingBlock, AcceleratesAsARigidBlock) {
     const double cosine = std::cos(theta);
     const double exact = k_gravity * cosine * cosine * (std::tan(theta) - std::tan(phi)) * time;
     const double speed = slab_speed(slope_deg, dry_friction(20), slope, jitter, time, 0.5 * exact * time);
-    EXPECT_NEAR(speed, exact, 1e-3 * exact);  // the mark of the accuracy bench
+    EXPECT_NEAR(speed, exact, 1e-3 * exact);  // the limit of the accuracy bench
 }
 
 INSTANTIATE_TEST_SUITE_P(Slopes, SlidingBlock,
