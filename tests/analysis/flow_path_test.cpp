@@ -31,7 +31,7 @@ TEST(FlowPath, OnOpenGroundIsAtMostEightPercentLongerThanTheLine) {
     }
 }
 
-TEST(FlowPath, FollowsTheDeepChannelRoundABend) {
+TEST(FlowPath, FollowsTheDeepChannelAroundABend) {
     // A channel of 5 m depth: east along row 10, then south along column 40, in a film of 0.1 m.
     Raster depth = dry(60, 60);
     for (double& value : depth.values) value = 0.1;
@@ -50,7 +50,7 @@ TEST(FlowPath, FollowsTheDeepChannelRoundABend) {
     EXPECT_EQ(runout_along(path, dry(60, 60)), 0);
 }
 
-TEST(FlowPath, FilmsWithoutMeasureAreNoWall) {
+TEST(FlowPath, VeryThinFilmsAreNoWall) {
     // Their costs were infinite: no path was found, and the search never ended.
     Raster depth = dry(40, 9);
     for (int column = 0; column < 40; ++column)
@@ -59,7 +59,7 @@ TEST(FlowPath, FilmsWithoutMeasureAreNoWall) {
     EXPECT_NEAR(length(path), 39, 1e-9);
 }
 
-TEST(FlowPath, LeavesTheFlowOnlyWhereItMust) {
+TEST(FlowPath, LeavesTheFlowOnlyIfNecessary) {
     // Flow in columns 0-19 and 22-39 of one row: a gap of two dry cells lies between start and end.
     Raster depth = dry(40, 9);
     for (int column = 0; column < 40; ++column)
@@ -70,7 +70,7 @@ TEST(FlowPath, LeavesTheFlowOnlyWhereItMust) {
     EXPECT_EQ(length(flow_path(depth, {0.2, 4.5}, {0.8, 4.5})), 0.8 - 0.2);  // one cell
 }
 
-TEST(Stations, AreEvenAndHoldTheVertices) {
+TEST(Stations, AreEvenlySpacedAndIncludeTheVertices) {
     const std::vector<Station> list = stations({{0, 0}, {10, 0}, {10, 3}}, 4);
     ASSERT_EQ(list.size(), 5U);  // 0, 10/3, 20/3, 10, 13
     EXPECT_NEAR(list[1].distance, 10.0 / 3, 1e-12);
@@ -79,7 +79,7 @@ TEST(Stations, AreEvenAndHoldTheVertices) {
     EXPECT_EQ(list[4].place.y, 3);
 }
 
-TEST(CellValue, IsThatOfTheCellAndNoneOutside) {
+TEST(CellValue, IsThatOfTheCellAndNanOutside) {
     Raster raster = dry(2, 2);
     raster.at(0, 1) = 7;
     EXPECT_EQ(cell_value(raster, {1.01, 1.99}), 7);

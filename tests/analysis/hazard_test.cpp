@@ -33,7 +33,7 @@ TEST(Hazard, SwissDebrisFlowNeedsDepthAndSpeedOverOne) {
     EXPECT_TRUE(std::isnan(classes.back())) << "never reached";
 }
 
-TEST(Hazard, SwissFloodTakesTheWorseOfDepthAndFlux) {
+TEST(Hazard, SwissFloodUsesTheWorseOfDepthAndFlux) {
     Cells cells({2.01, 2, 0.5, 0.51, 0.4, 0.4, 0.4});
     cells.flux.values = {0, 0, 0, 0, 0.5, 0.51, 2.01};
     EXPECT_EQ(cells.classes("swiss-flood"), (std::vector<double>{3, 2, 1, 2, 1, 2, 3}));

@@ -27,7 +27,7 @@ Ring random_ring(Point centre, double radius, int points, std::mt19937& random) 
     return ring;
 }
 
-TEST(InsideTest, SaysWhatContainsSays) {
+TEST(InsideTest, EqualsContains) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> anywhere(-60, 160);
     for (int k = 0; k < 60; ++k) {
@@ -49,7 +49,7 @@ TEST(InsideTest, SaysWhatContainsSays) {
     EXPECT_FALSE(InsideTest({})({0, 0}));
 }
 
-TEST(NearestSegment, IsAsNearAsOfAll) {
+TEST(NearestSegment, EqualsTheMinimumOverAll) {
     std::mt19937 random(12);
     std::uniform_real_distribution<double> uniform(0, 100);
     for (const int count : {1, 7, 100, 3000}) {
@@ -77,7 +77,7 @@ TEST(NearestSegment, IsAsNearAsOfAll) {
 }
 
 // Two outlines of 200 000 vertices: comparing each pair would be 10^11 distances.
-TEST(LineDistance, OfManyVerticesTakesNoTime) {
+TEST(LineDistance, OfManyVerticesIsFast) {
     Ring inner, outer;
     for (int i = 0; i < 200'000; ++i) {
         const double angle = 2 * std::numbers::pi * i / 200'000;
@@ -90,7 +90,7 @@ TEST(LineDistance, OfManyVerticesTakesNoTime) {
     EXPECT_NEAR(distance.hausdorff_m, 3, 1e-6);
 }
 
-TEST(CountedTexts, TellTheFirstAndCountTheRest) {
+TEST(CountedTexts, ListTheFirstAndCountTheRest) {
     CountedTexts texts;
     texts.add("b", "one other");
     for (int i = 1; i <= 1503; ++i) texts.add("a", "number " + std::to_string(i));

@@ -65,7 +65,7 @@ TEST(Scores, PerfectAgreement) {
     EXPECT_EQ(statistics.area_difference_percent, 0);
 }
 
-TEST(Scores, EmptyMapRoundItDoesNotFlatter) {
+TEST(Scores, DoNotDependOnTheSizeOfTheMap) {
     const ComparisonStatistics tight = compare(row_of({1, 1, 1}), row_of({1, 1, 0}), 0.1);
     const ComparisonStatistics wide =
         compare(row_of({1, 1, 1, 0, 0, 0, 0, 0, k_no_data}), row_of({1, 1, 0, 0, 0, 0, 0, 0, 0}), 0.1);

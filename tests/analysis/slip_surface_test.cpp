@@ -69,7 +69,7 @@ TEST(SlipSurface, IsHalfAnEllipsoidUnderAnEllipseOnAPlane) {
     }
 }
 
-TEST(SlipSurface, MeetsAGivenVolume) {
+TEST(SlipSurface, MatchesAGivenVolume) {
     const Raster ground = plane(4);
     const SlipSurface slip(ground, ellipse(100, 60, 0), {});
     EXPECT_NEAR(slip.volume(slip.depth_for(1e5)), 1e5, 1e-3);
@@ -95,7 +95,7 @@ TEST(SlipSurface, FallsBackToTheBaseLevelOfConstantCurvature) {
     EXPECT_NEAR(largest, 10, 1e-9);
 }
 
-TEST(SlipSurface, TellsWhichPerimetersAnEllipsoidFits) {
+TEST(SlipSurface, DetectsThePerimetersThatAnEllipsoidFits) {
     const MultiPolygon crescent{
         {{{1100, 2100}, {1300, 2100}, {1300, 2300}, {1280, 2300}, {1280, 2120}, {1100, 2120}}, {}}};
     EXPECT_TRUE(visible_from_centroid(ellipse(50, 20, 1)));

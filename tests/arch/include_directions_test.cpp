@@ -113,7 +113,7 @@ TEST(IncludeDirections, NoIncludeOfAHigherLevel) {
     }
 }
 
-TEST(IncludeDirections, LibrariesStayInTheirRooms) {
+TEST(IncludeDirections, LibrariesIncludeOnlyTheirFolders) {
     const std::vector<std::string> files_and_coordinates{"gdal", "ogr", "cpl_", "proj"};
     const std::vector<std::string> graphics{"vtk", "GL/", "libav", "libsw"};
     for (const std::string& file : source_files({"src", "gis", "render"}, {".h", ".cpp"})) {
@@ -127,7 +127,7 @@ TEST(IncludeDirections, LibrariesStayInTheirRooms) {
     }
 }
 
-TEST(IncludeDirections, OnlyTheProgramTalksToTheTerminal) {
+TEST(IncludeDirections, OnlyTheProgramWritesToTheTerminal) {
     for (const std::string& file : source_files({"src", "gis", "render"}, {".h", ".cpp"})) {
         if (library_of(file) == "app") continue;
         for (const std::string& line : lines_of(file))

@@ -12,7 +12,7 @@
 namespace frana::bench {
 namespace {
 
-TEST(AccuracyCases, HoldEveryNameOfTheContractAtFourResolutions) {
+TEST(AccuracyCases, IncludeEveryNameOfTheContractAtFourResolutions) {
     const Raster terrain = sample_raster(plain_grid(16, 16, 5), [](Point p) { return p.x; });
     std::set<std::string> names;
     for (const AccuracyCase& one : accuracy_cases(terrain)) {
@@ -87,7 +87,7 @@ TEST(Accuracy, FreeFluidConvergesWithSecondOrderInSmoothFlow) {
 
 // The measure itself: a flow that starts with the exact state has no error, and one compared with another state has
 // exactly the difference.
-TEST(CompareWithExact, MeasuresWhatItSays) {
+TEST(CompareWithExact, MeasuresTheErrors) {
     bench::Setup setup;
     setup.bed = Raster(plain_grid(20, 10, 1), 0.0);
     setup.seeds = fill_lattice(setup.bed.grid, 2, 0, [](Point) { return Seed{2, 3, 0}; });

@@ -10,7 +10,7 @@
 namespace frana::bench {
 namespace {
 
-TEST(RadialReference, KeepsTheVolume) {
+TEST(RadialReference, ConservesTheVolume) {
     const double start = 0.5 * (10 * 60 * 60 + 2 * (250 * 250 - 60 * 60.0));
     const RadialReference wet(60, 10, 2, 250, 4, 500);
     EXPECT_NEAR(wet.volume(), start, 1e-12 * start);  // finite volumes: rounding of 500 sums
@@ -25,7 +25,7 @@ TEST(RadialReference, LeavesALakeAtRest) {
     EXPECT_NEAR(lake.at(50).velocity, 0, 1e-12);
 }
 
-TEST(RadialReference, IsADamBreakBeforeTheCurvatureIsFelt) {
+TEST(RadialReference, IsADamBreakBeforeTheCurvatureHasAnEffect) {
     // After 0.2 s the waves have travelled 4 m of 60: the circle is straight to one part in fifteen.
     const double t = 0.2;
     const DamBreak straight(10, 2);
@@ -65,7 +65,7 @@ TEST(SimilaritySolution, SatisfiesItsEquations) {
     EXPECT_NEAR(now.middle(), 0.5 * drive * t * t, 1e-12 * now.middle());
 }
 
-TEST(SimilaritySolution, KeepsTheVolumeAndSpreadsMoreAlongThanAcross) {
+TEST(SimilaritySolution, ConservesTheVolumeAndSpreadsMoreAlongThanAcross) {
     const SimilaritySolution cap(35, 25, 4, 80, 5);
     double volume = 0;
     constexpr double k_step = 0.5;

@@ -11,7 +11,7 @@ namespace frana::bench {
 namespace {
 
 // Times are not tested; the particles' fields are.
-TEST(LawCosts, EveryLawRunsAndOnlyStressCarriesMore) {
+TEST(LawCosts, EveryLawRunsAndOnlyStressNeedsMoreFields) {
     const auto costs = run_law_costs(400, 3);
     ASSERT_FALSE(costs.empty());
     EXPECT_EQ(costs[0].relative, 1);

@@ -45,7 +45,7 @@ TEST(AccuracyCsv, HasTheContractsColumns) {
     EXPECT_EQ(line, "stoker,default,5,0,0,8,0.05,0,0,0.05,1.0000");
 }
 
-TEST(ErrorInTime, IsStraightInLogarithms) {
+TEST(ErrorInTime, IsLinearInLogarithms) {
     EXPECT_NEAR(error_in_time({{1, 0.1}, {100, 0.001}}, 10), 0.01, 1e-15);
     EXPECT_TRUE(std::isnan(error_in_time({{1, 0.1}, {100, 0.001}}, 0.5)));
     EXPECT_TRUE(std::isnan(error_in_time({{1, 0.1}, {100, 0.001}}, 200)));
@@ -54,13 +54,13 @@ TEST(ErrorInTime, IsStraightInLogarithms) {
     EXPECT_TRUE(std::isnan(time_to_error({{1, 0.1}, {100, 0.001}}, 1e-4)));
 }
 
-TEST(AccuracyVerdict, NamesTheBetterSchemeWhicheverItIs) {
+TEST(AccuracyVerdict, NamesTheBetterScheme) {
     const std::string words = accuracy_verdict(paper_wins());
     EXPECT_NE(words.find("stoker: PAPER"), std::string::npos) << words;
     EXPECT_NE(words.find("the paper's in 1"), std::string::npos) << words;
 }
 
-TEST(AccuracyTable, SaysWhereAnotherCodeIsBetterAndWhereAMarkIsMissed) {
+TEST(AccuracyTable, MarksWhereAnotherCodeIsBetterAndWhereAMarkIsMissed) {
     std::vector<AccuracyRow> rows = paper_wins();
     rows[1].statistics.own = {{"mean depth error [m]", 0.05, 0.015}};  // GeoClaw has 0.0231 with 5 m cells
     const std::string table = accuracy_table(rows);
@@ -70,7 +70,7 @@ TEST(AccuracyTable, SaysWhereAnotherCodeIsBetterAndWhereAMarkIsMissed) {
     EXPECT_EQ(accuracy_table(rows).find("WORSE"), std::string::npos);
 }
 
-TEST(CaseStatistic, IsMissedByNoNumber) {
+TEST(CaseStatistic, NanDoesNotPass) {
     EXPECT_FALSE((CaseStatistic{"x", k_no_data, 1.0}).met());
     EXPECT_FALSE((CaseStatistic{"x", -2, 1.0}).met());
     EXPECT_TRUE((CaseStatistic{"x", -1, 1.0}).met());

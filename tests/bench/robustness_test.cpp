@@ -67,14 +67,14 @@ RobustnessOptions options_of(std::vector<Scene>& seen) {
     return options;
 }
 
-TEST(Robustness, DisturbancesHaveNamesOfTheirOwn) {
+TEST(Robustness, DisturbancesHaveUniqueNames) {
     std::set<std::string> names{"base"};
     for (const Disturbance& one : disturbances()) EXPECT_TRUE(names.insert(one.name).second) << one.name;
     for (const char* name : {"shifted", "turned-30", "turned-45", "turned-90", "rough", "particles-16", "cfl-0.9"})
         EXPECT_EQ(names.count(name), 1U) << name;
 }
 
-TEST(Robustness, TellsChangesAndMarksThoseBeyondFivePercent) {
+TEST(Robustness, ReportsChangesAndMarksThoseBeyondFivePercent) {
     std::vector<Scene> seen;
     RobustnessOptions options = options_of(seen);
     options.only = {"cfl-0.9", "cfl-0.5", "particles-1", "turned-90"};
@@ -121,7 +121,7 @@ TEST(Robustness, TellsChangesAndMarksThoseBeyondFivePercent) {
     }));
 }
 
-TEST(Robustness, DisturbsTheGroundAsItSays) {
+TEST(Robustness, DisturbsTheGroundAsSpecified) {
     std::vector<Scene> seen;
     RobustnessOptions options = options_of(seen);
     options.only = {"shifted", "turned-45", "rough"};
@@ -148,7 +148,7 @@ TEST(Robustness, DisturbsTheGroundAsItSays) {
     EXPECT_NE(again[3].terrain.values, seen[3].terrain.values);
 }
 
-TEST(Robustness, ARunThatCannotStartCostsNoOther) {
+TEST(Robustness, ARunThatCannotStartStopsNoOther) {
     std::vector<Scene> seen;
     RobustnessOptions options = options_of(seen);
     options.only = {"shifted", "turned-30"};

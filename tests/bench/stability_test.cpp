@@ -9,7 +9,7 @@
 namespace frana::bench {
 namespace {
 
-TEST(HardCases, AreAtLeastThirtyWithNamesOfTheirOwn) {
+TEST(HardCases, AreAtLeastThirtyWithUniqueNames) {
     const auto cases = hard_cases();
     EXPECT_GE(cases.size(), 30u);
     std::set<std::string> names;
@@ -19,7 +19,7 @@ TEST(HardCases, AreAtLeastThirtyWithNamesOfTheirOwn) {
     }
 }
 
-TEST(Stability, WritesOneLineACase) {
+TEST(Stability, WritesOneLinePerCase) {
     StabilityOptions options;
     options.only = {"step-down", "film-1um"};
     const auto rows = run_stability(options);
@@ -33,7 +33,7 @@ TEST(Stability, WritesOneLineACase) {
     EXPECT_NE(csv.find("\nstep-down,true,"), std::string::npos);
 }
 
-TEST(Soundness, SeesValuesThatAreNotNumbers) {
+TEST(Soundness, DetectsNonFiniteValues) {
     bench::Setup setup = usual_slide();
     ParticleRow row = setup.seeds.row(5);
     get(row, Field::u) = std::nan("");
@@ -42,7 +42,7 @@ TEST(Soundness, SeesValuesThatAreNotNumbers) {
     EXPECT_GT(watch(run, setup, 1).non_finite, 0);
 }
 
-TEST(Soundness, SeesSpeedsThatNoFallGives) {
+TEST(Soundness, DetectsSpeedsAboveThatOfAFall) {
     // The bound includes the initial speed; here that is hidden from it, so the speed must exceed the bound.
     const bench::Setup setup = usual_slide();
     bench::Setup fast = setup;

@@ -87,7 +87,7 @@ TEST_F(BadFile, EveryProblemInOnePass) {
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
 }
 
-TEST_F(BadFile, DtmWithoutCrsIsRefusedAndSaysHow) {
+TEST_F(BadFile, DtmWithoutCrsIsRefusedWithARemedy) {
     write_dtm({}, false);
     const Outcome outcome = frana({"run", "scene.ini"});
     EXPECT_EQ(outcome.exit_code, 2);

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 using ConvergeCommand = TinyScene;
 
-TEST_F(ConvergeCommand, ReportsLevelsAndTellsLaterRuns) {
+TEST_F(ConvergeCommand, ReportsLevelsAndLaterRunsReportThem) {
     write_scene("[output]\nmaps = off\nanimation = off\n");
     const Outcome study = frana({"converge", "scene.ini", "--out", "result-convergence", "--quiet"});
     ASSERT_EQ(study.exit_code, 0) << study.err;

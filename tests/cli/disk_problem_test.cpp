@@ -79,7 +79,7 @@ class Filler {
     std::thread thread_;
 };
 
-TEST_F(SmallDisk, ThatFillsStopsTheRunWhichGoesOnLater) {
+TEST_F(SmallDisk, ThatFillsStopsTheRunWhichIsResumedLater) {
     ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
     ASSERT_EQ(frana(run("disk/result", {"--quiet", "--set", "time.end=0.5"})).exit_code, 0);
     const std::string earlier = read_text(path("disk/result/summary.json"));
@@ -110,7 +110,7 @@ TEST_F(SmallDisk, ThatFillsStopsTheRunWhichGoesOnLater) {
 }
 
 // Before its first checkpoint, a run has space for one: the state is that at the moment the disk filled.
-TEST_F(SmallDisk, ThatFillsTakesTheStateOfAYoungRun) {
+TEST_F(SmallDisk, ThatFillsStoresTheStateOfAYoungRun) {
     const std::vector<std::pair<std::string, std::string>> moments{{"0.2", "a frame cannot be written"},
                                                                    {"4", "the result cannot be written"}};
     for (const auto& [interval, moment] : moments) {
@@ -160,7 +160,7 @@ TEST_F(SmallDisk, ThatFillsTakesTheStateOfAYoungRun) {
 }
 
 // A run with just enough space for its results must not end because the rest is reserved for a future checkpoint.
-TEST_F(SmallDisk, LeavesAsMuchRoomAsIsSetAside) {
+TEST_F(SmallDisk, LeavesAsMuchSpaceAsIsReserved) {
     const std::string file = disk() + "/reserve";
     app::ReservedSpace space(file);
     EXPECT_FALSE(space.grow(25 << 20));
@@ -174,7 +174,7 @@ TEST_F(SmallDisk, LeavesAsMuchRoomAsIsSetAside) {
     EXPECT_EQ(space.bytes(), 24U << 20);
 }
 
-TEST_F(SmallDisk, ThatCannotBeWrittenIsSaidBeforeAnythingIsComputed) {
+TEST_F(SmallDisk, ThatCannotBeWrittenIsReportedBeforeAnythingIsComputed) {
     ASSERT_EQ(::mount(nullptr, disk().c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr), 0) << std::strerror(errno);
     const Outcome outcome = frana(run("disk/result"));
     EXPECT_EQ(outcome.exit_code, 4);
@@ -188,7 +188,7 @@ TEST_F(SmallDisk, ThatCannotBeWrittenIsSaidBeforeAnythingIsComputed) {
 
 class RunProblem : public Resuming {};
 
-TEST_F(RunProblem, TheFolderThatGoesAwayIsSaid) {
+TEST_F(RunProblem, ADeletedFolderIsReported) {
     StartedProgram program(folder_.string(), run("result"));
     ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("result"); }));
     program.send(SIGSTOP);
@@ -202,7 +202,7 @@ TEST_F(RunProblem, TheFolderThatGoesAwayIsSaid) {
 }
 
 // Inputs are read before the run; later changes do not affect it.
-TEST_F(RunProblem, InputsMayGoAwayOnceTheyAreRead) {
+TEST_F(RunProblem, InputsMayBeDeletedOnceTheyAreRead) {
     ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
     StartedProgram program(folder_.string(), run("result", {"--quiet"}));
     ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("result"); }));
@@ -217,7 +217,7 @@ int shell(const fs::path& folder, const std::string& line) {
     return WEXITSTATUS(std::system(("cd '" + folder.string() + "' && FRANA='" FRANA_PROGRAM "'; " + line).c_str()));
 }
 
-TEST_F(RunProblem, NobodyWhoListensDoesNotCostTheRun) {
+TEST_F(RunProblem, ClosedStreamsDoNotStopTheRun) {
     write_scene(k_numbers_only);
     ASSERT_EQ(shell(folder_, "\"$FRANA\" run scene.ini --out whole 2> /dev/null"), 0);
     const std::vector<std::pair<std::string, std::string>> deaf{

@@ -41,7 +41,7 @@ class FlightFiles : public TinyScene {
     }
 };
 
-TEST_F(FlightFiles, TellTheJumpAsTheParabolaDoes) {
+TEST_F(FlightFiles, AgreeWithTheParabola) {
     write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
     const Outcome outcome = run("on");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -74,7 +74,7 @@ TEST_F(FlightFiles, TellTheJumpAsTheParabolaDoes) {
         EXPECT_TRUE(std::filesystem::exists(path(std::string("result/") + style))) << style;
 }
 
-TEST_F(FlightFiles, AreNotThereWithoutFlight) {
+TEST_F(FlightFiles, DoNotExistWithoutFlight) {
     write_polygon("near", {{100, 50}, {130, 50}, {130, 90}, {100, 90}});
     ASSERT_EQ(run("on").exit_code, 0);
     ASSERT_EQ(run("off").exit_code, 0);

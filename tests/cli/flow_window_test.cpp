@@ -36,7 +36,7 @@ TEST_F(FlowWindow, IsCutByFrictionOnly) {
 }
 
 // Every law specifies whether it bounds the run-out; the others never cut the terrain.
-TEST_F(FlowWindow, AsEveryLawSays) {
+TEST_F(FlowWindow, IsCutAsEveryLawSpecifies) {
     for (const Law& law : laws()) {
         if (law.kind != LawKind::bed_friction) continue;
         std::vector<std::string> sets{"material.bed-friction=" + law.word, "material.cohesion=100", "material.chezy=20",

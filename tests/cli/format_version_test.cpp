@@ -30,13 +30,13 @@ class FormatVersion : public TinyScene {
     }
 };
 
-TEST_F(FormatVersion, IsToldAndReadBack) {
+TEST_F(FormatVersion, IsWrittenAndReadBack) {
     EXPECT_EQ(json_number(read_text(path("result/summary.json")), "format"), 1);
     EXPECT_NE(read_text(path("result/scene.ini")).find("\nformat = 1\n"), std::string::npos);
     for (const Outcome& outcome : read_it()) EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-TEST_F(FormatVersion, ANewerResultIsRefusedInASentence) {
+TEST_F(FormatVersion, ANewerResultIsRefusedWithAMessage) {
     Json summary = parse_json(read_text(path("result/summary.json")));
     summary["format"] = 7;
     write("result/summary.json", frana::json_text(summary));
@@ -50,7 +50,7 @@ TEST_F(FormatVersion, ANewerResultIsRefusedInASentence) {
     }
 }
 
-TEST_F(FormatVersion, ANewerSceneIsRefusedInASentence) {
+TEST_F(FormatVersion, ANewerSceneIsRefusedWithAMessage) {
     write("result/scene.ini", replaced(read_text(path("result/scene.ini")), "\nformat = 1", "\nformat = 2"));
     for (const Outcome& outcome : read_it()) {
         EXPECT_EQ(outcome.exit_code, 2);

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 using Guard = TinyScene;
 
-TEST_F(Guard, ValuesThatNoSceneMeansAreRefusedInOnePass) {
+TEST_F(Guard, AbsurdValuesAreRefusedInOnePass) {
     const std::vector<std::string> values{"terrain.cell-size=1e-6",
                                           "terrain.bounds=nan 0 1 1",
                                           "release.thickness=nan",
@@ -73,7 +73,7 @@ TEST_F(Guard, TwoRunsDoNotWriteOneResult) {
     EXPECT_TRUE(fs::exists(folder_ / "result" / "summary.json"));
 }
 
-TEST_F(Guard, ARunHoldsItsLockWhileItComputes) {
+TEST_F(Guard, ARunKeepsItsLockWhileItComputes) {
     write_scene("stop-when-still = off\nstop-change = 0\n[numerics]\nparticles-per-cell = 16\n" + k_numbers_only);
     Outcome outcome{};
     std::atomic<bool> ended = false;

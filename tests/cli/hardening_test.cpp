@@ -20,7 +20,7 @@ std::string output_of(const std::string& command) {
 }
 
 // The flags reached the shipped program; readelf comes with the compiler.
-TEST(Hardening, TheReleaseIsBuiltWithIt) {
+TEST(Hardening, IsInTheReleaseBuild) {
 #ifndef FRANA_RELEASE
     GTEST_SKIP() << "not a release build";
 #endif

@@ -141,7 +141,7 @@ TEST_F(HostileNames, LineEndsAreRefusedBeforeTheRun) {
 }
 
 // Three thousand letters took half a minute.
-TEST_F(HostileNames, LongTitlesAreCutAndCostNothing) {
+TEST_F(HostileNames, LongTitlesAreCutAndFast) {
     write_scene("[output]\nmaps = max_depth\nanimation = off\nframes = off\n");
     ASSERT_EQ(run().exit_code, 0);
     const auto seconds = [&](const std::string& title) {

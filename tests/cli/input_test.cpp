@@ -37,7 +37,7 @@ void expect_words(const std::string& text, const std::vector<std::string>& words
         EXPECT_NE(text.find(word), std::string::npos) << "no \"" << word << "\" in:\n" << text;
 }
 
-TEST_F(Input, CheckShowsThemAsOneTable) {
+TEST_F(Input, CheckPrintsThemAsOneTable) {
     // The release's outline in Gauss-Boaga, by gdaltransform -s_srs EPSG:32632 -t_srs EPSG:3003 to the metre.
     write("scar.geojson",
           R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": )"
@@ -135,7 +135,7 @@ TEST_F(Input, FeetAreNeverGuessed) {
     EXPECT_EQ(frana(compound).exit_code, 0);
 }
 
-TEST_F(Input, AFrameOfZerosIsToldAndDeclared) {
+TEST_F(Input, AFrameOfZerosIsReportedAndDeclared) {
     write_dtm([](int row, int column) { return row < 3 ? 0.0 : 300 - 2.5 * column; });
     const Outcome outcome = frana({"check", "scene.ini"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -242,7 +242,7 @@ INSTANTIATE_TEST_SUITE_P(
              "UTM zone", 106.764 * 55.332 * 1.00087 * 1.00087}),
     [](const auto& tested) { return tested.param.name; });
 
-TEST_F(Input, OfAHugeDtmOnlyWhatIsNeededIsRead) {
+TEST_F(Input, OfAHugeDtmOnlyTheNeededPartIsRead) {
     // 20 000 x 20 000 cells of 2 m, 1.6 GB if it were read; the ground is in the south-eastern corner, the rest was
     // never written and is no data.
     constexpr int n = 20000;

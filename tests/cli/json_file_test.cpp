@@ -13,7 +13,7 @@ namespace {
 
 using JsonFile = TinyScene;
 
-TEST_F(JsonFile, WhatIsNoJsonIsNone) {
+TEST_F(JsonFile, InvalidJsonIsNone) {
     const std::string deep(1'000'000, '[');
     for (const std::string& text : {std::string(), std::string("{\"a\": 1"), std::string("{\"a\": 1} x"),
                                     std::string("{\"a\": 1e999}"), std::string("{\"a\": \"\xE9\"}"), deep}) {

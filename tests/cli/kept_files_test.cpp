@@ -100,7 +100,7 @@ TEST_F(KeptFilesOf, TheClassesOfAComparison) {
     EXPECT_EQ(bands(path("again/maps/comparison.tif")), 3);
 }
 
-TEST_F(KeptFilesOf, WhatIsCompared) {
+TEST_F(KeptFilesOf, AComparisonsInputs) {
     write_polygon("scar", {{20, 55}, {150, 55}, {150, 95}, {20, 95}});
     fs::create_directory(path("foreign"));
     fs::copy_file(path("result/max_depth.tif"), path("foreign/comparison.tif"));
@@ -110,7 +110,7 @@ TEST_F(KeptFilesOf, WhatIsCompared) {
     expect_refusal({"compare", "result", "--scar", "result/comparison.json"}, "would be overwritten");
 }
 
-TEST_F(KeptFilesOf, WhatAConvergenceStudyReads) {
+TEST_F(KeptFilesOf, AConvergenceStudysInputs) {
     fs::create_directory(path("study"));
     fs::rename(path("dtm.asc"), path("study/convergence.csv"));
     fs::rename(path("dtm.prj"), path("study/convergence.prj"));
@@ -171,7 +171,7 @@ TEST_F(OwnFiles, OfABenchAreReplacedAndNoOthers) {
 }
 
 // Redrawn pictures belong to the result: a run that replaces it removes them.
-TEST_F(OwnFiles, OfAResultThatIsDrawnAnewGoWithIt) {
+TEST_F(OwnFiles, OfARedrawnResultAreReplacedWithIt) {
     ASSERT_EQ(frana({"render", "result", "--map", "max_depth", "--map", "release", "--size", "640x480"}).exit_code, 0);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--overwrite", "--quiet", "--set", "time.end=1"}).exit_code,
               0);
@@ -222,7 +222,7 @@ TEST_F(AnotherResult, IsNotDrawnInto) {
         EXPECT_EQ(frana({"render", "result", "--map", "max_depth", "--out", own, "--size", "640x480"}).exit_code, 0);
 }
 
-TEST_F(AnotherResult, TakesNoStudy) {
+TEST_F(AnotherResult, RefusesAStudy) {
     expect_both_named({"bench", "accuracy", "--quick", "--case", "lake-z1", "--out", "other"}, "");
     expect_both_named({"converge", "scene.ini", "--quiet", "--set", "time.end=1", "--out", "other/study"}, "");
 }
@@ -264,7 +264,7 @@ TEST_F(OwnPictures, OfAnimationsAreReplacedAndNoOthers) {
 }
 
 // A shorter animation: no frame of the longer one may remain.
-TEST_F(OwnPictures, OfALongerAnimationGo) {
+TEST_F(OwnPictures, OfALongerAnimationAreRemoved) {
     ASSERT_EQ(frana(animation("film/")).exit_code, 0);
     const auto frames = [&](const std::string& more) {
         std::vector<std::string> names;

@@ -87,7 +87,7 @@ TEST_F(Late, SecondSignalEndsAtOnceAndResumingCompletes) {
 }
 
 // Nothing was left out: the signal came too late to matter.
-TEST_F(Late, SignalThatCostsNothingIsNoFailure) {
+TEST_F(Late, SignalWithoutEffectIsNoError) {
     const std::vector<std::string> plain{"--set", "output.maps=off", "--set", "output.animation=off"};
     const Outcome outcome = stop_at("result", "max_depth.tif", {SIGTERM}, plain);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -95,7 +95,7 @@ TEST_F(Late, SignalThatCostsNothingIsNoFailure) {
     expect_tidy("result");
 }
 
-TEST_F(Late, ErrorOfAPictureKeepsWhatResumingNeeds) {
+TEST_F(Late, ErrorOfAPictureKeepsTheFilesForResuming) {
     ASSERT_EQ(
         frana(command("first", {"--quiet", "--set", "output.maps=off", "--set", "output.animation=off"})).exit_code, 0);
     ASSERT_EQ(frana({"render", "first", "--map", "max_depth", "--format", "tif", "--out", "."}).exit_code, 0);
@@ -111,7 +111,7 @@ TEST_F(Late, ErrorOfAPictureKeepsWhatResumingNeeds) {
     expect_completed("result", photo);
 }
 
-TEST_F(Late, ResumingAFinishedResultDrawsWhatIsMissing) {
+TEST_F(Late, ResumingACompleteResultDrawsMissingPictures) {
     ASSERT_EQ(frana(command("whole", {"--quiet"})).exit_code, 0);
     fs::copy(path("whole"), path("result"), fs::copy_options::recursive);
     const Outcome complete = frana(command("result", {"--resume"}));
@@ -137,7 +137,7 @@ TEST_F(Late, ResumingAFinishedResultDrawsWhatIsMissing) {
 
 // Damaged pictures are redrawn and the damaged file is kept; files that only the run can write, and the list itself,
 // are reported missing.
-TEST_F(Late, ResumingAResultWithFilesRuinedSaysWhich) {
+TEST_F(Late, ResumingAResultWithDamagedFilesNamesThem) {
     ASSERT_EQ(frana(command("result", {"--quiet"})).exit_code, 0);
     const std::string map = read_text(path("result/maps/max_velocity.png"));
     write("result/maps/max_velocity.png", "x");
@@ -162,7 +162,7 @@ TEST_F(Late, ResumingAResultWithFilesRuinedSaysWhich) {
 }
 
 // Only a run can write them: a result without one is not reported as complete.
-TEST_F(Late, ResumingAResultWithFilesMissingSaysWhich) {
+TEST_F(Late, ResumingAResultWithMissingFilesNamesThem) {
     ASSERT_EQ(frana(command("result", {"--quiet"})).exit_code, 0);
     for (const std::string name : {"report.html", "max_pressure.tif", "timeseries.csv"}) {
         fs::rename(path("result/" + name), path("away"));

@@ -26,7 +26,7 @@ TEST(Layers, DepthClassesAreFineWhereFlowsAreThin) {
     EXPECT_EQ(classes(8), (std::vector<double>{0, 0.1, 0.2, 0.5, 1, 2, 3, 5, 8}));  // a bound may be the maximum
 }
 
-TEST(Layers, ClassesHoldEveryMaximum) {
+TEST(Layers, ClassesContainEveryMaximum) {
     for (const bool progressive : {true, false}) {
         for (const double maximum : {1e-7, 0.01, 0.3, 1.0, 2.0, 5.0, 9.99, 10.0, 123.0, 9e9}) {
             const std::vector<double> bounds = class_bounds(progressive, maximum);

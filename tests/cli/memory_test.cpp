@@ -38,7 +38,7 @@ double foreseen_bytes(const std::string& check) {
     return std::stod(found[1]) * (found[2] == "GB" ? 1e9 : 1e6);
 }
 
-TEST_P(Memory, IsForeseenAndRatherTooMuchThanTooLittle) {
+TEST_P(Memory, IsPredictedAndRatherTooMuchThanTooLittle) {
     if (k_sanitized) GTEST_SKIP() << "a sanitizer takes memory of its own";
     if (GetParam().structured) {
         write("scene.ini",
@@ -110,7 +110,7 @@ class MemoryOfMachine : public TinyScene {
     rlimit before_{};
 };
 
-TEST_F(MemoryOfMachine, RefusesWhatItCannotHoldBeforeAnythingIsComputed) {
+TEST_F(MemoryOfMachine, RefusesTooLargeRunsBeforeAnythingIsComputed) {
     if (k_sanitized) GTEST_SKIP() << "a sanitizer reserves more addresses than that";
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--set", "time.end=1"}).exit_code, 0);
@@ -139,7 +139,7 @@ TEST_F(MemoryOfMachine, RefusesWhatItCannotHoldBeforeAnythingIsComputed) {
 }
 
 // Libraries wait for ever for a thread that the shell's limit does not allow.
-TEST_F(MemoryOfMachine, MayBeNextToNothing) {
+TEST_F(MemoryOfMachine, MayBeAlmostNone) {
     if (k_sanitized) GTEST_SKIP() << "a sanitizer reserves more addresses than that";
     write_scene();
     for (const rlim_t bytes : {500'000'000U, 1'000'000'000U}) {
@@ -155,7 +155,7 @@ TEST_F(MemoryOfMachine, MayBeNextToNothing) {
     }
 }
 
-TEST_F(MemoryOfMachine, IsTheLeastOfWhatIsFreeAndWhatControlGroupsLeave) {
+TEST_F(MemoryOfMachine, IsTheLeastOfFreeMemoryAndControlGroups) {
     write("proc/self/status", "Name:\tfrana\nVmSize:\t 900 kB\nVmRSS:\t 100 kB\n");
     write("proc/meminfo", "MemTotal: 9000000 kB\nMemAvailable:  1000000 kB\nSwapFree: 200000 kB\n");
     const auto bound = [&] { return app::machine_memory(folder_.string()); };

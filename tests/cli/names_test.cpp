@@ -12,7 +12,7 @@
 namespace frana::app {
 namespace {
 
-TEST(Names, BytesThatAreNotUtf8AreWrittenOut) {
+TEST(Names, BytesThatAreNotUtf8AreEscaped) {
     const std::string good = "Val Ferret, 2 µm, 日本, 🏔";
     EXPECT_EQ(valid_utf8(good), good);
     EXPECT_EQ(valid_utf8("caf\xE9"), "caf\\xe9");
@@ -49,7 +49,7 @@ TEST(Names, NoCellOfATableIsAFormula) {
     EXPECT_EQ(csv_cell("caf\xE9"), "caf\\xe9");
 }
 
-TEST(Names, FilesOfUnequalNamesAreUnequal) {
+TEST(Names, FilesOfDifferentNamesDiffer) {
     EXPECT_EQ(file_stems({"flow path"}), std::vector<std::string>{"flow_path"});
     const std::vector<std::string> names{
         "a b", "a_b", "a/b", "A_b", "ä", "ö", "..", "", std::string(240, 'x'), std::string(240, 'x') + "y"};

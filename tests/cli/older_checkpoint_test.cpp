@@ -87,7 +87,7 @@ class OlderCheckpoint : public TinyScene {
     }
 };
 
-TEST_F(OlderCheckpoint, OfThisFormatCountsFromWhereItTells) {
+TEST_F(OlderCheckpoint, OfThisFormatUsesItsOrigin) {
     put_origin(prepared_.scene, {0, 0});
     expect_goes_on_to(run_to_end(OriginCell{0, 0}));
 }
@@ -99,7 +99,7 @@ TEST_F(OlderCheckpoint, OriginOutsideOfTheGridIsRefused) {
     EXPECT_NE(outcome.err.find("does not fit this program and scene"), std::string::npos) << outcome.err;
 }
 
-TEST_F(OlderCheckpoint, OfAnotherFormatIsRefusedInASentence) {
+TEST_F(OlderCheckpoint, OfAnotherFormatIsRefusedWithAMessage) {
     run_to_end({});
     for (const auto& [format, age] : {std::pair<std::uint32_t, std::string>{1, "an older"},
                                       {app::k_checkpoint_format - 1, "an older"},

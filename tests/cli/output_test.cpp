@@ -73,7 +73,7 @@ std::vector<std::string> cells_of(const std::string& row) {
 
 const std::string k_quiet = "[output]\nmaps = off\nanimation = off\nframes = off\n";
 
-TEST_F(Output, EveryRasterIsAValidCloudOptimisedGeotiffThatTellsWhereItComesFrom) {
+TEST_F(Output, EveryRasterIsAValidCloudOptimisedGeotiffWithProvenance) {
     write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
     run("frame-interval = 2\n[output]\nmaps = off\nanimation = off\nnames = avaframe\n[hazard]\nscheme = "
         "swiss-flood\n"
@@ -132,7 +132,7 @@ TEST_F(Output, TheHashFollowsTheScene) {
     EXPECT_EQ(app::text_hash("http://www.example.com/"), "fcde3c85-2270-590f-9e7c-ee003d65e0e2");
 }
 
-TEST_F(Output, OutlinesCarryTheirValues) {
+TEST_F(Output, OutlinesHaveTheirValues) {
     run(k_quiet);
     const gis::GdalSession session;
     const GDALDatasetUniquePtr file(GDALDataset::Open(path("result/extent.gpkg").c_str(), GDAL_OF_VECTOR));

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 class Overwrite : public ResultScenes {};
 
-TEST_F(Overwrite, LeavesWhatAFreshRunWrites) {
+TEST_F(Overwrite, LeavesTheFilesOfAFreshRun) {
     const std::map<std::string, std::string> scenes{
         {"all_of_the_first_model", k_voellmy + k_entrainment + k_every_output + "[output]\nanimation = off\n"},
         {"all_of_the_second_model", k_structured + k_every_output + "[output]\nanimation = off\n"},
@@ -79,7 +79,7 @@ TEST_F(Overwrite, EveryFileOfAResultIsInItsManifestAndInTheTable) {
     }
 }
 
-TEST_F(Overwrite, KeepsTheUsersFilesWhereverTheyLie) {
+TEST_F(Overwrite, KeepsTheUsersFilesInEveryFolder) {
     run(k_voellmy + k_entrainment + "[output]\nmap-size = 800x600\nmaps = max_depth\nanimation = off\n", "old");
     const std::map<std::string, std::string> same_name{{"notes.txt", "a"},
                                                        {"maps/mine.png", "b"},
@@ -133,7 +133,7 @@ TEST_F(Overwrite, KeepsTheUsersFilesWhereverTheyLie) {
 }
 
 // Drawing and comparing again replace their own files, and keep files changed by the user.
-TEST_F(Overwrite, WhatIsDrawnAgainKeepsWhatWasChanged) {
+TEST_F(Overwrite, RedrawingKeepsChangedFiles) {
     run(k_voellmy + k_numbers_only, "old");
     for (int time = 0; time < 2; ++time) {
         render({"--map", "max_depth", "--size", "800x600"});
@@ -182,7 +182,7 @@ TEST_F(Overwrite, AnOlderResultWithoutAManifestIsKeptWhole) {
 }
 
 // A manifest is only text: it must not lead out of the folder.
-TEST_F(Overwrite, AManifestReachesNoFileElsewhere) {
+TEST_F(Overwrite, AManifestAffectsNoFileElsewhere) {
     run(k_voellmy + k_numbers_only, "old");
     fs::create_directory(path("photos"));
     write("photos/one.jpg", "a photograph");
@@ -198,7 +198,7 @@ TEST_F(Overwrite, AManifestReachesNoFileElsewhere) {
 }
 
 // Folders beside the result belong to frana only if they have a note with their own name.
-TEST_F(Overwrite, FoldersBesideTheResultStay) {
+TEST_F(Overwrite, FoldersBesideTheResultAreKept) {
     run(k_voellmy + k_numbers_only, "old");
     copy("old", "old.partial-backup");
     fs::create_directories(path("old.partial-Ab12Cd/maps"));
@@ -210,7 +210,7 @@ TEST_F(Overwrite, FoldersBesideTheResultStay) {
 }
 
 // A run killed after the results were exchanged, and before the user's files were moved.
-TEST_F(Overwrite, TheNextRunEndsWhatAKilledOneLeft) {
+TEST_F(Overwrite, TheNextRunCompletesWhatAKilledOneLeft) {
     run(k_voellmy + k_entrainment + k_numbers_only, "old");
     run(k_voellmy + k_numbers_only, "fresh");
     copy("fresh", "new");
@@ -230,7 +230,7 @@ TEST_F(Overwrite, TheNextRunEndsWhatAKilledOneLeft) {
 }
 
 // One that cannot be exchanged, as on some file systems or if another folder was put there.
-TEST_F(Overwrite, AResultThatCannotTakeItsNameIsKeptBesideIt) {
+TEST_F(Overwrite, AResultThatCannotBeRenamedIsKeptBesideIt) {
     write("scene.ini",
           "[terrain]\ndtm = dtm.asc\n[release]\nperimeter = perimeter.geojson\nthickness = 2\n[time]\n"
           "end = 60\nstop-when-still = off\n" +
@@ -259,7 +259,7 @@ TEST_F(Overwrite, AResultThatCannotTakeItsNameIsKeptBesideIt) {
 }
 
 // With every output, of either model.
-TEST_F(Overwrite, AResumedRunWritesWhatAFreshOneDoes) {
+TEST_F(Overwrite, AResumedRunWritesTheFilesOfAFreshOne) {
     const std::map<std::string, std::string> models{{"first", k_voellmy + k_entrainment}, {"second", k_structured}};
     for (const auto& [name, text] : models) {
         SCOPED_TRACE(name);

@@ -25,7 +25,7 @@ std::string first_block(const std::string& text, const std::string& language) {
 
 using Readme = TinyScene;
 
-TEST_F(Readme, ItsFirstSceneRunsAsItStands) {
+TEST_F(Readme, ItsFirstSceneRunsUnchanged) {
     const std::string scene = first_block(document("README.md"), "ini");
     ASSERT_FALSE(scene.empty()) << "the README has lost its first scene";
     fs::create_directory_symlink(FRANA_SOURCE_DIR "/sample_data", folder_ / "sample_data");
@@ -40,7 +40,7 @@ TEST_F(Readme, ItsFirstSceneRunsAsItStands) {
     EXPECT_TRUE(fs::exists(folder_ / "my-slope/results/my-slope/max_depth.tif"));
 }
 
-TEST(Documents, LinkOnlyToWhatIsThere) {
+TEST(Documents, LinkOnlyToExistingFiles) {
     std::vector<fs::path> pages{fs::path(FRANA_SOURCE_DIR) / "README.md"};
     for (const fs::directory_entry& entry : fs::directory_iterator(FRANA_SOURCE_DIR "/share/doc"))
         if (entry.path().extension() == ".md") pages.push_back(entry.path());

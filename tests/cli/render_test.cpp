@@ -138,7 +138,7 @@ TEST_F(Render, ErrorsAreRefused) {
     EXPECT_NE(particles.err.find("particles-gpkg"), std::string::npos) << particles.err;
 }
 
-TEST_F(Render, ResultsInUnequalCrsAreNotPutBesideEachOther) {
+TEST_F(Render, ResultsInDifferentCrsAreNotDrawnBesideEachOther) {
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "other", "--quiet", "--set", "terrain.crs=EPSG:32633"}).exit_code, 0);
     const Outcome beside =
         frana({"render", "result", "--animation", "two.mp4", "--beside", "other", "--size", "1280x480"});

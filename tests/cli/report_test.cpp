@@ -26,7 +26,7 @@ TEST(Base64, AsTheStandardsExamples) {
 
 using Report = TinyScene;
 
-TEST_F(Report, TellsEverythingInOneFile) {
+TEST_F(Report, ContainsEverythingInOneFile) {
     write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
     write_scene(
         "frame-interval = 1\n[output]\nanimation = off\nmap-size = 800x600\nmaps = max_depth, max_velocity\n"
@@ -60,7 +60,7 @@ TEST_F(Report, TellsEverythingInOneFile) {
 }
 
 // A browser displays PNG: pictures in other formats are also drawn for the page.
-TEST_F(Report, ShowsPicturesThatTheSceneAsksForInOtherFormats) {
+TEST_F(Report, ShowsPicturesRequestedInOtherFormats) {
     write_polygon("scar", {{15, 50}, {180, 50}, {180, 100}, {15, 100}});
     write_scene(
         "[output]\nanimation = off\ncharts = off\nmap-size = 640x480\nmaps = max_depth, "
@@ -78,7 +78,7 @@ TEST_F(Report, ShowsPicturesThatTheSceneAsksForInOtherFormats) {
     }
 }
 
-TEST_F(Report, IsOnlyThereWhereItIsWanted) {
+TEST_F(Report, IsWrittenOnlyOnRequest) {
     write_scene(k_numbers_only + "report = off\n");
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     EXPECT_FALSE(std::filesystem::exists(path("result/report.html")));

@@ -54,7 +54,7 @@ class Mounted {
     bool is_there_;
 };
 
-TEST_F(Place, ASymbolicLinkStaysOneAndTheResultIsBuiltWhereItLeads) {
+TEST_F(Place, ASymbolicLinkIsKeptAndTheResultIsBuiltAtItsTarget) {
     fs::create_directories(path("disk/empty"));
     fs::create_directory_symlink("disk/empty", path("to_empty"));
     fs::create_directory_symlink(path("disk/new"), path("to_nothing_yet"));
@@ -83,7 +83,7 @@ TEST_F(Place, BrokenLinksAreRefused) {
     expect_refused("circle", 2, "is a symbolic link to itself");
 }
 
-TEST_F(Place, AMountPointIsRefusedAtTheStartAndAFolderInItTaken) {
+TEST_F(Place, AMountPointIsRefusedAtTheStartAndAFolderInItAccepted) {
     fs::create_directories(path("disk"));
     const Mounted disk(path("disk"));
     if (!disk.is_there()) GTEST_SKIP() << "nothing may be mounted here";
@@ -122,7 +122,7 @@ class AsNobody {
     bool is_;
 };
 
-TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
+TEST_F(Place, OfAnotherOwnerOrWithoutPermissionIsRefused) {
     for (const char* name : {"closed", "sticky", "sticky/result", "open", "open/closed"})
         fs::create_directories(path(name));
     ASSERT_EQ(::chmod(path("sticky").c_str(), 01777), 0);
@@ -149,7 +149,7 @@ TEST_F(Place, WhatAnotherOwnsOrMayNotBeWrittenIsRefused) {
 }
 
 // A colleague's folder, a disk mounted read-only: all problems at once, with a remedy also by check.
-TEST_F(Place, ThatCannotBeWrittenIsToldBesideTheScenesProblems) {
+TEST_F(Place, ThatCannotBeWrittenIsReportedWithTheScenesProblems) {
     fs::create_directories(path("disk"));
     const Mounted disk(path("disk"));
     if (!disk.is_there() || ::mount("tmpfs", path("disk").c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, "size=16m") != 0)
@@ -213,7 +213,7 @@ TEST_F(Place, InputsThatTheResultDoesNotReplaceAreReadAndKept) {
 }
 
 // What could not be read, moved or removed is reported, and still exists.
-TEST_F(Place, AnOlderResultThatCannotBeTakenApartIsToldOf) {
+TEST_F(Place, AnOlderResultThatCannotBeRemovedIsReported) {
     for (const char* name : {"older", "older/frames", "older/private", "other", "other/frames", "result"}) {
         fs::create_directories(path(name));
         ASSERT_EQ(::chmod(path(name).c_str(), 0777), 0);

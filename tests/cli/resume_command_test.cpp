@@ -84,7 +84,7 @@ TEST_F(Killed, AtAnyMomentTheStructuredModelEndsInTheSameBits) {
 
 class Stopped : public Resuming {};
 
-TEST_F(Stopped, BySignalsItKeepsWhatThereIsAndGoesOn) {
+TEST_F(Stopped, BySignalsItKeepsItsStateAndIsResumed) {
     // Checkpoints only when a signal stops it.
     const auto run_once = [&](const std::string& result) {
         std::vector<std::string> arguments = run(result);
@@ -130,7 +130,7 @@ TEST_F(Stopped, BySignalsItKeepsWhatThereIsAndGoesOn) {
 
 class Interrupted : public Resuming {};
 
-TEST_F(Interrupted, ItIsNeitherForgottenNorLost) {
+TEST_F(Interrupted, ItIsNeitherIgnoredNorLost) {
     interrupt("result");
     const std::vector<std::string> before = checkpoints("result");
     ASSERT_EQ(before.size(), 2U);  // the last two are kept
@@ -154,7 +154,7 @@ TEST_F(Interrupted, WithoutACheckpointResumingStartsAtTheBeginning) {
     EXPECT_NE(again.err.find("the result is complete"), std::string::npos) << again.err;
 }
 
-TEST_F(Interrupted, ADamagedCheckpointGivesWayToTheOneBefore) {
+TEST_F(Interrupted, ADamagedCheckpointIsReplacedByTheOneBefore) {
     ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
     interrupt("result");
     const std::vector<std::string> both = checkpoints("result");
@@ -172,7 +172,7 @@ TEST_F(Interrupted, ADamagedCheckpointGivesWayToTheOneBefore) {
     expect_same_result("whole", "result");
 }
 
-TEST_F(Interrupted, NothingToGoOnFromIsSaidNotBegunAnew) {
+TEST_F(Interrupted, NothingToResumeFromIsReportedNotRestarted) {
     interrupt("result");
     const std::vector<std::string> both = checkpoints("result");
     const std::string newest = read_text(both[0]);
@@ -207,7 +207,7 @@ TEST_F(Interrupted, NothingToGoOnFromIsSaidNotBegunAnew) {
     EXPECT_EQ(frana(run("result", {"--resume", "--quiet"})).exit_code, 0);
 }
 
-TEST_F(Interrupted, AMissingInputOrFrameIsSaid) {
+TEST_F(Interrupted, AMissingInputOrFrameIsReported) {
     interrupt("result");
     fs::rename(path("dtm.asc"), path("elsewhere.asc"));
     const Outcome outcome = frana(run("result", {"--resume"}));
@@ -225,7 +225,7 @@ TEST_F(Interrupted, AMissingInputOrFrameIsSaid) {
 }
 
 // Every byte counts: with any change, the file is refused, without a crash.
-TEST_F(Interrupted, NoChangedByteOfACheckpointPasses) {
+TEST_F(Interrupted, NoChangedByteOfACheckpointIsAccepted) {
     interrupt("result");
     const std::string file = checkpoints("result").front(), bytes = read_text(file);
     ASSERT_NO_THROW(app::CheckpointFile{file});

@@ -69,7 +69,7 @@ TEST_F(ResumedFrames, HaveTheParticlesOfAStoppedRun) {
     expect_same_particles("whole", "result");
 }
 
-TEST_F(ResumedFrames, OfWhichAnyFileIsMissingAreSaid) {
+TEST_F(ResumedFrames, MissingFilesAreReported) {
     StartedProgram program(folder_.string(), with_particles("result"));
     ASSERT_TRUE(program.wait_until([&] { return has_checkpoints("result", 2); })) << program.wait().err;
     program.send(SIGKILL);
@@ -83,7 +83,7 @@ TEST_F(ResumedFrames, OfWhichAnyFileIsMissingAreSaid) {
 
 // Otherwise everything would be computed, and the animation or the stack of frames would fail at the end, each time
 // again.
-TEST_F(ResumedFrames, ThatAreDamagedAreSaidBeforeAnythingIsComputed) {
+TEST_F(ResumedFrames, ThatAreDamagedAreReportedBeforeAnythingIsComputed) {
     interrupt("result");
     const fs::path file = folder_of(checkpoints("result")[0]) / "frames/velocity_0000.tif";
     damage(file);
@@ -95,7 +95,7 @@ TEST_F(ResumedFrames, ThatAreDamagedAreSaidBeforeAnythingIsComputed) {
     EXPECT_EQ(checkpoints("result").size(), 2U);
 }
 
-TEST_F(ResumedFrames, ThatAreDamagedCostNoMoreThanTheyMust) {
+TEST_F(ResumedFrames, DamagedOnesLoseNoMoreThanNecessary) {
     ASSERT_EQ(frana(run("whole", {"--quiet"})).exit_code, 0);
     StartedProgram program(folder_.string(), run("result"));
     // Two checkpoints with different numbers of frames.

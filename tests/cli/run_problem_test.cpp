@@ -30,7 +30,7 @@ TEST_F(FailingRun, NamesPlaceStepAndTimeEverywhere) {
 }
 
 // An exit code other than 0 is explained, also with --quiet.
-TEST_F(FailingRun, IsNotSilentWhereItIsToBeQuiet) {
+TEST_F(FailingRun, ReportsItsProblemAlsoWithQuiet) {
     write_dtm([](int, int column) { return column == 16 ? -9999.0 : 300 - 2.5 * column; });
     write_scene(k_numbers_only);
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet"});
@@ -53,7 +53,7 @@ TEST_F(FailingRun, AGoodRunHasNone) {
 
 using MemoryLimit = TinyScene;
 
-TEST_F(MemoryLimit, RefusesBeforehandInRunAndCheck) {
+TEST_F(MemoryLimit, RefusesBeforeTheStartInRunAndCheck) {
     write_scene(k_numbers_only);
     const auto before = files();
     for (const char* command : {"run", "check"}) {
@@ -110,7 +110,7 @@ TEST_F(OddPaths, SpacesAccentsLengthAndLinks) {
 }
 
 // Files named by a scene are read, never written; results are written to the output directory alone.
-TEST_F(OddPaths, AScenesNamesDoNotLeadOutOfTheResult) {
+TEST_F(OddPaths, PathsInASceneAreNeverWritten) {
     write_scene(k_numbers_only + "directory = out\n");
     const auto before = files();
     for (const char* set : {"output.maps=../../escape", "output.maps=/tmp/escape", "output.formats=../x"}) {

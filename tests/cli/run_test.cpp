@@ -114,7 +114,7 @@ TEST_F(RunCommand, WritesEveryFileOfTheContract) {
     EXPECT_EQ(json_number(comparison, "observed_area_m2"), 165 * 50);
 }
 
-TEST_F(RunCommand, RastersCarryPlaceNodataAndTexts) {
+TEST_F(RunCommand, RastersHavePlaceNodataAndTexts) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     GDALAllRegister();
@@ -163,7 +163,7 @@ TEST_F(RunCommand, EveryOutputIsTheSameForAnyNumberOfThreadsAndASecondTime) {
     }
 }
 
-TEST_F(RunCommand, AnExistingResultIsKeptUnlessToldOtherwise) {
+TEST_F(RunCommand, AnExistingResultIsKeptWithoutOverwrite) {
     write_scene(k_numbers_only);
     ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet"}).exit_code, 0);
     write("result/notes.txt", "mine");
@@ -183,7 +183,7 @@ TEST_F(RunCommand, AnExistingResultIsKeptUnlessToldOtherwise) {
     EXPECT_EQ(json_number(read_text(path("result/summary.json")), "simulated_seconds"), 2);
 }
 
-TEST_F(RunCommand, ASignalWritesWhatThereIs) {
+TEST_F(RunCommand, ASignalWritesTheResultSoFar) {
     write_scene("stop-when-still = off\nstop-change = 0\n[numerics]\nparticles-per-cell = 16\n" + k_numbers_only);
     const Outcome outcome = frana(
         {"run", "scene.ini", "--out", "result", "--set", "time.end=100000", "--set", "terrain.cell-size=1"}, 2000);
@@ -193,7 +193,7 @@ TEST_F(RunCommand, ASignalWritesWhatThereIs) {
     EXPECT_TRUE(fs::exists(path("result/max_depth.tif")));
 }
 
-TEST_F(RunCommand, FlowThatLeavesOrStillMovesIsSaid) {
+TEST_F(RunCommand, FlowThatLeavesOrStillMovesIsReported) {
     write_scene(k_numbers_only);
     const Outcome outcome =
         frana({"run", "scene.ini", "--out", "result", "--set", "terrain.bounds=527000 5094000 527090 5094150"});
@@ -250,7 +250,7 @@ TEST_F(RunCommand, ADtmInDegreesIsComputedInItsUtmZone) {
     EXPECT_NEAR(json_number(summary, "initial_m3"), 4000, 180 * 2 * json_number(summary, "cell_size") / 4);
 }
 
-TEST_F(RunCommand, AFullDiskLeavesTheOlderResultAndNoLitter) {
+TEST_F(RunCommand, AFullDiskLeavesTheOlderResultAndNothingElse) {
 #if defined(__SANITIZE_THREAD__)
     GTEST_SKIP() << "ThreadSanitizer writes a larger file of its own before the program begins";
 #endif

@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.name; });
 
 /// Both columns are missing: both are reported.
-TEST_F(TinyScene, AHydrographWithoutItsColumnsIsToldAllAtOnce) {
+TEST_F(TinyScene, AHydrographWithoutItsColumnsIsReportedAtOnce) {
     write("line.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},)"
                           R"("geometry":{"type":"LineString","coordinates":[[9.35,46.0],[9.3501,46.0]]}}]})");
     write("heads.csv", "t,q\n0,10\n5,10\n");

@@ -98,7 +98,7 @@ TEST_F(Site, ZonesByRasterHaveTheirDefaultOutside) {
     EXPECT_LT(summary("horizontal_m"), 0.8 * reach);
 }
 
-TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleGround) {
+TEST_F(Site, ZonesOfTurbulenceCohesionAndErodibleDepth) {
     run_with("");
     const double fastest = summary("max_velocity_ms");
     // Very high drag below the release: v^2 = xi h (sin - mu cos) stays below 1 m2/s2 for 4 m of depth.
@@ -230,7 +230,7 @@ TEST_F(Site, LateAreasHaveTheirOwnStartVelocityAndVolume) {
     EXPECT_NE(log.find("release area 2: 2 500 m3 from 1 600 m2, at 1.5 s"), std::string::npos) << log;
 }
 
-TEST_F(Site, SlipSurfaceIsFittedAndTakenOutOfTheGround) {
+TEST_F(Site, SlipSurfaceIsFittedAndRemovedFromTheGround) {
     run_with("[release]\nslip-depth = 6\ndtm-contains-release = on\n", "out", {"release.thickness=slip-surface"});
     const Raster dtm = result("dtm"), bed = result("bed");
     double deepest = 0;
@@ -251,7 +251,7 @@ TEST_F(Site, SlipSurfaceFromARaster) {
     EXPECT_NEAR(summary("initial_m3"), 3 * 50 * 40, 1e-6);
 }
 
-TEST_F(Site, HydrographFlowsInToTheLastDrop) {
+TEST_F(Site, HydrographFlowsInCompletely) {
     write_features("line", {{{{30, 60}, {30, 90}}, ""}}, "LineString");
     write("flood.csv", "time_s,discharge_m3s,velocity_ms\n0,0,0\n1,120,6\n3,0,0\n");
     const std::string scene =

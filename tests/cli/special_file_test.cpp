@@ -71,7 +71,7 @@ TEST_F(SpecialFile, IsNoListOfFiles) {
     }
 }
 
-TEST_F(SpecialFile, InputsKeepTheirFolderAsItIs) {
+TEST_F(SpecialFile, InputsLeaveTheirFolderUnchanged) {
     const std::vector<std::string> square{
         "POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"};
     fs::create_directory(folder_ / "in");
@@ -97,7 +97,7 @@ TEST_F(SpecialFile, InputsKeepTheirFolderAsItIs) {
 }
 
 // Reporting each pair would be 44 850 lines.
-TEST_F(SpecialFile, EqualPolygonsAreToldOnceAndCounted) {
+TEST_F(SpecialFile, EqualPolygonsAreReportedOnceAndCounted) {
     const std::string square = "POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))";
     gis::test::make_vector(path("equal.gpkg"), "GPKG", "EPSG:32632", std::vector<std::string>(300, square));
     const Outcome outcome = frana({"check", "scene.ini", "--set", "release.perimeter=equal.gpkg"});
@@ -138,7 +138,7 @@ TEST_F(SpecialFile, ADamagedBackgroundIsFoundByCheck) {
     expect_refused({"scene.ini", "--set", "output.map-background=photo.tif"}, "the picture is damaged");
 }
 
-TEST_F(SpecialFile, AFilterThatHoldsAQueryIsRefused) {
+TEST_F(SpecialFile, AFilterWithAQueryIsRefused) {
     gis::test::make_vector(path("a.gpkg"), "GPKG", "EPSG:32632",
                            {"POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"});
     const std::string endless =
@@ -168,7 +168,7 @@ TEST_F(SpecialFile, AVrtRunsNoProgram) {
 }
 
 // A library cannot be interrupted; the program can.
-TEST_F(SpecialFile, AViewThatNeverEndsIsGivenUp) {
+TEST_F(SpecialFile, AViewThatNeverEndsIsAborted) {
     const std::string file = path("view.gpkg");
     gis::test::make_vector(file, "GPKG", "EPSG:32632",
                            {"POLYGON((527020 5094055,527070 5094055,527070 5094095,527020 5094095,527020 5094055))"});

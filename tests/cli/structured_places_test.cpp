@@ -64,7 +64,7 @@ class StructuredPlaces : public TinyScene {
 };
 
 // Loose solids in the west, whose fluid is free from the start; intact material in the east, which confines its fluid.
-TEST_F(StructuredPlaces, PolygonsGiveCohesionAndSolidsShare) {
+TEST_F(StructuredPlaces, PolygonsGiveCohesionAndSolidFraction) {
     const Outcome outcome = run({"structured.zones=zones.geojson", "structured.cohesion=attribute:c",
                                  "structured.solid-fraction=attribute:alpha"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -108,7 +108,7 @@ TEST_F(StructuredPlaces, RastersGiveTheDepthsOfBothPhases) {
 }
 
 // Water on the flat ground at the foot, 200 m to 290 m, besides the release.
-TEST_F(StructuredPlaces, FluidLiesOnTheGroundAtTheStart) {
+TEST_F(StructuredPlaces, FluidIsOnTheGroundAtTheStart) {
     write_dtm([](int row, int column) { return column >= 42 && column < 58 && row >= 5 && row < 25 ? 1.5 : -9999; },
               true, "water.asc");
     const Outcome outcome = run({"structured.initial-fluid-depth=raster:water.asc"});

@@ -223,7 +223,7 @@ TEST(FlumeSample, ACrackFromTheCornerAlongHalfTheBlock) {
     EXPECT_GT(free - blocked, 0.1);  // the free side is ahead; the block is 0.25 m wide
 }
 
-TEST(FlumeSample, TheWeakerTheMoreBreaks) {
+TEST(FlumeSample, WeakerBlocksBreakMore) {
     const auto lost = [](const char* file) { return SampleRun(file, "0.05").at(0.9).lost; };
     const double strong = lost("flume/strong.ini"), first = lost("flume/material_1.ini"),
                  second = lost("flume/material_2.ini");

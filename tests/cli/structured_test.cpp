@@ -91,7 +91,7 @@ TEST_F(StructuredScene, EchoRepeatsTheRun) {
     }
 }
 
-TEST_F(StructuredScene, CheckTellsWhatWouldRun) {
+TEST_F(StructuredScene, CheckPrintsWhatWouldRun) {
     write_fluid();
     const Outcome outcome = frana({"check", "scene.ini"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -100,7 +100,7 @@ TEST_F(StructuredScene, CheckTellsWhatWouldRun) {
 }
 
 // Inflow and a release that fails later enter as in the first model.
-TEST_F(StructuredScene, ReceivesWhatComesLater) {
+TEST_F(StructuredScene, AddsLaterReleasesAndInflow) {
     write("hydrograph.csv", "time,discharge,velocity\n0,0,2\n2,30,2\n8,30,2\n10,0,2\n");
     write("line.geojson",
           R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::32632"}},)"
@@ -175,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"negative_manning", {"structured.manning=-0.1"}, {"structured.manning", "-0.1", "0 to 1"}}),
     [](const auto& tested) { return tested.param.name; });
 
-TEST_F(StructuredScene, SaysThatPhasesAreMissing) {
+TEST_F(StructuredScene, ReportsMissingPhases) {
     write_scene();
     const Outcome outcome = frana({"check", "scene.ini", "--set", "material.model=structured"});
     EXPECT_EQ(outcome.exit_code, 2);

@@ -31,7 +31,7 @@ TEST_F(Terrain, BeyondAllGroundIsRefused) {
     EXPECT_EQ(frana({"check", "scene.ini", "--set", "terrain.bounds=527000 5094000 527250 5094150"}).exit_code, 0);
 }
 
-TEST_F(Terrain, HigherAndLowerThanAnyIsToldWithItsPlace) {
+TEST_F(Terrain, HigherAndLowerThanAnyIsReportedWithItsPlace) {
     expect_warning(check([](int, int column) { return 100 * (slope(column) - 8.75); }), 0,
                    {"29000 m at", "higher than any mountain", "527002.5", "terrain.vertical-unit"});
     expect_warning(check([](int, int column) { return slope(column) - 900; }), 0, {"lower than any dry ground"});
@@ -39,13 +39,13 @@ TEST_F(Terrain, HigherAndLowerThanAnyIsToldWithItsPlace) {
                    {"270 cells have the value 9999", "higher than any mountain"});
 }
 
-TEST_F(Terrain, SlopesThatAreAMistakenUnitAreTold) {
+TEST_F(Terrain, SlopesOfAWrongUnitAreReported) {
     // 2000 m over 300 m: feet for metres are a factor of three, kilometres for metres one of a thousand.
     expect_warning(check([](int, int column) { return 2000 - 35.0 * column; }), 0,
                    {"half of the ground is steeper than 81.9 degrees", "terrain.vertical-unit"});
 }
 
-TEST_F(Terrain, SingleCellsOffAllNeighboursAreToldAndCounted) {
+TEST_F(Terrain, SingleCellsFarFromAllNeighboursAreReportedAndCounted) {
     expect_warning(check([](int row, int column) { return slope(column) + (row == 12 && column == 30 ? 50 : 0); }), 0,
                    {"1 single cell stands", "47.5 m at 527152.5, 5094087.5 (row 12, column 30)"});
     expect_warning(check([](int row, int column) {

@@ -74,7 +74,7 @@ TEST_F(ThinFlow, ThatOutlinesDoNotShowIsAWarningOfCheckAndRun) {
     EXPECT_GT(json_number(read_text(path("heeded/summary.json")), "covered_area_m2"), 2000);
 }
 
-TEST_F(ThinFlow, OnTheWayIsAWarning) {
+TEST_F(ThinFlow, DuringTheRunIsAWarning) {
     write_scene(k_numbers_only);
     const Outcome outcome =
         frana({"run", "scene.ini", "--out", "result", "--set", "release.thickness=0.02", "--set", "time.end=30"});

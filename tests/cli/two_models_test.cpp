@@ -57,7 +57,7 @@ TEST_F(BothModels, StrongBlocksCoverLessAndWeakOnesBreak) {
 }
 
 // With frames, their particles and an animation as without.
-TEST_F(BothModels, LookingOnChangesNothing) {
+TEST_F(BothModels, ObservationChangesNothing) {
     for (const std::string scene : {"coulomb.ini", "structured.ini"}) {
         const std::vector<std::string> brief{"time.end=20", "hazard.scheme=swiss-flood"};
         std::vector<std::string> seen = brief;

@@ -64,7 +64,7 @@ TEST_F(UnderWay, AnimationsAndMapsShowTheFramesSoFar) {
     EXPECT_FALSE(fs::exists(path("result")));
 }
 
-TEST_F(UnderWay, FramesOfAKilledRunCanBeSeen) {
+TEST_F(UnderWay, FramesOfAKilledRunCanBeDrawn) {
     ASSERT_TRUE(run_->wait_until([&] { return frames() >= 2; })) << run_->wait().err;
     run_->send(SIGKILL);
     run_->wait();

@@ -38,7 +38,7 @@ class FileAsideIn : public ::testing::Test {
     fs::path folder_;
 };
 
-TEST_F(FileAsideIn, AnUnnamedFileNothingIsSeenUntilItIsWhole) {
+TEST_F(FileAsideIn, AnUnnamedFileAppearsWhenItIsComplete) {
     for (const char* content : {"first", "second"}) {  // a new name, and an existing one
         const auto before = names();
         FileAside file(path("a.txt"));
@@ -58,7 +58,7 @@ TEST_F(FileAsideIn, AnUnnamedFileNothingIsSeenUntilItIsWhole) {
     EXPECT_EQ(text(path("a.txt")), "second");
 }
 
-TEST_F(FileAsideIn, EveryByteIsSeenTo) {
+TEST_F(FileAsideIn, EveryByteIsChecked) {
     write_file(path("a.txt"), "old");
     rlimit usual{};
     ::getrlimit(RLIMIT_FSIZE, &usual);

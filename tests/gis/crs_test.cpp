@@ -13,7 +13,7 @@ namespace {
 
 using test::error_of;
 
-TEST(Crs, UnderstandsWhatUsersWrite) {
+TEST(Crs, ReadsWhatUsersWrite) {
     for (const char* text : {"EPSG:32632", "+proj=utm +zone=32 +datum=WGS84", "EPSG:3003"}) {
         const std::string wkt = crs_from_user(text, "scene.ini: terrain.crs");
         EXPECT_TRUE(is_projected_in_metres(wkt)) << text;
@@ -21,7 +21,7 @@ TEST(Crs, UnderstandsWhatUsersWrite) {
     }
 }
 
-TEST(Crs, RefusesNonsenseNamingTheKeyAndARemedy) {
+TEST(Crs, RefusesInvalidTextNamingTheKeyAndARemedy) {
     for (const char* text : {"UTM 32", "EPSG:1", "", "32632x", "/etc/hostname"}) {
         const Error error = error_of([&] { (void)crs_from_user(text, "scene.ini: terrain.crs"); });
         EXPECT_EQ(error.kind(), ErrorKind::input);
@@ -30,7 +30,7 @@ TEST(Crs, RefusesNonsenseNamingTheKeyAndARemedy) {
     }
 }
 
-TEST(Crs, NamesForPeople) {
+TEST(Crs, NamesForMessages) {
     EXPECT_EQ(crs_name(crs_from_user("EPSG:32632", "")), "EPSG:32632 (WGS 84 / UTM zone 32N)");
     EXPECT_EQ(crs_name(""), "local");
 }
@@ -47,7 +47,7 @@ TEST(Crs, OnlyMetresEastAndNorthMakeSquareCells) {
     EXPECT_TRUE(is_projected_in_metres(crs_from_user("EPSG:25832+5783", "")));  // with heights
 }
 
-TEST(Crs, HeightsAreSetApart) {
+TEST(Crs, HeightsAreSeparate) {
     const std::string compound = crs_from_user("EPSG:2927+6360", "");  // heights in US survey feet
     EXPECT_NEAR(vertical_metres_per_unit(compound), 1200.0 / 3937.0, 1e-12);
     EXPECT_EQ(vertical_metres_per_unit(crs_from_user("EPSG:2927", "")), 0);
@@ -62,7 +62,7 @@ TEST(Crs, UtmZones) {
     EXPECT_EQ(crs_name(utm_crs_for(180.5, -10)).substr(0, 10), "EPSG:32701");
 }
 
-TEST(Crs, TrueNorthLiesWestOfGridNorthEastOfTheCentralMeridian) {
+TEST(Crs, TrueNorthIsWestOfGridNorthEastOfTheCentralMeridian) {
     const std::string utm = crs_from_user("EPSG:32632", "");
     // First term of the series, (longitude - 9) sin(latitude); the next is below 1e-6 degrees here.
     const double expected = -(9.38 - 9) * std::sin(46 * std::numbers::pi / 180);

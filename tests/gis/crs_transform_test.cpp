@@ -105,7 +105,7 @@ TEST(CrsTransform, EqualCrssLeaveCoordinatesToTheLastBit) {
         CrsTransform(utm, crs_from_user("EPSG:32633", ""), Bounds{529000, 5094000, 530000, 5095000}).is_identity());
 }
 
-TEST(CrsTransform, SaysWhenABetterGridIsMissing) {
+TEST(CrsTransform, ReportsAMissingBetterGrid) {
     // Debian does not contain OSTN15: the Helmert operation remains, 2 m instead of centimetres.
     const CrsTransform transform(crs_from_user("EPSG:27700", ""), crs_from_user("EPSG:4326", ""),
                                  Bounds{400000, 300000, 401000, 301000});
@@ -136,7 +136,7 @@ TEST(CrsTransform, PointsBeyondTheProjectionAreRefusedOrMarked) {
     EXPECT_TRUE(std::isnan(x[1]) && std::isnan(y[1]));
 }
 
-TEST(CrsTransform, BoundsFollowBentEdges) {
+TEST(CrsTransform, BoundsFollowCurvedEdges) {
     const CrsTransform transform(crs_from_user("EPSG:4326", ""), crs_from_user("EPSG:32632", ""));
     const Bounds b = transform.around({8, 46, 10, 47});
     // The southern edge is curved towards the central meridian: its lowest point is there, not at a corner.

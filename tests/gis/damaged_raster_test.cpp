@@ -80,7 +80,7 @@ Raster waves() {
     return raster;
 }
 
-TEST(ARaster, IsWrittenWhereAsked) {
+TEST(ARaster, IsWrittenToTheGivenPath) {
     const test::Folder folder;
     const char* asked = std::getenv(k_asked);
     const std::string path = asked != nullptr ? asked : folder.file("a.tif");

@@ -27,7 +27,7 @@ MultiPolygon box(double west, double south, double east, double north) {
     return {{{{west, south}, {east, south}, {east, north}, {west, north}}, {}}};
 }
 
-TEST(Footprint, TakesCellsByTheirCentres) {
+TEST(Footprint, CoversCellsByTheirCentres) {
     bool thin = true;
     // Columns 2 to 5 and rows from the south 4 to 5 have their centres inside.
     const Raster mask = cells_of(box(1011, 2021, 1029, 2029), Cover::closed, thin);
@@ -56,7 +56,7 @@ TEST(Footprint, LeavesNoGapInAThinDam) {
     }
 }
 
-TEST(Footprint, LeavesOutWhatLiesBeyondTheGrid) {
+TEST(Footprint, LeavesOutPartsBeyondTheGrid) {
     bool thin = false;
     EXPECT_EQ(count(cells_of(box(1090, 2090, 1500, 2500), Cover::centres, thin)), 4);
     EXPECT_EQ(count(cells_of(box(3000, 2090, 3500, 2500), Cover::centres, thin)), 0);

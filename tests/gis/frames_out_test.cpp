@@ -91,7 +91,7 @@ TEST_P(Stack, HasCfCoordinatesUnitsAndCrs) {
     }
 }
 
-TEST_P(Stack, HoldsEveryFrameWithNodataWhereThereIsNoFlow) {
+TEST_P(Stack, ContainsEveryFrameWithNodataWhereThereIsNoFlow) {
     const GdalSession session;
     const GDALDatasetUniquePtr file(GDALDataset::Open(path_.c_str(), GDAL_OF_MULTIDIM_RASTER));
     ASSERT_TRUE(file);

@@ -31,7 +31,7 @@ TEST(ReadMarks, PointsAndLinesWithTheirNames) {
     EXPECT_EQ(read_marks(folder.file("c.gpkg"), "", "k").polygons, 1);
 }
 
-TEST(ReadMarks, PlacesArriveInTheTargetCrs) {
+TEST(ReadMarks, PlacesAreInTheTargetCrs) {
     // Monte Mario: 1500000 5000000 in EPSG:3003 is 499970.7 4999981 or so in UTM 32; the exact values depend
     // on the operation. Degrees do not: 9 E 45 N is 500000 4982950.400 in EPSG:32632 (on the central
     // meridian; the arc length of the ellipsoid times 0.9996).
@@ -46,7 +46,7 @@ TEST(ReadMarks, PlacesArriveInTheTargetCrs) {
     EXPECT_NEAR(marks.points[0].place.y, 4982950.400, 1e-3);
 }
 
-TEST(ReadMarks, RefusesWhatItCannotUse) {
+TEST(ReadMarks, RefusesUnusableFiles) {
     const Folder folder;
     EXPECT_NE(std::string(error_of([&] { read_marks(folder.file("none.shp"), "", "output.gauges"); }).what())
                   .find("does not exist"),

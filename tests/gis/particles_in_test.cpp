@@ -34,7 +34,7 @@ void write_particles(const std::string& path) {
     }
 }
 
-TEST(ValuedPoints, PlacesAndNumbersAreReadInTheOrderAsked) {
+TEST(ValuedPoints, PlacesAndNumbersAreReadInTheRequestedOrder) {
     const test::Folder folder;
     write_particles(folder.file("a.gpkg"));
     const ValuedPoints points = read_valued_points(folder.file("a.gpkg"), {"speed_ms", "depth_m"}, "particles");

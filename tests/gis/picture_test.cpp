@@ -37,7 +37,7 @@ GdalDataset open(const std::string& path) {
     return GdalDataset(GDALOpen(path.c_str(), GA_ReadOnly));
 }
 
-TEST(PictureOut, GeoTiffLiesWhereTheMapLies) {
+TEST(PictureOut, GeoTiffIsWhereTheMapIs) {
     const test::Folder folder;
     const std::vector<std::uint8_t> rgb = gradient(200, 150);
     const std::string path = folder.file("map.tif");
@@ -59,7 +59,7 @@ TEST(PictureOut, GeoTiffLiesWhereTheMapLies) {
     EXPECT_EQ(back, rgb);  // lossless
 }
 
-TEST(PictureOut, PdfIsAPageOfTheRightSizeThatKnowsItsPlace) {
+TEST(PictureOut, PdfIsAPageOfTheRightSizeWithItsPlace) {
     const test::Folder folder;
     const std::string path = folder.file("map.pdf");
     const std::vector<std::uint8_t> rgb = gradient(1754, 1240);
@@ -88,7 +88,7 @@ TEST(PictureOut, PdfIsAPageOfTheRightSizeThatKnowsItsPlace) {
 // On several processors GDAL compresses a PDF's stream on a separate thread and records its place and length before
 // that is done (OSGeo/gdal#6270): readers then find invalid data. A page's first bytes and its position on the ground
 // are right all the same.
-TEST(PictureOut, PdfShowsTheVeryPixelsOnSeveralThreads) {
+TEST(PictureOut, PdfShowsTheExactPixelsOnSeveralThreads) {
     const test::Folder folder;
     CPLSetConfigOption("GDAL_NUM_THREADS", "2");
     // Too varied to be compressed well: several blocks of the compressor. An A5 page in landscape.
@@ -110,7 +110,7 @@ TEST(PictureOut, PdfShowsTheVeryPixelsOnSeveralThreads) {
     CPLSetConfigOption("GDAL_NUM_THREADS", nullptr);
 }
 
-TEST(PictureOut, AFullOrMissingFolderIsSaid) {
+TEST(PictureOut, AFullOrMissingFolderIsReported) {
     const std::vector<std::uint8_t> rgb = gradient(20, 20);
     const Error error = test::error_of([&] {
         write_picture_pdf("/nowhere/at/all/map.pdf", {20, 20, rgb}, 150, std::nullopt, "A map");
@@ -118,7 +118,7 @@ TEST(PictureOut, AFullOrMissingFolderIsSaid) {
     EXPECT_EQ(error.kind(), ErrorKind::environment);
 }
 
-TEST(PictureIn, APictureInAnotherCrsComesToItsPlace) {
+TEST(PictureIn, APictureInAnotherCrsIsPlacedCorrectly) {
     const test::Folder folder;
     const std::string path = folder.file("ortho.tif");
     // In degrees, 0.00002 per pixel (1.5 m by 2.2 m); red counts columns, green rows.
@@ -158,7 +158,7 @@ TEST(PictureIn, GreyAndPalettesBecomeColours) {
     EXPECT_EQ(warp_picture(folder.file("classes.tif"), utm, box, 1, 1), (std::vector<std::uint8_t>{10, 200, 30, 255}));
 }
 
-TEST(PictureIn, WhatCannotLieUnderAMapIsRefusedWithTheReason) {
+TEST(PictureIn, UnusableBackgroundsAreRefusedWithTheReason) {
     const test::Folder folder;
     const std::string utm = crs_from_user(k_utm, "");
     const auto reason = [&](const std::string& file) {
@@ -173,7 +173,7 @@ TEST(PictureIn, WhatCannotLieUnderAMapIsRefusedWithTheReason) {
     EXPECT_NE(reason(folder.file("nowhere.tif")).find("coordinate reference system"), std::string::npos);
 }
 
-TEST(RasterText, ClassesAndTextsComeBack) {
+TEST(RasterText, ClassesAndTextsAreReadBack) {
     const test::Folder folder;
     const Raster classes(GridSpec{527000, 5094100, 10, 10, 10, crs_from_user(k_utm, "")}, 3);
     write_class_geotiff(folder.file("c.tif"), classes, {{1, "weak", {1, 2, 3}}, {3, "strong", {200, 2, 3}}},

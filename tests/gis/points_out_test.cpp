@@ -23,7 +23,7 @@ PointTable two_points() {
     return table;
 }
 
-TEST(WritePoints, ComeBackAsWritten) {
+TEST(WritePoints, AreReadBackAsWritten) {
     const Folder folder;
     write_points(folder.file("particles.gpkg"), crs_from_user("EPSG:32632", ""), "particles", two_points());
     EXPECT_EQ(folder.names(), std::vector<std::string>{"particles.gpkg"});

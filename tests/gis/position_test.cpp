@@ -83,7 +83,7 @@ TEST(Position, ASquareInThreeSystemsCoversTheSameCells) {
     }
 }
 
-TEST(Position, CornersLieWhereGdaltransformPutsThem) {
+TEST(Position, CornersAgreeWithGdaltransform) {
     const test::Folder folder;
     test::make_vector(folder.file("release.geojson"), "GeoJSON", "EPSG:4326", {k_degrees});
     test::make_vector(folder.file("scar.shp"), "ESRI Shapefile", "EPSG:3003", {k_gauss_boaga});

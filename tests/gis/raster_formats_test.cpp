@@ -90,7 +90,7 @@ void PrintTo(const Format& format, std::ostream* out) {
 
 class RasterFormat : public testing::TestWithParam<Format> {};
 
-TEST_P(RasterFormat, GivesBackTheGround) {
+TEST_P(RasterFormat, IsReadAsTheSameGround) {
     const GdalSession session;
     const Folder folder;
     const Format& format = GetParam();

@@ -25,7 +25,7 @@ using test::plane_raster;
 using test::TestRaster;
 using test::utm_grid;
 
-TEST(InspectRaster, SaysWhatTheFileSays) {
+TEST(InspectRaster, ReadsTheFilesProperties) {
     const Folder folder;
     TestRaster raster = plane_raster(4, 3, 5);
     raster.nodata = -9999;
@@ -63,7 +63,7 @@ TEST(InspectRaster, RefusesWithPathAndKey) {
 }
 
 // 4 cells whose blocks would need 2.5 GB, all bands interleaved.
-TEST(InspectRaster, RefusesBlocksThatTakeTooMuchMemory) {
+TEST(InspectRaster, RefusesBlocksThatNeedTooMuchMemory) {
     const Folder folder;
     const GdalSession session;
     const char* const options[] = {"TILED=YES",      "BLOCKXSIZE=1024",  "BLOCKYSIZE=1024",
@@ -152,7 +152,7 @@ TEST(ReadRaster, APlaneStaysAPlaneWhateverTheRatio) {
 }
 
 // One high cell: its volume is conserved, wherever the edges of the larger cells divide it.
-TEST(ReadRaster, AnAverageKeepsVolume) {
+TEST(ReadRaster, AnAverageConservesVolume) {
     const Folder folder;
     TestRaster spike = plane_raster(60, 60, 5);
     spike.values.assign(spike.values.size(), 0);
@@ -261,7 +261,7 @@ TEST(ReadRaster, ATiltedRasterIsReadUpright) {
     }
 }
 
-TEST(ReadRaster, StoredFromTheSouthItIsTheSameGround) {
+TEST(ReadRaster, StoredFromTheSouthItIsTheSame) {
     const Folder folder;
     TestRaster raster = plane_raster(6, 4, 5);
     TestRaster upside_down = raster;

@@ -22,7 +22,7 @@ using test::plane_raster;
 using test::TestRaster;
 using test::utm_grid;
 
-TEST(ReadRaster, NoDataStaysAndDoesNotBleed) {
+TEST(ReadRaster, NoDataRemainsAndDoesNotSpread) {
     const Folder folder;
     TestRaster raster = plane_raster(20, 20, 5);
     for (double& value : raster.values) value = 500;
@@ -113,7 +113,7 @@ TEST(ReadRaster, MasksHideCells) {
     EXPECT_TRUE(std::isnan(masked.raster.at(1, 1)));
 }
 
-TEST(ReadRaster, AFrameOfZerosIsNoticedAndCanBeDeclared) {
+TEST(ReadRaster, AFrameOfZerosIsDetectedAndCanBeDeclared) {
     const Folder folder;
     TestRaster raster = plane_raster(20, 20, 5);
     for (std::size_t i = 0; i < 20; ++i) raster.values[i] = 0;
@@ -138,7 +138,7 @@ TEST(ReadRaster, AFrameOfZerosIsNoticedAndCanBeDeclared) {
         20);
 }
 
-TEST(ReadRaster, UndeclaredNoDataIsSeenBeforeItIsAveraged) {
+TEST(ReadRaster, UndeclaredNoDataIsDetectedBeforeItIsAveraged) {
     const Folder folder;
     TestRaster raster = plane_raster(20, 20, 5);
     raster.values[45] = -32767;

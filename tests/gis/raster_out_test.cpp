@@ -54,7 +54,7 @@ class FullDisk {
     void (*handler_)(int) = nullptr;
 };
 
-TEST(WriteGeotiff, ComesBackOnItsOwnGrid) {
+TEST(WriteGeotiff, IsReadBackOnItsOwnGrid) {
     const Folder folder;
     const Raster raster = bowl(600, 500);
     write_geotiff(folder.file("max_depth.tif"), raster, k_text);
@@ -106,7 +106,7 @@ TEST(WriteGeotiff, IsCloudOptimisedWithTextsAndStatisticsInside) {
     EXPECT_NEAR(std::atof(fresh->GetRasterBand(1)->GetMetadataItem("STATISTICS_STDDEV")), deviation, 1e-9 * deviation);
 }
 
-TEST(WriteGeotiff, IsValidAsGdalsValidatorHasIt) {
+TEST(WriteGeotiff, IsValidByTheRulesOfGdalsValidator) {
     const Folder folder;
     for (const int columns : {3, 255, 256, 257, 1100}) {
         write_geotiff(folder.file("a.tif"), bowl(columns, 600), k_text);
@@ -116,7 +116,7 @@ TEST(WriteGeotiff, IsValidAsGdalsValidatorHasIt) {
     }
 }
 
-TEST(WriteGeotiff, TheCheckFindsWhatIsNotCloudOptimised) {
+TEST(WriteGeotiff, TheCheckDetectsFilesThatAreNotCloudOptimised) {
     const Folder folder;
     write_geotiff(folder.file("a.tif"), bowl(1100, 600), k_text);
     const GdalSession session;
@@ -141,7 +141,7 @@ TEST(WriteGeotiff, TheCheckFindsWhatIsNotCloudOptimised) {
     EXPECT_FALSE(test::cog_problems(folder.file("a.tif")).empty()) << "edited";
 }
 
-TEST(WriteAsciiGrid, ComesBackToSixDigits) {
+TEST(WriteAsciiGrid, IsReadBackToSixDigits) {
     const Folder folder;
     const Raster raster = bowl(20, 10);
     write_ascii_grid(folder.file("a.asc"), raster);
@@ -229,7 +229,7 @@ TEST(WriteClassGeotiff, KeepsNamesAndColours) {
               ErrorKind::input);
 }
 
-TEST(ReadResultRaster, RefusesWhatFranaCannotDrawTruly) {
+TEST(ReadResultRaster, RefusesRastersThatCannotBeDrawnExactly) {
     const Folder folder;
     test::make_raster(folder.file("degrees.tif"),
                       {2, 2, 9, 46, 0.1, 0.1, "EPSG:4326", {1, 2, 3, 4}, {}, "", 1, 0, 0, false});

@@ -35,7 +35,7 @@ TEST(Coverage, CountsCellCentresAndRespectsHoles) {
     EXPECT_EQ(sum(coverage({{{{0, 0}, {1, 0}, {1, 1}}, {}}}, k_grid)), 0) << "far away";
 }
 
-TEST(Polygonise, GivesBackExactlyTheCells) {
+TEST(Polygonise, ReturnsExactlyTheCells) {
     const Raster mask = coverage({square_with_hole()}, k_grid);
     const MultiPolygon outlines = polygonise(mask);
     ASSERT_EQ(outlines.size(), 1U);

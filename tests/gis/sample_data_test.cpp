@@ -23,7 +23,7 @@ std::string committed(const char* name) {
     return (k_committed / name).string();
 }
 
-TEST(SampleData, ComesOutBitForBitAsCommitted) {
+TEST(SampleData, IsGeneratedBitForBitAsCommitted) {
     const test::Folder folder;
     sample::write_bindo_sample(folder.file("."));
     std::size_t compared = 0;
@@ -35,7 +35,7 @@ TEST(SampleData, ComesOutBitForBitAsCommitted) {
     EXPECT_EQ(compared, 12U);  // two rasters, two shapefiles of five files each
 }
 
-TEST(SampleData, ScenesOfTheStructuredModelComeOutBitForBitAsCommitted) {
+TEST(SampleData, ScenesOfTheStructuredModelAreGeneratedBitForBitAsCommitted) {
     using Write = void (*)(const std::string&);
     for (const auto& [name, write] : {std::pair<const char*, Write>{"flume", sample::write_flume_sample},
                                       {"fracture", sample::write_fracture_sample}}) {
@@ -48,7 +48,7 @@ TEST(SampleData, ScenesOfTheStructuredModelComeOutBitForBitAsCommitted) {
     }
 }
 
-TEST(SampleData, ReleaseHasItsVolumeAndLiesInItsPerimeter) {
+TEST(SampleData, ReleaseHasItsVolumeAndIsInItsPerimeter) {
     const Raster thickness = read_result_raster(committed("thickness.tif"));
     double volume = 0, thickest = 0;
     for (const double value : thickness.values) {
@@ -69,7 +69,7 @@ TEST(SampleData, ReleaseHasItsVolumeAndLiesInItsPerimeter) {
     }
 }
 
-TEST(SampleData, OutlinesOfBothDatumsLieWhereTheyWereDrawn) {
+TEST(SampleData, OutlinesOfBothDatumsAreWhereTheyWereDrawn) {
     const GridSpec grid = sample::bindo_grid();
     const std::string utm = crs_from_user("EPSG:32632", "");
     struct Wanted {

@@ -30,7 +30,7 @@ TEST(ClassStops, SpanThePalette) {
     EXPECT_EQ(class_stops(depth, {0, 1}, "m").size(), 1U);
 }
 
-TEST(WriteStyles, BothFilesHoldEveryClassAndItsColour) {
+TEST(WriteStyles, BothFilesContainEveryClassAndItsColour) {
     const Folder folder;
     const std::vector<ColourStop> stops{{2, {255, 0, 16}, "0 - 2 m"}, {4, {0, 0, 255}, "a < b & \"c\""}};
     write_styles(folder.file("max_depth.tif"), stops, "m", StyleKind::classed);
@@ -56,7 +56,7 @@ TEST(WriteStyles, ExactClassesKeepTheirValues) {
     EXPECT_NE(test::text_in(folder.file("c.sld")).find("quantity=\"3\""), std::string::npos);
 }
 
-TEST(WriteStyles, AFolderThatIsNotThereIsAnErrorOfTheEnvironment) {
+TEST(WriteStyles, AMissingFolderIsAnErrorOfTheEnvironment) {
     const Folder folder;
     EXPECT_EQ(test::error_of([&] { write_styles(folder.file("no/a.tif"), {}, "m", StyleKind::ramp); }).kind(),
               ErrorKind::environment);

@@ -43,7 +43,7 @@ void PrintTo(const Format& format, std::ostream* out) {
 
 class VectorFormat : public testing::TestWithParam<Format> {};
 
-TEST_P(VectorFormat, LiesWhereItWasDrawn) {
+TEST_P(VectorFormat, IsReadWhereItWasDrawn) {
     const Folder folder;
     const Format& format = GetParam();
     // A square of a thousandth of a degree with heights; gdaltransform puts its southern corners at
@@ -70,7 +70,7 @@ std::map<std::string, std::string> contents(const Folder& folder) {
     return all;
 }
 
-TEST_P(VectorFormat, StaysAloneInItsFolder) {
+TEST_P(VectorFormat, NoFileIsCreatedBesideIt) {
     const Folder folder;
     const Format& format = GetParam();
     make_vector(folder.file(format.file), format.driver, "EPSG:4326",
@@ -100,7 +100,7 @@ TEST(VectorFiles, KmlHasItsOwnColumns) {
     EXPECT_EQ(layer.crs_label, "EPSG:4326 (WGS 84)");
 }
 
-TEST(VectorFiles, TextWithWktNeedsItsCrsToBeSaid) {
+TEST(VectorFiles, TextWithWktNeedsACrsKey) {
     const Folder folder;
     test::write_text(folder.file("a.csv"),
                      "id,WKT\n1,\"POLYGON((1529430 5094000,1529530 5094000,1529530 5094100,"
@@ -115,7 +115,7 @@ TEST(VectorFiles, TextWithWktNeedsItsCrsToBeSaid) {
     EXPECT_EQ(layer.crs_label.substr(0, 9), "EPSG:3003");
 }
 
-TEST(VectorFiles, ACrsGivenStandsBeforeAWrongOne) {
+TEST(VectorFiles, ACrsKeyOverridesTheFile) {
     const Folder folder;
     // Latitude and longitude swapped in the label, not in the file: coordinates in metres, .prj in degrees.
     make_vector(folder.file("a.shp"), "ESRI Shapefile", "EPSG:4326",
@@ -216,7 +216,7 @@ TEST(VectorFiles, ArchivesAreReadInPlace) {
     EXPECT_NEAR(layer.bounds.south, 5094117.682, 0.01);
 }
 
-TEST(VectorFiles, ADatabaseInUseStaysAsItIs) {
+TEST(VectorFiles, ADatabaseInUseIsNotChanged) {
     // QGIS opens GeoPackages with a log beside them, which may contain the latest state.
     const Folder folder;
     const std::string path = folder.file("a.gpkg");
@@ -233,7 +233,7 @@ TEST(VectorFiles, ADatabaseInUseStaysAsItIs) {
     EXPECT_EQ(folder.names(), names);
 }
 
-TEST(VectorFiles, AnArchiveStaysAloneInItsFolder) {
+TEST(VectorFiles, NoFileIsCreatedBesideAnArchive) {
     const Folder folder;
     make_vector(folder.file("a.geojson"), "GeoJSON", "EPSG:32632", {"POLYGON((0 0,10 0,10 10,0 10,0 0))"});
     const std::string bytes = test::text_in(folder.file("a.geojson"));
@@ -249,7 +249,7 @@ TEST(VectorFiles, AnArchiveStaysAloneInItsFolder) {
     EXPECT_EQ(folder.names(), names);
 }
 
-TEST(VectorFiles, HolesThatTouchTheRimAndMeasuresDoNotMatter) {
+TEST(VectorFiles, HolesThatTouchTheOutlineAndMeasuresDoNotMatter) {
     const Folder folder;
     // A hole that touches the outline in a point is sound; M values are dropped like heights.
     make_vector(folder.file("a.gpkg"), "GPKG", "EPSG:32632",
@@ -263,7 +263,7 @@ TEST(VectorFiles, HolesThatTouchTheRimAndMeasuresDoNotMatter) {
     EXPECT_NEAR(area(layer.features[1].parts), 100 + 39.27, 0.1);
 }
 
-TEST(VectorFiles, AnEdgeRoundTheWholeEarthIsRefused) {
+TEST(VectorFiles, AnEdgeAroundTheWholeEarthIsRefused) {
     const Folder folder;
     // A square of 0.2 degrees at Taveuni, Fiji, not split at the antimeridian: as drawn it encloses the rest of the
     // Earth.

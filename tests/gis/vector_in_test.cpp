@@ -77,7 +77,7 @@ TEST(ReadPolygons, ShiftsTheDatum) {
     EXPECT_EQ(layer.transform.accuracy_m, 4);
 }
 
-TEST(ReadPolygons, LongEdgesBendWithTheProjection) {
+TEST(ReadPolygons, LongEdgesAreCurvedByTheProjection) {
     const Folder folder;
     // The southern edge follows a parallel for a degree, which UTM curves: its middle is 121 m south of its ends.
     make_vector(folder.file("a.gpkg"), "GPKG", "EPSG:4326", {"POLYGON((8.5 46,9.5 46,9.5 46.1,8.5 46.1,8.5 46))"});
@@ -90,7 +90,7 @@ TEST(ReadPolygons, LongEdgesBendWithTheProjection) {
     EXPECT_NEAR(total_area(layer) / (77393.0 * 11115.2), 0.9996 * 0.9996 + 1.2e-5, 1e-4);
 }
 
-TEST(ReadPolygons, TakesClosedLinesAndCollections) {
+TEST(ReadPolygons, ReadsClosedLinesAndCollections) {
     const Folder folder;
     make_vector(folder.file("line.gpkg"), "GPKG", "EPSG:32632", {"LINESTRING(0 0,10 0,10 10,0 10,0 0)"});
     const PolygonLayer line = read_polygons(folder.file("line.gpkg"), utm(), k_where);
@@ -119,7 +119,7 @@ TEST(ReadPolygons, RefusesACrossingNamingThePlace) {
     EXPECT_EQ(error.problems()[0].where.rfind(k_where, 0), 0U);
 }
 
-TEST(ReadPolygons, TellsTenProblemsAndCountsTheRest) {
+TEST(ReadPolygons, ListsTenProblemsAndCountsTheRest) {
     const Folder folder;
     const std::vector<std::string> bow_ties(13, "POLYGON((0 0,10 10,10 0,0 10,0 0))");
     make_vector(folder.file("many.gpkg"), "GPKG", "EPSG:32632", bow_ties);
@@ -128,7 +128,7 @@ TEST(ReadPolygons, TellsTenProblemsAndCountsTheRest) {
     EXPECT_EQ(error.problems().back().what, "3 more features have problems");
 }
 
-TEST(ReadPolygons, MendsWhatOnlyTouchesItself) {
+TEST(ReadPolygons, RepairsOutlinesThatOnlyTouchThemselves) {
     const Folder folder;
     // A ring that touches itself in a point: two squares corner to corner in one ring.
     make_vector(folder.file("pinch.gpkg"), "GPKG", "EPSG:32632",
@@ -175,7 +175,7 @@ TEST(ReadPolygons, MetresLabelledAsDegreesAreRefused) {
     EXPECT_NE(std::string(error.what()).find("not degrees"), std::string::npos);
 }
 
-TEST(ReadPolygons, RefusesWhatHoldsNoArea) {
+TEST(ReadPolygons, RefusesLayersWithoutArea) {
     const Folder folder;
     make_vector(folder.file("open.gpkg"), "GPKG", "EPSG:32632", {"LINESTRING(0 0,10 0,10 10,3 4)"});
     make_vector(folder.file("empty.gpkg"), "GPKG", "EPSG:32632", {});

@@ -24,7 +24,7 @@ OutlineLayer release() {
     return {"release", {feature}};
 }
 
-TEST(WriteOutlines, ComesBackAsWritten) {
+TEST(WriteOutlines, AreReadBackAsWritten) {
     const Folder folder;
     const std::string crs = crs_from_user("EPSG:32632", "");
     write_outlines(folder.file("extent.gpkg"), crs, {release(), {"trace", {}}});

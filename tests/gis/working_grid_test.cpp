@@ -24,7 +24,7 @@ RasterInfo dtm_5m() {
     return info;
 }
 
-TEST(WorkingGrid, IsTheDtmsOwnWhereNothingElseIsAsked) {
+TEST(WorkingGrid, IsTheDtmsOwnByDefault) {
     const RasterInfo dtm = dtm_5m();
     const GridSpec grid = working_grid(dtm, dtm.crs_wkt, std::nullopt, std::nullopt);
     EXPECT_EQ(grid.west, 527002.5);
@@ -44,7 +44,7 @@ TEST(WorkingGrid, BoundsKeepTheDtmsLattice) {
     EXPECT_EQ(grid.north, 5094202.5);
 }
 
-TEST(WorkingGrid, OtherCellsSitOnMultiplesAndInsideTheDtm) {
+TEST(WorkingGrid, OtherCellsAreOnMultiplesAndInsideTheDtm) {
     const RasterInfo dtm = dtm_5m();
     const GridSpec grid = working_grid(dtm, dtm.crs_wkt, std::nullopt, 2.0);
     EXPECT_EQ(std::fmod(grid.west, 2), 0);
@@ -67,7 +67,7 @@ TEST(WorkingGrid, DegreesBecomeARoundNumberOfMetres) {
     EXPECT_NEAR(grid.bounds().height(), 11120, 100);  // a tenth of a degree of latitude
 }
 
-TEST(WorkingGrid, OblongCellsTakeTheSmallerSide) {
+TEST(WorkingGrid, OblongCellsGiveTheSmallerSide) {
     RasterInfo dtm = dtm_5m();
     dtm.cell_y = 4.5;
     EXPECT_EQ(working_grid(dtm, dtm.crs_wkt, std::nullopt, std::nullopt).cell_size, 4.5);

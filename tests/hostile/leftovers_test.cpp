@@ -50,7 +50,7 @@ class Leftovers : public TrialGround {
     int met_ = 0;
 };
 
-TEST_F(Leftovers, ACheckpointThatCannotBeRemovedGoesWithTheNextRun) {
+TEST_F(Leftovers, ACheckpointThatCannotBeRemovedIsRemovedByTheNextRun) {
     for (const char* name : {"run", "run --overwrite"}) {
         SCOPED_TRACE(name);
         const TriedCommand& command = measured(name);
@@ -72,7 +72,7 @@ TEST_F(Leftovers, ACheckpointThatCannotBeRemovedGoesWithTheNextRun) {
     expect_repaired(command, {"run", "in/scene.ini", "--out", "out/r", "--quiet", "--overwrite"});
 }
 
-TEST_F(Leftovers, AListThatWasBeingWrittenGoesWithTheNextRun) {
+TEST_F(Leftovers, AnUnfinishedListIsRemovedByTheNextRun) {
     const TriedCommand& command = measured("run");
     const auto renamed = [](const SystemCall& call) { return is_of(call, "rename", "out/r/manifest.json"); };
     int times = 0;
@@ -87,7 +87,7 @@ TEST_F(Leftovers, AListThatWasBeingWrittenGoesWithTheNextRun) {
     }
 }
 
-TEST_F(Leftovers, TheNoteOfAResultThatHasJustTakenItsNameGoesWithTheNextRun) {
+TEST_F(Leftovers, TheNoteOfAJustPublishedResultIsRemovedByTheNextRun) {
     for (const char* name : {"run", "run --overwrite"}) {
         SCOPED_TRACE(name);
         const TriedCommand& command = measured(name);
@@ -99,7 +99,7 @@ TEST_F(Leftovers, TheNoteOfAResultThatHasJustTakenItsNameGoesWithTheNextRun) {
     }
 }
 
-TEST_F(Leftovers, AListThatCannotBeReadIsSaidAndTheNextRunTidiesUp) {
+TEST_F(Leftovers, AnUnreadableListIsReportedAndTheNextRunCleansUp) {
     const TriedCommand& command = measured("run --overwrite");
     const auto read = [](const SystemCall& call) { return is_of(call, "read", "out/r/manifest.json"); };
     int times = 0;
@@ -117,7 +117,7 @@ TEST_F(Leftovers, AListThatCannotBeReadIsSaidAndTheNextRunTidiesUp) {
     }
 }
 
-TEST_F(Leftovers, AnEmptiedFolderGoesWithTheNextRun) {
+TEST_F(Leftovers, AnEmptiedFolderIsRemovedByTheNextRun) {
     const TriedCommand& over = measured("run --overwrite");
     const Ending emptied = disturb(over, {Answer::Kind::fail, EACCES}, [](const SystemCall& call) {
         return is_of(call, "rmdir", "out/r.partial-*") && call.path.size() <= std::string("out/r.partial-*/").size();
@@ -145,7 +145,7 @@ TEST_F(Leftovers, AnEmptiedFolderGoesWithTheNextRun) {
     expect_repaired(anew, anew.again);
 }
 
-TEST_F(Leftovers, AFolderOfTheReportsPicturesGoesWithTheNextRun) {
+TEST_F(Leftovers, AFolderOfTheReportsPicturesIsRemovedByTheNextRun) {
     EXPECT_TRUE(std::none_of(measured("run").calls.begin(), measured("run").calls.end(), [](const SystemCall& call) {
         return call.path.find("report_pictures") != std::string::npos && call.name.find("mkdir") != std::string::npos;
     })) << "made, though the maps are PNG";
@@ -161,7 +161,7 @@ TEST_F(Leftovers, AFolderOfTheReportsPicturesGoesWithTheNextRun) {
     expect_repaired(pdf, pdf.again);
 }
 
-TEST_F(Leftovers, OfNamesLikeThoseAUsersFilesStay) {
+TEST_F(Leftovers, UsersFilesWithSimilarNamesAreKept) {
     TriedCommand& command = measured("run");
     restore(command.begins_in);
     ASSERT_EQ(run(command.arguments).exit_code, 0);

@@ -39,7 +39,7 @@ class ReadError : public TrialGround {
     RandomNumbers random_{trial_seed(), 9};
 };
 
-TEST_F(ReadError, InOutlinesNeverLeavesThemOffAMap) {
+TEST_F(ReadError, InOutlinesNeverRemovesThemFromAMap) {
     if (!can_watch_calls()) GTEST_SKIP() << "this system does not let a program's calls be watched (seccomp)";
     (void)commands();
     if (HasFatalFailure()) return;

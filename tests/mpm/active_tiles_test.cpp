@@ -36,7 +36,7 @@ void expect_equal_bits(const Flow& a, const Flow& b) {
               0);
 }
 
-TEST(ActiveTiles, WhatRestsCostsNothingAndChangesNothing) {
+TEST(ActiveTiles, MaterialAtRestCostsNothingAndChangesNothing) {
     const MoundAndHeap scene{240};
     Flow one = scene.flow(12), all = scene.flow(12);
     all.compute_what_rests();
@@ -57,7 +57,7 @@ TEST(ActiveTiles, WhatRestsCostsNothingAndChangesNothing) {
     EXPECT_EQ(one.advance(1).moved, 0U) << "all has come to rest";
 }
 
-TEST(ActiveTiles, WhatIsRunIntoWakes) {
+TEST(ActiveTiles, MaterialAtRestIsReactivatedByAFlow) {
     const MoundAndHeap scene{150};
     Flow one = scene.flow(3.0), all = scene.flow(3.0), three = scene.flow(3.0, 3);
     all.compute_what_rests();

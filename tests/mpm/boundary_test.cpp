@@ -14,7 +14,7 @@ Flow slope_flow(Boundary boundary) {
     return Flow(bed, seeds, dry_friction(5), numerics(Scheme::standard, SlopeCorrection::normal, boundary), 1);
 }
 
-TEST(OpenBoundary, LetsMaterialOutAndAccountsForIt) {
+TEST(OpenBoundary, MaterialLeavesAndIsAccountedFor) {
     Flow flow = slope_flow(Boundary::open);
     const double before = flow.volume();
     flow.advance_to(20);
@@ -22,7 +22,7 @@ TEST(OpenBoundary, LetsMaterialOutAndAccountsForIt) {
     EXPECT_NEAR(flow.volume() + flow.volume_left(), before, 1e-12 * before);
 }
 
-TEST(WallBoundary, KeepsEverythingAndStaysBounded) {
+TEST(WallBoundary, KeepsEverythingAndSpeedsRemainBounded) {
     Flow flow = slope_flow(Boundary::wall);
     const double before = flow.volume();
     double deepest = 0, fastest = 0;
@@ -40,7 +40,7 @@ TEST(WallBoundary, KeepsEverythingAndStaysBounded) {
     EXPECT_LT(deepest, 10);
 }
 
-TEST(NoDataWall, HoldsTheFlowBack) {
+TEST(NoDataWall, RetainsTheFlow) {
     const GridSpec grid = bench::plain_grid(60, 20, 1);
     const Raster bed =
         bench::sample_raster(grid, [](Point p) { return p.x > 40 && p.x < 44 ? k_no_data : 0.3 * (60 - p.x); });

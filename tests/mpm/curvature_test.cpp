@@ -93,7 +93,7 @@ TEST_P(CircularArc, SpeedIsExact) {
 
 INSTANTIATE_TEST_SUITE_P(Friction, CircularArc, testing::Values(0.0, 0.2));
 
-TEST(CircularArc, WithoutCurvatureFrictionIsTooLittleAndEnergyIsLost) {
+TEST(CircularArc, WithoutCurvatureFrictionIsTooSmallAndEnergyIsLost) {
     const Rider rider = ride(arc(0.5), 20, 0, 0, false, 3.5);
     const double fall = arc(0.5).bed(20) - arc(0.5).bed(rider.x);
     EXPECT_LT(rider.speed, 0.97 * std::sqrt(2 * k_gravity * fall));
@@ -105,7 +105,7 @@ Track ridge(double radius) {
             [=](double x) { return -(x - 40) / radius; }};
 }
 
-TEST(Bump, FasterThanGravityBendsItsPathItHasNoFrictionAndKeepsItsEnergy) {
+TEST(Bump, TooFastForGravityItHasNoFrictionAndKeepsItsEnergy) {
     // 25 m/s over a radius of 40 m: u^2 / R = 15.6 m/s2 exceeds g.
     const Track track = ridge(40);
     const Rider rider = ride(track, 25, 25, 0.5, true, 1);
@@ -116,7 +116,7 @@ TEST(Bump, FasterThanGravityBendsItsPathItHasNoFrictionAndKeepsItsEnergy) {
 
 // Down a slope of 35 degrees, over a cliff of 68 and out on the flat, edges rounded over some 20 m: the cliff's
 // steepness increases the speed along the bed, which must not remain as speed on the flat.
-TEST(Curvature, CliffGivesTheSpeedOfItsDrop) {
+TEST(Curvature, SpeedAfterACliffIsThatOfItsDrop) {
     const auto rounded = [](double x) { return 5 * std::log1p(std::exp(x / 5)); };
     const auto bed = [&](double x) { return 0.7 * rounded(140 - x) + 1.8 * (rounded(140 - x) - rounded(100 - x)); };
     // Cells of 4, 2, 1 and 0.5 m: errors of 0.8, 0.4, 0.16 and 0.06 %. With the map speed kept where the bed

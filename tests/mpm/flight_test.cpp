@@ -37,7 +37,7 @@ double cliff(double x) {
 
 class OverACliff : public testing::TestWithParam<double> {};
 
-TEST_P(OverACliff, LandsWhereTheParabolaSays) {
+TEST_P(OverACliff, LandsWhereTheParabolaDoes) {
     Flow flow = film_on({GetParam(), cliff});
     const double volume = flow.volume();
     double aloft = 0;
@@ -65,7 +65,7 @@ TEST_P(OverACliff, LandsWhereTheParabolaSays) {
 
 INSTANTIATE_TEST_SUITE_P(Cells, OverACliff, testing::Values(5.0, 2.0, 1.0));
 
-TEST(OverACliff, ABeadOnItsOwnLandsWithinATenthOfACell) {
+TEST(OverACliff, ASingleParticleLandsWithinATenthOfACell) {
     const GridSpec grid = bench::plain_grid(48, 8, 5);
     Flow flow = film_on({5, cliff});
     const auto jump = find_jump(flow.nodes(), {k_gravity, true}, {94.9, 20}, {20, 0}, 1, 0.5);
@@ -126,7 +126,7 @@ TEST(Flight, AMovingFilmBetweenWallsIsNoMoreThanItsVolume) {
     EXPECT_NEAR(report.nodes.moving, flow.volume(), 1e-9 * flow.volume());
 }
 
-TEST(Flight, OffKeepsToTheBedAndCostsNothing) {
+TEST(Flight, OffKeepsParticlesOnTheBedAndCostsNothing) {
     Strip strip{2, cliff};
     strip.flight = false;
     Flow flow = film_on(strip);
@@ -135,7 +135,7 @@ TEST(Flight, OffKeepsToTheBedAndCostsNothing) {
     EXPECT_EQ(flow.flights().heights().size(), 0U);
 }
 
-TEST(Flight, WhatFliesAcrossAnOpenEdgeHasLeft) {
+TEST(Flight, ParticlesAcrossAnOpenEdgeHaveLeft) {
     const GridSpec grid = bench::plain_grid(60, 8, 2);
     const ParticleSet seeds = bench::fill_lattice(grid, 2, 0, [&](Point p) {
         return bench::Seed{std::abs(p.x - 20) < 6 ? 0.05 : 0, 20, 0};
@@ -149,7 +149,7 @@ TEST(Flight, WhatFliesAcrossAnOpenEdgeHasLeft) {
     EXPECT_NEAR(flow.volume_left(), volume, 1e-9 * volume);
 }
 
-TEST(Flight, WhatMeetsAWallFallsDownIt) {
+TEST(Flight, ParticlesThatMeetAWallFallDownIt) {
     Flow flow = film_on({2, cliff, 20, 130});
     const double volume = flow.volume();
     flow.advance_to(8);

@@ -6,7 +6,7 @@
 namespace frana::test {
 namespace {
 
-TEST(NodePhase, RecordsAreReadOnlyAsWhatTheyAre) {
+TEST(NodePhase, RecordsAreReadOnlyInTheirPhase) {
     GridSpec grid;
     grid.cell_size = 5;
     grid.columns = grid.rows = 4;

@@ -56,7 +56,7 @@ TEST(Shifting, IsBounded) {
 }
 
 // The depth follows the nodes' depth, here one that increases by a tenth over a metre; phi does not affect it.
-TEST(Shifting, CarriesTheDepthAlongItsGradient) {
+TEST(Shifting, AdjustsTheDepthAlongItsGradient) {
     const double phi = 1.1, phi_x = 0.2, depth = 3, depth_x = 0.3;
     const Shift<double> s =
         shift_of(k_shift, 0.3, 1.0, 1.0, phi, phi_x, 0.0, phi * depth, phi_x * depth + phi * depth_x, 0.0, 1.0);

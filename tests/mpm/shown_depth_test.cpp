@@ -42,14 +42,14 @@ struct Patch {
     }
 };
 
-TEST(ShownDepth, IsTheParticlesMeanWhereTheyLieUnevenly) {
+TEST(ShownDepth, IsTheParticlesMeanForAnUnevenArrangement) {
     // Alternately 6 % more or less, in rows of two: no cell has it.
     const Patch patch([](int i, int j) { return 1 + 0.06 * ((i / 2 + j) % 2 == 0 ? 1 : -1); });
     for (int j = 0; j < 24; ++j)
         for (int i = 0; i < 24; ++i) EXPECT_DOUBLE_EQ(patch.depth(i, j), 2);
 }
 
-TEST(ShownDepth, HoldsTheVolumeWhereParticlesCrowd) {
+TEST(ShownDepth, GivesTheVolumeWhereParticlesAreCrowded) {
     // The same, with more than the available area: a cell has the value of its neighbourhood.
     for (const double mean : {1.03, 1.05, 1.2, 1.5}) {
         const Patch patch([&](int i, int j) { return mean * (1 + 0.06 * ((i / 2 + j) % 2 == 0 ? 1 : -1)); });
@@ -64,7 +64,7 @@ TEST(ShownDepth, HoldsTheVolumeWhereParticlesCrowd) {
     }
 }
 
-TEST(ShownDepth, HoldsTheVolumeOfANarrowCrowd) {
+TEST(ShownDepth, GivesTheVolumeOfANarrowCrowd) {
     // A gully three cells wide in which particles overlap, in surroundings that are just filled.
     const Patch patch([](int i, int) { return i >= 10 && i < 13 ? 1.4 : 1.0; });
     EXPECT_NEAR(patch.shown, patch.volume, 0.01 * patch.volume);

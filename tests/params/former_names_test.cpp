@@ -11,7 +11,7 @@
 namespace frana {
 namespace {
 
-TEST(FormerNames, LeadToKeysAndAreNoKeysThemselves) {
+TEST(FormerNames, AreMappedToKeysAndAreNoKeysThemselves) {
     const std::vector<std::string> keys = names_of(scene_parameters());
     const auto is_key = [&](const std::string& name) {
         return std::find(keys.begin(), keys.end(), name) != keys.end();

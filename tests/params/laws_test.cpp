@@ -135,13 +135,13 @@ TEST_F(Laws, OfTheTableReadKeysThatExist) {
     }
 }
 
-TEST_F(Laws, VoellmyIsTakenApartAndNothingIsCountedTwice) {
+TEST_F(Laws, VoellmyIsSplitAndNothingIsCountedTwice) {
     MaterialSpec material;
     material.bed_friction = {"voellmy", "coulomb", "cohesion"};
     EXPECT_EQ(bed_friction_terms(material), (std::vector<std::string>{"coulomb", "turbulence", "cohesion"}));
 }
 
-TEST_F(Laws, StressInThePlaneGivesWayToTheBed) {
+TEST_F(Laws, StressInThePlaneIsReplacedByTheBed) {
     MaterialSpec material;
     EXPECT_EQ(in_plane_stress(material), "none");
     material.viscosity = 50;
@@ -151,7 +151,7 @@ TEST_F(Laws, StressInThePlaneGivesWayToTheBed) {
 }
 
 // A preset with Voellmy values, a scene with another law: the preset's friction is dropped, the echo can be run.
-TEST_F(Laws, AnotherLawThanThePresetsForgetsItsFriction) {
+TEST_F(Laws, AnotherLawThanThePresetsDropsItsFriction) {
     const SceneReading reading =
         read(k_ground + "[material]\npreset = rock-avalanche\nbed-friction = manning\nmanning = 0.06\n");
     EXPECT_TRUE(reading.problems.empty()) << (reading.problems.empty() ? "" : describe(reading.problems.list()[0]));

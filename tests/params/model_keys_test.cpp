@@ -20,7 +20,7 @@ const std::string k_solids =
     "[numerics]\nparticles-per-cell = 9\n[structured]\nphases = solids-and-fluid\ncohesion = 1e4\n"
     "internal-friction-angle = 28\n";
 
-TEST_F(ModelKeys, StructuredScenesNeedNoFrictionAndSayTheirPhases) {
+TEST_F(ModelKeys, StructuredScenesNeedNoFrictionAndNameTheirPhases) {
     EXPECT_EQ(messages(k_fluid), "");
     EXPECT_EQ(messages(k_solids), "");
     EXPECT_NE(messages("[terrain]\ndtm = d\n[release]\nperimeter = a\nthickness = 2\n[material]\nmodel = structured\n")
@@ -44,7 +44,7 @@ TEST_F(ModelKeys, EachModelRefusesTheOthersKeysByName) {
               std::string::npos);
 }
 
-TEST_F(ModelKeys, FluidAloneRefusesWhatIsOfSolids) {
+TEST_F(ModelKeys, FluidAloneRefusesKeysOfSolids) {
     EXPECT_NE(messages(k_fluid + "cohesion = 1e4\n").find("structured.phases = fluid does not use it"),
               std::string::npos);
     EXPECT_EQ(
@@ -61,7 +61,7 @@ TEST_F(ModelKeys, SolidsNeedStrengthAndNeighbours) {
     EXPECT_NE(messages(k_solids, {"structured.drag-exponent=1.5"}).find("is neither 1 nor 2"), std::string::npos);
 }
 
-TEST_F(ModelKeys, SolidsTakeTheirMaterialByPlace) {
+TEST_F(ModelKeys, SolidsReadTheirMaterialByPlace) {
     EXPECT_EQ(messages(k_solids, {"structured.zones=lithology.gpkg", "structured.cohesion=attribute:c",
                                   "structured.solid-fraction=raster:alpha.tif", "structured.placement=r2",
                                   "release.start=3", "structured.initial-fluid-depth=raster:lake.tif"}),
@@ -77,13 +77,13 @@ TEST_F(ModelKeys, SolidsTakeTheirMaterialByPlace) {
               std::string::npos);
 }
 
-TEST_F(ModelKeys, StepsAndFormsThatTheFluidHasNot) {
+TEST_F(ModelKeys, StepsAndFormsNotAvailableForFluid) {
     EXPECT_NE(messages(k_fluid, {"numerics.cfl=0.9"}).find("numerics.cfl"), std::string::npos);
     EXPECT_NE(messages(k_fluid, {"numerics.slope-correction=surface"}).find("numerics.slope-correction"),
               std::string::npos);
 }
 
-TEST_F(ModelKeys, TheEchoHoldsWhatTheModelReadsAndNoMore) {
+TEST_F(ModelKeys, TheEchoContainsOnlyWhatTheModelReads) {
     for (const std::string& scene : {k_fluid + "manning = 0.03\n", k_solids + "drag-exponent = 1\n"}) {
         const SceneReading first = read(scene);
         const std::string text = scene_text(first.scene, {});

@@ -44,18 +44,18 @@ TEST_F(ReadScene, EveryProblemInOnePass) {
     EXPECT_EQ(all.find("no bed friction"), std::string::npos);
 }
 
-TEST_F(ReadScene, FrictionMustBeSaid) {
+TEST_F(ReadScene, FrictionIsRequired) {
     EXPECT_NE(
         messages("[terrain]\ndtm = a\n[release]\nperimeter = b\nthickness = 1\n").find("no bed friction is given"),
         std::string::npos);
 }
 
-TEST_F(ReadScene, FrictionSaidTwiceIsAContradiction) {
+TEST_F(ReadScene, FrictionGivenTwiceIsAContradiction) {
     EXPECT_NE(messages(k_least + "friction-coefficient = 0.3\n").find("contradicts material.friction-coefficient"),
               std::string::npos);
 }
 
-TEST_F(ReadScene, LaterLayersOverrideEarlierOnes) {
+TEST_F(ReadScene, LaterSourcesOverrideEarlierOnes) {
     const SceneReading from_preset = read(
         "[terrain]\ndtm = a\n[release]\nperimeter = b\nthickness = 1\n[material]\npreset = bindo\ndensity = "
         "1500\n");
@@ -80,7 +80,7 @@ TEST_F(ReadScene, UnknownPresetNamesThePresets) {
               std::string::npos);
 }
 
-TEST_F(ReadScene, WhatIsNotAvailableIsSaidNotIgnored) {
+TEST_F(ReadScene, UnavailableFeaturesAreReportedNotIgnored) {
     for (const std::string line :
          {"[numerics]\nprecision = single\n", "[numerics]\nscheme = paper\nshape = quadratic\n"}) {
         EXPECT_NE(messages(line).find("not available in this version"), std::string::npos) << line;
@@ -149,7 +149,7 @@ TEST_F(ReadScene, PathsOfEveryKind) {
     EXPECT_EQ(absolute_path("PG:dbname=x", "/d"), "PG:dbname=x");
 }
 
-TEST_F(ReadScene, FrameIntervalIsRoundAndOnlyWhereFramesAreWanted) {
+TEST_F(ReadScene, FrameIntervalIsRoundAndOnlyWithFrames) {
     EXPECT_EQ(frame_interval(read(k_least + "[time]\nend = 300\n").scene), 5);
     EXPECT_EQ(frame_interval(read(k_least + "[time]\nend = 20\n").scene), 0.5);
     EXPECT_EQ(frame_interval(read(k_least + "[output]\nframes = off\nanimation = off\n").scene), 0);

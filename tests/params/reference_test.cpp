@@ -16,7 +16,7 @@
 namespace frana {
 namespace {
 
-TEST(Parameters, EveryDefaultIsWithinItsOwnLimitsAndEveryKeySaysWhatItMeans) {
+TEST(Parameters, EveryDefaultIsWithinItsOwnLimitsAndEveryKeyHasAMeaning) {
     std::set<std::string> names;
     for (const Parameter& parameter : scene_parameters()) {
         EXPECT_TRUE(names.insert(parameter.name()).second) << parameter.name() << " is declared twice";

@@ -27,7 +27,7 @@ TEST_F(WriteScene, ReadingItBackGivesTheSameScene) {
         EXPECT_EQ(parameter.write(first.scene), parameter.write(again.scene)) << parameter.name();
 }
 
-TEST_F(WriteScene, SaysWhereEachValueCameFrom) {
+TEST_F(WriteScene, NamesTheSourceOfEachValue) {
     const std::string text =
         scene_text(read(k_least + "preset = debris-flow\n", {"time.end=9"}).scene, {{"terrain.cell-size", "5"}});
     EXPECT_NE(text.find("[degrees] From: scene file\nfriction-angle = 20\n"), std::string::npos);

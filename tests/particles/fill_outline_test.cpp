@@ -41,7 +41,7 @@ void expect_same_bits(const MultiPolygon& outline, double spacing) {
             ASSERT_EQ(simple[field][p], filled[field][p]) << p;
 }
 
-TEST(FillOutline, IsTheSimpleWayToTheBit) {
+TEST(FillOutline, EqualsTheSimpleMethodToTheBit) {
     std::mt19937 random(5);
     for (int k = 0; k < 40; ++k) {
         const double wild = k % 4 * 0.2;
@@ -58,7 +58,7 @@ TEST(FillOutline, IsTheSimpleWayToTheBit) {
 }
 
 // An outline drawn along the cells, or derived from a raster, deviates from their edges by the rounding of coordinates.
-TEST(FillOutline, SliversGiveNoParticlesButKeepTheirVolume) {
+TEST(FillOutline, SliversGiveNoParticlesButTheirVolumeIsConserved) {
     const auto one = [](Point) { return 1.0; };
     for (const double over : {1e-8, 3e-7, 1e-6, 9e-6}) {
         ParticleSet particles;
@@ -109,7 +109,7 @@ TEST(FillOutline, AStarOfManySpikesKeepsAreaAndCentroid) {
 }
 
 // Both methods are compared: rows with slightly too many crossings for strips, against the simple method.
-TEST(FillOutline, AlongTheEdgesIsAsByStrips) {
+TEST(FillOutline, AlongTheEdgesEqualsByStrips) {
     const MultiPolygon outline{star({60.1, 55.2}, 20, 50, 3000)};
     ParticleSet simple, filled;
     const double volume = test::simple_fill(outline, 20, thickness, simple);

@@ -55,7 +55,7 @@ ResampleCounts resample_once(ParticleSet& particles, int max_per_cell) {
     return resample(particles, order, limits, {}, pool);
 }
 
-TEST(Resample, SplitsALongParticleAlongItsAxisAndKeepsTheBudgets) {
+TEST(Resample, SplitsALongParticleAlongItsAxisAndConservesTheBudgets) {
     ParticleSet particles(k_mask);
     const double angle = 0.6;
     particles.push_back(particle(20.5, 20.5, 1.2, 0.4, angle));
@@ -88,7 +88,7 @@ TEST(Resample, LeavesShortAndThinParticlesAlone) {
     EXPECT_EQ(particles.size(), 2u);
 }
 
-TEST(Resample, MergesCrowdedCellsAndKeepsTheBudgets) {
+TEST(Resample, MergesCrowdedCellsAndConservesTheBudgets) {
     ParticleSet particles(k_mask);
     for (int i = 0; i < 30; ++i) {
         particles.push_back(particle(20.05 + 0.03 * i, 20.1 + 0.9 * ((i * 7) % 30) / 30.0, 0.2, 0.2, 0));
@@ -138,7 +138,7 @@ std::vector<std::array<double, 5>> left_of_crowd(int east, int north) {
 }
 
 // As many overlapping release areas: comparing all pairs for each merge would take the cube of that, hours.
-TEST(Resample, MergesACrowdInTimeThatGrowsWithIt) {
+TEST(Resample, MergesACrowdInLinearTime) {
     ParticleSet particles(k_mask);
     for (int i = 0; i < 50'000; ++i)
         particles.push_back(particle(20.25 + 0.5 * (i % 2), 20.25 + 0.5 * (i / 2 % 2), 0.5, 0.5, 0));
@@ -154,7 +154,7 @@ TEST(Resample, MergesACrowdInTimeThatGrowsWithIt) {
     EXPECT_NEAR(after.moment_x / before.moment_x, 1, 1e-12);
 }
 
-TEST(Resample, DoesNotDependOnWhereTheTilesLie) {
+TEST(Resample, DoesNotDependOnThePositionOfTheTiles) {
     const auto here = left_of_crowd(0, 0);
     for (const auto& [east, north] : {std::array{1, 0}, std::array{0, 5}, std::array{7, 11}}) {
         const auto there = left_of_crowd(east, north);

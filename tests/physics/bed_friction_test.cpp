@@ -43,7 +43,7 @@ TEST(CoulombFriction, IsTheTangentTimesTheEffectiveNormalStress) {
     EXPECT_EQ(bed_under(CoulombFriction{{0.4}}, 1, 0).yield, 0) << "no support, no friction";
 }
 
-TEST(CoulombFriction, TakesItsValueFromTheNode) {
+TEST(CoulombFriction, ReadsItsValueFromTheNode) {
     const std::vector<double> values{0.1, 0.5};
     const CoulombFriction law{{0.3, values.data()}};
     BedState bed{1, 10, 0, 0, 0, 0};
@@ -76,11 +76,11 @@ TEST(ManningFriction, GivesManningsSpeed) {
     EXPECT_NEAR(bed_under(ManningFriction{k_gravity, n}).square * speed * speed, k_gravity * slope, 1e-12);
 }
 
-TEST(CohesiveFriction, HoldsALayerOfTheCriticalHeight) {
+TEST(CohesiveFriction, HoldsMaterialOfTheCriticalDepth) {
     EXPECT_DOUBLE_EQ(bed_under(CohesiveFriction{k_density, {1500}}).yield * k_density * k_thickness, 1500);
 }
 
-TEST(RammsYield, GrowsFromFrictionOf45DegreesToItsCeiling) {
+TEST(RammsYield, IncreasesFromFrictionOf45DegreesToItsLimit) {
     const double mu = 0.3, n0 = 800;
     const RammsYield law{k_density, n0, {mu}};
     const double normal = k_density * k_normal * k_thickness;
@@ -161,7 +161,7 @@ TEST(BinghamQuadratic, IsThePapersRoot) {
     }
 }
 
-TEST(PouliquenForterre, GoesFromSlowToFastFriction) {
+TEST(PouliquenForterre, IncreasesFromSlowToFastFriction) {
     PouliquenForterreExcess law{{0.38}, 0.64};
     law.length = 0.8;
     const BedState bed = bed_under(law);

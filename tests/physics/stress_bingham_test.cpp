@@ -41,7 +41,7 @@ TEST(BinghamStress, NewtonianPartIsTwiceTheViscosityTimesD) {
 }
 
 // Pure in-plane shear far above the regularisation: |sigma_xy| = mu gamma + tau_Y, gamma = 2 D_xy.
-TEST(BinghamStress, YieldPartHasTheYieldStressAsItsSize) {
+TEST(BinghamStress, YieldPartHasTheYieldStressAsItsMagnitude) {
     const double yield = 3, rate = 2;
     const BinghamStress stress{1e-9, yield, 1e-6, true};
     const PlaneStress<double> s = stress(StrainRate<double>{0, rate / 2, 0, 0, 0, 1});

@@ -8,7 +8,7 @@ namespace {
 // Of sums over some thousand particles or cells: 1e-16 each.
 constexpr double k_volume_error = 1e-12;
 
-TEST(Property, NothingIsLostAndNothingHardHappens) {
+TEST(Property, NothingIsLostAndNoHardEventOccurs) {
     for_scenes(20, 5, [](const Scene& scene, RandomNumbers&, int) {
         const RunResult result = run(scene, {});
         EXPECT_LT(relative_volume_error(result), k_volume_error);
@@ -54,7 +54,7 @@ double reach(const RunResult& result) {
     return east;
 }
 
-TEST(Property, MoreFrictionNeverRunsFartherOnAPlane) {
+TEST(Property, MoreFrictionNeverIncreasesTheRunOutOnAPlane) {
     for (int i = 0; i < scene_count(5); ++i) {
         SCOPED_TRACE(scene_label(i));
         RandomNumbers random(scene_seed(), 7000000 + static_cast<std::uint64_t>(i));

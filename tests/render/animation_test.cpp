@@ -32,7 +32,7 @@ TEST(MapAnimator, AFrameOfTheBaseIsTheMapItself) {
     EXPECT_LT(different, map.rgb.size() / 500);
 }
 
-TEST(MapAnimator, TheScaleStaysAndOnlyMapAndSubtitleChange) {
+TEST(MapAnimator, TheScaleIsFixedAndOnlyMapAndSubtitleChange) {
     const Raster ground = test::terrain(), layer = test::tongue();
     const MapSpec spec = test::full_map(ground, layer, 800, 600);
     MapLayout layout;

@@ -10,7 +10,7 @@
 namespace frana::render {
 namespace {
 
-TEST(Decades, AreWholePowersRoundTheValues) {
+TEST(Decades, AreWholePowersAroundTheValues) {
     const Decades d = decades_of({0.02, 3, 40});
     EXPECT_EQ(d.low, -2);
     EXPECT_EQ(d.high, 2);
@@ -46,7 +46,7 @@ Chart two_panels() {
     return chart;
 }
 
-TEST(Chart, PutsPointsWhereTheAxesSay) {
+TEST(Chart, PutsPointsWhereTheAxesDo) {
     ChartLayout layout;
     draw_chart(two_panels(), 1000, 600, &layout);
     ASSERT_EQ(layout.panels.size(), 2u);
@@ -105,7 +105,7 @@ TEST(Chart, AsSvgHasTheSamePlacesAndNames) {
 }
 
 // A run has one row per step.
-TEST(Chart, ALineOfManyPointsKeepsItsPeaksAndStaysSmall) {
+TEST(Chart, ALineOfManyPointsKeepsItsPeaksAndIsSmall) {
     Chart chart{"", "", "", 1, {{"", "time [s]", "speed [m/s]", {{"", {0, 114, 178}, {}}}, true}}};
     constexpr int k_count = 1'000'000;
     for (int i = 0; i < k_count; ++i)

@@ -20,7 +20,7 @@ std::vector<std::string> labels(const ColourScale& scale) {
     return all;
 }
 
-TEST(ColourScale, EveryValueOfTheDataHasAClassThatHoldsIt) {
+TEST(ColourScale, EveryValueOfTheDataHasAClassThatContainsIt) {
     const Raster layer = values({0.001, 0.5, 1.99, 2, 7.3, 9.9999, 10, k_no_data});
     const ColourScale scale({"depth", {}, {}, false, {}, &layer});
     for (const double value : layer.values) {
@@ -59,7 +59,7 @@ TEST(ColourScale, MaximumEndsTheScale) {
     EXPECT_EQ(labels(ColourScale({"depth", 4.0, {}, false, {}, &layer})).back(), "> 4");
 }
 
-TEST(ColourScale, ColoursRunThroughThePaletteAndDiffer) {
+TEST(ColourScale, ColoursSpanThePaletteAndDiffer) {
     const Raster layer = values({0, 8});
     const ColourScale scale({"velocity", {}, {}, false, {}, &layer});
     EXPECT_EQ(scale.classes().front().colour, colour_at(palette("velocity"), 0));

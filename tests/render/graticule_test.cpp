@@ -31,7 +31,7 @@ TEST(Graticule, RoundPlacesSolveTheCoordinate) {
     EXPECT_TRUE(round_places([](double) { return k_no_data; }, 1).empty());
 }
 
-TEST(Graticule, TicksStandWhereTheProjectionPutsThem) {
+TEST(Graticule, TicksAreWhereTheProjectionPutsThem) {
     const Raster ground = test::terrain(), layer = test::tongue();
     MapSpec spec = test::crowded_map(ground, layer, 1600, 1200);
     MapLayout layout;

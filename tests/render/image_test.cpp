@@ -38,7 +38,7 @@ TEST(WritePng, IsReadBackPixelForPixel) {
     EXPECT_EQ(folder.count(), 1U);  // no unfinished file left
 }
 
-TEST(WritePng, SaysHowLargeItIsPrinted) {
+TEST(WritePng, StoresItsPrintedSize) {
     const test::Folder folder("png_dpi");
     write_png(folder.file("a.png"), Image(4, 4), 300);
     std::ifstream file(folder.file("a.png"), std::ios::binary);
@@ -53,7 +53,7 @@ TEST(WritePng, SaysHowLargeItIsPrinted) {
     EXPECT_EQ((std::string{std::istreambuf_iterator<char>(other), {}}).find("pHYs"), std::string::npos);
 }
 
-TEST(WritePng, AFolderThatIsNotThereIsAnEnvironmentError) {
+TEST(WritePng, AMissingFolderIsAnEnvironmentError) {
     const test::Folder folder("png_missing");
     try {
         write_png(folder.file("no/such/folder/a.png"), Image(4, 4));
@@ -64,7 +64,7 @@ TEST(WritePng, AFolderThatIsNotThereIsAnEnvironmentError) {
     }
 }
 
-TEST(WritePng, ADiskThatTakesNoMoreIsReportedAndLeavesTheOldFile) {
+TEST(WritePng, AFullDiskIsReportedAndLeavesTheOldFile) {
     const test::Folder folder("png_full");
     const std::string path = folder.file("a.png");
     write_png(path, Image(4, 4));

@@ -21,7 +21,7 @@ PageBox ink(const Image& page) {
     return box;
 }
 
-TEST(Lettering, BoxesTellWhereTheInkIs) {
+TEST(Lettering, BoxesContainTheInk) {
     const Lettering lettering;
     for (const double angle : {0.0, 90.0, 37.0, -60.0}) {
         for (const Across across : {Across::left, Across::centre, Across::right}) {
@@ -64,7 +64,7 @@ TEST(Lettering, CapitalsAlignWhateverElseIsInTheLine) {
               lettering.place("ÁH", {50, 50}, style, Across::left, Upright::baseline).box.bottom);
 }
 
-TEST(Lettering, GreekDegreesAndSuperscriptsHaveInkOfTheirOwn) {
+TEST(Lettering, GreekDegreesAndSuperscriptsHaveDistinctInk) {
     const Lettering lettering;
     const TextStyle style{24, {0, 0, 0}};
     for (const char* glyph : {"ξ", "µ", "φ", "²", "³", "°", "–", "≥", "ä", "ñ"}) {

@@ -28,7 +28,7 @@ Chart chart() {
     return content;
 }
 
-TEST(LineChart, PointsLieWhereTheAxesSay) {
+TEST(LineChart, PointsAreWhereTheAxesPutThem) {
     ChartLayout layout;
     draw_chart(chart(), 1600, 1200, &layout);
     ASSERT_EQ(layout.panels.size(), 2U);
@@ -71,7 +71,7 @@ TEST(LineChart, ACurveIsDrawnInItsColour) {
     EXPECT_TRUE(test::near(page.colour(static_cast<int>(at.x), static_cast<int>(at.y)), {90, 70, 50}, 40));
 }
 
-TEST(Plate, PartsStandInRowsUnderTheTitle) {
+TEST(Plate, PartsAreInRowsUnderTheTitle) {
     Plate plate{"Four parts", "", "foot", 2, {}};
     const std::vector<Rgb> colours{{200, 0, 0}, {0, 200, 0}, {0, 0, 200}, {200, 200, 0}};
     for (const Rgb colour : colours)
@@ -87,7 +87,7 @@ TEST(Plate, PartsStandInRowsUnderTheTitle) {
 }
 
 // 640 x 480 is the smallest size of --size: two rows and the title leave less than a map needs.
-TEST(Plate, GrowsWherePartsWouldBeTooSmallToDraw) {
+TEST(Plate, GrowsIfPartsWouldBeTooSmallToDraw) {
     Plate plate{"Four parts", "below a title", "foot", 2, {}};
     int least_width = 10000, least_height = 10000;
     for (int part = 0; part < 4; ++part) {

@@ -114,7 +114,7 @@ TEST(Map, TheFlowHasADarkEdgeOnTheGroundBesideIt) {
     EXPECT_GT(darker, rows - 5);  // there may be a coordinate cross
 }
 
-TEST(Map, ScaleBarIsAsLongAsItSays) {
+TEST(Map, ScaleBarIsAsLongAsItsLabel) {
     const Raster ground = test::terrain(), layer = test::tongue();
     for (const auto& [width, height] : {std::pair{800, 600}, {1600, 1200}, {1234, 777}}) {
         MapLayout layout;
@@ -152,7 +152,7 @@ TEST(Map, PixelsAreSquareAndTheWindowFillsTheFrame) {
     EXPECT_NEAR(layout.window.height() / layout.map.height(), layout.metres_per_pixel, 1e-9);
 }
 
-TEST(Map, AnOutlineLiesWhereItsCoordinatesAre) {
+TEST(Map, AnOutlineIsWhereItsCoordinatesAre) {
     const Raster ground = test::terrain(), layer = test::tongue();
     MapSpec spec = test::full_map(ground, layer, 1200, 900);
     spec.outlines = {{"Scar", test::square({527600, 5094500}, 200), {200, 20, 30}, 3, false}};
@@ -187,7 +187,7 @@ TEST(Map, NorthArrowTurnsWithTheConvergence) {
     }
 }
 
-TEST(Map, CoordinateLabelsStandAtTheirCoordinates) {
+TEST(Map, CoordinateLabelsAreAtTheirCoordinates) {
     const Raster ground = test::terrain(), layer = test::tongue();
     MapLayout layout;
     draw_map(test::full_map(ground, layer, 1600, 1200), &layout);
@@ -214,7 +214,7 @@ TEST(Map, CoordinateLabelsStandAtTheirCoordinates) {
     EXPECT_GE(northings, 2);
 }
 
-TEST(Map, AnEmptyLayerIsSaidToBeEmpty) {
+TEST(Map, AnEmptyLayerHasANote) {
     const Raster ground = test::terrain();
     const Raster empty(ground.grid, k_no_data);
     MapSpec spec = test::full_map(ground, empty, 800, 600);

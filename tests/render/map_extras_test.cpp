@@ -104,7 +104,7 @@ TEST(Inset, IsLeftOutWhereTheMapShowsNearlyEverything) {
     EXPECT_FALSE(layout.inset.has_value());
 }
 
-TEST(Places, StandWhereTheyAreWithTheirNames) {
+TEST(Places, AreDrawnWithTheirNames) {
     const Raster ground = test::terrain(), layer = test::tongue();
     MapSpec spec = test::crowded_map(ground, layer, 1600, 1200);
     MapLayout layout;
@@ -125,7 +125,7 @@ TEST(Places, StandWhereTheyAreWithTheirNames) {
     EXPECT_TRUE(found);
 }
 
-TEST(Background, LiesUnderTheMapInItsPlaceAndTheLayerOverIt) {
+TEST(Background, IsUnderTheMapInItsPlaceAndTheLayerOverIt) {
     const Raster ground = test::terrain(), layer = test::tongue();
     MapSpec spec = test::full_map(ground, layer, 1000, 800);
     spec.outlines.clear();
@@ -210,7 +210,7 @@ TEST(ViewSeries, SharesTheTerrainAndDrawsWhatSingleViewsShow) {
     EXPECT_EQ(series.draw(first).rgb, draw_view(first).rgb);
 }
 
-TEST(Dots, LieWhereTheirParticlesAreInTheLegendsColours) {
+TEST(Dots, AreWhereTheirParticlesAreInTheLegendsColours) {
     const Raster ground = test::terrain(), extent = test::tongue();
     const Dots dots{{{{527600, 5094500}, 1, 1}, {{527560, 5094300}, 1, 7}, {{527560, 5094301}, 1, 3}}, 12};
     MapSpec spec = test::full_map(ground, extent, 800, 600);
@@ -232,7 +232,7 @@ TEST(Dots, LieWhereTheirParticlesAreInTheLegendsColours) {
     EXPECT_NE(pixel({527600, 5094514}), layout.legend[2].colour) << "8 m beyond the dot's rim";
 }
 
-TEST(Dots, ShowInViewsAndThoseOfTheFrameBeforeAreGone) {
+TEST(Dots, AreDrawnInViewsWithoutThoseOfTheFrameBefore) {
     const Raster ground = test::terrain(), extent = test::tongue();
     Dots left{{}, 20}, right{{}, 20};
     for (int i = 0; i < 20; ++i) {

@@ -111,7 +111,7 @@ TEST(OsmesaWindow, AVtkErrorBecomesAnErrorAndNothingIsPrinted) {
     EXPECT_NE(words.find("no such picture"), std::string::npos) << words;
 }
 
-TEST(OsmesaWindow, SenselessSizesAreRefused) {
+TEST(OsmesaWindow, InvalidSizesAreRefused) {
     EXPECT_THROW(OsmesaWindow(0, 10), Error);
     EXPECT_THROW(OsmesaWindow(10, 100000), Error);
 }

@@ -19,7 +19,7 @@ Raster ramp() {
     return raster;
 }
 
-TEST(RasterWindow, WholeCellsStayWhereTheyWere) {
+TEST(RasterWindow, WholeCellsKeepTheirPlace) {
     const Raster part = raster_window(ramp(), {120, 460, 140, 470}, 1000);
     EXPECT_EQ(part.grid.cell_size, 2);
     EXPECT_LE(part.grid.west, 120 - 2);
@@ -37,7 +37,7 @@ TEST(RasterWindow, ThinningAveragesBlocksWithoutShift) {
     EXPECT_NEAR(part.at(2, 3), 3 * p.x - p.y, 1e-9);  // the mean of a plane is its value in the middle
 }
 
-TEST(RasterWindow, ApartGivesNothing) {
+TEST(RasterWindow, WithoutOverlapIsEmpty) {
     EXPECT_EQ(raster_window(ramp(), {0, 0, 10, 10}, 100).grid.columns, 0);
 }
 

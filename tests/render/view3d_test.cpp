@@ -25,7 +25,7 @@ ViewSpec view(const Raster& ground, const Raster& layer) {
     return spec;
 }
 
-TEST(View, TheFlowFillsThePictureAndStaysInIt) {
+TEST(View, TheFlowFillsThePictureAndIsInsideIt) {
     const Raster ground = test::terrain(), layer = test::tongue();
     ViewLayout layout;
     const Image image = draw_view(view(ground, layer), &layout);
@@ -49,7 +49,7 @@ TEST(View, AGivenCameraBehindTheSlopeIsRaisedOverIt) {
     EXPECT_EQ(layout.camera.elevation_deg, 30);  // all of it is visible
 }
 
-TEST(View, LooksUphillFromBeforeTheFront) {
+TEST(View, IsUphillFromBeyondTheFront) {
     const Raster ground = test::terrain(), layer = test::tongue();  // runs down to the south
     ViewLayout layout;
     draw_view(view(ground, layer), &layout);
@@ -111,7 +111,7 @@ TEST(View, GapsInTheTerrainAreNoObstacle) {
     EXPECT_TRUE(layout.flow.inside(layout.picture));
 }
 
-TEST(View, NonsenseIsRefused) {
+TEST(View, InvalidViewsAreRefused) {
     const Raster ground = test::terrain(), layer = test::tongue();
     EXPECT_THROW(draw_view(ViewSpec{}), Error);
     ViewSpec flat = view(ground, layer);

@@ -17,7 +17,7 @@
 namespace frana::render {
 namespace {
 
-TEST(VtkPoints, ComeBackAsWritten) {
+TEST(VtkPoints, AreReadBackAsWritten) {
     const auto path = std::filesystem::temp_directory_path() / "frana_vtk_points.vtp";
     PointTable table;
     table.places = {{527000.125, 5094000}, {527001, 5094002.5}};
@@ -39,7 +39,7 @@ TEST(VtkPoints, ComeBackAsWritten) {
     std::filesystem::remove(path);
 }
 
-TEST(VtkPoints, AFolderThatIsNotThereIsAnError) {
+TEST(VtkPoints, AMissingFolderIsAnError) {
     EXPECT_THROW(write_vtk_points("/no/such/folder/points.vtp", {{{0, 0}}, {}}, {0}, 0), Error);
 }
 

@@ -19,7 +19,7 @@ double sum_of(const std::vector<InflowBatch>& rows) {
     return sum;
 }
 
-TEST(CutHydrograph, KeepsTheVolumeUntilTheEnd) {
+TEST(CutHydrograph, ConservesTheVolumeUntilTheEnd) {
     const std::vector<HydrographPoint> triangle{{0, 0, 0}, {100, 10, 4}, {300, 0, 0}};
     const auto rows = cut_hydrograph(triangle, 2.5, 1000);
     EXPECT_NEAR(sum_of(rows), 1500, 1e-12 * 1500);
@@ -42,7 +42,7 @@ TEST(CutHydrograph, RowsMayEndWhereTheHydrographBends) {
     EXPECT_EQ(rows.size(), 10u);  // 10 m in 5 s
 }
 
-TEST(CutHydrograph, HoldsNothingBackOverAPause) {
+TEST(CutHydrograph, DelaysNothingOverAPause) {
     const std::vector<HydrographPoint> waves{{0, 2, 1}, {7, 2, 1}, {7, 0, 1}, {500, 0, 1}, {500, 3, 1}, {510, 3, 1}};
     const auto rows = cut_hydrograph(waves, 2, 1000);
     double first = 0;
@@ -119,7 +119,7 @@ TEST(Inflow, SeriesAndThreadsAgree) {
         EXPECT_NEAR(row.volume + row.volume_left, row.volume_entered, 1e-11 * one.volume_entered) << row.time;
 }
 
-TEST(Inflow, RefusesALineItCannotServe) {
+TEST(Inflow, RefusesAnUnusableLine) {
     Scene scene = channel_scene();
     const std::vector<HydrographPoint> hydrograph{{0, 10, 2}, {60, 10, 2}};
     const auto message = [&](const Polyline& line, std::optional<double> azimuth) {

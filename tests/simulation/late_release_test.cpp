@@ -29,7 +29,7 @@ Scene plane_scene(double slope) {
     return scene;
 }
 
-TEST(LateRelease, ComesInWholeAtItsTime) {
+TEST(LateRelease, EntersCompletelyAtItsTime) {
     Scene scene = plane_scene(0.5);
     scene.terrain_contains_release = true;
     scene.release = {{{box(10, 20, 30, 40)}, 2}, {{box(10, 60, 30, 80)}, 3}};
@@ -73,7 +73,7 @@ TEST(LateRelease, IsGroundUntilItFails) {
 }
 
 // Material released onto other material makes it deeper immediately: one metre on one metre of still water.
-TEST(LateRelease, LiesOnWhatIsThere) {
+TEST(LateRelease, IsAddedOnTopOfOtherMaterial) {
     Scene scene = plane_scene(0);
     scene.release = {{{box(0, 0, 200, 100)}, 1}};
     const Release pool = make_release(scene);
@@ -88,7 +88,7 @@ TEST(LateRelease, LiesOnWhatIsThere) {
     EXPECT_NEAR(depth.at(5, 10), 1, 1e-9);
 }
 
-TEST(InitialVelocity, CarriesTheCentroid) {
+TEST(InitialVelocity, MovesTheCentroid) {
     Scene scene = plane_scene(0);
     scene.material.friction_coefficient = 0;
     scene.release = {{{box(40, 40, 60, 60)}, 1}};
@@ -124,7 +124,7 @@ TEST(ReleaseVolume, IsSharedByAllAreas) {
 }
 
 // A wall one cell thick across the path of a steep, fast mass: nothing gets behind it, nothing is lost.
-TEST(Walls, HoldWhatRunsAgainstThem) {
+TEST(Walls, StopTheFlow) {
     Scene scene = plane_scene(0.5);
     scene.release = {{{box(10, 10, 40, 90)}, 3}};
     scene.numerics.boundary = Boundary::wall;

@@ -28,7 +28,7 @@ std::int64_t resident_bytes() {
     return resident * 4096;
 }
 
-TEST(MapSize, DoesNotChangeTheFlowNorWhatAStepTouches) {
+TEST(MapSize, ChangesNeitherTheFlowNorTheMemoryOfAStep) {
     const auto small = pile_on_map(100), large = pile_on_map(600);
     const std::int64_t before = resident_bytes();
     for (int i = 0; i < 30; ++i) {

@@ -56,7 +56,7 @@ Scene gully() {
     return scene;
 }
 
-TEST(PlacedScene, AQuarterTurnPutsCellsAndPointsInAnotherOrder) {
+TEST(PlacedScene, AQuarterTurnReordersCellsAndPoints) {
     Scene scene = gully();
     scene.release[0].azimuth = 1.5;
     const PlacedScene placed = placed_otherwise(scene, {0, 90});
@@ -76,7 +76,7 @@ TEST(PlacedScene, AQuarterTurnPutsCellsAndPointsInAnotherOrder) {
 }
 
 // Cubic convolution is exact for polynomials of the second degree.
-TEST(PlacedScene, GroundLiesWhereTheTurnedOutlineLies) {
+TEST(PlacedScene, GroundIsWhereTheTurnedOutlineIs) {
     Scene scene = gully();
     const auto ground = [&](Point p) {
         const double x = p.x - scene.grid.west, y = p.y - scene.grid.south();
@@ -125,7 +125,7 @@ TEST(PlacedScene, GroundLiesWhereTheTurnedOutlineLies) {
     }
 }
 
-TEST(PlacedScene, AThicknessRasterKeepsItsVolume) {
+TEST(PlacedScene, AThicknessRasterConservesItsVolume) {
     Scene scene = gully();
     Raster thickness(scene.grid, k_no_data);
     for (std::int64_t row = 0; row < 44; ++row)
@@ -140,7 +140,7 @@ TEST(PlacedScene, AThicknessRasterKeepsItsVolume) {
     }
 }
 
-TEST(PlacedScene, WhatLeavesTheGroundDoesNotComeBack) {
+TEST(PlacedScene, MaterialThatLeavesTheGroundDoesNotReturn) {
     Scene level = gully();
     level.terrain = Raster(level.grid, 100);
     const PlacedScene placed = placed_otherwise(level, {0, 30});
@@ -162,7 +162,7 @@ TEST(PlacedScene, WhatLeavesTheGroundDoesNotComeBack) {
 
 // In a whole scene, over hundreds of steps in which thousands of particles split and merge: sums are in another order,
 // and rounding is amplified as neighbours diverge (1e-9 here); one particle that splits differently gives 1e-4.
-TEST(PlacedScene, AFlowTurnedByAQuarterIsTheSameButForRounding) {
+TEST(PlacedScene, AFlowTurnedByAQuarterDiffersOnlyByRounding) {
     const Scene scene = gully();
     RunOptions options;
     options.threads = 2;

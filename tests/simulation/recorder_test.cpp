@@ -96,7 +96,7 @@ TEST_F(AtTheDam, GreatestFluxIsThatOfTheDamAndRowsKeepTheInterval) {
     EXPECT_NEAR(there, 0.992 * exact, 0.02 * exact);
 }
 
-TEST(Recorder, FluxAndHeadLieWithinWhatTheMaximaAllowAndChangeNothingElse) {
+TEST(Recorder, FluxAndHeadAreWithinTheBoundsOfTheMaximaAndChangeNothingElse) {
     Scene scene;
     scene.grid = {600000, 5000120, 2, 120, 60, ""};
     scene.terrain = Raster(scene.grid);

@@ -12,7 +12,7 @@ namespace {
 
 const Polygon k_square_with_hole{{{10, 10}, {50, 10}, {50, 50}, {10, 50}}, {{{20, 20}, {30, 20}, {30, 30}, {20, 30}}}};
 
-TEST(FillOutline, KeepsAreaHolesAndParts) {
+TEST(FillOutline, ConservesAreaHolesAndParts) {
     const MultiPolygon outline{k_square_with_hole, {{{70, 10}, {90, 10}, {80, 30}}, {}}};
     ParticleSet particles;
     const double volume = fill_outline(
@@ -71,7 +71,7 @@ TEST(MakeRelease, MatchesAGivenVolume) {
     EXPECT_EQ(release.volume, 1500);
 }
 
-TEST(MakeRelease, TakesTheMassOutOfTheTerrainThatContainsIt) {
+TEST(MakeRelease, RemovesTheMassFromTheTerrainThatContainsIt) {
     Scene scene = slope_scene();
     scene.terrain_contains_release = true;
     const Release release = make_release(scene);

@@ -42,7 +42,7 @@ TEST_P(Resume, EndsAsNeverInterrupted) {
 }
 
 // A stop writes the flow's state, which must not affect the later run.
-TEST_P(Resume, GoesOnAfterAStopOnRequest) {
+TEST_P(Resume, ContinuesAfterAStopOnRequest) {
     const Scene scene = GetParam().scene();
     const std::int64_t never = 1'000'000'000, at = 2 * GetParam().every - 1;
     const Played straight = play(scene, 1, never), stopped = play(scene, 3, never, nullptr, at);

@@ -62,7 +62,7 @@ TEST_P(AnyMaterial, AGoodRunHasNoProblem) {
 
 // A flume of cells of 2 cm and a slope a hundred times as large, with outlines that exceed the cells' edges by a
 // rounding error.
-TEST(RunProblem, AnOutlineThatPassesTheCellsByNothingIsNone) {
+TEST(RunProblem, AnOutlineARoundingErrorBeyondTheCellsIsNone) {
     for (const double scale : {1.0, 100.0}) {
         for (const double over : {1e-10, 1e-9, 3e-9}) {
             Scene scene;
@@ -90,7 +90,7 @@ TEST(RunProblem, AnOutlineThatPassesTheCellsByNothingIsNone) {
 }
 
 // Initial water, higher and deeper than the release, may be as fast as its own fall.
-TEST(RunProblem, WaterThatLiesHigherThanTheReleaseIsNone) {
+TEST(RunProblem, WaterHigherThanTheReleaseIsNone) {
     Scene scene = slope(Of::fluid);
     scene.release[0].outline = {{{{600100, 5000040}, {600110, 5000040}, {600110, 5000060}, {600100, 5000060}}, {}}};
     scene.release[0].thickness = 0.1;
@@ -105,7 +105,7 @@ TEST(RunProblem, WaterThatLiesHigherThanTheReleaseIsNone) {
 }
 
 // A mass that starts at 1e200 m/s: the first step overflows.
-TEST_P(AnyMaterial, NumbersThatAreNoneEndTheRunAtTheirStep) {
+TEST_P(AnyMaterial, NonFiniteValuesEndTheRunAtTheirStep) {
     Scene scene = slope(GetParam());
     scene.release[0].speed = 1e200;
     std::vector<RunProblem> seen;
@@ -137,7 +137,7 @@ double bound_of(const Scene& scene) {
     return RunCheck(scene, make_release(scene), Arrivals(scene, {}), 1).greatest_speed();
 }
 
-TEST_P(AnyMaterial, TheBoundIsWhatTheFallAllows) {
+TEST_P(AnyMaterial, TheBoundIsThatOfTheFall) {
     Scene scene = slope(GetParam());
     // The release's highest cell, the one that begins at x = 20 m, is 20 m above the flat; 2 m deep.
     EXPECT_NEAR(bound_of(scene), std::sqrt(2 * 9.81 * (0.5 * (60 - 20) + 2)) + 2 * std::sqrt(9.81 * 2), 1e-9);
@@ -146,7 +146,7 @@ TEST_P(AnyMaterial, TheBoundIsWhatTheFallAllows) {
 }
 
 // Blocks of 2 MPa that catch on a corner and tear off: 2 T / (rho c) = 2 * 2.4034 MPa / (1700 kg/m3 * 129.845 m/s).
-TEST(RunProblem, StrongSolidsMaySpringBack) {
+TEST(RunProblem, StrongSolidsMayRebound) {
     Scene scene = slope(Of::solids);
     const double loose = bound_of(scene);
     scene.structured->young_modulus = 12e6;
@@ -178,7 +178,7 @@ TEST(RunProblem, ASpeedAboveTheBoundEndsTheRunAtItsStep) {
 }
 
 // The engine loses nothing; a lost volume must be detected.
-TEST(RunProblem, AVolumeThatDoesNotAddUpIsSeen) {
+TEST(RunProblem, ALostVolumeIsDetected) {
     const Scene scene = slope(Of::mass);
     const Release release = make_release(scene);
     Flow flow(release.bed, release.particles, scene.material, scene.numerics, 1);

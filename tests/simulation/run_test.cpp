@@ -58,7 +58,7 @@ TEST(Run, GivesMaximaArrivalSeriesAndBudget) {
     EXPECT_LT(seen, 4);
 }
 
-TEST(Run, NothingMovesUnderTheFrictionBound) {
+TEST(Run, NothingMovesBelowTheFrictionBound) {
     Scene scene = slide();
     scene.material.friction_coefficient = 2;
     const RunResult result = run(scene, {});
@@ -97,7 +97,7 @@ TEST(Estimate, CountsWithoutRunning) {
 }
 
 // Ends at the first step below the fraction of the peak, and not before.
-TEST(Run, EndsAtAShareOfThePeakOfKineticEnergy) {
+TEST(Run, EndsAtAFractionOfThePeakOfKineticEnergy) {
     Scene scene = slide();
     scene.time.stop_energy_fraction = 0.05;
     const RunResult result = run(scene, {});
@@ -110,7 +110,7 @@ TEST(Run, EndsAtAShareOfThePeakOfKineticEnergy) {
     }
 }
 
-TEST(Run, EndsAtAShareOfThePeakOfMovingVolume) {
+TEST(Run, EndsAtAFractionOfThePeakOfMovingVolume) {
     Scene scene = slide();
     scene.time.stop_moving_fraction = 0.2;
     scene.time.moving_speed = 1;

@@ -75,7 +75,7 @@ TEST(Settling, NeverBeforeItHasBegun) {
 }
 
 // The run waits for later areas and inflows, and the window begins with them.
-TEST(Settling, WaitsForWhatComesLater) {
+TEST(Settling, WaitsForLaterReleasesAndInflow) {
     Scene scene = hillside();
     scene.release.push_back({{box(60, 50, 80, 70)}, 2});
     scene.release[1].start = 80;

@@ -42,7 +42,7 @@ Flow drifting_sheet(const Entrainment& entrainment, Scheme scheme = Scheme::stan
 
 class Growth : public testing::TestWithParam<Scheme> {};
 
-TEST_P(Growth, IsExponentialInTheWayAndKeepsMassAndMomentum) {
+TEST_P(Growth, IsExponentialInTheDistanceAndConservesMassAndMomentum) {
     Entrainment e;
     e.erosion = "growth";
     e.growth_rate = 5e-3;
@@ -104,7 +104,7 @@ SteadySlab steady_slab(const Entrainment& entrainment, double along, double spee
     return slab;
 }
 
-TEST(ShearStressErosion, DigsAtItsRateDownToItsPotentialDepth) {
+TEST(ShearStressErosion, ErodesAtItsRateDownToItsPotentialDepth) {
     Entrainment e;
     e.erosion = "shear-stress";
     e.erodible_depth = 5;
@@ -154,7 +154,7 @@ TEST(Deposition, SettlesAtItsRateWhereStressIsBelowCapacity) {
     EXPECT_EQ(steady_slab(e, 2, 4, 1).deposited, 0);
 }
 
-TEST(Deposition, TakesItsMomentumWithIt) {
+TEST(Deposition, RemovesItsMomentum) {
     Entrainment e;
     e.deposition = true;
     e.deposition_rate = 0.05;
@@ -167,7 +167,7 @@ TEST(Deposition, TakesItsMomentumWithIt) {
     EXPECT_NEAR(sum_of(flow.deposited_depth()), flow.exchanged().deposited, 1e-12 * volume);
 }
 
-TEST(Deposition, NeverTakesAllSoThatParticlesKeepAVolume) {
+TEST(Deposition, IsNeverCompleteSoThatParticlesKeepAVolume) {
     Entrainment e;
     e.deposition = true;
     e.deposition_rate = 10;

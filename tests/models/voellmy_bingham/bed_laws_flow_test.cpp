@@ -204,7 +204,7 @@ TEST(BedLaws, SummedVoellmyIsUniformVoellmy) {
 }
 
 // The table of laws agrees with the laws built from it.
-TEST(BedLaws, OfTheTableAreBuiltAndReadTheZonesThatItSays) {
+TEST(BedLaws, OfTheTableAreBuiltAndReadTheirZones) {
     const GridSpec grid = bench::plain_grid(4, 4, 1);
     const Raster ground(grid), values(grid, 0.5);
     const NodeGrid nodes(ground);

@@ -54,7 +54,7 @@ TEST_P(Conservation, ParticlesAndNodesAgreeAtEveryStep) {
     }
 }
 
-TEST_P(Conservation, StaysSymmetric) {
+TEST_P(Conservation, RemainsSymmetric) {
     Flow flow = obstacle_flow(GetParam());
     flow.advance_to(3);
     const Flow::NodalFields fields = flow.nodal_fields();

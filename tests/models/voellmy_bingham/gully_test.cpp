@@ -19,7 +19,7 @@ Raster gully(double dx, double wall_deg, double fall_deg) {
 class LevelPool : public testing::TestWithParam<std::tuple<double, double>> {};
 
 // The limit is rounding, as for the lakes at rest; 30 m of water make it three times theirs.
-TEST_P(LevelPool, StaysLevelHoweverSteepItsWalls) {
+TEST_P(LevelPool, RemainsLevelHoweverSteepItsWalls) {
     const auto [wall_deg, jitter] = GetParam();
     const double level = 30 * std::tan(wall_deg * k_degree);
     const Raster bed = gully(2.5, wall_deg, 0);

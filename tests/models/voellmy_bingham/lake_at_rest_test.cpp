@@ -31,7 +31,7 @@ constexpr Lake k_lakes[] = {{"Z1", bump}, {"Z2", step}, {"island", island}, {"ro
 
 class LakeAtRestOver : public testing::TestWithParam<std::tuple<int, double, bool, SlopeCorrection>> {};
 
-TEST_P(LakeAtRestOver, StaysStill) {
+TEST_P(LakeAtRestOver, RemainsStill) {
     const auto [which, jitter, friction, slope] = GetParam();
     const Lake& lake = k_lakes[which];
     const GridSpec grid = bench::plain_grid(50, 50, 0.2);
@@ -66,7 +66,7 @@ TEST_P(LakeAtRestOver, StaysStill) {
 // Hills and valleys that curve within a few cells: a node distinguishes a shore from a free front by the fraction of
 // its cells' area under water, which the plane through its neighbours gives to some percent of a cell. Not all lakes
 // remain still: where the ground is rougher than that, some shores are treated as fronts.
-TEST(LakeAtRest, StaysStillRoundMostRaggedShorelines) {
+TEST(LakeAtRest, RemainsStillAtMostIrregularShorelines) {
     int still = 0;
     for (int k = 0; k < 40; ++k) {
         const GridSpec grid = bench::plain_grid(24, 24, 20);
