@@ -43,7 +43,7 @@ constexpr const char* k_drivers[] = {"AmigoCloud", "Carto",    "Cloudant",      
 
 constexpr const char* k_remedy = "Copy it to this machine, or start frana with --allow-network";
 
-void note_asked(const std::string& place) {
+void note_refused_place(const std::string& place) {
     note_refusal({"the file refers to data on the network", place, k_remedy});
 }
 
@@ -51,12 +51,12 @@ void note_asked(const std::string& place) {
 class NoFiles : public VSIFilesystemHandler {
   public:
     VSIVirtualHandle* Open(const char* path, const char*, bool, CSLConstList) override {
-        note_asked(path);
+        note_refused_place(path);
         errno = ENOENT;
         return nullptr;
     }
     int Stat(const char* path, VSIStatBufL*, int) override {
-        note_asked(path);
+        note_refused_place(path);
         errno = ENOENT;
         return -1;
     }
@@ -65,7 +65,7 @@ class NoFiles : public VSIFilesystemHandler {
 /// Replaces the requests of every driver that uses HTTP itself, and of CRSs that are URLs.
 CPLHTTPResult* fetch_nothing(const char* url, CSLConstList, GDALProgressFunc, void*, CPLHTTPFetchWriteFunc, void*,
                              void*) {
-    note_asked(url);
+    note_refused_place(url);
     auto* const result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
     result->nStatus = 1;
     result->pszErrBuf = CPLStrdup("frana was not started with --allow-network");

@@ -14,7 +14,7 @@
 namespace frana::gis {
 namespace {
 
-constexpr std::int64_t k_first_word_ms = 3000, k_words_ms = 10000;
+constexpr std::int64_t k_first_report_ms = 3000, k_report_interval_ms = 10000;
 
 std::int64_t now() {
     using namespace std::chrono;
@@ -40,7 +40,7 @@ Watch& watch() {
 void watch_over() {
     Watch& w = watch();
     std::unique_lock lock(w.guard);
-    std::int64_t told_of = 0, next_word = 0;
+    std::int64_t reported = 0, next_report = 0;
     for (;;) {
         w.changed.wait(lock, [&] { return !w.limits.empty(); });
         const auto next = *std::min_element(w.limits.begin(), w.limits.end(),
@@ -50,13 +50,13 @@ void watch_over() {
         if (w.warn != nullptr) {
             // The outermost is the file named by the user.
             const TimeLimit& file = *w.limits.front();
-            if (file.begun() != told_of) next_word = file.begun() + k_first_word_ms;
-            told_of = file.begun();
-            if (time >= next_word) {
+            if (file.begun() != reported) next_report = file.begun() + k_first_report_ms;
+            reported = file.begun();
+            if (time >= next_report) {
                 w.warn(file.where(), static_cast<double>(time - file.begun()) / 1000);
-                next_word = time + k_words_ms;
+                next_report = time + k_report_interval_ms;
             }
-            wait = std::min(left, next_word - time);
+            wait = std::min(left, next_report - time);
         }
         if (left > 0) {
             w.changed.wait_for(lock, std::chrono::milliseconds(wait));

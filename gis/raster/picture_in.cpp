@@ -69,12 +69,12 @@ std::optional<std::uint32_t> content_of(GDALDatasetH picture) {
     const auto pieces = [](int whole, int part) { return (whole + part - 1) / part; };
     const std::int64_t across = pieces(GDALGetRasterXSize(picture), width),
                        count = across * pieces(GDALGetRasterYSize(picture), height);
-    const std::int64_t looked_at = std::min(count, k_most_blocks);
+    const std::int64_t n_read = std::min(count, k_most_blocks);
     const int bands = GDALGetRasterCount(picture);
     std::vector<std::uint8_t> values;
     uLong sum = 0;
-    for (std::int64_t i = 0; i < looked_at; ++i) {
-        const std::int64_t block = looked_at == 1 ? 0 : i * (count - 1) / (looked_at - 1);
+    for (std::int64_t i = 0; i < n_read; ++i) {
+        const std::int64_t block = n_read == 1 ? 0 : i * (count - 1) / (n_read - 1);
         const int column = static_cast<int>(block % across) * width, row = static_cast<int>(block / across) * height;
         const int wide = std::min(width, GDALGetRasterXSize(picture) - column),
                   high = std::min(height, GDALGetRasterYSize(picture) - row);

@@ -39,7 +39,7 @@ void write_geopackage(const std::string& gpkg_path, const std::string& crs_wkt,
     }
     // Closing writes the last bytes and reports errors only through the error handler.
     if (session.failed()) refuse(gpkg_path, session);
-    file.bring_to_disk();
+    file.sync_to_disk();
     file.rename_into_place();
 }
 

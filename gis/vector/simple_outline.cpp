@@ -56,10 +56,10 @@ Point meeting(const Edge& a, const Edge& b) {
 
 class Sweep {
   public:
-    explicit Sweep(const Polygon& polygon) : met_(South{this}) {
+    explicit Sweep(const Polygon& polygon) : status_(South{this}) {
         add(polygon.outer);
         for (const Ring& hole : polygon.holes) add(hole);
-        places_.resize(edges_.size(), met_.end());
+        places_.resize(edges_.size(), status_.end());
         std::vector<std::size_t> order(vertices_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::sort(order.begin(), order.end(),
@@ -83,7 +83,7 @@ class Sweep {
             return a != b && further_south(sweep->edges_[a], sweep->edges_[b]);
         }
     };
-    using Met = std::set<std::size_t, South>;
+    using Status = std::set<std::size_t, South>;
     struct Vertex {
         Point place;
         std::size_t before, after;  // its edges
@@ -99,16 +99,16 @@ class Sweep {
     }
 
     void enter(std::size_t e) {
-        const auto at = met_.insert(e).first;
+        const auto at = status_.insert(e).first;
         places_[e] = at;
-        if (at != met_.begin()) compare(*std::prev(at), e);
-        if (std::next(at) != met_.end()) compare(e, *std::next(at));
+        if (at != status_.begin()) compare(*std::prev(at), e);
+        if (std::next(at) != status_.end()) compare(e, *std::next(at));
     }
 
     void leave(std::size_t e) {
         const auto at = places_[e], next = std::next(at);
-        if (at != met_.begin() && next != met_.end()) compare(*std::prev(at), *next);
-        met_.erase(at);
+        if (at != status_.begin() && next != status_.end()) compare(*std::prev(at), *next);
+        status_.erase(at);
     }
 
     void compare(std::size_t one, std::size_t other) {
@@ -131,8 +131,8 @@ class Sweep {
 
     std::vector<Edge> edges_;
     std::vector<Vertex> vertices_;
-    Met met_;  // along the sweep line, from the south
-    std::vector<Met::iterator> places_;
+    Status status_;  // along the sweep line, from the south
+    std::vector<Status::iterator> places_;
 };
 
 /// Of rings that do not meet: whether each hole is inside the outline and in no other hole.

@@ -134,11 +134,11 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& s
     Problems problems;
     CountedTexts counted;
     std::vector<PolygonFeature> features;
-    std::int64_t seen = 0, unreported = 0;
+    std::int64_t n_read = 0, unreported = 0;
     VertexCount vertices(source);
     layer.ResetReading();
     for (const auto& from : layer) {
-        ++seen;
+        ++n_read;
         limit.again();
         vertices.add(from->GetGeometryRef());
         Problems of_this;
@@ -152,7 +152,7 @@ std::vector<PolygonFeature> read_features(OGRLayer& layer, const VectorSource& s
         problems.add(Problem{std::to_string(unreported) + " more features have problems", source.where, "", "", ""});
     problems.throw_if_any();
     warnings = counted.texts();
-    if (seen == 0) throw vector_error(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
+    if (n_read == 0) throw vector_error(source, "the layer is empty", layer.GetName(), "Draw at least one polygon");
     if (features.empty())
         throw vector_error(source, "the layer contains no polygon", layer.GetName(), "Draw at least one");
     return features;

@@ -55,7 +55,7 @@ void write_vtk_points(const std::string& path, const PointTable& table, const st
         throw Error(ErrorKind::environment, Problem{"the file of particles cannot be written", path, "", "",
                                                     "Check that the folder may be written and has free space"});
     }
-    file.bring_to_disk();
+    file.sync_to_disk();
     file.rename_into_place();
 }
 

@@ -41,7 +41,7 @@ class LabelPlaces {
     LabelPlaces(const PageStyle& style, const MapFrame& frame, const Raster* layer,
                 const std::vector<Outline>& outlines, const Sheet& sheet)
         : style_(style), frame_(frame), layer_(layer) {
-        for (const TextBox& text : sheet.texts()) taken_.push_back(text.box);
+        for (const TextBox& text : sheet.texts()) occupied_.push_back(text.box);
         for (const Outline& outline : outlines) {
             for (const Polygon& polygon : outline.polygons) {
                 keep_off(polygon.outer, true);
@@ -86,7 +86,7 @@ class LabelPlaces {
         }
         if (!best) return;
         sheet.text(words, best_at, best_style, Across::centre, Upright::middle);
-        taken_.push_back(sheet.texts().back().box);
+        occupied_.push_back(sheet.texts().back().box);
     }
 
   private:
@@ -119,7 +119,7 @@ class LabelPlaces {
         // Labels of neighbouring lines stacked like rungs are worse than few labels.
         const double apart = 5 * style_.gap;
         const PageBox lonely{box.left - apart, box.top - apart, box.right + apart, box.bottom + apart};
-        if (std::any_of(taken_.begin(), taken_.end(), [&](const PageBox& t) { return lonely.overlaps(t); }))
+        if (std::any_of(occupied_.begin(), occupied_.end(), [&](const PageBox& t) { return lonely.overlaps(t); }))
             return false;
         if (std::any_of(outlines_.begin(), outlines_.end(), [&](const PageBox& dot) { return dot.overlaps(box); })) {
             return false;
@@ -130,7 +130,7 @@ class LabelPlaces {
     const PageStyle& style_;
     const MapFrame& frame_;
     const Raster* layer_;
-    std::vector<PageBox> taken_;     ///< by labels
+    std::vector<PageBox> occupied_;  ///< by labels
     std::vector<PageBox> outlines_;  ///< dots along them
 };
 
@@ -226,9 +226,9 @@ void draw_place_names(Sheet& sheet, const PageStyle& style, const MapFrame& fram
             for (const auto& one_try : tries) {
                 const Point to{at.x + one_try.shift.x, at.y + one_try.shift.y};
                 const PageBox box = sheet.lettering().place(one.name, to, name, one_try.across, one_try.upright).box;
-                const bool taken = std::any_of(sheet.texts().begin(), sheet.texts().end(),
-                                               [&](const TextBox& text) { return text.box.overlaps(box); });
-                if (taken || !box.inside(frame.box())) continue;
+                const bool occupied = std::any_of(sheet.texts().begin(), sheet.texts().end(),
+                                                  [&](const TextBox& text) { return text.box.overlaps(box); });
+                if (occupied || !box.inside(frame.box())) continue;
                 sheet.text(one.name, to, name, one_try.across, one_try.upright);
                 break;
             }

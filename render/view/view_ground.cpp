@@ -83,10 +83,10 @@ ScenePoint ViewGround::scene(Point map, double above) const {
 }
 
 bool ViewGround::hides(const ScenePoint& eye, const ScenePoint& point) const {
-    constexpr int k_looks = 64;
+    constexpr int k_samples = 64;
     const double margin = 0.01 * (highest_ - lowest_);
-    for (int i = 0; i < k_looks; ++i) {
-        const double fraction = static_cast<double>(i) / k_looks;
+    for (int i = 0; i < k_samples; ++i) {
+        const double fraction = static_cast<double>(i) / k_samples;
         const Point map{origin_.x + eye.x + fraction * (point.x - eye.x),
                         origin_.y + eye.y + fraction * (point.y - eye.y)};
         const double ground = scene(map, 0).z;  // NaN beyond the terrain, which hides nothing

@@ -143,18 +143,18 @@ class ViewSession::Scene {
 
     void fly(double fraction) {
         std::sort(flow_.begin(), flow_.end(), [](const ScenePoint& a, const ScenePoint& b) { return a.z > b.z; });
-        constexpr double k_seen = 0.4;  // fraction of the flow visible at once
+        constexpr double k_visible = 0.4;  // fraction of the flow visible at once
         constexpr double k_turn_deg = 70;
         const auto count = static_cast<double>(flow_.size());
-        const auto begin = static_cast<std::ptrdiff_t>(std::clamp(fraction, 0.0, 1.0) * (1 - k_seen) * count);
-        const auto length = std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(k_seen * count));
-        const std::vector<ScenePoint> seen(flow_.begin() + begin,
-                                           flow_.begin() + std::min<std::ptrdiff_t>(begin + length, std::ssize(flow_)));
+        const auto begin = static_cast<std::ptrdiff_t>(std::clamp(fraction, 0.0, 1.0) * (1 - k_visible) * count);
+        const auto length = std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(k_visible * count));
+        const std::vector<ScenePoint> visible(
+            flow_.begin() + begin, flow_.begin() + std::min<std::ptrdiff_t>(begin + length, std::ssize(flow_)));
         layout_.camera = first_camera_;
         layout_.camera.azimuth_deg = std::fmod(first_camera_.azimuth_deg + k_turn_deg * (fraction - 0.5) + 360, 360);
         arrange(spec_, for_frames_, false);
         const PageBox& picture = layout_.picture;
-        scene_->set_camera(place_camera(layout_.camera, seen, picture.width() / picture.height()));
+        scene_->set_camera(place_camera(layout_.camera, visible, picture.width() / picture.height()));
     }
 
     Image draw(const Raster* layer, const Dots* dots, const std::string& subtitle) {

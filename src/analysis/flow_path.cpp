@@ -49,7 +49,7 @@ std::vector<std::uint8_t> search(const GridSpec& grid, const std::vector<float>&
         bool operator>(const Entry& other) const { return cost != other.cost ? cost > other.cost : cell > other.cell; }
     };
     std::vector<double> best(costs.size(), std::numeric_limits<double>::infinity());
-    std::vector<std::uint8_t> came(costs.size(), 8);
+    std::vector<std::uint8_t> arrived_from(costs.size(), 8);
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     best[from] = 0;
     open.push({0, from});
@@ -68,11 +68,11 @@ std::vector<std::uint8_t> search(const GridSpec& grid, const std::vector<float>&
             const double cost = now.cost + metres * 0.5 * (costs[now.cell] + costs[next]);
             if (cost >= best[next]) continue;
             best[next] = cost;
-            came[next] = d;
+            arrived_from[next] = d;
             open.push({cost, next});
         }
     }
-    return came;
+    return arrived_from;
 }
 
 double distance_to_segment(Point p, Point a, Point b) {
@@ -148,11 +148,11 @@ Polyline flow_path(const Raster& whole, Point from, Point to) {
     const GridSpec& grid = depth.grid;
     const std::size_t start = require_cell(grid, from), end = require_cell(grid, to);
     if (start == end) return {from, to};
-    const std::vector<std::uint8_t> came = search(grid, costs_of(depth), start, end, k_steps);
+    const std::vector<std::uint8_t> arrived_from = search(grid, costs_of(depth), start, end, k_steps);
     Polyline line{to};
     for (std::size_t cell = end; cell != start;) {
-        const auto row = static_cast<std::int64_t>(cell) / grid.columns - k_steps[came[cell]][0];
-        const auto column = static_cast<std::int64_t>(cell) % grid.columns - k_steps[came[cell]][1];
+        const auto row = static_cast<std::int64_t>(cell) / grid.columns - k_steps[arrived_from[cell]][0];
+        const auto column = static_cast<std::int64_t>(cell) % grid.columns - k_steps[arrived_from[cell]][1];
         cell = static_cast<std::size_t>(row * grid.columns + column);
         if (cell != start) line.push_back(grid.cell_centre(row, column));
     }

@@ -172,13 +172,13 @@ bool visible_from_centroid(const MultiPolygon& outline) {
 
 SlipSurface::SlipSurface(const Raster& ground, const MultiPolygon& perimeter, std::optional<SlipShape> shape)
     : above_membrane_(ground.grid), form_(ground.grid) {
-    const bool seen = visible_from_centroid(perimeter);
-    if (shape == SlipShape::ellipsoid && !seen) {
+    const bool visible = visible_from_centroid(perimeter);
+    if (shape == SlipShape::ellipsoid && !visible) {
         throw Error(ErrorKind::input,
                     Problem{"no ellipsoid can be fitted to a perimeter that is not entirely visible from its centroid",
                             "release.slip-shape", "ellipsoid", "", "Choose auto or base-level"});
     }
-    shape_ = shape.value_or(seen ? SlipShape::ellipsoid : SlipShape::base_level);
+    shape_ = shape.value_or(visible ? SlipShape::ellipsoid : SlipShape::base_level);
     const Inside inside = cells_inside(ground.grid, perimeter);
     if (inside.cells.empty()) {
         throw Error(ErrorKind::input, Problem{"a perimeter is too small for the cells to fit a slip surface to it",

@@ -39,7 +39,7 @@ fs::path folder_of(const fs::path& path) {
 
 // Whether the process is running, so that its file is still being written; a number with more digits is no process
 // number.
-bool is_being_made_by(const std::string& process) {
+bool is_running(const std::string& process) {
     constexpr std::size_t k_most_digits = 9;
     return process.size() > k_most_digits || ::kill(static_cast<pid_t>(std::stol(process)), 0) == 0 || errno != ESRCH;
 }
@@ -59,9 +59,9 @@ class AbandonedFiles {
     }
 
   private:
-    using Left = std::multimap<std::string, fs::path>;  // by the name each was to get
+    using Leftovers = std::multimap<std::string, fs::path>;  // by the name each was to get
 
-    static void search(const fs::path& folder, Left& left) {
+    static void search(const fs::path& folder, Leftovers& left) {
         std::error_code ignored;
         for (auto entry = fs::directory_iterator(folder.empty() ? "." : folder, ignored); entry != fs::end(entry);
              entry.increment(ignored)) {
@@ -71,7 +71,7 @@ class AbandonedFiles {
     }
 
     std::mutex mutex_;
-    std::map<fs::path, Left> folders_;
+    std::map<fs::path, Leftovers> folders_;
 };
 
 class Descriptor {
@@ -104,7 +104,7 @@ std::optional<FileInMaking> file_in_making(const std::string& name) {
     static const std::regex k_form(R"((.*)\.partial([0-9]+)(\.[A-Za-z0-9]+)(.*))");
     std::smatch parts;
     if (!std::regex_match(name, parts, k_form)) return std::nullopt;
-    return FileInMaking{parts[1].str() + parts[3].str(), parts[4].length() > 0, !is_being_made_by(parts[2])};
+    return FileInMaking{parts[1].str() + parts[3].str(), parts[4].length() > 0, !is_running(parts[2])};
 }
 
 FileAside::FileAside(std::string path, Kind kind) : path_(std::move(path)), named_(beside(path_)), partial_(named_) {
@@ -134,7 +134,7 @@ void FileAside::fail(const std::string& what, int reason) const {
                 Problem{what + ": " + std::strerror(reason), path_, "", "", system_remedy(reason)});
 }
 
-void FileAside::bring_to_disk() const {
+void FileAside::sync_to_disk() const {
     const Descriptor named(descriptor_ < 0 ? partial_ : "", O_RDONLY);
     const int descriptor = descriptor_ >= 0 ? descriptor_ : named.number();
     if (const int reason = sync_descriptor(descriptor); reason != 0) fail("cannot be written to the disk", reason);
@@ -173,7 +173,7 @@ void write_file(const std::string& path, std::string_view bytes, Sync sync) {
         if (out.number() < 0) fail(errno);
         if (const int reason = write_all(out.number(), bytes); reason != 0) fail(reason);
     }
-    if (sync == Sync::yes) file.bring_to_disk();
+    if (sync == Sync::yes) file.sync_to_disk();
     file.rename_into_place();
 }
 

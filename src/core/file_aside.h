@@ -26,7 +26,7 @@ class FileAside {
     [[nodiscard]] const std::string& path() const noexcept { return path_; }             ///< final
     [[nodiscard]] const std::string& partial_path() const noexcept { return partial_; }  ///< to be opened and written
     /// Waits until the bytes are on the disk. Throws Error(environment) if the disk cannot store them.
-    void bring_to_disk() const;
+    void sync_to_disk() const;
     /// Throws Error(environment) if the file cannot be renamed.
     void rename_into_place();
 

@@ -8,8 +8,8 @@ namespace {
 // check again this many times (some tens of microseconds) before they sleep.
 // With more threads than processors, checking only takes the processor from the thread that is waited for.
 int checks_before_sleep(int threads) {
-    constexpr int k_looks = 4000;
-    return threads <= static_cast<int>(std::thread::hardware_concurrency()) ? k_looks : 0;
+    constexpr int k_checks = 4000;
+    return threads <= static_cast<int>(std::thread::hardware_concurrency()) ? k_checks : 0;
 }
 
 inline void pause() noexcept {
@@ -20,7 +20,7 @@ inline void pause() noexcept {
 
 }  // namespace
 
-ThreadPool::ThreadPool(int threads) : looks_(checks_before_sleep(threads)) {
+ThreadPool::ThreadPool(int threads) : checks_(checks_before_sleep(threads)) {
     for (int i = 1; i < threads; ++i) workers_.emplace_back([this] { serve(); });
 }
 
@@ -41,10 +41,10 @@ void ThreadPool::start(std::size_t count, Call call, const void* task) {
     epoch_.notify_all();
     work();
     // Waits only for tasks already taken: a thread that has not yet woken up does not delay the loop.
-    int looks = 0;
+    int checks = 0;
     for (std::size_t done = done_.load(std::memory_order_acquire); done != count;
          done = done_.load(std::memory_order_acquire)) {
-        if (++looks < looks_) {
+        if (++checks < checks_) {
             pause();
         } else {
             done_.wait(done, std::memory_order_acquire);
@@ -69,17 +69,17 @@ void ThreadPool::work() {
 }
 
 void ThreadPool::serve() {
-    std::uint32_t seen = 0;
+    std::uint32_t last_epoch = 0;
     while (true) {
-        int looks = 0;
-        while (epoch_.load(std::memory_order_acquire) == seen) {
-            if (++looks < looks_) {
+        int checks = 0;
+        while (epoch_.load(std::memory_order_acquire) == last_epoch) {
+            if (++checks < checks_) {
                 pause();
             } else {
-                epoch_.wait(seen, std::memory_order_acquire);
+                epoch_.wait(last_epoch, std::memory_order_acquire);
             }
         }
-        seen = epoch_.load(std::memory_order_acquire);
+        last_epoch = epoch_.load(std::memory_order_acquire);
         if (stop_.load()) return;
         work();
     }

@@ -47,7 +47,7 @@ class ThreadPool {
     void work();
     void serve();
 
-    const int looks_;  ///< before an idle thread sleeps
+    const int checks_;  ///< before an idle thread sleeps
     std::vector<std::thread> workers_;
     std::atomic<std::uint32_t> epoch_{0};
     static constexpr int k_count_bits = 32;

@@ -15,7 +15,7 @@ namespace frana {
 namespace {
 
 // Interval at which a path over the bed is sampled [cells]; bisection finds an end of a free fall to 1e-9 of it.
-constexpr double k_look = 0.25;
+constexpr double k_sampling = 0.25;
 constexpr int k_halvings = 30;
 
 // Least factor of an area in one flight.
@@ -69,7 +69,7 @@ Point landed_velocity(const NodeGrid& nodes, Point place, Point velocity, double
 // Computes the free fall from jump.from until it lands. Returns the steepest fall of the edge in its direction.
 double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
     const NodeScale grid = nodes.scale();
-    const double search_distance = k_look * grid.dx, start = ground_at(nodes, jump.from).value;
+    const double search_distance = k_sampling * grid.dx, start = ground_at(nodes, jump.from).value;
     const auto height = [&](double time) { return start + (jump.climb - 0.5 * rules.gravity * time) * time; };
     Point place = jump.from, velocity = jump.velocity;
     double time = 0, steepest = 0;
@@ -122,7 +122,7 @@ double fall(const NodeGrid& nodes, const JumpRules& rules, Jump& jump) {
 
 std::optional<Jump> find_jump(const NodeGrid& nodes, const JumpRules& rules, Point place, Point along, double reach,
                               double clearance) {
-    const double search_distance = k_look * nodes.cell_size();
+    const double search_distance = k_sampling * nodes.cell_size();
     double time = 0, before = 0;
     Point last = place, way{};
     while (nodes.bounds().contains(place.x, place.y)) {
@@ -227,7 +227,7 @@ namespace {
 
 // Whether the splines' bed over a tile's nodes may be as steep as an edge: its gradient is a mean of differences
 // between neighbours, no greater than the greatest of them.
-bool may_hold_edge(const NodeRange& range, const NodeGrid& nodes, double edge) {
+bool may_have_edge(const NodeRange& range, const NodeGrid& nodes, double edge) {
     const double* bed = nodes.bed.data();
     const auto row = static_cast<std::size_t>(nodes.stride());
     double across = 0, along = 0;
@@ -244,32 +244,32 @@ bool may_hold_edge(const NodeRange& range, const NodeGrid& nodes, double edge) {
 bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, double edge) {
     std::uint8_t& known = edges_[static_cast<std::size_t>(tile)];
     if (known == k_unknown || nodes.bed_changes)
-        known = may_hold_edge(NodeRange(tile, tiles, nodes), nodes, edge) ? k_edge : k_none;
+        known = may_have_edge(NodeRange(tile, tiles, nodes), nodes, edge) ? k_edge : k_none;
     return known == k_edge;
 }
 
 void Flights::take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes,
-                       const NodeReport* seen, const JumpRules& rules, double time, double reach,
+                       const NodeReport* reports, const JumpRules& rules, double time, double reach,
                        std::vector<std::uint8_t>& keep, ThreadPool& pool) {
     const auto& tiles = order.tiles();
     const double *x = particles[Field::x], *y = particles[Field::y], *u = particles[Field::u], *v = particles[Field::v];
     const double *volume = particles[Field::volume], *area = particles[Field::area];
     edges_.resize(static_cast<std::size_t>(order.grid().tiles_x() * order.grid().tiles_y()), k_unknown);
-    std::vector<std::uint8_t> looks(tiles.size(), 0);
+    std::vector<std::uint8_t> searched(tiles.size(), 0);
     for (std::size_t t = 0; t < tiles.size(); ++t) {
         bool lifted = false, steep = false;
         for (std::int64_t b = tiles[t].y0; b <= tiles[t].y1; ++b)
             for (std::int64_t a = tiles[t].x0; a <= tiles[t].x1; ++a)
-                lifted = lifted || seen[b * order.grid().tiles_x() + a].unsupported > 0;
+                lifted = lifted || reports[b * order.grid().tiles_x() + a].unsupported > 0;
         for (std::int64_t b = tiles[t].y0; b <= tiles[t].y1 && lifted; ++b)
             for (std::int64_t a = tiles[t].x0; a <= tiles[t].x1; ++a)
                 steep = steep || has_edge(b * order.grid().tiles_x() + a, order.grid(), nodes, rules.edge);
-        looks[t] = lifted && steep;
+        searched[t] = lifted && steep;
     }
     std::vector<std::vector<std::pair<std::size_t, Jump>>> found(tiles.size());
     pool.for_each(tiles.size(), [&](std::size_t t) {
         const ParticleTile& tile = tiles[t];
-        if (looks[t] == 0) return;
+        if (searched[t] == 0) return;
         for (std::size_t p = tile.begin; p < tile.end; ++p) {
             const double clearance = std::max(volume[p] / area[p], k_least_clearance * nodes.cell_size());
             if (auto jump = find_jump(nodes, rules, {x[p], y[p]}, {u[p], v[p]}, reach, clearance))

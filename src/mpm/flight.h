@@ -101,8 +101,9 @@ class Flights {
     /// (NodeReport::unsupported).
     /// @param seen by tile
     /// @param time of the particles' positions [s]
-    void take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const NodeReport* seen,
-                  const JumpRules& rules, double time, double reach, std::vector<std::uint8_t>& keep, ThreadPool& pool);
+    void take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes,
+                  const NodeReport* reports, const JumpRules& rules, double time, double reach,
+                  std::vector<std::uint8_t>& keep, ThreadPool& pool);
 
     struct Landed {
         std::size_t count = 0;  ///< particles appended

@@ -85,8 +85,8 @@ ParticleRow merged(const ParticleRow& a, const ParticleRow& b) {
 
 // The changes of a tile: indices, within the tile, of the particles removed, ascending, and the particles added.
 struct TileChange {
-    std::vector<std::size_t> gone;
-    std::vector<ParticleRow> come;
+    std::vector<std::size_t> removed;
+    std::vector<ParticleRow> added;
     ResampleCounts counts;
 };
 
@@ -107,7 +107,7 @@ class TileResampler {
                 break;
             }
         }
-        std::sort(change_.gone.begin(), change_.gone.end());
+        std::sort(change_.removed.begin(), change_.removed.end());
         return std::move(change_);
     }
 
@@ -127,7 +127,7 @@ class TileResampler {
     }
     // Indices continue from the particles of the tile to those added.
     [[nodiscard]] ParticleRow row(std::size_t i) const {
-        return i < size_ ? particles_.row(begin_ + i) : change_.come[i - size_];
+        return i < size_ ? particles_.row(begin_ + i) : change_.added[i - size_];
     }
 
     void split() {
@@ -160,8 +160,8 @@ class TileResampler {
             return x > edges.west && x < edges.east && y > edges.south && y < edges.north && !in_wall(x, y);
         };
         if (!std::all_of(parts.begin(), parts.end(), fits)) return;
-        change_.come.insert(change_.come.end(), parts.begin(), parts.end());
-        change_.gone.push_back(p);
+        change_.added.insert(change_.added.end(), parts.begin(), parts.end());
+        change_.removed.push_back(p);
         ++change_.counts.split;
     }
 
@@ -195,7 +195,7 @@ class TileResampler {
     // Comparing all pairs for each merge costs the cube of the number: where release areas overlap, neighbours along a
     // curve through the cell merge first, all at once.
     template <class Drop>
-    void thin_out(std::vector<std::size_t>& cell, double limit, std::vector<std::uint8_t>& unwanted, const Drop& drop) {
+    void thin_out(std::vector<std::size_t>& cell, double limit, std::vector<std::uint8_t>& dropped, const Drop& drop) {
         constexpr std::size_t k_crowd = 8;  // times the allowed number
         while (cell.size() > k_crowd * static_cast<std::size_t>(limits_.max_per_cell)) {
             std::vector<std::pair<std::uint32_t, std::size_t>> along;
@@ -220,9 +220,9 @@ class TileResampler {
                 }
                 drop(one);
                 drop(other);
-                cell.push_back(size_ + change_.come.size());
-                change_.come.push_back(merged(a, b));
-                unwanted.push_back(0);
+                cell.push_back(size_ + change_.added.size());
+                change_.added.push_back(merged(a, b));
+                dropped.push_back(0);
                 ++change_.counts.merged;
                 ++k;
             }
@@ -252,18 +252,18 @@ class TileResampler {
             if (counts_[cell] > limits_.max_per_cell) cells[cell].push_back(p);
         }
 
-        std::vector<std::uint8_t> unwanted(change_.come.size(), 0);
+        std::vector<std::uint8_t> dropped(change_.added.size(), 0);
         const auto drop = [&](std::size_t i) {
             if (i < size_) {
-                change_.gone.push_back(i);
+                change_.removed.push_back(i);
             } else {
-                unwanted[i - size_] = 1;
+                dropped[i - size_] = 1;
             }
         };
         const double limit = limits_.merge_extent * limits_.cell_size;
         std::vector<Outline> outlines;
         for (auto& cell : cells) {
-            thin_out(cell, limit, unwanted, drop);
+            thin_out(cell, limit, dropped, drop);
             outlines.clear();
             for (const std::size_t i : cell) outlines.emplace_back(row(i));
             while (static_cast<int>(cell.size()) > limits_.max_per_cell) {
@@ -286,20 +286,20 @@ class TileResampler {
                 const ParticleRow both = merged(row(cell[best_a]), row(cell[best_b]));
                 drop(cell[best_a]);
                 drop(cell[best_b]);
-                cell[best_a] = size_ + change_.come.size();
+                cell[best_a] = size_ + change_.added.size();
                 outlines[best_a] = Outline(both);
-                change_.come.push_back(both);
-                unwanted.push_back(0);
+                change_.added.push_back(both);
+                dropped.push_back(0);
                 cell.erase(cell.begin() + static_cast<std::ptrdiff_t>(best_b));
                 outlines.erase(outlines.begin() + static_cast<std::ptrdiff_t>(best_b));
                 ++change_.counts.merged;
             }
         }
         std::size_t kept = 0;
-        for (std::size_t i = 0; i < change_.come.size(); ++i) {
-            if (unwanted[i] == 0) change_.come[kept++] = change_.come[i];
+        for (std::size_t i = 0; i < change_.added.size(); ++i) {
+            if (dropped[i] == 0) change_.added[kept++] = change_.added[i];
         }
-        change_.come.resize(kept);
+        change_.added.resize(kept);
     }
 
     const ResampleLimits& limits_;
@@ -328,7 +328,7 @@ ResampleCounts resample(ParticleSet& particles, TileOrder& order, const Resample
     for (std::size_t t = 0; t < tiles.size(); ++t) {
         total.split += changes[t].counts.split;
         total.merged += changes[t].counts.merged;
-        sizes[t] = tiles[t].end - tiles[t].begin - changes[t].gone.size() + changes[t].come.size();
+        sizes[t] = tiles[t].end - tiles[t].begin - changes[t].removed.size() + changes[t].added.size();
         begins[t] = n;
         n += sizes[t];
     }
@@ -339,12 +339,12 @@ ResampleCounts resample(ParticleSet& particles, TileOrder& order, const Resample
         [&](Field field, const double* from, double* to, std::size_t t) {
             double* next = to + begins[t];
             std::size_t p = tiles[t].begin;
-            for (const std::size_t gone : changes[t].gone) {
-                next = std::copy(from + p, from + tiles[t].begin + gone, next);
-                p = tiles[t].begin + gone + 1;
+            for (const std::size_t removed : changes[t].removed) {
+                next = std::copy(from + p, from + tiles[t].begin + removed, next);
+                p = tiles[t].begin + removed + 1;
             }
             next = std::copy(from + p, from + tiles[t].end, next);
-            for (const ParticleRow& row : changes[t].come) *next++ = get(row, field);
+            for (const ParticleRow& row : changes[t].added) *next++ = get(row, field);
         },
         pool);
     order.set_counts(sizes);

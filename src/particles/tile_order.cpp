@@ -25,12 +25,12 @@ void TileOrder::sort(ParticleSet& particles, const std::vector<std::uint8_t>& ke
     source_.resize(n);
     blocks_.resize((n + block - 1) / block);
     pool.for_blocks(n, block, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::int32_t>& met = blocks_[begin / block].met;
-        met.clear();
+        std::vector<std::int32_t>& found = blocks_[begin / block].found;
+        found.clear();
         for (std::size_t p = begin; p < end; ++p) {
             const std::int32_t key = keep.empty() || keep[p] ? static_cast<std::int32_t>(tile_of(x[p], y[p])) : -1;
             keys_[p] = key;
-            if (key >= 0 && (met.empty() || met.back() != key)) met.push_back(key);
+            if (key >= 0 && (found.empty() || found.back() != key)) found.push_back(key);
         }
     });
     list_tiles();
@@ -72,7 +72,7 @@ void TileOrder::list_tiles() {
     for (const ParticleTile& tile : tiles_) rank_[static_cast<std::size_t>(tile.tile)] = 0;
     tiles_.clear();
     for (const Block& block : blocks_) {
-        for (const std::int32_t tile : block.met) {
+        for (const std::int32_t tile : block.found) {
             if (rank_[static_cast<std::size_t>(tile)] != 0) continue;
             rank_[static_cast<std::size_t>(tile)] = 1;
             tiles_.push_back({0, 0, tile});

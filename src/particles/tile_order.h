@@ -97,7 +97,7 @@ class TileOrder {
   private:
     // What one block of particles, in the order before the sort, adds to each tile.
     struct Block {
-        std::vector<std::int32_t> met;      // tiles, in order of first occurrence, each at least once
+        std::vector<std::int32_t> found;    // tiles, in order of first occurrence, each at least once
         std::vector<std::uint32_t> places;  // by rank of the tile: first a count, then the place of the next
         bool in_order = true;
     };

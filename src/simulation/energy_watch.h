@@ -24,13 +24,13 @@ class EnergyWatch {
         const double now = statistics.energy, volume = statistics.energy_volume;
         const double half = 0.5 * statistics.energy_dissipated;
         if (known_ && std::abs(volume - volume_) <= k_same_volume * volume_)
-            balance_ += now - energy_ + half_taken_ + half;
+            balance_ += now - energy_ + half_dissipated_ + half;
         dissipated_ += statistics.energy_dissipated;
         lowest_ = std::min(lowest_, balance_);
         rise_ = std::max(rise_, balance_ - lowest_);
         turned_over_ = std::max(turned_over_, statistics.energy_moving + dissipated_);
         energy_ = now;
-        half_taken_ = half;
+        half_dissipated_ = half;
         volume_ = volume;
         known_ = true;
     }
@@ -50,8 +50,8 @@ class EnergyWatch {
     static constexpr double k_same_volume = 1e-9;  ///< thousand times the rounding of the sums, less than any particle
 
     bool known_ = false;
-    double energy_ = 0, half_taken_ = 0, volume_ = 0;  ///< of the previous step
-    double balance_ = 0, lowest_ = 0, rise_ = 0;       ///< of E, relative to the start [m5/s2]
+    double energy_ = 0, half_dissipated_ = 0, volume_ = 0;  ///< of the previous step
+    double balance_ = 0, lowest_ = 0, rise_ = 0;            ///< of E, relative to the start [m5/s2]
     double dissipated_ = 0, turned_over_ = 0;
 };
 

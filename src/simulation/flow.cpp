@@ -54,7 +54,7 @@ ParticleSet with_fields(const ParticleSet& seeds, FieldMask fields) {
 
 // Material that enters where there is some already makes it deeper: particles near the new ones reduce their area until
 // together they claim no more than the available area. Reads NodeForces area.
-void make_room(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet& particles) {
+void shrink_neighbours(const ParticleSet& newcomers, const NodeGrid& nodes, ParticleSet& particles) {
     const NodeScale grid = nodes.scale();
     std::vector<std::size_t> near;
     for (std::size_t p = 0; p < newcomers.size(); ++p) {
@@ -147,7 +147,7 @@ void Flow::add_particles(const ParticleSet& particles) {
     if (stages_.follows_bed) velocities_along_bed(state_.nodes, before, state_.particles);
     voellmy_bingham::prepare(state_, laws_, pool_);
     gather();
-    make_room(particles, state_.nodes, state_.particles);
+    shrink_neighbours(particles, state_.nodes, state_.particles);
     voellmy_bingham::prepare(state_, laws_, pool_);  // greater depth gives a greater wave speed
 }
 

@@ -44,14 +44,14 @@ double sample(const Raster& raster, const GridSpec& grid, Point local) {
 }
 
 void refuse_gaps(const Scene& scene, const ParticleSet& particles) {
-    std::vector<std::uint8_t> seen(scene.terrain.values.size(), 0);
+    std::vector<std::uint8_t> counted(scene.terrain.values.size(), 0);
     std::int64_t count = 0;
     std::string first;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Cell c = cell_of(scene.grid, {particles[Field::x][p], particles[Field::y][p]});
         const std::size_t n = scene.terrain.index(c.row, c.column);
-        if (scene.terrain.has_data(c.row, c.column) || seen[n]) continue;
-        seen[n] = 1;
+        if (scene.terrain.has_data(c.row, c.column) || counted[n]) continue;
+        counted[n] = 1;
         if (++count <= 3) {
             const Point map = scene.grid.cell_centre(c.row, c.column);
             char text[128];

@@ -94,9 +94,9 @@ RunCheck::RunCheck(const Scene& scene, const Release& release, const Arrivals& a
       bound_(bound_of(scene, release, arrivals, pressure_factor)) {}
 
 template <class AnyFlow>
-std::vector<RunProblem> RunCheck::check(const AnyFlow& flow, const StepStatistics& statistics, double taken) const {
+std::vector<RunProblem> RunCheck::check(const AnyFlow& flow, const StepStatistics& statistics, double entered) const {
     const double speed = std::max(statistics.max_speed, statistics.fastest);
-    const double error = std::abs(statistics.volume + flow.volume_left() - taken);
+    const double error = std::abs(statistics.volume + flow.volume_left() - entered);
     std::vector<RunProblem> run_problems;
     const auto report = [&](Kind kind, std::optional<Point> local, std::int64_t count, double value, double limit) {
         RunProblem run_problem{kind, flow.steps(), flow.time(), {}, count, value, limit};
@@ -107,8 +107,8 @@ std::vector<RunProblem> RunCheck::check(const AnyFlow& flow, const StepStatistic
     if (gaps_matter_ && statistics.no_data > 0) report(Kind::no_data, place_of_no_data(flow), statistics.no_data, 0, 0);
     if (speed > bound_) report(Kind::impossible_speed, place_of_speed(flow), 0, speed, bound_);
     // Non-finite values, and volume missing because of them, were reported before.
-    if (statistics.non_finite == 0 && error > k_volume_drift * taken)
-        report(Kind::volume_drift, {}, 0, error / taken, k_volume_drift);
+    if (statistics.non_finite == 0 && error > k_volume_drift * entered)
+        report(Kind::volume_drift, {}, 0, error / entered, k_volume_drift);
     return run_problems;
 }
 

@@ -32,7 +32,7 @@ class RunCheck {
     /// @param taken all that entered, including from the bed [m3]
     template <class AnyFlow>
     [[nodiscard]] std::vector<RunProblem> check(const AnyFlow& flow, const StepStatistics& statistics,
-                                                double taken) const;
+                                                double entered) const;
 
     [[nodiscard]] double greatest_speed() const noexcept { return bound_; }
 

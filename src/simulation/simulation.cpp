@@ -79,9 +79,9 @@ void estimate_flow(const Scene& scene, const Arrivals::Arrived& rest, std::int64
 }  // namespace
 
 double relative_volume_error(const RunResult& result) {
-    const double taken = result.volume_entered + result.volume_eroded;
-    if (taken == 0) return 0;
-    return std::abs(result.volume_final + result.volume_left + result.volume_deposited - taken) / taken;
+    const double entered = result.volume_entered + result.volume_eroded;
+    if (entered == 0) return 0;
+    return std::abs(result.volume_final + result.volume_left + result.volume_deposited - entered) / entered;
 }
 
 const char* describe(StopReason reason) {

@@ -46,7 +46,8 @@ TEST_F(ResultTable, EveryResultHasTheRastersOfTheTable) {
         const SceneSpec scene = read_scene(path(name + "/scene.ini"), {}, app::materials_directory()).scene;
         for (const ResultRaster& row : result_rasters()) {
             if (!row.in_result() || row.command != "run" || row.if_it_happens) continue;
-            EXPECT_EQ(exists(name + "/" + row.name + ".tif"), row.can_come == nullptr || row.can_come(scene))
+            EXPECT_EQ(exists(name + "/" + row.name + ".tif"),
+                      row.is_produced_by == nullptr || row.is_produced_by(scene))
                 << name << ": " << row.name;
             if (row.is_drawn()) {
                 EXPECT_EQ(exists(name + "/" + row.name + ".qml"), exists(name + "/" + row.name + ".tif")) << row.name;

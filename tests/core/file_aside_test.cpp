@@ -45,7 +45,7 @@ TEST_F(FileAsideIn, AnUnnamedFileAppearsWhenItIsComplete) {
         if (file.partial_path().find("/proc/") == std::string::npos) GTEST_SKIP() << "no files without a name here";
         std::ofstream(file.partial_path()) << content;
         EXPECT_EQ(names(), before);
-        file.bring_to_disk();
+        file.sync_to_disk();
         file.rename_into_place();
         EXPECT_EQ(names(), std::set<std::string>{"a.txt"});
         EXPECT_EQ(text(path("a.txt")), content);

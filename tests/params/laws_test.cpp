@@ -127,7 +127,7 @@ TEST_F(Laws, OfTheTableReadKeysThatExist) {
     for (const ZoneKey& key : zone_keys()) EXPECT_FALSE(readers_of(key.name).empty()) << key.name;
     for (const Law& law : laws()) {
         EXPECT_EQ(&find_law(law.kind, law.word), &law);
-        const std::string asked = law.asked_by(), key = asked.substr(0, asked.find(" ="));
+        const std::string asked = law.selected_by(), key = asked.substr(0, asked.find(" ="));
         SceneSpec scene;
         EXPECT_FALSE(find_parameter(parameters, key)->read(scene, law.word)) << asked;
         const std::vector<const Law*> found = laws_of(scene);

@@ -135,15 +135,15 @@ int cmd_bench(const Arguments& arguments) {
     if (!values) return static_cast<int>(ExitCode::done);
     const auto operands = text_options(*values, "operand");
     const std::string& which = operands.front();
-    const bool takes_scene = which == "robustness";
-    if (operands.size() > (takes_scene ? 2U : 1U)) {
+    const bool needs_scene = which == "robustness";
+    if (operands.size() > (needs_scene ? 2U : 1U)) {
         throw Error(ErrorKind::input, Problem{"is not expected here", "command line", operands.back(), "",
                                               "Usage: " + bench_form().usage});
     }
     if (which == "accuracy") return bench_accuracy(*values);
     if (which == "stability") return bench_stability(*values);
     if (which == "speed") return bench_speed(*values);
-    if (!takes_scene) {
+    if (!needs_scene) {
         throw Error(ErrorKind::input, Problem{"no such bench", "command line", which,
                                               "accuracy, stability, speed, robustness", "Give one of these"});
     }

@@ -168,10 +168,10 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     FrameWriter frames(directory.path("frames"), provenance(prepared), particles,
                        from != nullptr ? from->head().frame_times : std::vector<double>{},
                        from != nullptr ? frame_records(*from, directory.path("frames")) : std::vector<FrameRecord>{});
-    const bool wants_frames = prepared.scene.time.frame_interval > 0;
-    if (wants_frames) directory.make_folder("frames");
+    const bool has_frames = prepared.scene.time.frame_interval > 0;
+    if (has_frames) directory.make_folder("frames");
     publish_ground(prepared, directory);
-    FrameWriter* const written_frames = wants_frames ? &frames : nullptr;
+    FrameWriter* const written_frames = has_frames ? &frames : nullptr;
     Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared, written_frames,
                             session.since_start, session.earlier_seconds, log);
     ProgressReporter progress(session.quiet);

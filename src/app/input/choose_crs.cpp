@@ -22,12 +22,12 @@ std::string scale_text(const gis::MapScale& scale) {
 }
 
 /// Returns the working CRS named by terrain.crs, which must measure the ground in metres at the DTM.
-std::string asked_crs(const SceneReading& reading, const gis::RasterInfo& dtm) {
-    const std::string where = reading.where("terrain.crs"), asked = reading.scene.terrain.crs;
-    const std::string crs = gis::crs_from_user(asked, where);
+std::string requested_crs(const SceneReading& reading, const gis::RasterInfo& dtm) {
+    const std::string where = reading.where("terrain.crs"), requested = reading.scene.terrain.crs;
+    const std::string crs = gis::crs_from_user(requested, where);
     if (!gis::is_projected_in_metres(crs)) {
         throw Error(ErrorKind::input,
-                    Problem{"is not a projected system in metres with axes east and north", where, asked,
+                    Problem{"is not a projected system in metres with axes east and north", where, requested,
                             "a projected CRS in metres, such as a UTM zone", "Choose another, or remove the key"});
     }
     std::string horizontal = gis::horizontal_crs(crs);
@@ -37,7 +37,7 @@ std::string asked_crs(const SceneReading& reading, const gis::RasterInfo& dtm) {
     const gis::MapScale scale = gis::map_scale(horizontal, to_working(centre));
     if (scale.error() > k_largest_scale_error) {
         throw Error(ErrorKind::input, Problem{"lengths in this system are not lengths on the ground", where,
-                                              asked + " with a scale of " + scale_text(scale) + " at the DTM",
+                                              requested + " with a scale of " + scale_text(scale) + " at the DTM",
                                               "a scale within 1 % of 1", "Choose a UTM zone, or remove the key"});
     }
     return horizontal;
@@ -67,15 +67,15 @@ std::string automatic_crs(const gis::RasterInfo& dtm, RunLog& log) {
 }  // namespace
 
 std::string choose_working_crs(const SceneReading& reading, const gis::RasterInfo& dtm, RunLog& log) {
-    const std::string& asked = reading.scene.terrain.crs;
-    if (asked == "local") {
+    const std::string& requested = reading.scene.terrain.crs;
+    if (requested == "local") {
         check_local(reading, dtm);
         return {};
     }
     Problems problems;
     std::string crs;
     try {
-        if (asked != "auto") crs = asked_crs(reading, dtm);
+        if (requested != "auto") crs = requested_crs(reading, dtm);
     } catch (const Error& error) {
         problems.add(error);
     }

@@ -242,7 +242,7 @@ void refuse_unused_zones(const SceneReading& reading, const Scene& scene, Proble
         if (!(scene.zones.*quantity.target) || !readers_of(key.name, laws).empty() || key.what == reported) continue;
         problems.add({"the zones give the " + key.what + ", which the scene's laws do not use",
                       reading.where("terrain.friction-zones"), "", "",
-                      "Set " + asked_by(readers_of(key.name)) + ", or remove the zones"});
+                      "Set " + selected_by(readers_of(key.name)) + ", or remove the zones"});
         reported = key.what;
     }
     refuse_large_friction(reading, scene, problems);

@@ -18,7 +18,7 @@ namespace frana::app {
 namespace {
 
 /// Sets title and colours of a raster of the table; returns false for others.
-bool set_known(const std::string& name, MapLayer& layer) {
+bool set_from_table(const std::string& name, MapLayer& layer) {
     const ResultRaster* const row = find_result_raster(name);
     if (row == nullptr || !row->is_drawn()) return false;
     layer.title = row->title;
@@ -60,7 +60,7 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
     std::string kind = layer.name;
     if (layer.time) kind.resize(std::min(kind.size(), kind.rfind('_')));
     if (const ResultRaster* const row = find_result_raster(kind)) layer.is_surface = row->is_surface;
-    if (foreign || !set_known(kind, layer)) {
+    if (foreign || !set_from_table(kind, layer)) {
         layer.title = bare_description(text.description);
         if (layer.title.empty()) layer.title = layer.name;
         layer.palette = usual_palette(layer.unit);
@@ -86,7 +86,7 @@ MapLayer read_greatest_layer(const std::vector<std::string>& paths) {
             layer.values.values[cell] =
                 std::fmax(layer.values.values[cell], more.values[cell]);  // a number takes precedence over nodata
     }
-    set_known(layer.name.substr(0, layer.name.find_last_of('_')), layer);
+    set_from_table(layer.name.substr(0, layer.name.find_last_of('_')), layer);
     layer.time.reset();
     return layer;
 }

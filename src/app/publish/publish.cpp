@@ -100,10 +100,10 @@ void warn_of_thin_flow(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
     if (result.thin_fraction < k_thin_fraction) return;
     const double minimum = run.prepared.scene.numerics.minimum_depth;
-    const bool seen = std::any_of(result.max_depth.values.begin(), result.max_depth.values.end(),
-                                  [](double depth) { return depth > 0; });
-    log.warn((seen ? "at one time " + percent(result.thin_fraction) + " of the flow was thinner than"
-                   : std::string("the maps are empty: the flow was nowhere as deep as")) +
+    const bool was_visible = std::any_of(result.max_depth.values.begin(), result.max_depth.values.end(),
+                                         [](double depth) { return depth > 0; });
+    log.warn((was_visible ? "at one time " + percent(result.thin_fraction) + " of the flow was thinner than"
+                          : std::string("the maps are empty: the flow was nowhere as deep as")) +
              " numerics.minimum-depth = " + shortest_text(minimum) +
              " m, and is not included there in maps, areas, speeds and run-out: set numerics.minimum-depth to about a "
              "hundredth of the usual flow depth");

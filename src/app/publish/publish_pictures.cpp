@@ -78,22 +78,22 @@ class Drawings {
 };
 
 /// Returns "max_depth", "max_depth_3d" and so on, as requested by the scene.
-std::vector<std::string> map_choice(const std::vector<std::string>& asked, const ResultReader& written) {
-    std::vector<std::string> names = asked.front() == "on" ? usual_maps() : asked;
+std::vector<std::string> map_choice(const std::vector<std::string>& requested, const ResultReader& written) {
+    std::vector<std::string> names = requested.front() == "on" ? usual_maps() : requested;
     // A hazard scheme requests its map.
     if (written.has("hazard.tif") && std::find(names.begin(), names.end(), "hazard") == names.end())
         names.emplace_back("hazard");
     return names;
 }
 
-void draw_maps(const std::vector<std::string>& asked, const ResultReader& written, LayerDrawer& drawer,
+void draw_maps(const std::vector<std::string>& requested, const ResultReader& written, LayerDrawer& drawer,
                Drawings& drawings) {
-    if (asked.front() == "off") return;
-    for (const std::string& name : map_choice(asked, written)) {
+    if (requested.front() == "off") return;
+    for (const std::string& name : map_choice(requested, written)) {
         const std::string layer = raster_of_map(name);
         const bool view_3d = layer != name;
         const ResultRaster* const row = find_result_raster(layer);
-        const bool may_lack = asked.front() == "on" || (row != nullptr && row->if_it_happens);
+        const bool may_lack = requested.front() == "on" || (row != nullptr && row->if_it_happens);
         if (may_lack && !written.has(layer + ".tif")) continue;
         const std::string stem = written.path("maps/" + name);
         drawings.attempt("maps/" + name, picture_files(drawer.style(), stem, !view_3d), [&] {

@@ -166,16 +166,16 @@ Start check(std::FILE* file, const std::string& path) {
     const std::uint64_t there = std::filesystem::file_size(path, error);
     if (error || there < k_start_bytes + k_sum_bytes || there - k_start_bytes - k_sum_bytes != size)
         refuse(path, "is cut short");
-    uLong seen = 0;
+    uLong computed = 0;
     std::vector<unsigned char> buffer(k_buffer);
     for (std::uint64_t left = size; left > 0;) {
         const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(left, buffer.size()));
         read_exactly(file, buffer.data(), part, path);
-        seen = crc32_z(seen, buffer.data(), part);
+        computed = crc32_z(computed, buffer.data(), part);
         left -= part;
     }
     read_exactly(file, &sum, sizeof sum, path);
-    if (static_cast<std::uint32_t>(seen) != sum) refuse(path, "is damaged: its checksum does not match");
+    if (static_cast<std::uint32_t>(computed) != sum) refuse(path, "is damaged: its checksum does not match");
     return start;
 }
 

@@ -63,7 +63,7 @@ Checkpoints::Checkpoints(std::string directory, double interval, const Prepared&
 void Checkpoints::after_step(const Progress& now, const SaveState& state) {
     if (now.last || (interval_ > 0 && since_last_.seconds() >= interval_)) {
         save(now, state);
-    } else if (interval_ > 0 && session_.seconds() >= next_look_) {
+    } else if (interval_ > 0 && session_.seconds() >= next_check_) {
         reserve_space(now, state);
     }
 }
@@ -107,7 +107,7 @@ void Checkpoints::save(const Progress& now, const SaveState& state) {
         warn_once(error);
     }
     since_last_ = Stopwatch();
-    next_look_ = 0;
+    next_check_ = 0;
 }
 
 // Checks are made at growing intervals: the flow has not grown by half since the last one, and all together cost almost
@@ -130,7 +130,7 @@ void Checkpoints::reserve_space(const Progress& now, const SaveState& state) {
         warn_once(error);
     }
     const double ended = session_.seconds();
-    next_look_ = ended + std::max(k_times_cost * (ended - begun), std::min(k_longest, k_fraction_of_time * ended));
+    next_check_ = ended + std::max(k_times_cost * (ended - begun), std::min(k_longest, k_fraction_of_time * ended));
 }
 
 void Checkpoints::warn_once(const Error& error) {

@@ -53,7 +53,7 @@ class Checkpoints {
     std::string identity_;  ///< computed when first needed, from all data
     Stopwatch since_last_, session_;
     ReservedSpace space_;
-    double next_look_ = 0;  ///< next check of the size of a checkpoint, in session_ [s]
+    double next_check_ = 0;  ///< next check of the size of a checkpoint, in session_ [s]
     bool warned_ = false;
 };
 

@@ -24,7 +24,7 @@ fs::path result_of(const std::string& checkpoint) {
 }
 
 // Returns why a checkpoint cannot be resumed; empty: it can.
-std::string hindrance(const CheckpointFile& checkpoint, const std::string& identity) {
+std::string obstacle(const CheckpointFile& checkpoint, const std::string& identity) {
     const CheckpointHead& head = checkpoint.head();
     if (head.scene != identity)
         return "is from another scene: " + joined(identity_differences(identity, head.scene), "; ");
@@ -49,12 +49,12 @@ void link(const fs::path& from, const fs::path& to) {
 
 // Removes files that frana wrote to an unfinished folder and that are no longer needed; other files are kept.
 void remove_unwanted(const fs::path& root, const std::string& folder,
-                     const std::function<bool(const std::string&)>& is_wanted) {
+                     const std::function<bool(const std::string&)>& is_needed) {
     std::error_code error;
     std::vector<fs::path> files, folders;
     for (const fs::directory_entry& entry : fs::directory_iterator(root / folder, error)) {
         const std::string name = entry.path().lexically_relative(root).generic_string();
-        if (is_wanted(entry.path().filename().string())) continue;
+        if (is_needed(entry.path().filename().string())) continue;
         if (fs::is_directory(entry.symlink_status(error))) {
             remove_unwanted(root, name, [](const std::string&) { return false; });
             folders.push_back(entry.path());
@@ -72,7 +72,7 @@ void remove_unwanted(const fs::path& root, const std::string& folder,
 }  // namespace
 
 InterruptedRun::InterruptedRun(const std::string& directory) {
-    std::vector<std::string> folders = left_results(directory);
+    std::vector<std::string> folders = abandoned_results(directory);
     const std::optional<Manifest> manifest = read_manifest(directory);
     if (!manifest || !manifest->finished.value_or(false)) folders.push_back(directory);
     for (const std::string& folder : folders) {
@@ -97,7 +97,7 @@ std::unique_ptr<CheckpointFile> InterruptedRun::choose(const std::string& identi
     for (const std::string& path : checkpoints_) {
         try {
             auto checkpoint = std::make_unique<CheckpointFile>(path);
-            const std::string why = hindrance(*checkpoint, identity);
+            const std::string why = obstacle(*checkpoint, identity);
             if (why.empty()) {
                 for (const Problem& reason : reasons) log.warn("checkpoint not used: " + describe(reason));
                 return checkpoint;

@@ -87,7 +87,7 @@ void clear_own(const std::string& folder, const std::vector<std::string>& files,
     const auto manifest = home ? read_manifest(home->string()) : std::nullopt;
     if (!manifest) return;
     const fs::path real = fs::canonical(folder);
-    std::vector<std::string> gone;
+    std::vector<std::string> removed;
     for (const auto& [name, mark] : manifest->files) {
         const fs::path file = *home / name;
         const auto is_it = [&](const std::string& one) { return fs::path(one).filename() == file.filename(); };
@@ -101,9 +101,9 @@ void clear_own(const std::string& folder, const std::vector<std::string>& files,
             throw Error(ErrorKind::environment,
                         Problem{"is from an earlier, longer series and cannot be removed: " + error.message(),
                                 file.string(), "", "", system_remedy(error.value())});
-        gone.push_back(name);
+        removed.push_back(name);
     }
-    remove_from_manifest(home->string(), gone);
+    remove_from_manifest(home->string(), removed);
 }
 
 }  // namespace frana::app

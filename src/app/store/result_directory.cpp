@@ -211,7 +211,7 @@ std::vector<Problem> clear_place_of(const std::string& result, const std::string
         problems.insert(problems.end(), more.begin(), more.end());
         if (mine >= 0) ::close(mine);
     }
-    for (const std::string& folder : left_results(result)) {
+    for (const std::string& folder : abandoned_results(result)) {
         if (!remove_unfinished(folder))
             log.info("a killed run has left " + folder + "; it contains files that frana did not write, and is kept");
     }
@@ -223,7 +223,7 @@ std::vector<Problem> clear_place_of(const std::string& result, const std::string
 void remove_working_files(const std::string& result, bool frames, RunLog& log) {
     const std::optional<Manifest> manifest = read_manifest(result);
     if (!manifest) return;
-    std::vector<std::string> folders{k_checkpoint_folder, k_page_folder}, gone;
+    std::vector<std::string> folders{k_checkpoint_folder, k_page_folder}, removed;
     if (frames) folders.emplace_back("frames");
     std::error_code error, ignored;
     for (const std::string& folder : folders) {
@@ -234,12 +234,12 @@ void remove_working_files(const std::string& result, bool frames, RunLog& log) {
                 log.warn((fs::path(result) / name).string() +
                          " is no longer needed and cannot be removed: " + error.message() + "; --resume tries again");
             } else {
-                gone.push_back(name);
+                removed.push_back(name);
             }
         }
         fs::remove(fs::path(result) / folder, ignored);  // unless the user has files in it
     }
-    remove_from_manifest(result, gone);
+    remove_from_manifest(result, removed);
     remove_leftovers(result, result);
 }
 

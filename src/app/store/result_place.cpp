@@ -62,7 +62,7 @@ bool is_mount_point(const fs::path& path) {
 }
 
 /// In such a folder (/tmp) only a name's owner may rename it.
-bool is_kept_by_its_owner(const fs::path& path) {
+bool is_sticky(const fs::path& path) {
     struct stat own {
     }, above{};
     if (::geteuid() == 0 || ::stat(path.c_str(), &own) != 0 || ::stat(path.parent_path().c_str(), &above) != 0)
@@ -83,8 +83,7 @@ std::optional<std::string> refusal(const fs::path& path) {
     if (::faccessat(AT_FDCWD, path.c_str(), F_OK, AT_EACCESS) != 0) return std::nullopt;
     if (::faccessat(AT_FDCWD, path.c_str(), R_OK | W_OK | X_OK, AT_EACCESS) != 0)
         return std::string("the existing folder may not be changed: ") + std::strerror(errno);
-    if (is_kept_by_its_owner(path))
-        return "the existing folder belongs to another user, and only its owner may rename it";
+    if (is_sticky(path)) return "the existing folder belongs to another user, and only its owner may rename it";
     return std::nullopt;
 }
 

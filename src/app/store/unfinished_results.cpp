@@ -53,13 +53,13 @@ std::string noted_name(const fs::path& path) {
 }
 
 template <class Is>
-std::vector<std::string> siblings(const std::string& directory, const Is& is_wanted) {
+std::vector<std::string> siblings(const std::string& directory, const Is& matches) {
     const fs::path result = result_path(directory);
     const std::string beginning = result.filename().string() + k_building;
     std::vector<std::pair<fs::file_time_type, std::string>> found;
     std::error_code error;
     for (const fs::directory_entry& entry : folder_entries(result.parent_path())) {
-        if (own_name(entry.path()).starts_with(beginning) && is_wanted(entry.path().string()))
+        if (own_name(entry.path()).starts_with(beginning) && matches(entry.path().string()))
             found.emplace_back(entry.last_write_time(error), entry.path().string());
     }
     std::sort(found.rbegin(), found.rend());
@@ -127,7 +127,7 @@ bool another_run_builds(const std::string& directory, const std::string& own) {
     return false;
 }
 
-std::vector<std::string> left_results(const std::string& directory) {
+std::vector<std::string> abandoned_results(const std::string& directory) {
     std::vector<std::string> folders = unfinished_results(directory);
     std::erase_if(folders, [](const std::string& folder) { return !is_free(folder); });
     std::sort(folders.begin(), folders.end());

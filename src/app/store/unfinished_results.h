@@ -28,7 +28,7 @@ int lock_folder(const std::string& folder, bool wait);
 /// checkpoints (of an older frana). This and the following throw Error(environment) if the place cannot be read.
 std::vector<std::string> unfinished_results(const std::string& directory);
 /// Returns those of runs that no longer exist.
-std::vector<std::string> left_results(const std::string& directory);
+std::vector<std::string> abandoned_results(const std::string& directory);
 /// Returns whether another process has locked a folder beside a result other than `own`.
 bool another_run_builds(const std::string& directory, const std::string& own);
 /// Returns older results beside the one that replaced them, if a run was killed before it had moved the user's files.

@@ -57,7 +57,7 @@ StabilityStatistic into_gaps(const Setup& setup, Flow& flow) {
     return {"farthest inside a gap [cells]", farthest, 1};
 }
 
-StabilityStatistic what_stays(const Setup& setup, Flow& flow) {
+StabilityStatistic remaining_volume(const Setup& setup, Flow& flow) {
     double start = 0;
     for (std::size_t p = 0; p < setup.seeds.size(); ++p) start += setup.seeds[Field::volume][p];
     return {"fraction that has not left", flow.volume() / start, 0.01};
@@ -126,7 +126,7 @@ std::vector<HardCase> hard_terrain_cases() {
              setup.material = water();
              return setup;
          },
-         what_stays},
+         remaining_volume},
     };
 }
 

@@ -14,7 +14,7 @@
 namespace frana {
 namespace {
 
-bool asks(const std::vector<const Law*>& laws, LawKind kind, const std::string& word) {
+bool selects(const std::vector<const Law*>& laws, LawKind kind, const std::string& word) {
     return std::find(laws.begin(), laws.end(), &find_law(kind, word)) != laws.end();
 }
 
@@ -26,44 +26,44 @@ bool by_place(const std::set<std::string>& given, const std::string& name) {
 void check_keys(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                 Problems& problems) {
     const std::vector<Parameter> parameters = scene_parameters();
-    const std::vector<const Law*> asked = laws_of(scene);
+    const std::vector<const Law*> selected = laws_of(scene);
     for (const std::string& name : law_keys()) {
         const Parameter& key = *find_parameter(parameters, name);
         const std::string preset = key.default_text(), value = key.write(scene).value_or("");
         // A key given with its default value requests nothing.
         const bool is_given = given.count(name) > 0 && (preset.empty() || value != preset);
-        if (is_given && readers_of(name, asked).empty()) {
+        if (is_given && readers_of(name, selected).empty()) {
             problems.add({"is given, but no law of the scene uses it", file + ": " + name, "", "",
-                          "Remove it, or set " + asked_by(readers_of(name))});
+                          "Remove it, or set " + selected_by(readers_of(name))});
         }
-        for (const Law* law : asked) {
+        for (const Law* law : selected) {
             const bool needs = std::find(law->needs.begin(), law->needs.end(), name) != law->needs.end();
             if (!needs || is_given || by_place(given, name)) continue;
             const bool zones = find_parameter(parameters, "zones." + key.key) != nullptr;
             problems.add({preset.empty() ? "is missing" : "must be greater than " + preset, file + ": " + name, value,
-                          "", law->asked_by() + " needs it" + (zones ? ", here or in zones." + key.key : "")});
+                          "", law->selected_by() + " needs it" + (zones ? ", here or in zones." + key.key : "")});
         }
     }
 }
 
 void check_friction(const SceneSpec& scene, const std::set<std::string>& given, const std::string& file,
                     Problems& problems) {
-    const std::vector<const Law*> asked = laws_of(scene);
+    const std::vector<const Law*> selected = laws_of(scene);
     const bool has_friction = given.count("material.friction-angle") + given.count("material.friction-coefficient") > 0;
-    if (!has_friction && !readers_of("material.friction-angle", asked).empty()) {
+    if (!has_friction && !readers_of("material.friction-angle", selected).empty()) {
         problems.add({"no bed friction is given", file + ": material.friction-angle", "", "",
                       "Set material.preset (see `frana materials`), material.friction-angle or "
                       "material.friction-coefficient; 0 is allowed, but must be given"});
     }
     std::map<std::string, std::vector<std::string>> alike;
-    for (const Law* law : asked)
+    for (const Law* law : selected)
         for (const std::string& what : law->resists_alike) alike[what].push_back(law->word);
     for (const auto& [what, words] : alike) {
         if (words.size() < 2) continue;
         problems.add({"names two laws for the same effect, the " + what, file + ": material.bed-friction",
                       joined(words, ", "), "one of them", "Keep one of them"});
     }
-    if (asks(asked, LawKind::bed_friction, "bingham") && scene.material.yield_ratio == "quadratic" &&
+    if (selects(selected, LawKind::bed_friction, "bingham") && scene.material.yield_ratio == "quadratic" &&
         !(scene.material.yield_stress > 0)) {
         problems.add({"must be greater than 0", file + ": material.yield-stress",
                       shortest_text(scene.material.yield_stress), "",
@@ -79,14 +79,14 @@ void check_angles(const SceneSpec& scene, const std::string& file, Problems& pro
     const auto check = [&](LawKind kind, const std::string& law, const std::string& key,
                            const std::optional<double>& angle_deg) {
         // The tolerance makes an angle equal the arctangent of its tangent.
-        if (!angle_deg || !asks(laws, kind, law) || *angle_deg >= bed_deg - 1e-9) return;
+        if (!angle_deg || !selects(laws, kind, law) || *angle_deg >= bed_deg - 1e-9) return;
         problems.add({"is less than the friction angle of the bed", file + ": material." + key,
                       shortest_text(*angle_deg) + " degrees", "at least " + shortest_text(bed_deg) + " degrees",
                       law + " is not defined below it"});
     };
     check(LawKind::in_plane_stress, "earth-pressure", "internal-friction-angle", m.internal_friction_angle);
     check(LawKind::bed_friction, "pouliquen-forterre", "fast-friction-angle", m.fast_friction_angle);
-    if (asks(laws, LawKind::bed_friction, "ramms-yield") && friction_coefficient(m) > 1) {
+    if (selects(laws, LawKind::bed_friction, "ramms-yield") && friction_coefficient(m) > 1) {
         problems.add({"is too large for the law ramms-yield", file + ": material.friction-coefficient",
                       shortest_text(friction_coefficient(m)), "0 to 1", "Its term (1 - mu) N_0 would be negative"});
     }

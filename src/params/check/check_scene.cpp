@@ -168,7 +168,7 @@ void check_output(const SceneSpec& scene, const std::string& file, Problems& pro
     }
     for (const std::string& map : scene.output.maps) {
         const ResultRaster* const row = find_result_raster(raster_of_map(map));
-        if (row != nullptr && row->can_come != nullptr && !row->can_come(scene))
+        if (row != nullptr && row->is_produced_by != nullptr && !row->is_produced_by(scene))
             problems.add({"names a raster that this scene does not produce", file + ": output.maps", map,
                           row->name + " is written " + row->when,
                           "Remove it, or set output.maps = on for all maps of the result"});

@@ -107,7 +107,7 @@ bool Law::reads_zone(const std::string& name) const {
            (std::any_of(reads.begin(), reads.end(), same) || std::any_of(needs.begin(), needs.end(), same));
 }
 
-std::string Law::asked_by() const {
+std::string Law::selected_by() const {
     static constexpr const char* k_keys[] = {"material.bed-friction", "material.in-plane-stress", "entrainment.erosion",
                                              "entrainment.deposition"};
     return std::string(k_keys[static_cast<int>(kind)]) + " = " + word;
@@ -130,11 +130,11 @@ std::vector<const Law*> laws_of(const SceneSpec& scene) {
     if (scene.material.model == "structured") return some;
     const Words terms = bed_friction_terms(scene.material);
     for (const Law& law : laws()) {
-        const bool asked = (law.kind == LawKind::bed_friction && contains(terms, law.word)) ||
-                           (law.kind == LawKind::in_plane_stress && law.word == in_plane_stress(scene.material)) ||
-                           (law.kind == LawKind::erosion && law.word == scene.entrainment.erosion) ||
-                           (law.kind == LawKind::deposition && scene.entrainment.deposition);
-        if (asked) some.push_back(&law);
+        const bool selected = (law.kind == LawKind::bed_friction && contains(terms, law.word)) ||
+                              (law.kind == LawKind::in_plane_stress && law.word == in_plane_stress(scene.material)) ||
+                              (law.kind == LawKind::erosion && law.word == scene.entrainment.erosion) ||
+                              (law.kind == LawKind::deposition && scene.entrainment.deposition);
+        if (selected) some.push_back(&law);
     }
     return some;
 }
@@ -153,11 +153,11 @@ std::vector<const Law*> readers_of(const std::string& key) {
     return readers_of(key, all);
 }
 
-std::string asked_by(const std::vector<const Law*>& some) {
+std::string selected_by(const std::vector<const Law*>& some) {
     std::string text;
     for (std::size_t i = 0; i < some.size(); ++i) {
         const bool same_key = i > 0 && some[i]->kind == some[i - 1]->kind;
-        text += (i > 0 ? " or " : "") + (same_key ? some[i]->word : some[i]->asked_by());
+        text += (i > 0 ? " or " : "") + (same_key ? some[i]->word : some[i]->selected_by());
     }
     return text;
 }

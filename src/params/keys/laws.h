@@ -27,7 +27,7 @@ struct Law {
     /// Laws at the bed read every key of [zones] that they read elsewhere; stress in the plane does not vary by place.
     [[nodiscard]] bool reads_zone(const std::string& name) const;
     /// "material.bed-friction = chezy"
-    [[nodiscard]] std::string asked_by() const;
+    [[nodiscard]] std::string selected_by() const;
 };
 const std::vector<Law>& laws();
 /// Returns an existing law.
@@ -39,7 +39,7 @@ std::vector<const Law*> readers_of(const std::string& key, const std::vector<con
 /// The same, of all laws.
 std::vector<const Law*> readers_of(const std::string& key);
 /// Returns the keys that select the laws: "material.bed-friction = bingham or manning or entrainment.erosion = growth".
-std::string asked_by(const std::vector<const Law*>& some);
+std::string selected_by(const std::vector<const Law*>& some);
 /// Returns every key that laws read, each once.
 std::vector<std::string> law_keys();
 

@@ -15,9 +15,9 @@ constexpr bool k_progressive = true, k_even = false;
 class Table {
   public:
     /// For the rasters that follow.
-    void when(const std::string& sentence, bool (*can_come)(const SceneSpec&)) {
+    void when(const std::string& sentence, bool (*is_produced_by)(const SceneSpec&)) {
         when_ = sentence;
-        can_come_ = can_come;
+        is_produced_by_ = is_produced_by;
     }
     void by(const std::string& command, const std::string& sentence) {
         command_ = command;
@@ -26,7 +26,7 @@ class Table {
     ResultRaster& add(const char* name, Kind kind, const char* title, const char* description, const char* unit,
                       const char* palette, bool progressive) {
         return rows.emplace_back(
-            ResultRaster{name, kind, title, description, unit, palette, progressive, command_, when_, can_come_});
+            ResultRaster{name, kind, title, description, unit, palette, progressive, command_, when_, is_produced_by_});
     }
     ResultRaster& flow(const char* name, const char* title, const char* description, const char* unit,
                        const char* palette, bool progressive) {
@@ -37,7 +37,7 @@ class Table {
 
   private:
     std::string command_ = "run", when_;
-    bool (*can_come_)(const SceneSpec&) = nullptr;
+    bool (*is_produced_by_)(const SceneSpec&) = nullptr;
 };
 
 std::vector<ResultRaster> make_table() {

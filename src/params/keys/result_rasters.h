@@ -29,7 +29,7 @@ struct ResultRaster {
     std::string command = "run";  ///< that writes it
     std::string when;             ///< "with `[entrainment]`"; empty: always
     /// Whether the scene produces it; null: every scene does.
-    bool (*can_come)(const SceneSpec& scene) = nullptr;
+    bool (*is_produced_by)(const SceneSpec& scene) = nullptr;
     bool if_it_happens = false;  ///< not in every result of such a scene
     bool in_frames = false;      ///< also at every frame
     bool is_surface = false;     ///< thickness: a view shows the surface of the flow

@@ -90,7 +90,7 @@ struct StructuredSpec : StructuredValues {
     std::optional<SourceSpec> initial_fluid_depth;
     std::string placement = "lattice";
     std::optional<SourceSpec> solid_fraction = SourceSpec{SourceSpec::Kind::number, k_solid_fraction, {}};
-    std::optional<SourceSpec> confined_fraction = SourceSpec{SourceSpec::Kind::number, k_confined_share, {}};
+    std::optional<SourceSpec> confined_fraction = SourceSpec{SourceSpec::Kind::number, k_confined_fraction, {}};
     std::optional<SourceSpec> grain_density = SourceSpec{SourceSpec::Kind::number, k_grain_density, {}};
     std::optional<SourceSpec> grain_diameter = SourceSpec{SourceSpec::Kind::number, k_grain_diameter, {}};
     std::optional<SourceSpec> cohesion, internal_friction_angle, bed_friction_angle;

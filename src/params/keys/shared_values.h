@@ -44,7 +44,7 @@ struct StructuredValues {
 };
 // Defaults of the release where it is uniform.
 inline constexpr double k_solid_fraction = 0.5;   ///< of what is released [-]
-inline constexpr double k_confined_share = 1;     ///< f_fc, confined fraction of its fluid [-]
+inline constexpr double k_confined_fraction = 1;  ///< f_fc, confined fraction of its fluid [-]
 inline constexpr double k_grain_density = 2400;   ///< [kg/m3]
 inline constexpr double k_grain_diameter = 1e-3;  ///< [m]
 
