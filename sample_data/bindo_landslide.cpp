@@ -9,11 +9,11 @@ namespace {
 
 constexpr Point k_middle{742, 898};  // local metres
 constexpr double k_half_length = 201, k_half_width = 99;
-constexpr double k_lean = 0.09;  // the axis runs that many radians east of north, uphill
+constexpr double k_lean = 0.09;  // angle of the axis from north to the east, uphill
 constexpr int k_rim_points = 120;
 
-/// Distance from the middle to the rim [m] towards an angle from the uphill axis: an egg, blunt below, a
-/// little uneven.
+/// Returns the distance from the middle to the edge [m] at an angle from the uphill axis: egg-shaped, blunt below,
+/// slightly irregular.
 double rim_distance(double angle) {
     const double along = std::cos(angle) / k_half_length, across = std::sin(angle) / k_half_width;
     const double ellipse = 1 / std::sqrt(along * along + across * across);
@@ -26,7 +26,7 @@ double angle_of(Point local) {
     return std::atan2(local.x - k_middle.x, local.y - k_middle.y) - k_lean;
 }
 
-/// Half the squared rim distance summed over all angles: the area inside [m2].
+/// Half the squared edge distance summed over all angles: the area inside [m2].
 double rim_area() {
     constexpr int k_steps = 3600;
     double sum = 0;
@@ -51,7 +51,7 @@ double release_radius(Point local) {
 double release_thickness(Point local) {
     const double r = release_radius(local);
     if (r >= 1) return 0;
-    // A bowl T (1 - r^2)^p over a rim of area A holds T A / (p + 1): p follows from the volume.
+    // A bowl T (1 - r^2)^p over an outline of area A has the volume T A / (p + 1): p follows from the volume.
     static const double power = k_release_thickest * rim_area() / k_release_volume - 1;
     return k_release_thickest * std::pow(1 - r * r, power);
 }
@@ -67,8 +67,7 @@ Ring release_rim() {
 }
 
 Ring scar_outline() {
-    // Northing, western and eastern edge at stations from the crown to the toe, as one would read them off an
-    // orthophoto.
+    // Northing, western and eastern edge at stations from the crown to the toe, as mapped from an orthophoto.
     struct Station {
         double y, west, east;
     };

@@ -6,21 +6,20 @@
 
 namespace frana::sample {
 
-/// The place: 1500 m x 1350 m at 5 m near Cortenova (9.38 E, 46.0 N); the CRS is left to the writer.
+/// Returns the grid: 1500 m x 1350 m at 5 m near Cortenova (9.38 E, 46.0 N); the writer sets the CRS.
 GridSpec bindo_grid();
 
 inline constexpr double k_release_volume = 1.2e6;  ///< [m3]
 inline constexpr double k_release_thickest = 38;   ///< [m], vertical
 
-/// Distance from the release's middle in parts of the distance to its rim in the same direction: 0 to 1
-/// inside.
+/// Returns the distance from the release's middle relative to that of its edge in the same direction: 0 to 1 inside.
 double release_radius(Point local);
-/// Vertical thickness of what fails [m]: a bowl, thickest in the middle, 0 at the rim and beyond.
+/// Returns the vertical thickness of the release [m]: a bowl, thickest in the middle, 0 at the edge and beyond.
 double release_thickness(Point local);
-/// The rim, counter-clockwise, in local metres: some 400 m long downslope and 200 m wide.
+/// Returns the release's outline, counter-clockwise, in local metres: some 400 m long downslope and 200 m wide.
 Ring release_rim();
 
-/// The outline a surveyor might have drawn afterwards, in local metres: drawn by hand, from no simulation.
+/// Returns the surveyed outline, in local metres: drawn by hand, from no simulation.
 Ring scar_outline();
 
 }  // namespace frana::sample

@@ -28,7 +28,7 @@ Raster sampled(const GridSpec& grid, const std::function<double(Point)>& value) 
     return raster;
 }
 
-/// Local metres to another CRS, rounded to so many parts of its unit.
+/// Converts local metres to another CRS, rounded to `parts` of its unit.
 Ring moved(const Ring& local, const GridSpec& grid, const std::string& crs_wkt, double parts) {
     const gis::CrsTransform transform(grid.crs_wkt, crs_wkt, grid.bounds());
     Ring out;

@@ -15,13 +15,12 @@ constexpr double k_river_height = 478;  // where it enters in the west [m]
 constexpr double k_valley_edge = 60;    // gullies that begin here reach the valley and have fans
 constexpr double k_river_gradient = 0.013;
 
-/// A slope's steepness (rise over run) at a distance from the river; straight between stations.
+/// A slope's steepness (rise over run) at a distance from the river; linear between stations.
 struct Station {
     double distance, steepness;
 };
 
-// Flat by the river, a concave foot, steepest in the middle, gentler towards the shoulder: 28 degrees on the
-// whole.
+// Flat by the river, a concave foot, steepest in the middle, gentler towards the shoulder: 28 degrees on average.
 constexpr std::array<Station, 11> k_north_side{{{0, 0.00},
                                                 {34, 0.01},
                                                 {58, 0.12},
@@ -36,12 +35,12 @@ constexpr std::array<Station, 11> k_north_side{{{0, 0.00},
 constexpr std::array<Station, 6> k_south_side{
     {{0, 0.00}, {28, 0.01}, {46, 0.14}, {90, 0.34}, {180, 0.46}, {420, 0.52}}};
 
-/// Northing of the valley's middle; the river winds about it.
+/// Northing of the valley's middle; the river meanders about it.
 double valley_axis(double x) {
     return 272 + 58 * noise(x / 560, 0.5, 701) + 20 * noise(x / 230, 0.5, 709) + 0.035 * (x - 750);
 }
 
-/// Height above the river: the steepness summed up exactly, piece by piece.
+/// Height above the river: the integral of the steepness, exact, segment by segment.
 template <std::size_t N>
 double rise(const std::array<Station, N>& stations, double distance) {
     double height = 0;
@@ -56,8 +55,7 @@ double rise(const std::array<Station, N>& stations, double distance) {
     return height + std::max(0.0, distance - stations[N - 1].distance) * stations[N - 1].steepness;
 }
 
-/// A gully on the northern hillside: where it runs, how deep, how wide, between which distances from the
-/// river.
+/// A gully on the northern hillside: its path, depth, width, and its range of distances from the river.
 struct Gully {
     double x, drift, depth, width, from, to;
     unsigned seed;
@@ -80,11 +78,11 @@ double incision(const Gully& gully, double x, double distance) {
     const double middle = gully.x + gully.drift * (distance - 500) + 34 * noise(distance / 170, 0.37, gully.seed) +
                           11 * noise(distance / 55, 0.71, gully.seed + 1);
     const double aside = std::abs(x - middle) / (gully.width * (0.7 + 0.5 * along));
-    // A V rounded at the bottom, with shoulders that fade into the slope.
+    // A V rounded at the bottom, with shoulders that merge with the slope.
     return gully.depth * along * std::exp(0.25 - std::sqrt(aside * aside + 0.0625));
 }
 
-/// An old slide body on the verge of failing: its foot bulges, its head has sunk.
+/// An old slide close to failure: its foot bulges, its head has subsided.
 double slide_body(Point local) {
     const double r = release_radius(local);
     if (r >= 1.25) return 0;
@@ -95,14 +93,14 @@ double slide_body(Point local) {
 
 double hillside_relief(Point p, double distance) {
     const double grown = smooth_step(45, 260, distance);
-    // Bending the coordinates first keeps crests and hollows from lying on a lattice.
+    // Distorting the coordinates first prevents crests and hollows from following a lattice.
     const double bent_x = p.x + 60 * noise(p.x / 310, p.y / 310, 611),
                  bent_y = p.y + 60 * noise(p.x / 310, p.y / 310, 613);
     const double broad = 22 * fractal(bent_x / 420, bent_y / 560, 617, 3, 0.45);
-    // Crags run down the slope, so the noise is drawn out that way.
+    // Crags run down the slope, so the noise is stretched in that direction.
     const double crags = 9 * (ridged(bent_x / 85, bent_y / 210, 631, 4, 0.5) - 0.72);
     const double rough = 1.3 * fractal(p.x / 34, p.y / 44, 641, 4, 0.55);
-    const double calm = 1 - 0.75 * (1 - smooth_step(0.7, 1.6, release_radius(p)));  // slid ground is smoother
+    const double calm = 1 - 0.75 * (1 - smooth_step(0.7, 1.6, release_radius(p)));  // the old slide is smoother
     return grown * (broad + calm * (crags + rough));
 }
 
@@ -115,7 +113,7 @@ double other_bank_relief(Point p, double distance) {
                     1.1 * fractal(p.x / 30, p.y / 30, 683, 3, 0.55));
 }
 
-/// What the gullies have carried out: cones at their mouths, lying on the flat and lapping up the slope.
+/// Material from the gullies: cones at their mouths, on the flat and up the slope.
 double fan(const Gully& gully, Point p) {
     const double mouth_x = gully.x + gully.drift * (110 - 500) + 34 * noise(110.0 / 170, 0.37, gully.seed) +
                            11 * noise(110.0 / 55, 0.71, gully.seed + 1);
@@ -125,7 +123,7 @@ double fan(const Gully& gully, Point p) {
     return 0.11 * reach * smooth_step(1, 0, away / reach);
 }
 
-/// The flat by the river: terraces and old arms, with the bed winding through it.
+/// The flat by the river: terraces and old arms, with the meandering bed.
 double valley_floor(Point p, double distance) {
     const double from_river = std::abs(p.y - river_line(p.x));
     const double floor = 1 - smooth_step(34, 95, std::abs(distance));
@@ -142,13 +140,12 @@ double river_line(double x) {
 }
 
 double bindo_height(Point p) {
-    // The slope's foot is no ruled line: it steps forward and back by some tens of metres.
+    // The slope's foot is irregular by some tens of metres.
     const double distance = p.y - valley_axis(p.x) + 20 * noise(p.x / 130, p.y / 260, 739);
     const double river = k_river_height - k_river_gradient * p.x;
     const double height = river + valley_floor(p, distance);
     if (distance < 0) return height + rise(k_south_side, -distance) + other_bank_relief(p, -distance);
-    // Where gullies meet, the deeper one rules, and where fans do, the higher one; sums would dig pits and
-    // pile hills.
+    // Where gullies meet, the deeper one counts, and where fans do, the higher one; sums would give pits and mounds.
     double deepest = 0, highest = 0;
     for (const Gully& gully : k_gullies) {
         deepest = std::max(deepest, incision(gully, p.x, distance));

@@ -8,7 +8,7 @@
 #include "sample_data/bindo_sample.h"
 #include "sample_data/structured_samples.h"
 
-/// generate_sample NAME DIR: writes a sample's files into a folder, which is made if it is not there.
+/// generate_sample NAME DIR: writes a sample's files to a folder, created if necessary.
 int main(int argc, char** argv) {
     const std::map<std::string, std::function<void(const std::string&)>> samples{
         {"bindo", frana::sample::write_bindo_sample},

@@ -8,7 +8,7 @@
 namespace frana::sample {
 namespace {
 
-/// Well-mixed bits of a lattice point.
+/// Returns well-mixed bits of a lattice point.
 std::uint64_t mixed(std::int64_t column, std::int64_t row, unsigned seed) {
     std::uint64_t bits = static_cast<std::uint64_t>(column) * 0x9e3779b97f4a7c15U +
                          static_cast<std::uint64_t>(row) * 0xc2b2ae3d27d4eb4fU + seed * 0x165667b19e3779f9U;
@@ -19,7 +19,7 @@ std::uint64_t mixed(std::int64_t column, std::int64_t row, unsigned seed) {
     return bits ^ (bits >> 32);
 }
 
-/// The height at a place from one lattice point's random gradient.
+/// Returns the height at a place from one lattice point's random gradient.
 double pull(std::int64_t column, std::int64_t row, double dx, double dy, unsigned seed) {
     const std::uint64_t bits = mixed(column, row, seed);
     const double gx = static_cast<double>(bits & 0xffffU) / 32767.5 - 1;

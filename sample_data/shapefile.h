@@ -7,7 +7,7 @@
 
 namespace frana::sample {
 
-/// A shapefile of one polygon with a text attribute "name", in a CRS given by its EPSG code. The date in its
+/// Writes a shapefile of one polygon with a text attribute "name", in a CRS given by its EPSG code. The date in its
 /// attribute table is fixed, so that writing it again gives the same bytes. Throws Error(environment).
 void write_shapefile(const std::string& path, int epsg, const Ring& outline, const std::string& name);
 

@@ -20,7 +20,7 @@ double tangent(double degrees) {
     return std::tan(degrees * std::numbers::pi / 180);
 }
 
-// A ground that is the same across, as a north-up raster from the origin on; heights to 1e-6 of a cell.
+// Writes ground that is uniform across the slope, as a north-up raster from the origin on; heights to 1e-6 of a cell.
 void write_ground(const std::string& path, std::int64_t columns, std::int64_t rows, double cell_size,
                   const std::function<double(double)>& height) {
     GridSpec grid;

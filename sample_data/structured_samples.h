@@ -5,16 +5,17 @@
 
 namespace frana::sample {
 
-/// Where the flume's slope breaks [m], and the block's path and the obstacle's side of it across the flume [m].
+/// The flume's break of slope [m], and the block's path and the obstacle's side of it across the flume [m].
 inline constexpr double k_flume_break = 1.2, k_flume_width = 0.6;
 inline constexpr double k_block_south = 0.175, k_block_north = 0.425, k_obstacle_north = 0.275;
 
-/// The flume of section 3 of van den Bout et al. (2021), as far as its text tells, in plain metres: dtm.tif (2.7 m x
-/// 0.6 m, cells of 5 mm), block.geojson, obstacle.geojson. The folder must exist. Throws Error(environment).
+/// Writes the flume of section 3 of van den Bout et al. (2021), as far as its text specifies it, in plain metres:
+/// dtm.tif (2.7 m x 0.6 m, cells of 5 mm), block.geojson, obstacle.geojson. The folder must exist. Throws
+/// Error(environment).
 void write_flume_sample(const std::string& folder);
 
-/// The two grounds of its section 4 in plain metres, cells of 10 m: break_dtm.tif and valley_dtm.tif with their blocks,
-/// break_block.geojson and valley_block.geojson. The folder must exist. Throws Error(environment).
+/// Writes the two terrains of its section 4 in plain metres, cells of 10 m: break_dtm.tif and valley_dtm.tif with their
+/// blocks, break_block.geojson and valley_block.geojson. The folder must exist. Throws Error(environment).
 void write_fracture_sample(const std::string& folder);
 
 }  // namespace frana::sample

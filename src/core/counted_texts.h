@@ -7,7 +7,7 @@
 
 namespace frana {
 
-/// Messages of which there may be very many alike: the first few of each kind are kept, the rest are counted.
+/// Many similar messages: the first few of each kind are kept, the rest are counted.
 class CountedTexts {
   public:
     void add(const std::string& kind, const std::string& text);

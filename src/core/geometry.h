@@ -33,7 +33,7 @@ double area(const Ring& ring);
 double area(const Polygon& polygon);
 double area(const MultiPolygon& polygons);
 
-/// Returns whether a point lies inside (even-odd rule, holes excluded). Points exactly on an edge belong to one side
+/// Returns whether a point is inside (even-odd rule, holes excluded). Points exactly on an edge belong to one side
 /// only, so that neighbours sharing an edge never count a point twice.
 bool contains(const Ring& ring, Point point);
 bool contains(const Polygon& polygon, Point point);

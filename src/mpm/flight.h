@@ -99,7 +99,7 @@ class Flights {
     /// Takes over the particles that leave the bed within the time `reach` and marks them 0 in `keep`, one byte per
     /// particle, which stays empty if there are none. Searches near nodes whose motion lifts them off
     /// (NodeReport::unsupported).
-    /// @param seen by tile
+    /// @param reports by tile
     /// @param time of the particles' positions [s]
     void take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes,
                   const NodeReport* reports, const JumpRules& rules, double time, double reach,

@@ -127,7 +127,7 @@ class Flow {
     void keep_brought_velocities();
     /// Velocity of a node's particles at the beginning of the last step [m/s].
     [[nodiscard]] Point brought_velocity(std::size_t node) const { return state_.brought[node]; }
-    /// Updates the maxima with the present depth (they are otherwise taken at the start of each step).
+    /// Updates the maxima with the present depth (they are otherwise updated at the start of each step).
     void record_present();
     [[nodiscard]] const Maxima& maxima() const noexcept { return maxima_; }
     /// Returns a padded node array as a north-up raster; values of 0 become NaN, `shift` is subtracted from the others.

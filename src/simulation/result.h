@@ -141,7 +141,7 @@ struct ReleasedArea {
     double volume = 0;   ///< [m3]
     double area = 0;     ///< in map view, where there is thickness [m2]
     double scaled = 1;   ///< factor by which its thickness was scaled to match a volume
-    bool failed = true;  ///< false: its start lies after the run's end
+    bool failed = true;  ///< false: its start is after the run's end
 };
 
 /// One row of gauges.csv.
@@ -205,9 +205,9 @@ struct PhaseBudget {
 struct RunResult {
     Raster bed;                     ///< sliding surface [m]
     Raster release;                 ///< vertical thickness released, averaged over each cell [m]
-    Raster max_depth;               ///< [m], taken at every step
-    Raster max_velocity;            ///< along the bed [m/s], taken at every step
-    Raster max_pressure;            ///< density times speed squared [kPa], taken at every step
+    Raster max_depth;               ///< [m], updated at every step
+    Raster max_velocity;            ///< along the bed [m/s], updated at every step
+    Raster max_pressure;            ///< density times speed squared [kPa], updated at every step
     Raster arrival_time;            ///< first time deeper than the minimum depth [s]
     Raster final_depth;             ///< [m]
     Raster max_flux;                ///< depth times speed along the bed at one moment [m2/s]; empty unless recorded

@@ -29,7 +29,7 @@ class RunCheck {
     RunCheck(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor);
 
     /// Returns the problems of the last step; none in a good run.
-    /// @param taken all that entered, including from the bed [m3]
+    /// @param entered all that entered, including from the bed [m3]
     template <class AnyFlow>
     [[nodiscard]] std::vector<RunProblem> check(const AnyFlow& flow, const StepStatistics& statistics,
                                                 double entered) const;

@@ -235,7 +235,7 @@ INSTANTIATE_TEST_SUITE_P(
         Seam{"zones_32_and_33", "xllcorner 11.998\nyllcorner 45.9985\ncellsize 0.00005",
              "[[[11.9995, 46], [12.0005, 46], [12.0005, 46.0005], [11.9995, 46.0005], [11.9995, 46]]]", "UTM zone 3",
              77.463 * 55.576 * 1.00026 * 1.00026},
-        // Split at the antimeridian as GeoJSON wants it; at 16.5 S 106.764 m by 55.332 m, scale 1.00087.
+        // Split at the antimeridian as GeoJSON requires; at 16.5 S 106.764 m by 55.332 m, scale 1.00087.
         Seam{"antimeridian", "xllcorner 179.998\nyllcorner -16.5015\ncellsize 0.00005",
              "[[[179.9995, -16.5], [180, -16.5], [180, -16.4995], [179.9995, -16.4995], [179.9995, -16.5]]], "
              "[[[-180, -16.5], [-179.9995, -16.5], [-179.9995, -16.4995], [-180, -16.4995], [-180, -16.5]]]",

@@ -25,7 +25,7 @@ using test::Folder;
 constexpr double k_west = 527000, k_north = 5095000, k_cell = 5;
 constexpr int k_columns = 40, k_rows = 30;
 
-/// Whole numbers at the cells' centres, so that integers hold them exactly.
+/// Whole numbers at the cells' centres, exact as integers.
 double ground(double x, double y) {
     return 1000 + 0.4 * (x - k_west - k_cell / 2) - 0.2 * (y - k_north + k_cell / 2);
 }

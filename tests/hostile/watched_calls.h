@@ -15,7 +15,7 @@ struct Watch {
 
 /// From now on every watched call of this process and its children waits for an answer at the returned descriptor
 /// (seccomp_unotify(2); nothing is injected into the program itself, so that its own calls and those of its libraries
-/// are watched alike). Returns -1, with errno, if the system does not allow it.
+/// are both watched). Returns -1, with errno, if the system does not allow it.
 int watch_own_calls(const Watch& watch);
 
 /// Returns a call's name; "" for one that is never watched.

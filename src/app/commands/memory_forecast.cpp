@@ -14,8 +14,8 @@ namespace {
 // All measured, with GDAL 3.6, VTK 9.1 and Mesa 22, on maps of 2000 to 20 000 000 cells and pages of 0.3 to 64 million
 // pixels. Results and temporary data while files are written and pictures drawn, after the engine's memory was freed.
 constexpr std::int64_t k_result_cell_bytes = 120;
-// Code and tables of the drawing libraries; a map's and a view's layers, which remain while more are drawn; relief and
-// mesh.
+// Code and tables of the drawing libraries; drawn parts of a map and a view, which remain while more are drawn; relief
+// and mesh.
 constexpr std::int64_t k_picture_bytes = 85'000'000, k_map_pixel_bytes = 52, k_view_pixel_bytes = 34,
                        k_drawn_cell_bytes = 28;
 // The pictures that an encoder keeps in its look-ahead and look-back; a view's animation has two pictures in progress.

@@ -132,7 +132,7 @@ std::vector<std::string> map_notes(const MapFacts& facts) {
                       "Run-out " + grouped(run_out.horizontal_m) + " m", "Drop " + grouped(run_out.drop_m) + " m",
                       "Angle of reach " + number_text(run_out.reach_angle_deg, 3) + "°"});
     }
-    // A map that does not show everything must say so: it is passed on without its log.
+    // Warnings on the map itself: it is passed on without its log.
     if (facts.last_speed > k_moving_speed) notes.emplace_back("Still moving at the end");
     if (facts.volume_left > 0) notes.push_back(grouped(facts.volume_left) + " m³ left the map");
     return notes;

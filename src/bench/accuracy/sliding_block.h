@@ -5,7 +5,7 @@
 
 namespace frana::bench {
 
-/// A wide slab 1 m deep on planes, Coulomb friction, seen in map view: its middle must move as a rigid block,
+/// A wide slab 1 m deep on planes, Coulomb friction, in map view: its middle must move as a rigid block,
 ///     du/dt = g cos^2(theta) (tan theta - tan phi)
 /// (share/doc/model.md, "Curvature"; elementary mechanics). The comparison uses the nodes within 20 m of the exact
 /// middle, on 35 degrees with phi = 20 degrees after 4 s. Own values, mark 1e-3: the relative speed error of the middle

@@ -5,7 +5,7 @@
 
 namespace frana::bench {
 
-/// The structured model's solids against exact solutions. `l1_depth` holds each case's own error, relative:
+/// The structured model's solids against exact solutions. `l1_depth` contains each case's own error, relative:
 ///   p-wave           velocity of a pulse in a wide sheet against d'Alembert's, sqrt((K + 4 G / 3) / rho)
 ///   rigid-rotation   greatest strain rate over the angular velocity, of a rigidly rotating sheet; stress after
 ///                    a turn

@@ -19,7 +19,7 @@ namespace {
 using Shape = QuadraticSplineShape;
 constexpr double k_cell = 5, k_fall = 9.81;
 
-// A tile's particles, and the nodes in the state before either kind of sweep.
+// A tile's particles, and the nodes in the states before the two kinds of sweeps.
 struct Tile {
     ParticleSet particles;
     ParticleTile run{0, k_kernel_particles, 0};

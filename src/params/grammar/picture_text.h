@@ -18,7 +18,7 @@ inline constexpr const char* k_sizes =
 /// Reads a picture's size in pixels: "1600x1200", or an ISO 216 page with its resolution: "A4", "A3-portrait@300".
 std::optional<Size> size_from_text(const std::string& text);
 
-/// The direction a view is seen from, in degrees.
+/// Viewing direction, in degrees.
 struct CameraText {
     double azimuth = 0, elevation = 35, zoom = 1;
 };
