@@ -55,7 +55,7 @@ TEST(Documents, CommentsCiteSectionsThatExist) {
     for (const std::string& file : source_files({"src", "gis", "render", "tests", "sample_data"}, {".h", ".cpp"})) {
         if (file.find("documents_test") != std::string::npos) continue;
         for (const std::string& line : lines_of(file)) {
-            EXPECT_FALSE(std::regex_search(line, k_other)) << file << " cites what is not in share/doc: " << line;
+            EXPECT_FALSE(std::regex_search(line, k_other)) << file << " cites a section missing in share/doc: " << line;
             for (const std::smatch& found : matches(line, k_citation)) {
                 const std::string cited = found.str(), document = cited.substr(0, cited.find(".md") + 3);
                 ASSERT_TRUE(exists(document)) << file << ": " << line;

@@ -93,9 +93,9 @@ TEST(IncludeDirections, NoIncludeOfAHigherLevel) {
     ASSERT_GT(files.size(), 50U) << "the source tree was not found at " FRANA_SOURCE_DIR;
     for (const std::string& file : files) {
         const std::string library = library_of(file);
-        ASSERT_EQ(k_may_include.count(library), 1U) << file << " lies in a library that is not listed";
+        ASSERT_EQ(k_may_include.count(library), 1U) << file << " is in a library that is not listed";
         const auto level = level_of(file);
-        ASSERT_TRUE(level) << file << " lies in a folder that its library does not list";
+        ASSERT_TRUE(level) << file << " is in a folder that its library does not list";
         const auto forbidden = k_may_not_include.find(library + "/" + folder_of(file));
         for (const std::string& line : lines_of(file)) {
             const std::string target = included(line);

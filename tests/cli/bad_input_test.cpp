@@ -11,7 +11,7 @@ struct BadInput {
     std::string name;
     std::string lines;                   ///< after the valid scene
     std::vector<std::string> overrides;  ///< --set
-    std::vector<std::string> said;
+    std::vector<std::string> messages;
 };
 
 void PrintTo(const BadInput& tested, std::ostream* out) {
@@ -35,7 +35,7 @@ TEST_P(BadKey, IsRefusedInOneMessageWithNothingWritten) {
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(outcome.err.rfind("frana: ", 0), 0U) << outcome.err;
-        for (const std::string& words : tested.said)
+        for (const std::string& words : tested.messages)
             EXPECT_NE(outcome.err.find(words), std::string::npos) << "no \"" << words << "\" in: " << outcome.err;
     }
     EXPECT_EQ(files(), before);

@@ -87,8 +87,8 @@ class Workshop {
 struct BrokenFile {
     std::string name, key, file;
     std::function<void(const Workshop&)> make;
-    std::string said = "";    ///< beside key and file
-    std::string before = "";  ///< text before the file's name in the scene
+    std::string messages = "";  ///< beside key and file
+    std::string before = "";    ///< text before the file's name in the scene
 };
 void PrintTo(const BrokenFile& broken, std::ostream* out) {
     *out << broken.name;
@@ -106,7 +106,7 @@ TEST_P(Broken, EndsInOneClearMessage) {
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
     EXPECT_EQ(outcome.err.rfind("frana: ", 0), 0U) << outcome.err;
     EXPECT_EQ(outcome.err.find("problems:\n"), std::string::npos) << "more than one: " << outcome.err;
-    for (const std::string& words : {broken.key, broken.file, broken.said})
+    for (const std::string& words : {broken.key, broken.file, broken.messages})
         EXPECT_NE(outcome.err.find(words), std::string::npos) << "no \"" << words << "\" in: " << outcome.err;
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(files(), before);
@@ -237,8 +237,8 @@ std::vector<BrokenFile> broken_vectors(const std::string& key) {
             damage(w);
         };
     };
-    const auto json = [key](const std::string& name, const std::string& geometry, const std::string& said) {
-        return BrokenFile{name, key, "a.geojson", [geometry](W w) { w.geojson("a.geojson", geometry); }, said};
+    const auto json = [key](const std::string& name, const std::string& geometry, const std::string& messages) {
+        return BrokenFile{name, key, "a.geojson", [geometry](W w) { w.geojson("a.geojson", geometry); }, messages};
     };
     return {
         {"empty_shapefile", key, "a.shp", [](W w) { w.write("a.shp", ""); }},

@@ -123,9 +123,9 @@ TEST_F(Input, FeetAreNeverGuessed) {
     const Outcome refused = frana(scene);
     EXPECT_EQ(refused.exit_code, 2);
     expect_words(refused.err, {"terrain.dtm", "unit", "0.3048006", "terrain.vertical-unit"});
-    std::vector<std::string> said = scene;
-    said.insert(said.end(), {"--set", "terrain.vertical-unit=us-survey-foot"});
-    const Outcome outcome = frana(said);
+    std::vector<std::string> with_unit = scene;
+    with_unit.insert(with_unit.end(), {"--set", "terrain.vertical-unit=us-survey-foot"});
+    const Outcome outcome = frana(with_unit);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     // The area between the corners that gdaltransform gives for EPSG:32610.
     expect_words(outcome.out, {"EPSG:32610", "3 714 m2"});

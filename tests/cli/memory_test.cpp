@@ -118,8 +118,8 @@ TEST_F(MemoryOfMachine, RefusesTooLargeRunsBeforeAnythingIsComputed) {
     const auto refused = [&](const std::vector<std::string>& words, const std::string& key) {
         const Outcome outcome = frana(words);
         EXPECT_EQ(outcome.exit_code, 2) << words.front();
-        for (const std::string& said : {std::string("of memory"), std::string("ulimit -v"), key})
-            EXPECT_NE(outcome.err.find(said), std::string::npos) << words.front() << ": " << outcome.err;
+        for (const std::string& messages : {std::string("of memory"), std::string("ulimit -v"), key})
+            EXPECT_NE(outcome.err.find(messages), std::string::npos) << words.front() << ": " << outcome.err;
     };
     for (const char* command : {"check", "run"}) {
         refused({command, "scene.ini", "--set", "output.maps=on", "--set", "output.map-size=8000x8000"},

@@ -134,9 +134,9 @@ TEST_F(Network, NoRasterLeadsThereUnlessAllowed) {
         EXPECT_NE(outcome.err.find(file), std::string::npos) << file << outcome.err;
     }
     for (const std::string file : {"curl.vrt", "inner.vrt"}) {
-        const std::string said = frana({"check", "scene.ini", "--set", "terrain.dtm=" + file}).err;
-        EXPECT_NE(said.find("on the network"), std::string::npos) << file << said;
-        EXPECT_NE(said.find("--allow-network"), std::string::npos) << file << said;
+        const std::string messages = frana({"check", "scene.ini", "--set", "terrain.dtm=" + file}).err;
+        EXPECT_NE(messages.find("on the network"), std::string::npos) << file << messages;
+        EXPECT_NE(messages.find("--allow-network"), std::string::npos) << file << messages;
     }
 }
 

@@ -62,7 +62,7 @@ class OlderCheckpoint : public TinyScene {
         return path("result.partial-killed/checkpoint/step_000000000000008.frana");
     }
     // --resume ends with the result of the run.
-    void expect_goes_on_to(const Raster& expected) {
+    void expect_resumes_to(const Raster& expected) {
         const Outcome outcome = frana({"run", path("scene.ini"), "--out", "result", "--resume"});
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_NE(outcome.err.find("resuming from"), std::string::npos) << outcome.err;
@@ -89,7 +89,7 @@ class OlderCheckpoint : public TinyScene {
 
 TEST_F(OlderCheckpoint, OfThisFormatUsesItsOrigin) {
     put_origin(prepared_.scene, {0, 0});
-    expect_goes_on_to(run_to_end(OriginCell{0, 0}));
+    expect_resumes_to(run_to_end(OriginCell{0, 0}));
 }
 
 TEST_F(OlderCheckpoint, OriginOutsideOfTheGridIsRefused) {

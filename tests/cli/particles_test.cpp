@@ -31,7 +31,7 @@ class ParticleFiles : public TinyScene {
 const std::vector<std::string> k_common{"depth_m", "bed_m", "speed_ms", "velocity_x_ms", "velocity_y_ms", "volume_m3"};
 
 // The slope falls eastward by 1 in 2 as far as 200 m, every cell's centre at its exact height.
-void lie_on_the_slope(const Points& points) {
+void expect_on_the_slope(const Points& points) {
     const std::vector<double>&x = points.columns.at("x"), &bed = points.columns.at("bed_m");
     const std::vector<double>&u = points.columns.at("velocity_x_ms"), &v = points.columns.at("velocity_y_ms");
     for (std::size_t p = 0; p < x.size(); ++p) {
@@ -52,8 +52,8 @@ TEST_F(ParticleFiles, OfTheFirstModel) {
     EXPECT_NEAR(end.sum("volume_m3"), 4000, 1e-6);
     EXPECT_EQ(start.sum("speed_ms"), 0);
     for (const double depth : start.columns.at("depth_m")) EXPECT_NEAR(depth, 2, 1e-9);
-    lie_on_the_slope(start);
-    lie_on_the_slope(end);
+    expect_on_the_slope(start);
+    expect_on_the_slope(end);
     // Its centre of mass gains less than g (sin - cos tan 15) t along the bed: friction of 15 degrees, and
     // turbulence.
     const double angle = std::atan(0.5), most = 2 * 9.81 * (std::sin(angle) - std::cos(angle) * std::tan(0.2618));
@@ -81,7 +81,7 @@ TEST_F(ParticleFiles, OfStructuredSolidsInBothFormats) {
     EXPECT_NEAR(end.sum("volume_m3"), 4000, 1e-6);
     EXPECT_NEAR(end.sum("confined_fluid_m3"), 2000, 1e-6);
     EXPECT_EQ(end.sum("fractured_fraction"), 0);
-    lie_on_the_slope(end);
+    expect_on_the_slope(end);
     for (std::size_t p = 0; p < end.columns.at("x").size(); ++p) {
         const auto value = [&](const char* name) { return end.columns.at(name)[p]; };
         const double mean = (value("stress_xx_kpa") + value("stress_yy_kpa") + value("stress_zz_kpa")) / 3;

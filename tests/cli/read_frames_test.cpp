@@ -51,12 +51,12 @@ TEST_F(ReadFrames, XarrayFindsTheFramesTheirPlacesAndTheirCrs) {
                "--set", "time.end=1.5", "--set", "terrain.cell-size=0.8"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     write_expected(scene);
-    const std::string said = path("python.txt"), command = std::string("/usr/bin/python3 '") + FRANA_SOURCE_DIR +
-                                                           "/tests/cli/read_frames.py' '" + path("result") + "' '" +
-                                                           path("expected.json") + "' >'" + said + "' 2>'" +
-                                                           path("python_errors.txt") + "'";
+    const std::string messages = path("python.txt"), command = std::string("/usr/bin/python3 '") + FRANA_SOURCE_DIR +
+                                                               "/tests/cli/read_frames.py' '" + path("result") + "' '" +
+                                                               path("expected.json") + "' >'" + messages + "' 2>'" +
+                                                               path("python_errors.txt") + "'";
     const int status = std::system(command.c_str());
-    const std::string text = read_text(said);
+    const std::string text = read_text(messages);
     if (WEXITSTATUS(status) == 77) GTEST_SKIP() << text;
     EXPECT_EQ(status, 0) << read_text(path("python_errors.txt"));
     OGRSpatialReference utm;

@@ -137,7 +137,7 @@ TEST_F(Place, OfAnotherOwnerOrWithoutPermissionIsRefused) {
         return problem ? describe(*problem) : "";
     };
     const AsNobody nobody;
-    if (!nobody.is()) GTEST_SKIP() << "only root can be somebody else";
+    if (!nobody.is()) GTEST_SKIP() << "only root can change the user";
     // access(2) checks the real user, which is still root: the effective one must be checked.
     EXPECT_NE(refusal("closed/result").find("cannot be written"), std::string::npos) << refusal("closed/result");
     EXPECT_NE(refusal("closed").find("cannot be written"), std::string::npos);
@@ -235,7 +235,7 @@ TEST_F(Place, AnOlderResultThatCannotBeRemovedIsReported) {
     std::vector<Problem> unseen, seen;
     {
         const AsNobody nobody;
-        if (!nobody.is()) GTEST_SKIP() << "only root can be somebody else";
+        if (!nobody.is()) GTEST_SKIP() << "only root can change the user";
         unseen = app::replace_result(path("older"), path("result"), log);
         seen = app::replace_result(path("other"), path("result"), log);
     }

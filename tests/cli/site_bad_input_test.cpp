@@ -10,7 +10,7 @@ namespace {
 struct SiteProblem {
     std::string name;
     std::string lines;  ///< after the tiny scene's own
-    std::vector<std::string> said;
+    std::vector<std::string> messages;
     std::string set{};  ///< a key that the tiny scene already has
 };
 
@@ -45,7 +45,7 @@ TEST_P(BadSite, IsRefusedInOneMessageWithNothingWritten) {
         const Outcome outcome = frana(arguments);
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
         EXPECT_EQ(outcome.out, "");
-        for (const std::string& words : GetParam().said)
+        for (const std::string& words : GetParam().messages)
             EXPECT_NE(outcome.err.find(words), std::string::npos) << "no \"" << words << "\" in: " << outcome.err;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }

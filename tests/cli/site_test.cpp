@@ -64,8 +64,8 @@ TEST_F(Site, ZonesHoldTheFlowWhereTheyAreRough) {
     const double reach = summary("horizontal_m");
     // From 75 m on, five metres below the release, the bed is rougher (50 degrees) than the slope is steep (27).
     write_features("zones", {{box(75, 0, 300, 150), R"("phi": 50)"}});
-    const std::string said = run_with("[terrain]\nfriction-zones = zones.geojson\n");
-    EXPECT_EQ(said.find("overlap"), std::string::npos) << said;
+    const std::string reported = run_with("[terrain]\nfriction-zones = zones.geojson\n");
+    EXPECT_EQ(reported.find("overlap"), std::string::npos) << reported;
     EXPECT_LT(summary("horizontal_m"), 0.8 * reach);
     const std::string log = read_text(path("out/log.txt"));
     EXPECT_NE(log.find("column phi taken for zones.friction-angle"), std::string::npos) << log;
@@ -82,10 +82,10 @@ TEST_F(Site, OverlapsAndGapsOfZonesAreReported) {
                              {box(90, 0, 300, 50), R"("mu": 0.3)"},
                              {box(90, 60, 300, 150), R"("mu": 0.3)"},
                              {box(250, 50, 300, 60), R"("mu": 0.3)"}});
-    const std::string said = run_with("[terrain]\nfriction-zones = zones.geojson\n");
+    const std::string reported = run_with("[terrain]\nfriction-zones = zones.geojson\n");
     // 10 m x 140 m are in two zones; a strip of 10 m x 150 m is in none and enclosed.
-    EXPECT_NE(said.find("zones overlap on 1 400 m2"), std::string::npos) << said;
-    EXPECT_NE(said.find("gaps between the zones on 1 500 m2"), std::string::npos) << said;
+    EXPECT_NE(reported.find("zones overlap on 1 400 m2"), std::string::npos) << reported;
+    EXPECT_NE(reported.find("gaps between the zones on 1 500 m2"), std::string::npos) << reported;
 }
 
 TEST_F(Site, ZonesByRasterHaveTheirDefaultOutside) {
@@ -93,8 +93,8 @@ TEST_F(Site, ZonesByRasterHaveTheirDefaultOutside) {
     write_dtm([](int, int column) { return column >= 15 ? 50.0 : -9999.0; }, true, "phi.asc");
     run_with("");
     const double reach = summary("horizontal_m");
-    const std::string said = run_with("[zones]\nfriction-angle = raster:phi.asc\n");
-    EXPECT_NE(said.find("zones.friction-angle has no value on"), std::string::npos) << said;
+    const std::string reported = run_with("[zones]\nfriction-angle = raster:phi.asc\n");
+    EXPECT_NE(reported.find("zones.friction-angle has no value on"), std::string::npos) << reported;
     EXPECT_LT(summary("horizontal_m"), 0.8 * reach);
 }
 
@@ -197,8 +197,8 @@ TEST_F(Site, ObstaclesRaiseTheBedAndHoldTheFlow) {
     const double reach = summary("horizontal_m");
     // A dam one metre thick is thinner than a cell, and still has no gap.
     write_features("dam", {{box(101, 0, 102, 150), R"("h": 25)"}});
-    const std::string said = run_with("[terrain]\nobstacles = dam.geojson\nobstacle-height = attribute:h\n", "dam");
-    EXPECT_NE(said.find("narrower than the cells"), std::string::npos) << said;
+    const std::string reported = run_with("[terrain]\nobstacles = dam.geojson\nobstacle-height = attribute:h\n", "dam");
+    EXPECT_NE(reported.find("narrower than the cells"), std::string::npos) << reported;
     EXPECT_LT(summary("horizontal_m", "dam"), reach);
     const Raster before = result("dtm"), after = result("dtm", "dam");
     for (std::int64_t r = 0; r < after.grid.rows; ++r) EXPECT_NEAR(after.at(r, 20) - before.at(r, 20), 25, 1e-4) << r;

@@ -74,7 +74,7 @@ TEST_F(FileAsideIn, EveryByteIsChecked) {
 }
 
 /// Returns the number of a process that has ended.
-std::string gone_process() {
+std::string ended_process() {
     const pid_t child = ::fork();
     if (child == 0) ::_exit(0);
     ::waitpid(child, nullptr, 0);
@@ -84,7 +84,7 @@ std::string gone_process() {
 TEST(FileAside, RemovesWhatKilledProcessesLeftOfTheSameFileOnly) {
     const fs::path folder = fs::temp_directory_path() / ("frana_aside_" + std::to_string(::getpid()));
     fs::create_directories(folder);
-    const std::string gone = gone_process(), running = std::to_string(::getppid());
+    const std::string gone = ended_process(), running = std::to_string(::getppid());
     const auto make = [&](const std::string& name) { std::ofstream(folder / name) << "x"; };
     const auto there = [&](const std::string& name) { return fs::exists(folder / name); };
     for (const std::string& name :

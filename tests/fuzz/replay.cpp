@@ -81,7 +81,7 @@ void change(Bytes& bytes, const std::vector<Bytes>& corpus, Random& random) {
 }
 
 // Kept on disk while the harness runs.
-void run_kept(const Bytes& bytes, const fs::path& file) {
+void run_saved(const Bytes& bytes, const fs::path& file) {
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
@@ -102,7 +102,7 @@ int main(int count, char** words) {
     for (const auto& file : files) {
         std::ifstream stream(file, std::ios::binary);
         const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
-        run_kept(corpus.emplace_back(bytes.begin(), bytes.end()), kept);
+        run_saved(corpus.emplace_back(bytes.begin(), bytes.end()), kept);
     }
     const double seconds = count == 3 ? std::atof(words[2]) : 0;
     const char* const asked = std::getenv("FRANA_SEED");
@@ -116,7 +116,7 @@ int main(int count, char** words) {
     while (!corpus.empty() && std::chrono::duration<double>(Clock::now() - begin).count() < seconds) {
         Bytes bytes = corpus[below(random, corpus.size())];
         for (std::size_t changes = 1 + below(random, 6); changes > 0; --changes) change(bytes, corpus, random);
-        run_kept(bytes, kept);
+        run_saved(bytes, kept);
         ++tried;
     }
     fs::remove(kept);

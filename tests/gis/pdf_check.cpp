@@ -16,11 +16,11 @@ namespace {
 
 // Runs it; adds its stderr, and its exit status unless 0.
 void run(const std::string& command, const std::string& path, std::vector<std::string>& problems) {
-    const std::string said = path + ".stderr";
-    const int status = std::system((command + " 2>'" + said + "'").c_str());
+    const std::string messages = path + ".stderr";
+    const int status = std::system((command + " 2>'" + messages + "'").c_str());
     if (status != 0) problems.push_back(command + " ended with " + std::to_string(status));
-    if (const std::string words = text_in(said); !words.empty()) problems.push_back(words.substr(0, 200));
-    std::filesystem::remove(said);
+    if (const std::string words = text_in(messages); !words.empty()) problems.push_back(words.substr(0, 200));
+    std::filesystem::remove(messages);
 }
 
 // Reads and deletes a picture written by a tool.

@@ -33,7 +33,7 @@ TEST(Sweep, DetectsSoundOutlinesAndCrossings) {
     EXPECT_EQ(bow.crossing->y, 5);
     const Ring square{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, hole{{2, 2}, {4, 2}, {4, 4}, {2, 4}};
     EXPECT_TRUE(sweep({square, {hole}}).sound);
-    EXPECT_FALSE(sweep({hole, {square}}).sound) << "the hole lies round the outline";
+    EXPECT_FALSE(sweep({hole, {square}}).sound) << "the hole surrounds the outline";
     EXPECT_FALSE(sweep({square, {hole, {{2.5, 2.5}, {3, 2.5}, {3, 3}}}}).sound) << "a hole in a hole";
     EXPECT_TRUE(sweep({square, {{{8, 8}, {12, 8}, {9, 9}}}}).crossing) << "the hole leaves the outline";
     // Touching edges: no verdict.

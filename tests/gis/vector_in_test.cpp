@@ -112,7 +112,7 @@ TEST(ReadPolygons, RefusesACrossingNamingThePlace) {
                  "POLYGON((200 200,220 220,220 200,200 220,200 200))"});
     const Error error = error_of([&] { (void)read_polygons(folder.file("bow.gpkg"), utm(), k_where); });
     EXPECT_EQ(error.kind(), ErrorKind::input);
-    ASSERT_EQ(error.problems().size(), 2U) << "every feature's problem is told";
+    ASSERT_EQ(error.problems().size(), 2U) << "every feature's problem is reported";
     EXPECT_NE(std::string(error.what()).find("feature 2 crosses itself"), std::string::npos);
     EXPECT_EQ(error.problems()[0].value, "at 105, 105");
     EXPECT_EQ(error.problems()[1].value, "at 210, 210");

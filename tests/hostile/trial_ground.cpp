@@ -184,7 +184,7 @@ void TrialGround::expect_old_or_new(const TriedCommand& command, const Ending& e
             EXPECT_TRUE(old || (after.contains(path) && after.at(path) == content))
                 << path << " is neither old nor new";
         }
-        for (const auto& [path, content] : before) EXPECT_TRUE(found.contains(path)) << path << " has gone";
+        for (const auto& [path, content] : before) EXPECT_TRUE(found.contains(path)) << path << " is missing";
         return;
     }
     if (differences(before, found).empty()) return;

@@ -29,7 +29,7 @@ Trials::Trials() : failures_before_(failures_now()) {}
 
 void Trials::settle() {
     const int failures = failures_now();
-    if (!kind_.empty() && failures > failures_before_) ++kinds_[kind_].damaged;
+    if (!kind_.empty() && failures > failures_before_) ++kinds_[kind_].failed;
     failures_before_ = failures;
 }
 
@@ -41,17 +41,17 @@ void Trials::begin(const std::string& kind) {
 
 Trials::~Trials() {
     settle();
-    int count = 0, damaged = 0;
+    int count = 0, failed = 0;
     for (const auto& [name, kind] : kinds_) {
         std::cout << "hostile: " << name << ", seed " << trial_seed() << ": " << kind.count << " trials, "
-                  << kind.damaged << " with a fault;";
+                  << kind.failed << " failed;";
         for (const auto& [code, times] : kind.endings) std::cout << " exit code " << code << ": " << times << ';';
         std::cout << '\n';
         count += kind.count;
-        damaged += kind.damaged;
+        failed += kind.failed;
     }
     ::testing::Test::RecordProperty("trials", count);
-    ::testing::Test::RecordProperty("faulty", damaged);
+    ::testing::Test::RecordProperty("failed", failed);
 }
 
 }  // namespace frana::test

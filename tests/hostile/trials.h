@@ -28,7 +28,7 @@ class Trials {
 
   private:
     struct Kind {
-        int count = 0, damaged = 0;
+        int count = 0, failed = 0;
         std::map<int, int> endings;  ///< by exit code
     };
     void settle();

@@ -44,8 +44,8 @@ TEST_F(FormerNamesInScenes, AreReadWithAWarning) {
 }
 
 TEST_F(FormerNamesInScenes, BesideThePresentOneAreGivenTwice) {
-    const std::string said = messages(k_least + "[time]\nstop-energy-share = 0.1\nstop-energy-fraction = 0.2\n");
-    EXPECT_NE(said.find("time.stop-energy-fraction: is given more than once"), std::string::npos) << said;
+    const std::string reported = messages(k_least + "[time]\nstop-energy-share = 0.1\nstop-energy-fraction = 0.2\n");
+    EXPECT_NE(reported.find("time.stop-energy-fraction: is given more than once"), std::string::npos) << reported;
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ const std::string k_ground = "[terrain]\ndtm = dtm.tif\n[release]\nperimeter = a
 
 struct LawCase {
     std::string name, lines;
-    std::vector<std::string> said;  ///< none: the scene is accepted
+    std::vector<std::string> reported;  ///< none: the scene is accepted
 };
 
 void PrintTo(const LawCase& tested, std::ostream* out) {
@@ -26,13 +26,13 @@ void PrintTo(const LawCase& tested, std::ostream* out) {
 class LawKeys : public SceneFixture, public testing::WithParamInterface<LawCase> {};
 
 TEST_P(LawKeys, AreCheckedTogether) {
-    const std::string said = messages(k_ground + GetParam().lines);
-    if (GetParam().said.empty()) {
-        EXPECT_EQ(said, "");
+    const std::string reported = messages(k_ground + GetParam().lines);
+    if (GetParam().reported.empty()) {
+        EXPECT_EQ(reported, "");
     }
-    for (const std::string& words : GetParam().said)
-        EXPECT_NE(said.find(words), std::string::npos) << "no \"" << words << "\" in: " << said;
-    EXPECT_LE(std::count(said.begin(), said.end(), '\n'), 1) << "one fault, one message: " << said;
+    for (const std::string& words : GetParam().reported)
+        EXPECT_NE(reported.find(words), std::string::npos) << "no \"" << words << "\" in: " << reported;
+    EXPECT_LE(std::count(reported.begin(), reported.end(), '\n'), 1) << "one problem, one message: " << reported;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -161,14 +161,14 @@ TEST_F(Laws, AnotherLawThanThePresetsDropsItsFriction) {
 }
 
 // Values without a source in a preset must be given by the scene.
-std::string given_beside(const std::string& preset) {
+std::string keys_for_preset(const std::string& preset) {
     return preset == "earthflow" ? "viscosity = 20000\n" : "";
 }
 
 TEST_F(Laws, EchoOfEveryPresetIsAScene) {
     for (const MaterialPreset& preset : material_presets(FRANA_SOURCE_SHARE "/materials")) {
         const SceneReading reading =
-            read(k_ground + "[material]\npreset = " + preset.name + "\n" + given_beside(preset.name));
+            read(k_ground + "[material]\npreset = " + preset.name + "\n" + keys_for_preset(preset.name));
         EXPECT_TRUE(reading.problems.empty())
             << preset.name << ": " << (reading.problems.empty() ? "" : describe(reading.problems.list()[0]));
         EXPECT_EQ(messages(scene_text(reading.scene, {})), "") << preset.name;

@@ -23,7 +23,8 @@ TEST(Parameters, EveryDefaultIsWithinItsOwnLimitsAndEveryKeyHasAMeaning) {
         EXPECT_FALSE(parameter.meaning.empty()) << parameter.name();
         const std::string text = parameter.default_text();
         if (text.empty()) {
-            EXPECT_FALSE(parameter.absent.empty()) << parameter.name() << " has no default and does not say what then";
+            EXPECT_FALSE(parameter.absent.empty())
+                << parameter.name() << " has no default and no description of its absence";
             continue;
         }
         SceneSpec scene;

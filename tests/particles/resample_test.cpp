@@ -107,7 +107,7 @@ TEST(Resample, MergesCrowdedCellsAndConservesTheBudgets) {
 
 // Positions, volumes and shapes of the remaining particles of a crowd the given number of cells to the east and north,
 // moved to 0; by place.
-std::vector<std::array<double, 5>> left_of_crowd(int east, int north) {
+std::vector<std::array<double, 5>> remaining_of_crowd(int east, int north) {
     ParticleSet particles(k_mask);
     std::uint64_t random = 1;
     const auto next = [&](int below) {
@@ -155,9 +155,9 @@ TEST(Resample, MergesACrowdInLinearTime) {
 }
 
 TEST(Resample, DoesNotDependOnThePositionOfTheTiles) {
-    const auto here = left_of_crowd(0, 0);
+    const auto here = remaining_of_crowd(0, 0);
     for (const auto& [east, north] : {std::array{1, 0}, std::array{0, 5}, std::array{7, 11}}) {
-        const auto there = left_of_crowd(east, north);
+        const auto there = remaining_of_crowd(east, north);
         ASSERT_EQ(here.size(), there.size()) << east << " cells to the east, " << north << " to the north";
         for (std::size_t i = 0; i < here.size(); ++i)
             for (std::size_t k = 0; k < 5; ++k) ASSERT_NEAR(here[i][k], there[i][k], 1e-12) << i;

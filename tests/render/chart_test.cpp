@@ -77,7 +77,7 @@ TEST(Chart, NamesAxesPanelsAndSeriesOnThePage) {
     EXPECT_EQ(
         std::count_if(layout.texts.begin(), layout.texts.end(), [](const TextBox& box) { return box.text == "one"; }),
         1)
-        << "a label that panels share stands once";
+        << "a label common to panels appears once";
 }
 
 TEST(Chart, InksTheSeriesInTheirColours) {

@@ -181,9 +181,9 @@ TEST(Map, NorthArrowTurnsWithTheConvergence) {
             (layout.north_arrow.top + layout.north_arrow.bottom) / 2 - (letter->box.top + letter->box.bottom) / 2;
         // The letter is some 30 pixels from the centre; a pixel of rounding is two degrees there.
         EXPECT_NEAR(std::atan2(x, y) * 180 / std::numbers::pi, angle, 2.5);
-        const bool said = std::any_of(layout.texts.begin(), layout.texts.end(),
-                                      [](const TextBox& text) { return text.text.find("true north") == 0; });
-        EXPECT_EQ(said, angle != 0);
+        const bool is_named = std::any_of(layout.texts.begin(), layout.texts.end(),
+                                          [](const TextBox& text) { return text.text.find("true north") == 0; });
+        EXPECT_EQ(is_named, angle != 0);
     }
 }
 

@@ -168,7 +168,7 @@ TEST(Movie, GifKeepsFewColoursExactly) {
 }
 
 TEST(Movie, ErrorsAreOfTheRightKindAndSilent) {
-    const test::Folder folder("faults");
+    const test::Folder folder("errors");
     testing::internal::CaptureStderr();
     const auto kind = [](const auto& action) {
         try {

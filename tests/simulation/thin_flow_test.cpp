@@ -39,11 +39,11 @@ TEST_P(ThinFlow, AWideFilmIsRefusedWithTheKeyThatShowsIt) {
         run(scene, {});
         FAIL();
     } catch (const Error& error) {
-        const std::string said = error.what();
-        EXPECT_NE(said.find("release.thickness"), std::string::npos) << said;
-        EXPECT_NE(said.find("0.005 m at most"), std::string::npos) << said;
-        EXPECT_NE(said.find("numerics.minimum-depth = 0.01"), std::string::npos) << said;
-        EXPECT_NE(said.find("Set numerics.minimum-depth = 0.0005 or less"), std::string::npos) << said;
+        const std::string messages = error.what();
+        EXPECT_NE(messages.find("release.thickness"), std::string::npos) << messages;
+        EXPECT_NE(messages.find("0.005 m at most"), std::string::npos) << messages;
+        EXPECT_NE(messages.find("numerics.minimum-depth = 0.01"), std::string::npos) << messages;
+        EXPECT_NE(messages.find("Set numerics.minimum-depth = 0.0005 or less"), std::string::npos) << messages;
     }
     EXPECT_THROW(estimate(scene, 1), Error);
     // Following the remedy: then the map shows it, far down the slope.

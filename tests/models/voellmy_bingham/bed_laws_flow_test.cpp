@@ -224,10 +224,10 @@ TEST(BedLaws, OfTheTableAreBuiltAndReadTheirZones) {
             zones.*zone.raster = values;
             const auto friction = make_friction(scene.material, zones, {}, nodes, k_normal);
             EXPECT_EQ(friction.sweeps.size(), 1u);
-            const bool said = std::any_of(zone_keys().begin(), zone_keys().end(), [&](const ZoneKey& key) {
+            const bool is_listed = std::any_of(zone_keys().begin(), zone_keys().end(), [&](const ZoneKey& key) {
                 return key.what == zone.what && law.reads_zone(key.name);
             });
-            EXPECT_EQ(!friction.node_values.empty(), said) << zone.what;
+            EXPECT_EQ(!friction.node_values.empty(), is_listed) << zone.what;
         }
     }
 }
