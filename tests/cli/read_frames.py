@@ -36,7 +36,7 @@ def compare(frames):
         written = numpy.fromfile(folder / (name + ".f32"), "<f4").reshape(shape)
         assert numpy.array_equal(values.values, written, equal_nan=True), name
         assert numpy.isnan(written).any() and (written[-1] > 0).any(), "nothing to compare"
-        # What rioxarray looks for.
+        # Required by rioxarray.
         mapping = frames.coords[values.encoding["grid_mapping"]]
         mapping.load()
         for word in ("crs_wkt", "spatial_ref"):
@@ -45,7 +45,7 @@ def compare(frames):
     assert float(nearest.time) == expected["time"][-1]
 
 
-warnings.simplefilter("error")  # a fall-back on metadata that are not consolidated is one
+warnings.simplefilter("error")  # reading metadata that are not consolidated gives one
 with warnings.catch_warnings():
     warnings.simplefilter("ignore", DeprecationWarning)
     compare(xarray.open_zarr(folder / "frames.zarr", decode_coords="all"))

@@ -15,7 +15,7 @@ from qgis.core import (QgsApplication, QgsMapRendererCustomPainterJob, QgsMapSet
                        QgsVectorLayer)
 
 BACKGROUND = QColor(255, 0, 255)  # in no palette
-SCALE = 4  # pixels a cell
+SCALE = 4  # pixels per cell
 
 
 def rgb(text):
@@ -112,7 +112,7 @@ def main(name, result):
         if style == "sld":
             message, good = layer.loadSldStyle(os.path.join(result, name + ".sld"))
             if not good and "not supported" in message and not zones:
-                # QGIS 3.22 reads no SLD for rasters; its text must say what the .qml says.
+                # QGIS 3.22 reads no SLD for rasters; its text must agree with the .qml.
                 assert sld_classes(os.path.join(result, name + ".sld")) == sld_like(items), "the styles differ"
                 print("%s, sld: not read by this QGIS, same classes as the qml" % name)
                 continue
@@ -124,7 +124,7 @@ def main(name, result):
         assert not wrong, "\n".join(wrong[:10])
     with open(os.path.join(result, name + ".verdict"), "w") as verdict:  # for judge.py
         verdict.write("good")
-    # Layers that outlive QGIS's own clean-up crash it; everything is said and written by now.
+    # Layers that outlive QGIS's own clean-up crash it; everything is reported and written by now.
     sys.stdout.flush()
     os._exit(0)
 

@@ -7,7 +7,7 @@ import sys
 import tempfile
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-# A profile of its own: the user's is neither read nor written, and tests side by side do not wait for its databases.
+# A separate profile: the user's is neither read nor written, and parallel tests do not wait for its databases.
 if "QGIS_CUSTOM_CONFIG_PATH" not in os.environ:
     os.environ["QGIS_CUSTOM_CONFIG_PATH"] = tempfile.mkdtemp(prefix="frana_qgis_")
     atexit.register(shutil.rmtree, os.environ["QGIS_CUSTOM_CONFIG_PATH"], ignore_errors=True)

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-LIMIT = 120  # seconds for the two pictures, which take about two
+LIMIT = 120  # seconds for the two pictures, which need about two
 SKIPPED = 77
 
 
@@ -17,7 +17,7 @@ def judge(name, result):
     if os.path.exists(verdict):
         os.remove(verdict)
     script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "draw_style.py")
-    # The drawing may leave in any way: its profile is removed here.
+    # The drawing may end in any way: its profile is removed here.
     with tempfile.TemporaryDirectory(prefix="frana_qgis_", ignore_cleanup_errors=True) as profile:
         environment = dict(os.environ, QGIS_CUSTOM_CONFIG_PATH=profile)
         try:
