@@ -9,7 +9,7 @@
 
 namespace frana {
 
-/// How velocity comes back from the nodes (paper, equations 33-34).
+/// Transfer of velocity from the nodes to the particles (paper, equations 33-34).
 struct PicTransfer {
     static constexpr bool affine = false, increment = false;
 };
@@ -20,7 +20,7 @@ struct ApicTransfer {
     static constexpr bool affine = true, increment = false;
 };
 
-/// Bend of the nodal velocity, u from column to column, v from row to row.
+/// Returns the bend of the nodal velocity, u from column to column, v from row to row.
 inline Bend<double> bend_on(const Stencil<QuadraticSplineShape>& s, const NodeMotion* motion, std::int64_t stride) {
     double u[3] = {0, 0, 0}, v[3] = {0, 0, 0};
     for (int b = 0; b < 3; ++b) {
@@ -33,24 +33,23 @@ inline Bend<double> bend_on(const Stencil<QuadraticSplineShape>& s, const NodeMo
     return bend_of(u[0], u[1], u[2], v[0], v[1], v[2]);
 }
 
-/// New velocity, position, depth and stress of a tile's particles (paper, equations 33-38).
-/// Reads NodeMotion; reads and writes x, y, u, v, area; writes c_* (affine), compression
-/// (Relaxed), s_* (Stress). Relaxed adds the area relaxation, which ties h_p to the mass on the grid: A grows
-/// or shrinks with what the particles claim of each cell, and only shrinks at a free front. Relaxed and
-/// affine together also carry the particle's shape q_*, which decides about splitting, and shift the particle
-/// (shifting.h). A particle that leaves through an open boundary stays in the arrays until the next sort and is
-/// counted `outside`.
+/// Computes new velocity, position, depth and stress of a tile's particles (paper, equations 33-38). Reads NodeMotion;
+/// reads and writes x, y, u, v, area; writes c_* (affine), compression (Relaxed), s_* (Stress). Relaxed adds the area
+/// relaxation, which ties h_p to the mass on the grid: A grows or shrinks with the fraction of each cell that particles
+/// claim, and only shrinks at a free front. Relaxed and affine together also update the particle's shape q_*, which
+/// decides about splitting, and shift the particle (shifting.h). A particle that leaves through an open boundary
+/// remains in the arrays until the next sort and is counted `outside`.
 ///
-/// FollowsBed: u, v are the velocity along the bed (BedFrame), which the nodes give back in fx, fy; positions move with
-/// the nodes' velocity in map view. Gravity's work at the nodes, whose slopes are differences over two cells, is not
-/// what the particle's way up or down the bed takes: the speed is set right by
+/// FollowsBed: u, v are the velocity along the bed (BedFrame), which the nodes return in back_u, back_v; positions move
+/// with the nodes' velocity in map view. Gravity's work at the nodes, whose slopes are differences over two cells,
+/// differs from that along the particle's path on the bed: the speed is corrected by
 ///
 ///     work = pull support (sum N_i v_i . grad Z_i - m . grad Z),   m = v - dt/2 ((grad v) v - M^-1 (grad w) v)
 ///
-/// with grad Z of the splines' bed where the particle was when gravity acted, and m the mean of the map velocities with
-/// which it came there and went on, but for what forces changed of them: on a plane m = v, and nothing is set right.
-/// M^-1 w is BedFrame::in_map. What moves slower than sqrt(g h) is driven by pressure as much as by gravity, which this
-/// does not balance: there the correction fades with w^2 / (w^2 + g h), so that what is still stays so.
+/// with grad Z of the splines' bed at the particle's position when gravity acted, and m the mean of the map velocities
+/// before and after that position, without their change by forces: on a plane m = v, and there is no correction. M^-1 w
+/// is BedFrame::in_map. Particles slower than sqrt(g h) are driven by pressure as much as by gravity, which this does
+/// not balance: there the correction is reduced by w^2 / (w^2 + g h), so that still material remains at rest.
 template <class Shape, class Transfer, class Stress, bool Relaxed, bool FollowsBed = false>
 ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate& k, const Stress& stress,
                                   const NodeGrid& nodes, ParticleSet& particles) {
@@ -59,8 +58,8 @@ ParticleReport nodes_to_particles(const ParticleTile& tile, const ParticleUpdate
     const double dx = grid.dx;
     const double *const x = particles[Field::x], *const y = particles[Field::y];
     const NodeMotion* const motion = nodes.motion();
-    // Of the splines the inverse of the second moment; hat functions: the affine part is the gradient itself (Jiang et
-    // al. 2015).
+    // For the splines the inverse of the second moment; for hat functions the affine part is the gradient itself (Jiang
+    // et al. 2015).
     const double inverse_moment = Shape::width == 3 ? 4 * grid.inverse_dx * grid.inverse_dx : 1;
     ParticleSweep<double, affine, Transfer::increment, Stress, Relaxed, FollowsBed, shifts> update{
         k, stress, nodes, particles, inverse_moment};

@@ -8,8 +8,8 @@
 
 namespace frana {
 
-/// Mass, momentum and area of a tile's particles to the nodes (paper, equations 27 and 29; affine part:
-/// APIC). Reads x, y, u, v, volume, area, and c_* if Affine; adds to NodeSums.
+/// Adds mass, momentum and area of a tile's particles to the nodes (paper, equations 27 and 29; affine part: APIC).
+/// Reads x, y, u, v, volume, area, and c_* if Affine; adds to NodeSums.
 template <class Shape, bool Affine, bool Levels>
 void particles_to_nodes(const ParticleTile& tile, const ParticleSet& particles, NodeGrid& nodes) {
     const double* x = particles[Field::x];

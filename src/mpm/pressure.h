@@ -16,8 +16,8 @@ namespace frana {
 /// "Compression").
 inline constexpr double k_shock_viscosity = 0.5;
 
-/// What one particle (double) or each of four lanes (Quad) brings to its nodes. The formulas are always inlined: the
-/// fast sweeps, compiled for another instruction set, must share no function with the rest.
+/// Contribution of one particle (double) or of four lanes (Quad) to its nodes. The formulas are always inlined: the
+/// fast kernels, compiled for another instruction set, must share no function with the rest.
 template <class Number>
 struct ParticlePush {
     Number pressure;          ///< over its area, over density [m4/s2]
@@ -27,7 +27,7 @@ struct ParticlePush {
     Number xx, xy, yy;        ///< V sigma, if there is stress [m5/s2]
 };
 
-/// 1/2 g A h^2, with what the artificial viscosity adds under compression.
+/// Returns 1/2 g A h^2, plus the artificial viscosity under compression.
 template <class Number>
 [[gnu::always_inline]] inline Number shocked_pressure(Number half_weight, Number depth, Number volume,
                                                       Number compression, double gravity, double dx) {
@@ -35,7 +35,8 @@ template <class Number>
     return half_weight * depth * depth + k_shock_viscosity * volume * sqrt(gravity * depth) * compression * dx;
 }
 
-/// Depth of a node's reference over a bed at z: of its still level, or its mean depth, by NodeLevel::ponding.
+/// Returns the depth of a node's reference over a bed at z: of its still level, or its mean depth, by
+/// NodeLevel::ponding.
 /// @param following (1 - ponding) depth
 template <class Number>
 [[gnu::always_inline]] inline Number reference_depth(Number ponding, Number level, Number following, Number z) {
@@ -43,8 +44,8 @@ template <class Number>
     return ponding * max(Number(0.0), level - z) + following;
 }
 
-/// A particle's force on a node, over density; against `held`, the reference depth times the node's support, if
-/// Referenced.
+/// Returns a particle's force on a node, over density; relative to `held`, the reference depth times the node's
+/// support, if Referenced.
 template <bool Referenced, bool Stress, class Number>
 [[gnu::always_inline]] inline MapVector<Number> push_on_node(const ParticlePush<Number>& p, Number supported,
                                                              Number reference, Number weight, Number grad_x,
@@ -59,13 +60,12 @@ template <bool Referenced, bool Stress, class Number>
             (pressure - p.yy) * grad_y - p.xy * grad_x - p.slope_y * pull};
 }
 
-/// Hydrostatic pressure, bed slope and in-plane stress, to the nodes' forces over density.
-/// Plain form (paper, equation 28): F_i = sum A [ 1/2 g h^2 grad N_i - g h grad Z N_i ] - sum V sigma grad
-/// N_i. Referenced form (share/doc/numerics.md, "Reference level"; NodeLevel): h^2 and h are measured against the
-/// node's own still level or mean depth, which integrates to zero in the continuum, so that a uniform state exerts
-/// exactly no force whatever the particles' arrangement; update_nodes adds back the weight of a reference
-/// that follows the bed. Reads x, y, volume, area, s_* if Stress, compression if Referenced; reads NodeLevel;
-/// adds to NodeForces fx, fy.
+/// Adds hydrostatic pressure, bed slope and in-plane stress to the nodes' forces over density. Plain form (paper,
+/// equation 28): F_i = sum A [ 1/2 g h^2 grad N_i - g h grad Z N_i ] - sum V sigma grad N_i. Referenced form
+/// (share/doc/numerics.md, "Reference level"; NodeLevel): h^2 and h are relative to the node's own still level or mean
+/// depth, which integrates to zero in the continuum, so that a uniform state exerts exactly no force for any
+/// arrangement of particles; update_nodes adds the weight of a reference that follows the bed. Reads x, y, volume,
+/// area, s_* if Stress, compression if Referenced; reads NodeLevel; adds to NodeForces fx, fy.
 template <class Shape, bool Referenced, bool Stress>
 void pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity, NodeGrid& nodes) {
     const double* x = particles[Field::x];

@@ -9,7 +9,7 @@ namespace {
 
 /// Position on the quadratic splines of four particles in one direction (QuadraticSplineShape).
 struct ChunkAxis {
-    Quad base;    ///< the middle node of three, counted from the origin's
+    Quad base;    ///< the middle node of three, relative to that of the origin
     Quad offset;  ///< of the particle from it, in node spacings, -1/2 to 1/2
 
     FRANA_INLINE ChunkAxis(Quad position, const NodeScale& grid) {
@@ -30,14 +30,14 @@ struct ChunkAxis {
     }
     /// From the particle to the first of the three nodes [m].
     [[nodiscard]] FRANA_INLINE Quad to_first(Quad position, double dx) const { return (base - 0.5) * dx - position; }
-    /// Padded number of the first of the three nodes.
+    /// Padded index of the first of the three nodes.
     /// @param origin that of the origin's node
     [[nodiscard]] FRANA_INLINE Quad first(std::int64_t origin) const { return base + static_cast<double>(origin - 1); }
 };
 
 /// Indices of the south-western nodes of four particles.
 FRANA_INLINE void first_nodes(const ChunkAxis& x, const ChunkAxis& y, const NodeScale& grid, std::size_t (&first)[4]) {
-    // Exact under 2^53.
+    // Exact below 2^53.
     const Quad index = y.base * static_cast<double>(grid.stride) + (x.base + static_cast<double>(grid.index(-1, -1)));
     for (int k = 0; k < 4; ++k) first[k] = static_cast<std::size_t>(static_cast<std::int64_t>(index[k]));
 }

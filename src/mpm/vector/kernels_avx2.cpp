@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled for AVX2 and FMA on x86-64 (see CMakeLists.txt); called only where the processor has both. Everything but
-// the last function belongs to this source alone, so that no other part of the program can come to run its code.
+// Compiled for AVX2 and FMA on x86-64 (see CMakeLists.txt); called only if the processor has both. Everything except
+// the last function is local to this source, so that no other part of the program can run its code.
 #include "mpm/vector/kernels.h"
 #if defined(__AVX2__) && defined(__FMA__)
 #include "mpm/vector/nodes_to_particles.h"

@@ -7,12 +7,12 @@
 namespace frana {
 namespace {
 
-/// Gathered of four particles; what only FollowsBed or Shifts need is not set without them.
+/// Values gathered by four particles; those needed only by FollowsBed or Shifts are not set without them.
 template <bool FollowsBed, bool Shifts>
 struct ChunkGather : Gathered<Quad> {
-    /// Each node is two quads, {u, v, back_u, back_v} and {mass, share, climb, support}. Particle by particle only the
-    /// sums of the first along rows and along columns are made, with the splines' weights, and the mean of the second;
-    /// all else follows from those seven, four particles at once.
+    /// Each node is two quads, {u, v, back_u, back_v} and {mass, fraction, climb, support}. Particle by particle only
+    /// the sums of the first along rows and along columns are computed, with the splines' weights, and the mean of the
+    /// second; all else follows from those seven, for four particles at once.
     FRANA_INLINE ChunkGather(Quad px, Quad py, const NodeScale& grid, const NodeMotion* motion, const double* bed) {
         const ChunkAxis ax(px, grid), ay(py, grid);
         std::size_t first[4];
@@ -27,7 +27,7 @@ struct ChunkGather : Gathered<Quad> {
         }
         Quad rows[3][4], columns[3][4], means[4];
         for (std::size_t k = 0; k < 4; ++k) {
-            const NodeMotion* row = motion + first[k];  // lanes that repeat the first particle do so here too
+            const NodeMotion* row = motion + first[k];  // lanes that repeat the first particle do so here as well
             const Quad w0(weight_x[0][k]), w1(weight_x[1][k]), w2(weight_x[2][k]);
             Quad column0 = 0.0, column1 = 0.0, column2 = 0.0;
             Quad mean = 0.0;
@@ -100,7 +100,7 @@ struct ChunkGather : Gathered<Quad> {
         bed_x = slope[0] * across[0] + slope[1] * across[1] + slope[2] * across[2];
         bed_y = wx[0] * along[0] + wx[1] * along[1] + wx[2] * along[2];
     }
-    /// Gradients of depth and share, and the least fraction of any node: a sweep of its own over the second quads,
+    /// Gradients of depth and fraction, and the least fraction of any node: a separate sweep over the second quads,
     /// since few steps shift.
     FRANA_INLINE void gather_slopes(const ChunkAxis& ax, const ChunkAxis& ay, const double (&weight_x)[3][4],
                                     const double (&weight_y)[3][4], const NodeScale& grid, const NodeMotion* motion,

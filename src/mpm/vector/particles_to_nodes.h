@@ -8,8 +8,8 @@
 namespace frana {
 namespace {
 
-/// particles_to_nodes<QuadraticSplineShape, true, Levels>, four particles at a time: weights and what each brings
-/// are worked out side by side; then each particle adds two quads to each of its nine nodes,
+/// particles_to_nodes<QuadraticSplineShape, true, Levels>, four particles at a time: weights and contributions are
+/// computed in parallel; then each particle adds two quads to each of its nine nodes,
 ///     {px, py, bed_squares, surface_squares}  and  {mass, area, area_bed, 0}, squares and area_bed only if Levels.
 template <bool Levels>
 void vector_particles_to_nodes(const ParticleTile &tile, const ParticleSet &particles, NodeGrid &nodes) {
@@ -40,7 +40,7 @@ void vector_particles_to_nodes(const ParticleTile &tile, const ParticleSet &part
         const Quad cxx = load_some(c_xx + p, n), cxy = load_some(c_xy + p, n);
         const Quad cyx = load_some(c_yx + p, n), cyy = load_some(c_yy + p, n);
         const Quad to_x = ax.to_first(px, grid.dx), to_y = ay.to_first(py, grid.dx);
-        // Rows: the momentum that a particle brings to its first node, and what each column and row adds to that.
+        // Rows: a particle's momentum at its first node, and the increments by column and by row.
         Quad at_first[4] = {mass * (load_some(u + p, n) + cxx * to_x + cxy * to_y),
                             mass * (load_some(v + p, n) + cyx * to_x + cyy * to_y), 0.0, 0.0};
         Quad by_column[4] = {mass * cxx * grid.dx, mass * cyx * grid.dx, 0.0, 0.0};
@@ -62,7 +62,7 @@ void vector_particles_to_nodes(const ParticleTile &tile, const ParticleSet &part
                     z += (weight[3 * b][k] * r[0] + weight[3 * b + 1][k] * r[1]) + weight[3 * b + 2][k] * r[2];
                 }
             }
-            // With the bed's height t over the node's own: {.., .., area t^2, area (t + depth)^2} and area t.
+            // With the bed's height t relative to that of the node: {.., .., area t^2, area (t + depth)^2} and area t.
             const double a_k = area[p + k];
             const Quad square{0, 0, a_k, a_k}, surface{0, 0, 0, depth[k]};
             const Quad keeps_rest{volume[p + k], a_k, 0, 0}, level{0, 0, a_k, 0};

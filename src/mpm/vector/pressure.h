@@ -7,7 +7,7 @@
 namespace frana {
 namespace {
 
-/// The nodes that a run of particles touches, in padded numbers; one column more, which rows of four lanes read and
+/// The nodes touched by a run of particles, in padded indices; with one more column, which rows of four lanes read and
 /// write with weight zero.
 struct NodeBox {
     static constexpr std::int64_t k_columns = 36, k_rows = 36;
@@ -66,8 +66,8 @@ struct LevelBox {
     }
 };
 
-/// pressure_to_nodes<QuadraticSplineShape, true, Stress>, a row of three nodes at a time (the fourth lane weighs
-/// nothing), on a copy of the nodes in which each row lies together.
+/// pressure_to_nodes<QuadraticSplineShape, true, Stress>, a row of three nodes at a time (the fourth lane has weight
+/// zero), on a copy of the nodes in which each row is contiguous.
 template <bool Stress>
 void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& particles, double gravity, NodeGrid& nodes) {
     if (tile.begin == tile.end) return;
@@ -78,7 +78,7 @@ void vector_pressure_to_nodes(const ParticleTile& tile, const ParticleSet& parti
     const double* const s_yy = particles[Field::s_yy];
     const NodeScale grid = nodes.scale();
     const NodeBox box(x, y, tile.begin, tile.end, grid);
-    if (!box.fits()) {  // particles far apart: in two runs
+    if (!box.fits()) {  // particles far apart: two runs
         const std::size_t middle = (tile.begin + tile.end) / 2;
         vector_pressure_to_nodes<Stress>({tile.begin, middle, tile.tile}, particles, gravity, nodes);
         vector_pressure_to_nodes<Stress>({middle, tile.end, tile.tile}, particles, gravity, nodes);
