@@ -36,7 +36,7 @@ End write_with_error(int failing, const std::string& path) {
         ::setenv(k_asked, path.c_str(), 1);
         if (::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) ::_exit(3);
         ::raise(SIGSTOP);
-        ::execl("/proc/self/exe", "gis_tests", "--gtest_filter=ARaster.IsWrittenWhereAsked", nullptr);
+        ::execl("/proc/self/exe", "gis_tests", "--gtest_filter=ARaster.IsWrittenToTheGivenPath", nullptr);
         ::_exit(3);
     }
     int status = 0, seen = 0;
