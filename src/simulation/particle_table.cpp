@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/particle_table.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -70,9 +71,11 @@ PointTable common_table(const ParticleSet& particles, const GridSpec& grid, cons
 }  // namespace
 
 double greatest_strain(const ParticleSet& particles, std::size_t p) {
-    const double xx = particles[Field::e_xx][p], yy = particles[Field::e_yy][p], xy = particles[Field::e_xy][p];
-    const double mean = 0.5 * (xx + yy), radius = std::hypot(0.5 * (xx - yy), xy);
-    return std::max(std::abs(mean + radius), std::abs(mean - radius));
+    const Eigen::Matrix2d strain =
+        structured::symmetric(particles[Field::e_xx][p], particles[Field::e_yy][p], particles[Field::e_xy][p]);
+    const auto principal =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>().computeDirect(strain, Eigen::EigenvaluesOnly);
+    return principal.eigenvalues().cwiseAbs().maxCoeff();
 }
 
 PointTable particle_table(const Flow& flow) {
@@ -110,8 +113,9 @@ PointTable particle_table(const StructuredFlow& flow) {
     copy("stress_zz_kpa", Field::t_zz, k_kpa);
     copy("stress_xy_kpa", Field::t_xy, k_kpa);
     const auto stress = [&](std::size_t p) {
-        return structured::Stress{particles[Field::t_xx][p], particles[Field::t_yy][p], particles[Field::t_zz][p],
-                                  particles[Field::t_xy][p]};
+        return structured::Stress{
+            structured::symmetric(particles[Field::t_xx][p], particles[Field::t_yy][p], particles[Field::t_xy][p]),
+            particles[Field::t_zz][p]};
     };
     fill("mean_stress_kpa", [&](std::size_t p) { return k_kpa * stress(p).i1() / 3; });
     fill("shear_stress_kpa", [&](std::size_t p) { return k_kpa * std::sqrt(stress(p).j2()); });

@@ -84,18 +84,18 @@ CaseStatistics run_rotation(double cell) {
         state.stages.pairs->velocity_gradients(state.solid->order, row, block.laws.solid.kernel, w);
     double strain = 0, spin = 0;
     for (std::size_t i = 0; i < state.solid->particles.size(); ++i) {
-        const structured::VelocityGradient l{w[PairWork::l_xx][i], w[PairWork::l_xy][i], w[PairWork::l_yx][i],
-                                             w[PairWork::l_yy][i]};
-        strain = std::max({strain, std::abs(l.xx), std::abs(l.yy), std::abs(l.shear())});
-        spin = std::max(spin, std::abs(l.spin() - k_omega));
+        const Eigen::Matrix2d l{{w[PairWork::l_xx][i], w[PairWork::l_xy][i]},
+                                {w[PairWork::l_yx][i], w[PairWork::l_yy][i]}};
+        strain = std::max(strain, structured::strain_rate(l).cwiseAbs().maxCoeff());
+        spin = std::max(spin, std::abs(structured::spin(l) - k_omega));
     }
     constexpr int k_steps = 1000;
-    structured::Stress turned{1, 0, 0, 0};
-    for (int i = 0; i < k_steps; ++i) turned = rotated(turned, 2 * M_PI / k_steps);
+    Eigen::Matrix2d turned = structured::symmetric(1, 0, 0);
+    for (int i = 0; i < k_steps; ++i) turned = structured::rotated(turned, structured::rotation(2 * M_PI / k_steps));
     CaseStatistics f = watch.statistics(cell, state.solid->particles.size(), strain / k_omega);
     f.own = {{"greatest strain rate over angular velocity", strain / k_omega, 1e-12},
              {"relative error of the angular velocity", spin / k_omega, 1e-12},
-             {"stress after one turn in 1000 steps", std::hypot(turned.xx - 1, turned.xy), 1e-10}};
+             {"stress after one turn in 1000 steps", std::hypot(turned(0, 0) - 1, turned(0, 1)), 1e-10}};
     return f;
 }
 

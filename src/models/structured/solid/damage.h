@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/structured/solid/stress.h"
+#include "models/structured/solid/strain.h"
 
 namespace frana::structured {
 
@@ -22,12 +22,12 @@ struct Fragmentation {
     double critical_strain = 0.05;  ///< eps_c [-]
     DamageMeasure measure = DamageMeasure::equivalent;
 
-    /// Rate of D of a yielding material [1/s].
-    [[nodiscard]] double rate(const VelocityGradient& l) const noexcept {
-        const double tr = l.divergence();
+    /// What a strain in the plane adds to D of a yielding material.
+    [[nodiscard]] double increment(const Matrix2d& strain) const noexcept {
+        const double tr = strain.trace();
         if (measure == DamageMeasure::volumetric) return std::max(0.0, tr);
-        const double a = l.xx - tr / 3, b = l.yy - tr / 3, c = -tr / 3, shear = l.shear();
-        return std::sqrt(2.0 / 3 * (a * a + b * b + c * c + 2 * shear * shear));
+        const Matrix2d dev = strain - tr / 3 * Matrix2d::Identity();  // its vertical component is -tr / 3
+        return std::sqrt(2.0 / 3 * (dev.squaredNorm() + tr * tr / 9));
     }
     [[nodiscard]] double cohesion_ratio(double damage) const noexcept {
         return std::max(0.0, 1 - damage / (2 * critical_strain));

@@ -49,10 +49,11 @@ inline Returned return_under_load(const DruckerPrager& law, const Elasticity& el
                                   const Stress& trial) noexcept {
     constexpr double k_rounding = 1e-12, k_solved = 1e-14;
     constexpr int k_most_steps = 60;
-    const double mean = 0.5 * (trial.xx + trial.yy), half = 0.5 * (trial.xx - trial.yy);
-    const double radius = std::sqrt(half * half + trial.xy * trial.xy);
+    const double mean = 0.5 * trial.plane.trace();
+    const Matrix2d unit = Matrix2d::Identity(), deviator = trial.plane - mean * unit;
+    const double radius = std::sqrt(0.5 * deviator.squaredNorm());
     const double bears = law.strength - 3 * law.slope * trial.zz, offset = mean - trial.zz;
-    if (!(bears > 0)) return {{trial.zz, trial.zz, trial.zz, 0}, offset != 0 || radius > 0};
+    if (!(bears > 0)) return {Stress::isotropic(trial.zz), offset != 0 || radius > 0};
     const auto beyond = [&](double x, double r) { return std::sqrt(r * r + x * x / 3) + 2 * law.slope * x - bears; };
     const double outside = beyond(offset, radius);
     if (!(outside > k_rounding * bears)) return {trial, false};
@@ -73,7 +74,7 @@ inline Returned return_under_load(const DruckerPrager& law, const Elasticity& el
         const double next = kept - f / slope;
         kept = next > low && next < high ? next : 0.5 * (low + high);
     }
-    return {{trial.zz + x + kept * half, trial.zz + x - kept * half, trial.zz, kept * trial.xy}, true};
+    return {{(trial.zz + x) * unit + kept * deviator, trial.zz}, true};
 }
 
 /// The same where the vertical stress is the material's own and no load is known: in three dimensions it is closed,
@@ -86,13 +87,10 @@ inline Returned return_by_itself(const DruckerPrager& law, const Elasticity& ela
     const double i1 = s.i1(), root = std::sqrt(s.j2()), beyond = root + law.slope * i1 - law.strength;
     if (!(beyond > k_rounding * (law.strength + law.slope * std::abs(i1)))) return {s, false};
     const double lambda = beyond / (elastic.shear + 27 * law.slope * elastic.bulk * sin_dilatancy);
-    if (law.slope > 0 && root <= elastic.shear * lambda) {
-        const double apex = law.strength / (3 * law.slope);
-        return {{apex, apex, apex, 0}, true};
-    }
-    const double kept = root > 0 ? std::max(0.0, 1 - elastic.shear * lambda / root) : 0, old = i1 / 3;
-    const double mean = old - 9 * elastic.bulk * sin_dilatancy * lambda;
-    return {{mean + kept * (s.xx - old), mean + kept * (s.yy - old), mean + kept * (s.zz - old), kept * s.xy}, true};
+    if (law.slope > 0 && root <= elastic.shear * lambda)
+        return {Stress::isotropic(law.strength / (3 * law.slope)), true};
+    const double kept = root > 0 ? std::max(0.0, 1 - elastic.shear * lambda / root) : 0;
+    return {Stress::isotropic(i1 / 3 - 9 * elastic.bulk * sin_dilatancy * lambda) + kept * s.deviator(), true};
 }
 
 }  // namespace frana::structured

@@ -21,11 +21,11 @@ struct Elasticity {
         return std::sqrt((bulk + 4 * shear / 3) / density);
     }
 
-    /// Change of stress over dt with no vertical strain (plane strain), 12 of the paper corrected.
-    [[nodiscard]] Stress increment(const VelocityGradient& l, double dt) const noexcept {
-        const double tr = l.divergence(), mean = bulk * tr, third = tr / 3;
-        return {dt * (mean + 2 * shear * (l.xx - third)), dt * (mean + 2 * shear * (l.yy - third)),
-                dt * (mean - 2 * shear * third), dt * 2 * shear * l.shear()};
+    /// Change of stress by a strain in the plane, with no vertical strain (plane strain).
+    [[nodiscard]] Stress increment(const Matrix2d& strain) const noexcept {
+        const double tr = strain.trace();
+        const Matrix2d unit = Matrix2d::Identity();
+        return {bulk * tr * unit + 2 * shear * (strain - tr / 3 * unit), (bulk - 2 * shear / 3) * tr};
     }
 };
 

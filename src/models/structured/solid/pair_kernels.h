@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "models/structured/solid/pair_laws.h"
 #include "models/structured/solid/pair_work.h"
-#include "models/structured/solid/solid_laws.h"
 #include "particles/cell_order.h"
 
 namespace frana::structured {
@@ -12,7 +12,7 @@ namespace frana::structured {
 struct PairKernels {
     void (*velocity_gradients)(const CellOrder&, std::int64_t row, const CubicKernel&, PairWork&);
     /// Returns the greatest |phi| of the artificial viscosity [m/s].
-    double (*accelerations)(const CellOrder&, std::int64_t row, const SolidLaws&, PairWork&);
+    double (*accelerations)(const CellOrder&, std::int64_t row, const PairLaws&, PairWork&);
 };
 
 /// The fastest that the processor runs.

@@ -75,7 +75,7 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
 /// negative, ours: the artificial stress acts on pairs nearer than the spacing dp alone, which clumping is; on all it
 /// would take from the tension of material that is evenly spaced. Every term is the same for both particles of a
 /// pair, so momentum is kept to rounding.
-double accelerations(const CellOrder& order, std::int64_t row, const SolidLaws& laws, PairWork& w) {
+double accelerations(const CellOrder& order, std::int64_t row, const PairLaws& laws, PairWork& w) {
     const double length = laws.kernel.length(), full = laws.kernel.value(0);
     const double scale = full / (length * length), at_spacing = laws.kernel.value(laws.spacing) / full;
     const Quad inverse(1 / length), inverse_at_spacing(1 / at_spacing);

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "models/structured/coupling/basal_pressure.h"
-#include "models/structured/solid/artificial.h"
 #include "models/structured/solid/damage.h"
 #include "models/structured/solid/elasticity.h"
-#include "models/structured/solid/kernel.h"
+#include "models/structured/solid/pair_laws.h"
 
 namespace frana::structured {
 
@@ -24,8 +23,8 @@ enum class BrokenMaterial {
 };
 
 /// Laws and numbers of the solids; const while they run. Lengths in metres, in map view.
-struct SolidLaws {
-    explicit SolidLaws(double smoothing_length) : kernel(smoothing_length) {}
+struct SolidLaws : PairLaws {
+    explicit SolidLaws(double smoothing_length) : PairLaws(smoothing_length) {}
 
     double gravity = 9.81;
     bool steep = true;  ///< gravity and friction over 1 + |grad b|^2
@@ -39,10 +38,7 @@ struct SolidLaws {
     Fragmentation fragmentation;
     double initial_structured = 1;  ///< f_sc of whole material
 
-    CubicKernel kernel;
     double wave_speed = 0;  ///< of pressure waves in the lightest material [m/s]
-    double spacing = 1;     ///< of particles at the start, dp
-    ArtificialViscosity viscosity;
     double artificial_stress = 0.5;
     double elastic_cfl = 0.25;  ///< fraction of the smoothing length that elastic waves cross in a substep
     bool sleeps = true;         ///< what rests is not computed again; false, for tests: it is, to the same bits

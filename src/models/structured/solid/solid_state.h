@@ -6,6 +6,7 @@
 
 #include "models/structured/solid/move_particles.h"
 #include "models/structured/solid/pair_kernels.h"
+#include "models/structured/solid/solid_laws.h"
 #include "models/structured/solid/solid_nodes.h"
 
 namespace frana::structured {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "models/structured/solid/artificial_viscosity.h"
+#include "models/structured/solid/kernel.h"
+
+namespace frana::structured {
+
+/// What the sums over neighbours use of the solids' laws. They are compiled for AVX2 as well, where Eigen would align
+/// its types otherwise than in the rest of the program: no header of theirs includes it.
+struct PairLaws {
+    explicit PairLaws(double smoothing_length) : kernel(smoothing_length) {}
+
+    CubicKernel kernel;
+    double spacing = 1;  ///< of particles at the start, dp [m]
+    ArtificialViscosity viscosity;
+};
+
+}  // namespace frana::structured
