@@ -49,7 +49,7 @@ void for_each_raster(Scene& scene, const Visit& visit) {
     optional(scene.walls, Kind::zone);
     for (const ZoneRaster& zone : k_zone_rasters) optional(scene.zones.*zone.raster, Kind::zone);
     if (!scene.structured) return;
-    for (const auto zone : k_structured_zones) optional(scene.structured->zones.*zone, Kind::zone);
+    for (SolidZone& zone : scene.structured->zones) visit(zone.raster, Kind::zone);
     optional(scene.structured->initial_fluid, Kind::depth);
 }
 

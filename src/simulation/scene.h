@@ -13,6 +13,7 @@
 #include "core/geometry.h"
 #include "core/grid_spec.h"
 #include "core/raster.h"
+#include "core/solid_values.h"
 #include "params/keys/shared_values.h"
 
 namespace frana {
@@ -65,42 +66,23 @@ struct Material : MaterialValues {
     }
 };
 
-/// Properties of the structured model's release that vary from place to place: rasters on the working grid, in the
-/// units of StructuredMaterial, whose value applies where one is NaN.
-struct StructuredZones {
-    std::optional<Raster> solid_fraction, confined_fraction, grain_density, grain_diameter, cohesion, friction,
-        bed_friction;
-
-    [[nodiscard]] bool any() const noexcept;
+/// A property of the solids that varies from place to place: a raster on the working grid, in the unit of SolidValues;
+/// where it is NaN the uniform value applies.
+struct SolidZone {
+    double SolidValues::*value;
+    Raster raster;
 };
-/// All of them.
-inline constexpr std::optional<Raster> StructuredZones::*k_structured_zones[] = {
-    &StructuredZones::solid_fraction, &StructuredZones::confined_fraction, &StructuredZones::grain_density,
-    &StructuredZones::grain_diameter, &StructuredZones::cohesion,          &StructuredZones::friction,
-    &StructuredZones::bed_friction};
-
-inline bool StructuredZones::any() const noexcept {
-    return std::any_of(std::begin(k_structured_zones), std::end(k_structured_zones),
-                       [this](auto zone) { return (this->*zone).has_value(); });
-}
 
 /// Composition of a structured flow: blocks of solids with the fluid they confine, or fluid alone.
-struct StructuredMaterial : StructuredValues {
+struct StructuredMaterial : StructuredValues, SolidValues {
     bool solids = false;            ///< false: the release is fluid, and no parameter of solids is read
     bool manning_on_total = false;  ///< by the total depth; false: by that of the free fluid
 
-    double solid_fraction = k_solid_fraction;        ///< of the release [-]
-    double confined_fraction = k_confined_fraction;  ///< f_fc, fraction of its fluid that is confined [-]
-    double grain_density = k_grain_density;          ///< [kg/m3]
-    double grain_diameter = k_grain_diameter;        ///< [m]
-    double cohesion = 0;                             ///< [Pa]
-    double friction = 0;                             ///< tan(phi) [-]
-    double bed_friction = 0;                         ///< tan(phi_b) [-]
-    double sin_dilatancy = 0;                        ///< sin(psi) [-]
-    bool damage_by_distortion = true;                ///< false: by opening
-    double initial_structured = 1;                   ///< f_sc of intact material [-]
-    bool yield_on_own_stress = false;                ///< without the overburden
-    bool broken_is_elastic = false;                  ///< false: broken material has earth pressure alone
+    double sin_dilatancy = 0;          ///< sin(psi) [-]
+    bool damage_by_distortion = true;  ///< false: by opening
+    double initial_structured = 1;     ///< f_sc of intact material [-]
+    bool yield_on_own_stress = false;  ///< without the overburden
+    bool broken_is_elastic = false;    ///< false: broken material has earth pressure alone
     enum class EarthPressure { hydrostatic, active, passive } earth_pressure = EarthPressure::hydrostatic;
     int drag_exponent = 2;            ///< j: 1 or 2
     bool exponent_by_grains = false;  ///< M from the grains' Reynolds number
@@ -109,7 +91,7 @@ struct StructuredMaterial : StructuredValues {
     double sound_speed = 0;           ///< of the artificial viscosity [m/s]; 0: the elastic waves'
     enum class VirtualMass { none, pudasaini_2012, pudasaini_2019 } virtual_mass = VirtualMass::pudasaini_2012;
     bool spread_evenly = false;  ///< particles placed by depth along the R2 sequence; false: on a lattice
-    StructuredZones zones;
+    std::vector<SolidZone> zones;
     std::optional<Raster> initial_fluid;  ///< depth of free fluid at the start [m]; NaN: none
     bool more_fluid = false;              ///< there is fluid besides the release: initial or inflow
 };

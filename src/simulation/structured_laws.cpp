@@ -32,21 +32,13 @@ structured::FluidLaws fluid_laws(const StructuredMaterial& m, const Numerics& nu
 }
 
 structured::SolidMaterial uniform_material(const StructuredMaterial& m) {
-    return {m.solid_fraction, m.confined_fraction, m.cohesion,      m.friction,
-            m.bed_friction,   m.grain_density,     m.grain_diameter};
+    return {m};
 }
 
 structured::SolidMaterial material_of_cell(const StructuredMaterial& m, std::size_t cell) {
     structured::SolidMaterial solid = uniform_material(m);
-    const StructuredZones& zones = m.zones;
-    for (const auto& [raster, value] : {std::pair{&zones.solid_fraction, &solid.solid_fraction},
-                                        {&zones.confined_fraction, &solid.confined_fraction},
-                                        {&zones.cohesion, &solid.cohesion},
-                                        {&zones.friction, &solid.friction},
-                                        {&zones.bed_friction, &solid.bed_friction},
-                                        {&zones.grain_density, &solid.grain_density},
-                                        {&zones.grain_diameter, &solid.grain_diameter}})
-        if (*raster && !std::isnan((*raster)->values[cell])) *value = (*raster)->values[cell];
+    for (const SolidZone& zone : m.zones)
+        if (!std::isnan(zone.raster.values[cell])) solid.*zone.value = zone.raster.values[cell];
     return solid;
 }
 
@@ -63,7 +55,7 @@ structured::Elasticity elasticity(const StructuredMaterial& m) {
 
 // Elastic waves are fastest in the lightest material.
 double least_coupled_density(const StructuredMaterial& m, std::size_t cells) {
-    if (!m.zones.any()) return coupled_density(m, uniform_material(m));
+    if (m.zones.empty()) return coupled_density(m, uniform_material(m));
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t cell = 0; cell < cells; ++cell) {
         const structured::SolidMaterial solid = material_of_cell(m, cell);
@@ -74,9 +66,11 @@ double least_coupled_density(const StructuredMaterial& m, std::size_t cells) {
 
 // Whether a value that may vary from place to place passes a test anywhere.
 template <class Test>
-bool anywhere(double uniform, const std::optional<Raster>& zones, const Test& test) {
-    if (!zones) return test(uniform);
-    return std::any_of(zones->values.begin(), zones->values.end(), test);  // NaN passes none
+bool anywhere(const StructuredMaterial& m, double SolidValues::*value, const Test& test) {
+    for (const SolidZone& zone : m.zones)
+        if (zone.value == value)
+            return std::any_of(zone.raster.values.begin(), zone.raster.values.end(), test);  // NaN passes none
+    return test(m.*value);
 }
 
 VirtualMassLaw law_of(StructuredMaterial::VirtualMass law) {
@@ -106,12 +100,12 @@ structured::EarthPressure law_of(StructuredMaterial::EarthPressure law) {
 }  // namespace
 
 bool can_fracture(const StructuredMaterial& m) {
-    return anywhere(m.cohesion, m.zones.cohesion, [](double cohesion) { return cohesion > 0; });
+    return anywhere(m, &SolidValues::cohesion, [](double cohesion) { return cohesion > 0; });
 }
 
 bool has_fluid(const StructuredMaterial& m) {
     return !m.solids || m.more_fluid ||
-           anywhere(m.solid_fraction, m.zones.solid_fraction, [](double fraction) { return fraction < 1; });
+           anywhere(m, &SolidValues::solid_fraction, [](double fraction) { return fraction < 1; });
 }
 
 double whole_density(const StructuredMaterial& m, const structured::SolidMaterial& solid) {
@@ -120,7 +114,7 @@ double whole_density(const StructuredMaterial& m, const structured::SolidMateria
 }
 
 structured::SolidMaterial material_at(const StructuredMaterial& m, const GridSpec& grid, Point local) {
-    if (!m.zones.any()) return uniform_material(m);
+    if (m.zones.empty()) return uniform_material(m);
     const Cell cell = cell_of(grid, local);
     return material_of_cell(m, static_cast<std::size_t>(cell.row * grid.columns + cell.column));
 }
@@ -129,7 +123,7 @@ double recoil_speed(const StructuredMaterial& m, std::size_t cells) {
     if (!m.solids) return 0;
     const structured::Elasticity waves = elasticity(m);
     double greatest = 0;
-    for (std::size_t cell = 0; cell < (m.zones.any() ? cells : 1); ++cell) {
+    for (std::size_t cell = 0; cell < (m.zones.empty() ? 1 : cells); ++cell) {
         const structured::SolidMaterial solid = material_of_cell(m, cell);
         if (!(solid.cohesion > 0 && solid.solid_fraction > 0)) continue;
         const double strength = 2 * solid.cohesion * (std::hypot(1, solid.friction) - solid.friction);

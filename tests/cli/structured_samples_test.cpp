@@ -106,7 +106,9 @@ class SampleRun {
         app::RunLog log(true);
         Scene scene = std::move(app::prepare(reading, log).scene);
         StructuredMaterial& material = *scene.structured;
-        Raster& mark = material.zones.grain_diameter.emplace(scene.grid, material.grain_diameter);
+        Raster& mark =
+            material.zones.emplace_back(&SolidValues::grain_diameter, Raster(scene.grid, material.grain_diameter))
+                .raster;
         for (std::int64_t row = 0; row < scene.grid.rows; ++row)
             for (std::int64_t column = 0; column < scene.grid.columns; ++column)
                 mark.at(scene.grid.rows - 1 - row, column) *=

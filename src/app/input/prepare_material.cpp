@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "params/keys/laws.h"
+#include "params/keys/solid_keys.h"
 
 namespace frana::app {
 namespace {
@@ -60,13 +61,13 @@ std::optional<StructuredMaterial> structured_of(const SceneSpec& spec) {
     static_cast<StructuredValues&>(m) = s;
     m.manning_on_total = s.manning_depth == "total";
     m.spread_evenly = s.placement == "r2";
-    set(m.solid_fraction, constant(s.solid_fraction));
-    set(m.confined_fraction, constant(s.confined_fraction));
-    set(m.grain_density, constant(s.grain_density));
-    set(m.grain_diameter, constant(s.grain_diameter));
-    set(m.cohesion, constant(s.cohesion));
-    set_tangent(m.friction, constant(s.internal_friction_angle));
-    set_tangent(m.bed_friction, constant(s.bed_friction_angle ? s.bed_friction_angle : s.internal_friction_angle));
+    for (const SolidKey& key : solid_keys()) {
+        const std::optional<double> value = constant(s.*key.giving(s).source);
+        if (key.degrees())
+            set_tangent(m.*key.value, value);
+        else
+            set(m.*key.value, value);
+    }
     m.sin_dilatancy = std::sin(s.dilatancy_angle * std::numbers::pi / 180);
     m.damage_by_distortion = s.damage == "equivalent-plastic";
     m.initial_structured = s.initial_structured_fraction;

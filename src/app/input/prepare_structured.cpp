@@ -12,36 +12,29 @@
 #include "app/text/number_text.h"
 #include "gis/raster/footprint.h"
 #include "gis/raster/rasterize.h"
+#include "params/keys/solid_keys.h"
 
 namespace frana::app {
 namespace {
 
 using Kind = SourceSpec::Kind;
 
-/// One property of [structured] that may vary from place to place.
+/// A key of [structured] whose value may vary from place to place, and the raster that was read for it.
 struct Property {
     std::string key;
     const std::optional<SourceSpec>* source;
-    std::optional<Raster>* target;
-    bool degrees = false;  ///< an angle, stored as its tangent
+    double SolidValues::*value = nullptr;  ///< null: the depth of fluid
+    bool degrees = false;                  ///< an angle, stored as its tangent
+    std::optional<Raster> raster = {};
 };
 
-std::vector<Property> properties(const StructuredSpec& spec, StructuredMaterial& m) {
-    const auto& bed_friction = spec.bed_friction_angle ? spec.bed_friction_angle : spec.internal_friction_angle;
-    const char* bed_key =
-        spec.bed_friction_angle ? "structured.bed-friction-angle" : "structured.internal-friction-angle";
-    std::vector<Property> list{{"structured.initial-fluid-depth", &spec.initial_fluid_depth, &m.initial_fluid}};
-    if (!m.solids) return list;
-    StructuredZones& zones = m.zones;
-    const std::vector<Property> of_solids{
-        {"structured.solid-fraction", &spec.solid_fraction, &zones.solid_fraction},
-        {"structured.confined-fraction", &spec.confined_fraction, &zones.confined_fraction},
-        {"structured.grain-density", &spec.grain_density, &zones.grain_density},
-        {"structured.grain-diameter", &spec.grain_diameter, &zones.grain_diameter},
-        {"structured.cohesion", &spec.cohesion, &zones.cohesion},
-        {"structured.internal-friction-angle", &spec.internal_friction_angle, &zones.friction, true},
-        {bed_key, &bed_friction, &zones.bed_friction, true}};
-    list.insert(list.end(), of_solids.begin(), of_solids.end());
+std::vector<Property> properties(const StructuredSpec& spec, bool solids) {
+    std::vector<Property> list{{"structured.initial-fluid-depth", &spec.initial_fluid_depth}};
+    if (!solids) return list;
+    for (const SolidKey& key : solid_keys()) {
+        const SolidKey& giving = key.giving(spec);
+        list.push_back({giving.name, &(spec.*giving.source), key.value, key.degrees()});
+    }
     return list;
 }
 
@@ -67,7 +60,7 @@ void widen(Raster& raster) {
     }
 }
 
-void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid, const Property& property,
+void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const GridSpec& grid, Property& property,
           Problems& problems) {
     Raster raster(grid, k_no_data);
     for (std::size_t f = 0; f < layer.features.size(); ++f) {
@@ -76,8 +69,8 @@ void burn(const SceneReading& reading, const gis::PolygonLayer& layer, const Gri
         gis::visit_cells(layer.features[f].parts, grid, gis::Cover::closed,
                          [&](std::int64_t row, std::int64_t column) { raster.at(row, column) = *value; });
     }
-    if (property.key != "structured.initial-fluid-depth") widen(raster);
-    *property.target = std::move(raster);
+    if (property.value != nullptr) widen(raster);
+    property.raster = std::move(raster);
 }
 
 /// Returns the polygons for attribute:NAME; null, with a problem added, if there are none.
@@ -104,7 +97,7 @@ const gis::PolygonLayer* polygons(const SceneReading& reading, const TerrainInpu
 /// A property without a uniform value must be known wherever something is released.
 void check_cover(const SceneReading& reading, const ReleaseInput& release, const Property& property,
                  const std::optional<Raster>& solid_fraction, Problems& problems) {
-    const Raster& raster = **property.target;
+    const Raster& raster = *property.raster;
     std::int64_t missing = 0;
     Point first;
     for (const ReleaseArea& area : release.areas) {
@@ -141,7 +134,7 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
     std::optional<StructuredMaterial> material = structured_of(reading.scene);
     if (!material) return material;
     const StructuredSpec& spec = reading.scene.structured;
-    std::vector<Property> list = properties(spec, *material);
+    std::vector<Property> list = properties(spec, material->solids);
     const gis::PolygonLayer* layer = nullptr;
     std::optional<gis::PolygonLayer> own;
     const auto asking =
@@ -156,21 +149,26 @@ std::optional<StructuredMaterial> prepare_structured(const SceneReading& reading
             if (has_kind(property, Kind::attribute) && layer != nullptr && ground != nullptr)
                 burn(reading, *layer, ground->terrain.grid, property, problems);
             if (has_kind(property, Kind::raster))
-                *property.target =
+                property.raster =
                     read_zone_raster(reading, ground, property.key, (*property.source)->name, "", files, log, problems);
         } catch (const Error& error) {
             problems.add(error);
         }
     }
-    if (material->solids && release.solid_fraction) material->zones.solid_fraction = release.solid_fraction;
+    if (material->solids && release.solid_fraction)
+        material->zones.push_back({&SolidValues::solid_fraction, *release.solid_fraction});
     if (ground == nullptr) return material;
-    for (const Property& property : list)
-        if (property.target != &material->initial_fluid && *property.target && *property.source &&
-            (*property.source)->kind != Kind::number)
-            check_cover(reading, release, property, release.solid_fraction, problems);
-    for (const Property& property : list)
-        if (property.degrees && *property.target)
-            for (double& value : (*property.target)->values) value = std::tan(value * std::numbers::pi / 180);
+    for (Property& property : list) {
+        if (!property.raster) continue;
+        if (property.value == nullptr) {
+            material->initial_fluid = std::move(property.raster);
+            continue;
+        }
+        check_cover(reading, release, property, release.solid_fraction, problems);
+        if (property.degrees)
+            for (double& value : property.raster->values) value = std::tan(value * std::numbers::pi / 180);
+        material->zones.push_back({property.value, std::move(*property.raster)});
+    }
     bound_initial_fluid(spec.initial_fluid_depth, ground->terrain, walls, *material);
     return material;
 }

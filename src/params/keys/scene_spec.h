@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/grid_spec.h"
+#include "core/solid_values.h"
 #include "params/grammar/source.h"
 #include "params/grammar/thickness.h"
 #include "params/keys/shared_values.h"
@@ -89,10 +90,11 @@ struct StructuredSpec : StructuredValues {
     std::optional<std::string> zones;
     std::optional<SourceSpec> initial_fluid_depth;
     std::string placement = "lattice";
-    std::optional<SourceSpec> solid_fraction = SourceSpec{SourceSpec::Kind::number, k_solid_fraction, {}};
-    std::optional<SourceSpec> confined_fraction = SourceSpec{SourceSpec::Kind::number, k_confined_fraction, {}};
-    std::optional<SourceSpec> grain_density = SourceSpec{SourceSpec::Kind::number, k_grain_density, {}};
-    std::optional<SourceSpec> grain_diameter = SourceSpec{SourceSpec::Kind::number, k_grain_diameter, {}};
+    std::optional<SourceSpec> solid_fraction = SourceSpec{SourceSpec::Kind::number, SolidValues{}.solid_fraction, {}};
+    std::optional<SourceSpec> confined_fraction =
+        SourceSpec{SourceSpec::Kind::number, SolidValues{}.confined_fraction, {}};
+    std::optional<SourceSpec> grain_density = SourceSpec{SourceSpec::Kind::number, SolidValues{}.grain_density, {}};
+    std::optional<SourceSpec> grain_diameter = SourceSpec{SourceSpec::Kind::number, SolidValues{}.grain_diameter, {}};
     std::optional<SourceSpec> cohesion, internal_friction_angle, bed_friction_angle;
     double dilatancy_angle = 0;
     std::string damage = "equivalent-plastic", earth_pressure = "hydrostatic";

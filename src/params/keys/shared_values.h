@@ -42,11 +42,6 @@ struct StructuredValues {
     double quadratic_viscosity = 1;     ///< artificial [-]
     double artificial_stress = 0.5;     ///< [-]
 };
-// Defaults of the release where it is uniform.
-inline constexpr double k_solid_fraction = 0.5;   ///< of what is released [-]
-inline constexpr double k_confined_fraction = 1;  ///< f_fc, confined fraction of its fluid [-]
-inline constexpr double k_grain_density = 2400;   ///< [kg/m3]
-inline constexpr double k_grain_diameter = 1e-3;  ///< [m]
 
 struct NumericsValues {
     double cfl = 0.5;

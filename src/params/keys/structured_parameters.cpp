@@ -2,6 +2,7 @@
 #include "params/keys/structured_parameters.h"
 
 #include "params/keys/declare.h"
+#include "params/keys/solid_keys.h"
 
 namespace frana {
 namespace {
@@ -39,21 +40,10 @@ void add_fluid(std::vector<Parameter>& list) {
 }
 
 void add_solids(std::vector<Parameter>& list) {
-    list.push_back(by_place("structured.solid-fraction", FRANA_MEMBER(structured.solid_fraction), "", Range{0, 1, true},
-                            "Volume fraction of solids in the release; the rest is fluid."));
-    list.push_back(
-        by_place("structured.confined-fraction", FRANA_MEMBER(structured.confined_fraction), "", Range{0, 1},
-                 "Fraction of that fluid that is confined by the structure; the rest is free from the start."));
-    list.push_back(by_place("structured.grain-density", FRANA_MEMBER(structured.grain_density), "kg/m3",
-                            Range{1000, 5000}, "Density of the grains."));
-    list.push_back(by_place("structured.grain-diameter", FRANA_MEMBER(structured.grain_diameter), "m", Range{1e-6, 1},
-                            "Diameter of the grains, for the drag."));
-    list.push_back(by_place("structured.cohesion", FRANA_MEMBER(structured.cohesion), "Pa", Range{0, 1e12},
-                            "Cohesion of the intact material; 0: loose from the start.", "required with solids"));
-    list.push_back(by_place("structured.internal-friction-angle", FRANA_MEMBER(structured.internal_friction_angle),
-                            "degrees", Range{0, 60, true}, "Internal friction angle.", "required with solids"));
-    list.push_back(by_place("structured.bed-friction-angle", FRANA_MEMBER(structured.bed_friction_angle), "degrees",
-                            Range{0, 60}, "Friction angle at the bed.", "the internal friction angle"));
+    for (const SolidKey& key : solid_keys())
+        list.push_back(by_place(
+            key.name, [member = key.source](auto& scene) -> auto& { return scene.structured.*member; }, key.unit,
+            key.range, key.meaning, key.absent));
     list.push_back(text("structured.zones", FRANA_MEMBER(structured.zones), "file",
                         "Polygons, in their own CRS, for attribute:NAME in this section.", "the release's perimeter"));
     list.push_back(choice("structured.placement", FRANA_MEMBER(structured.placement), {"lattice", "r2"},

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/raster.h"
+#include "core/solid_values.h"
 #include "particles/particle_set.h"
 
 namespace frana::structured {
@@ -27,15 +28,7 @@ ParticleSet place_by_depth(const Raster& solid_depth, const Raster& confined_dep
 ParticleSet place_again(const ParticleSet& placed, const GridSpec& grid, int per_column);
 
 /// What the solids of a scene are made of at a place.
-struct SolidMaterial {
-    double solid_fraction = 0.5;   ///< alpha_s of solids with pore fluid [-]
-    double confined_fraction = 1;  ///< f_fc, fraction of the pore fluid that is confined [-]
-    double cohesion = 0;           ///< [Pa]
-    double friction = 0;           ///< tan(phi) [-]
-    double bed_friction = 0;       ///< tan(phi_b) [-]
-    double grain_density = 2400;   ///< [kg/m3]
-    double grain_diameter = 1e-3;  ///< [m]
-
+struct SolidMaterial : SolidValues {
     /// Fraction of the whole volume that is confined fluid, and that is free fluid. Without cohesion nothing is
     /// held.
     [[nodiscard]] double confined_fluid() const noexcept {
