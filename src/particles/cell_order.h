@@ -39,6 +39,7 @@ class CellOrder {
     /// @param keep one byte per particle, or empty to keep all
     void sort(ParticleSet& particles, const std::vector<std::uint8_t>& keep, ThreadPool& pool);
 
+    [[nodiscard]] double reach() const noexcept { return reach_; }
     [[nodiscard]] double side() const noexcept { return side_; }
     /// How much two particles may approach each other until the next sort [m].
     [[nodiscard]] double slack() const noexcept { return reach_ * k_slack; }

@@ -22,33 +22,33 @@ void velocity_gradients(const CellOrder& order, std::int64_t row, const CubicKer
     const double length = kernel.length(), scale = kernel.value(0) / (length * length);
     const Quad inverse(1 / length), reach2(4 * length * length);
     const std::uint8_t* const resting = w.resting.empty() ? nullptr : w.resting.data() + row * order.columns();
+    const std::uint32_t* const quads = w.near.row(row);
     for (std::int64_t column = 0; column < order.columns(); ++column) {
         const ParticleRun own = order.cell(row, column);
         if (own.begin == own.end || (resting != nullptr && resting[column] != 0)) continue;
-        const auto runs = order.around(row, column);
         for (std::size_t i = own.begin; i < own.end; ++i) {
             const Quad x(w[PairWork::x][i]), y(w[PairWork::y][i]), u(w[PairWork::u][i]), v(w[PairWork::v][i]);
             Quad l_xx(0.0), l_xy(0.0), l_yx(0.0), l_yy(0.0), b_xx(0.0), b_xy(0.0), b_yy(0.0);
-            for (const ParticleRun& run : runs) {
-                for (std::size_t k = run.begin; k < run.end; k += 4) {
-                    const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
-                    const Quad distance2 = dx * dx + dy * dy;
-                    if (!any(distance2 < reach2)) continue;  // a third of the quads of a neighbourhood
-                    const Quad q = sqrt(distance2) * inverse;
-                    const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
-                    const Quad slope = (3.0 * inner * inner - 0.75 * outer * outer) / max(q, k_least_distance);
-                    const auto real = first_lanes(run.end - k < 4 ? run.end - k : 4);
-                    const Quad weight = select(real, slope * Quad::load(w[PairWork::area] + k), 0.0);
-                    const Quad gx = weight * dx, gy = weight * dy;
-                    const Quad du = Quad::load(w[PairWork::u] + k) - u, dv = Quad::load(w[PairWork::v] + k) - v;
-                    l_xx += du * gx;
-                    l_xy += du * gy;
-                    l_yx += dv * gx;
-                    l_yy += dv * gy;
-                    b_xx += -(dx * gx);
-                    b_xy += -(dx * gy);
-                    b_yy += -(dy * gy);
-                }
+            const NearQuads::Range range = w.near.range(i);
+            for (std::uint32_t n = range.begin; n < range.end; ++n) {
+                const std::size_t k = NearQuads::first(quads[n]);
+                const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
+                const Quad distance2 = dx * dx + dy * dy;
+                if (!any(distance2 < reach2)) continue;  // within the slack alone
+                const Quad q = sqrt(distance2) * inverse;
+                const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
+                const Quad slope = (3.0 * inner * inner - 0.75 * outer * outer) / max(q, k_least_distance);
+                const auto real = first_lanes(NearQuads::count(quads[n]));
+                const Quad weight = select(real, slope * Quad::load(w[PairWork::area] + k), 0.0);
+                const Quad gx = weight * dx, gy = weight * dy;
+                const Quad du = Quad::load(w[PairWork::u] + k) - u, dv = Quad::load(w[PairWork::v] + k) - v;
+                l_xx += du * gx;
+                l_xy += du * gy;
+                l_yx += dv * gx;
+                l_yy += dv * gy;
+                b_xx += -(dx * gx);
+                b_xy += -(dx * gy);
+                b_yy += -(dy * gy);
             }
             const double bxx = scale * sum(b_xx), bxy = scale * sum(b_xy), byy = scale * sum(b_yy);
             const double lxx = scale * sum(l_xx), lxy = scale * sum(l_xy);
@@ -84,51 +84,51 @@ double accelerations(const CellOrder& order, std::int64_t row, const PairLaws& l
     const Quad linear(0.5 * laws.viscosity.linear), quadratic(laws.viscosity.quadratic);
     Quad least(0.0);
     const std::uint8_t* const resting = w.resting.empty() ? nullptr : w.resting.data() + row * order.columns();
+    const std::uint32_t* const quads = w.near.row(row);
     for (std::int64_t column = 0; column < order.columns(); ++column) {
         const ParticleRun own = order.cell(row, column);
         if (own.begin == own.end || (resting != nullptr && resting[column] != 0)) continue;
-        const auto runs = order.around(row, column);
         for (std::size_t i = own.begin; i < own.end; ++i) {
             const Quad x(w[PairWork::x][i]), y(w[PairWork::y][i]), u(w[PairWork::u][i]), v(w[PairWork::v][i]);
             const Quad density(w[PairWork::density][i]), sound(w[PairWork::sound][i]);
             const Quad t_xx(w[PairWork::t_xx][i]), t_yy(w[PairWork::t_yy][i]), t_xy(w[PairWork::t_xy][i]);
             const Quad r_xx(w[PairWork::r_xx][i]), r_yy(w[PairWork::r_yy][i]), r_xy(w[PairWork::r_xy][i]);
             Quad a_x(0.0), a_y(0.0);
-            for (const ParticleRun& run : runs) {
-                for (std::size_t k = run.begin; k < run.end; k += 4) {
-                    const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
-                    const Quad distance2 = dx * dx + dy * dy;
-                    if (!any(distance2 < reach2)) continue;  // a third of the quads of a neighbourhood
-                    const Quad q = sqrt(distance2) * inverse;
-                    const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
-                    const Quad outer2 = outer * outer, inner2 = inner * inner;
-                    const Quad sum_density = density + Quad::load(w[PairWork::density] + k);
-                    const Quad softened = distance2 + softening, distance = max(q, k_least_distance);
-                    // One division for all: 1 / (r^2 + ..), 1 / (Sigma_i + Sigma_j) and 1 / q.
-                    const Quad fraction = 1.0 / (softened * sum_density * distance);
-                    const Quad approach =
-                        min((u - Quad::load(w[PairWork::u] + k)) * dx + (v - Quad::load(w[PairWork::v] + k)) * dy, 0.0);
-                    const Quad phi = smoothing * approach * (fraction * sum_density * distance);
-                    const Quad sounds = linear * (sound + Quad::load(w[PairWork::sound] + k));  // twice the mean
-                    const Quad pi = (quadratic * phi - sounds) * phi * (2.0 * fraction * softened * distance);
-                    const Quad slope = (3.0 * inner2 - 0.75 * outer2) * (fraction * softened * sum_density);
-                    const auto real = first_lanes(run.end - k < 4 ? run.end - k : 4);
-                    const auto near = real & (q < 2.0);
-                    least = min(least, select(near, phi, 0.0));
-                    const Quad weight = select(near, slope * Quad::load(w[PairWork::mass] + k), 0.0);
-                    Quad s_xx = t_xx + Quad::load(w[PairWork::t_xx] + k) - pi;
-                    Quad s_yy = t_yy + Quad::load(w[PairWork::t_yy] + k) - pi;
-                    Quad s_xy = t_xy + Quad::load(w[PairWork::t_xy] + k);
-                    if (any(distance2 < spacing2)) {  // one quad in four
-                        const Quad f = (0.25 * outer2 * outer - inner2 * inner) * inverse_at_spacing;
-                        const Quad f2 = f * f, nearness = max(f2 * f2 - 1.0, 0.0);
-                        s_xx += nearness * (r_xx + Quad::load(w[PairWork::r_xx] + k));
-                        s_yy += nearness * (r_yy + Quad::load(w[PairWork::r_yy] + k));
-                        s_xy += nearness * (r_xy + Quad::load(w[PairWork::r_xy] + k));
-                    }
-                    a_x += weight * (s_xx * dx + s_xy * dy);
-                    a_y += weight * (s_xy * dx + s_yy * dy);
+            const NearQuads::Range range = w.near.range(i);
+            for (std::uint32_t n = range.begin; n < range.end; ++n) {
+                const std::size_t k = NearQuads::first(quads[n]);
+                const Quad dx = x - Quad::load(w[PairWork::x] + k), dy = y - Quad::load(w[PairWork::y] + k);
+                const Quad distance2 = dx * dx + dy * dy;
+                if (!any(distance2 < reach2)) continue;  // within the slack alone
+                const Quad q = sqrt(distance2) * inverse;
+                const Quad outer = max(2.0 - q, 0.0), inner = max(1.0 - q, 0.0);
+                const Quad outer2 = outer * outer, inner2 = inner * inner;
+                const Quad sum_density = density + Quad::load(w[PairWork::density] + k);
+                const Quad softened = distance2 + softening, distance = max(q, k_least_distance);
+                // One division for all: 1 / (r^2 + ..), 1 / (Sigma_i + Sigma_j) and 1 / q.
+                const Quad fraction = 1.0 / (softened * sum_density * distance);
+                const Quad approach =
+                    min((u - Quad::load(w[PairWork::u] + k)) * dx + (v - Quad::load(w[PairWork::v] + k)) * dy, 0.0);
+                const Quad phi = smoothing * approach * (fraction * sum_density * distance);
+                const Quad sounds = linear * (sound + Quad::load(w[PairWork::sound] + k));  // twice the mean
+                const Quad pi = (quadratic * phi - sounds) * phi * (2.0 * fraction * softened * distance);
+                const Quad slope = (3.0 * inner2 - 0.75 * outer2) * (fraction * softened * sum_density);
+                const auto real = first_lanes(NearQuads::count(quads[n]));
+                const auto near = real & (q < 2.0);
+                least = min(least, select(near, phi, 0.0));
+                const Quad weight = select(near, slope * Quad::load(w[PairWork::mass] + k), 0.0);
+                Quad s_xx = t_xx + Quad::load(w[PairWork::t_xx] + k) - pi;
+                Quad s_yy = t_yy + Quad::load(w[PairWork::t_yy] + k) - pi;
+                Quad s_xy = t_xy + Quad::load(w[PairWork::t_xy] + k);
+                if (any(distance2 < spacing2)) {  // one quad in four
+                    const Quad f = (0.25 * outer2 * outer - inner2 * inner) * inverse_at_spacing;
+                    const Quad f2 = f * f, nearness = max(f2 * f2 - 1.0, 0.0);
+                    s_xx += nearness * (r_xx + Quad::load(w[PairWork::r_xx] + k));
+                    s_yy += nearness * (r_yy + Quad::load(w[PairWork::r_yy] + k));
+                    s_xy += nearness * (r_xy + Quad::load(w[PairWork::r_xy] + k));
                 }
+                a_x += weight * (s_xx * dx + s_xy * dy);
+                a_y += weight * (s_xy * dx + s_yy * dy);
             }
             w[PairWork::a_x][i] = scale * sum(a_x);
             w[PairWork::a_y][i] = scale * sum(a_y);

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "models/structured/solid/near_quads.h"
+
 namespace frana::structured {
 
 /// What the sums over neighbours read and write, one array each, in the particles' order. The arrays reach three values
@@ -50,11 +52,12 @@ struct PairWork {
     /// By cell of the order, row by row: nothing there changes in this substep (rest.h); empty: everywhere something
     /// may.
     std::vector<std::uint8_t> resting;
+    NearQuads near;
 };
 
 template <class Archive>
 void serialise(Archive& archive, PairWork& work) {
-    [[maybe_unused]] auto& [arrays, resting] = work;
+    [[maybe_unused]] auto& [arrays, resting, near] = work;
     archive(arrays);
 }
 

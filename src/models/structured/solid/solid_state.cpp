@@ -31,6 +31,7 @@ void load_work(SolidState& state, ThreadPool& pool) {
         for (const auto& [field, array] : copied)
             std::copy(state.particles[field] + begin, state.particles[field] + end, state.work[array] + begin);
     });
+    find_neighbours(state, pool);
 }
 
 }  // namespace
@@ -47,6 +48,11 @@ bool fits(const SolidState& state) {
         if (!std::all_of(place, place + count, [](double x) { return std::abs(x) < k_anywhere; })) return false;
     }
     return state.order.orders(count);
+}
+
+void find_neighbours(SolidState& state, ThreadPool& pool) {
+    PairWork& work = state.work;
+    work.near.find(state.order, work[PairWork::x], work[PairWork::y], state.particles.size(), pool);
 }
 
 SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast) {

@@ -68,6 +68,9 @@ SolidStages choose_solid_stages(bool cohesive, bool wet, bool fast = true);
 /// Sorts the particles, dropping those beyond the edges, and sets `mean`.
 void sort_solids(SolidState& state, const SolidLaws& laws, const NodeGrid& grid, ThreadPool& pool);
 
+/// Which particles may be near each particle, until the next sort.
+void find_neighbours(SolidState& state, ThreadPool& pool);
+
 /// Longest substep of the solids alone (share/doc/structured.md, "Time step") [s]: waves, viscosity, acceleration.
 ///     dt <= 0.25 l / c,   0.4 l / (s + 0.6 (a s + b |phi|)),   0.25 sqrt(l / |a|)
 /// The sums' greatest frequency is 1.07 c / l and their greatest damping 1.9 a s / l on an even lattice, whatever its

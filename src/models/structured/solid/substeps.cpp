@@ -27,6 +27,7 @@ class Substeps {
     Substeps(SolidState& state, const SolidStages& stages, const SolidLaws& laws, const NodeGrid& grid,
              const Obstacles& obstacles, ThreadPool& pool)
         : state_(state), stages_(stages), laws_(laws), grid_(grid), obstacles_(obstacles), pool_(pool) {
+        if (!state_.work.near.of(state_.particles.size())) find_neighbours(state_, pool_);  // of a state that was read
         rest_.begin(state_.order, state_.work);
     }
     ~Substeps() { state_.work.resting.clear(); }

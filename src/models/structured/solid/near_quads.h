@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "particles/cell_order.h"
+
+namespace frana::structured {
+
+/// Neighbours, four at a time as the sums over them read: for each particle the quads of the order's runs in which a
+/// particle is within the reach and the slack of the order. So no neighbour is missing until two particles have come
+/// nearer to each other by that slack, which is as long as the order itself serves.
+class NearQuads {
+  public:
+    /// Of a particle in its row's list.
+    struct Range {
+        std::uint32_t begin = 0, end = 0;
+    };
+
+    /// @param x, y of the particles in their order; three values beyond the last can be read
+    void find(const CellOrder& order, const double* x, const double* y, std::size_t size, ThreadPool& pool);
+    /// Whether lists of so many particles are there; after reading a state they are not.
+    [[nodiscard]] bool of(std::size_t size) const noexcept { return ranges_.size() == size; }
+
+    [[nodiscard]] const std::uint32_t* row(std::int64_t row) const noexcept {
+        return rows_[static_cast<std::size_t>(row)].data();
+    }
+    [[nodiscard]] const Range& range(std::size_t particle) const noexcept { return ranges_[particle]; }
+
+    /// A quad (of at most 2^30 particles): its first particle, and how many of the four belong to the run.
+    [[nodiscard]] static std::size_t first(std::uint32_t quad) noexcept { return quad >> 2; }
+    [[nodiscard]] static std::size_t count(std::uint32_t quad) noexcept { return (quad & 3) + 1; }
+
+  private:
+    std::vector<std::vector<std::uint32_t>> rows_;
+    std::vector<Range> ranges_;
+};
+
+}  // namespace frana::structured
