@@ -27,7 +27,7 @@ class ReadFrames : public TinyScene {
         for (const std::string name : {"depth", "velocity"}) {
             std::ofstream out(path("result/" + name + ".f32"), std::ios::binary);
             for (const app::StoredFrame& frame : stored) {
-                const Raster raster = gis::read_result_raster(name == "depth" ? frame.depth_file : frame.velocity_file);
+                const Raster raster = gis::read_result_raster(frame.raster_file(name));
                 grid = raster.grid;
                 for (const double value : raster.values) {
                     const auto single = static_cast<float>(value);

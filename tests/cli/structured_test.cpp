@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The structured model through the program: fluid alone.
+#include <set>
+
 #include "gis/raster/raster_in.h"
 #include "tiny_scene.h"
 
@@ -52,7 +54,9 @@ TEST_F(StructuredScene, WritesTheSameFilesAsTheFirstModel) {
 
 // Blocks of solids with their water, through the same program: both phases in rasters and frames, nothing lost.
 TEST_F(StructuredScene, RunsSolidsWithTheirFluid) {
-    write_fluid("frame-interval = 1\n[numerics]\nparticles-per-cell = 9\n[output]\nmaps = off\nanimation = off\n");
+    write_fluid(
+        "frame-interval = 1\n[numerics]\nparticles-per-cell = 9\n[output]\nmaps = off\nanimation = off\n"
+        "formats = geotiff, particles-gpkg\nmap-size = 640x480\n");
     const Outcome outcome = frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=2", "--set",
                                    "structured.phases=solids-and-fluid", "--set", "structured.cohesion=2e3", "--set",
                                    "structured.internal-friction-angle=28", "--set", "structured.bed-friction-angle=12",
@@ -74,6 +78,39 @@ TEST_F(StructuredScene, RunsSolidsWithTheirFluid) {
     EXPECT_NEAR(volume, 2000, 0.02 * 2000);
     const Raster left = gis::read_result_raster(path("result/cohesion_ratio.tif"));
     for (const double c : left.values) EXPECT_TRUE(std::isnan(c) || (c >= 0 && c <= 1));
+
+    // Frames of what the phases do, and particles by the cohesion left to them, on maps and as an animation.
+    const Outcome drawn =
+        frana({"render", "result", "--map", "cohesion_ratio@1", "--map", "solid_velocity@1", "--map",
+               "fluid_velocity@2", "--map", "particle_cohesion@1", "--map", "particles@1", "--out", "drawn"});
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    // Named by the frame's true time, at or after the one asked for.
+    std::set<std::string> pictures, contents;
+    for (const auto& file : fs::directory_iterator(path("drawn"))) {
+        const std::string name = file.path().filename().string();
+        if (!name.ends_with(".png")) continue;
+        pictures.insert(name.substr(0, name.rfind("_t")));
+        contents.insert(read_text(file.path().string()));
+    }
+    EXPECT_EQ(pictures, (std::set<std::string>{"cohesion_ratio", "fluid_velocity", "particle_cohesion", "particles",
+                                               "solid_velocity"}));
+    EXPECT_EQ(contents.size(), pictures.size());
+    const Outcome moving =
+        frana({"render", "result", "--map", "particle_cohesion", "--animation", "pictures/", "--size", "640x480"});
+    EXPECT_EQ(moving.exit_code, 0) << moving.err;
+}
+
+// What a result's frames do not have is no map of theirs.
+TEST_F(StructuredScene, FluidAloneHasNoCohesionToDraw) {
+    write_fluid("frame-interval = 5\n[output]\nmaps = off\nanimation = off\nmap-size = 640x480\n");
+    ASSERT_EQ(frana({"run", "scene.ini", "--out", "result", "--quiet", "--set", "time.end=5"}).exit_code, 0);
+    EXPECT_EQ(frana({"render", "result", "--map", "velocity@5"}).exit_code, 0);
+    for (const char* map : {"cohesion_ratio@5", "particle_cohesion@5"}) {
+        const Outcome refused = frana({"render", "result", "--map", map});
+        EXPECT_EQ(refused.exit_code, 2) << map;
+        EXPECT_NE(refused.err.find("velocity@SECONDS"), std::string::npos) << refused.err;
+        EXPECT_EQ(refused.err.find("cohesion_ratio@SECONDS"), std::string::npos) << refused.err;
+    }
 }
 
 // `frana run` on what a run wrote repeats it to the last bit, with another number of threads.

@@ -11,6 +11,7 @@
 #include "app/pictures/animation.h"
 #include "app/pictures/charts.h"
 #include "app/pictures/foreign_map.h"
+#include "app/pictures/particle_dots.h"
 #include "app/pictures/plates.h"
 #include "app/pictures/result_reader.h"
 #include "app/store/kept_files.h"
@@ -35,10 +36,11 @@ CommandForm render_form() {
         "from the scene's\noutput.map-... and output.view-... keys; options override them.",
         "RESULT_DIR|RASTER",
         {}};
-    form.options.add_options()("map", texts(),
-                               "raster to draw, for example max_depth; depth@12.5 is the frame nearest to "
-                               "12.5 s, particles@12.5 its particles; "
-                               "repeatable (default: all)")("view", text(), "2d (default) or 3d")(
+    form.options.add_options()(
+        "map", texts(),
+        "raster to draw, for example max_depth; depth@12.5 is the frame nearest to "
+        "12.5 s, particles@12.5 its particles, particle_cohesion@12.5 the same coloured by cohesion left; "
+        "repeatable (default: all)")("view", text(), "2d (default) or 3d")(
         "animation", text(),
         "write the frames as FILE.mp4 or FILE.gif, or as pictures into FOLDER/, instead of maps; --map "
         "velocity shows speeds, --map particles the particles")(
@@ -141,9 +143,10 @@ Request read_request(const Values& values, Problems& problems) {
     if (request.fly && (!request.view_3d || request.beside))
         problems.add({"needs --view 3d and one result", "--fly", "", "", ""});
     if (!request.maps.empty()) request.animation_of = request.maps.front();
-    if (request.maps.size() > 1 ||
-        (request.animation_of != "depth" && request.animation_of != "velocity" && request.animation_of != "particles"))
-        problems.add({"is not in the frames", "--map", joined(request.maps, ", "), "depth, velocity, particles", ""});
+    if (request.maps.size() > 1 || (request.animation_of != "depth" && request.animation_of != "velocity" &&
+                                    find_particle_quantity(request.animation_of) == nullptr))
+        problems.add({"is not in the frames", "--map", joined(request.maps, ", "),
+                      "depth, velocity, particles, particle_cohesion", ""});
     return request;
 }
 

@@ -77,16 +77,13 @@ class AnimationOut {
     double seconds_ = 0;
 };
 
-const std::string& file_of(const StoredFrame& frame, const std::string& quantity) {
-    return quantity == "velocity" ? frame.velocity_file : frame.depth_file;
-}
-
 /// Draws a frame's particles or raster.
 template <class Animator>
 render::Image draw_frame(Animator& animator, const StoredFrame& frame, const AnimationSource& of) {
     const std::string time = time_text(frame.time, time_decimals(of.frames));
-    if (of.quantity == "particles") return animator.frame(read_particle_dots(frame.particle_file), time);
-    const std::string& file = file_of(frame, of.quantity);
+    if (const ParticleQuantity* const of_particles = find_particle_quantity(of.quantity))
+        return animator.frame(read_particle_dots(frame.particle_file, *of_particles), time);
+    const std::string file = frame.raster_file(of.quantity);
     const Raster values = gis::read_result_raster(file);
     require_cells(values.grid, file, of.layer.values.grid, of.layer_file);
     return animator.frame(values, time);
@@ -201,12 +198,20 @@ bool is_animation_picture(const std::string& name) {
 }
 
 AnimationSource animation_source(const ResultReader& result, const MapSource& source, const std::string& quantity) {
-    const bool particles = quantity == "particles";
-    const std::string colours = particles ? "velocity" : quantity;
-    AnimationSource animation{source, result.greatest(colours), result.path("max_" + colours + ".tif"), result.frames(),
-                              quantity};
-    animation.layer.title = particles ? "Speed of particles" : quantity == "depth" ? "Flow depth" : "Flow velocity";
-    animation.layer.source = "frames/" + quantity + (particles ? "_*.gpkg, speed_ms" : "_*.tif, band 1");
+    const ParticleQuantity* const particles = find_particle_quantity(quantity);
+    const std::string colours = particles != nullptr ? particles->colours : quantity;
+    const std::string greatest = "max_" + colours + ".tif";
+    AnimationSource animation{
+        source, result.greatest(colours),
+        result.has(greatest) ? result.path(greatest) : result.frames().front().raster_file(colours), result.frames(),
+        quantity};
+    if (particles != nullptr)
+        animation.layer.title = particles->title;
+    else if (quantity == "depth" || quantity == "velocity")
+        animation.layer.title = "Flow " + quantity;
+    animation.layer.source =
+        "frames/" +
+        (particles != nullptr ? std::string("particles_*.gpkg, ") + particles->attribute : quantity + "_*.tif, band 1");
     return animation;
 }
 

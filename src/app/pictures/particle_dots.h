@@ -7,8 +7,18 @@
 
 namespace frana::app {
 
-/// Returns the particles of a frame, a file particles_NNNN.gpkg of a result, valued by their speed [m/s], the fastest
+/// A quantity that particles are coloured by, as --map names it.
+struct ParticleQuantity {
+    const char* name;
+    const char* attribute;  ///< in their files
+    const char* colours;    ///< raster of the frames whose colours they have
+    const char* title;
+};
+/// Null if the name is none of them.
+const ParticleQuantity* find_particle_quantity(const std::string& name);
+
+/// Returns the particles of a frame, a file particles_NNNN.gpkg of a result, valued by a quantity, the greatest values
 /// last. Their width follows from the mean area of a particle. Throws Error(input).
-render::Dots read_particle_dots(const std::string& path);
+render::Dots read_particle_dots(const std::string& path, const ParticleQuantity& quantity);
 
 }  // namespace frana::app

@@ -162,23 +162,22 @@ const std::vector<StoredFrame>& ResultReader::frames() const {
 const MapLayer& ResultReader::greatest(const std::string& quantity) const {
     const auto known = greatest_.find(quantity);
     if (known != greatest_.end()) return known->second;
-    if (!under_way()) {
+    if (!under_way() && find_result_raster("max_" + quantity) != nullptr) {
         require("max_" + quantity + ".tif");
         return greatest_.emplace(quantity, map_layer("max_" + quantity)).first->second;
     }
     std::vector<std::string> files;
-    for (const StoredFrame& frame : frames())
-        files.push_back(quantity == "velocity" ? frame.velocity_file : frame.depth_file);
+    for (const StoredFrame& frame : frames()) files.push_back(frame.raster_file(quantity));
     return greatest_.emplace(quantity, read_greatest_layer(files)).first->second;
 }
 
-MapLayer ResultReader::particle_layer(const StoredFrame& frame) const {
-    MapLayer layer = greatest("velocity");  // its colours: maps of different times are comparable
-    layer.dots = read_particle_dots(frame.particle_file);
-    layer.name = "particles_t" + number_text(frame.time, 6);
-    layer.title = "Speed of particles";
+MapLayer ResultReader::particle_layer(const StoredFrame& frame, const ParticleQuantity& quantity) const {
+    MapLayer layer = greatest(quantity.colours);  // maps of different times are comparable
+    layer.dots = read_particle_dots(frame.particle_file, quantity);
+    layer.name = quantity.name + ("_t" + number_text(frame.time, 6));
+    layer.title = quantity.title;
     layer.time = frame.time;
-    layer.source = "frames/" + fs::path(frame.particle_file).filename().string() + ", speed_ms";
+    layer.source = "frames/" + fs::path(frame.particle_file).filename().string() + ", " + quantity.attribute;
     layer.notes.push_back(grouped(static_cast<double>(layer.dots->dots.size())) + " particles");
     return layer;
 }
@@ -186,21 +185,30 @@ MapLayer ResultReader::particle_layer(const StoredFrame& frame) const {
 MapLayer ResultReader::map_layer(const std::string& name) const {
     const auto at = name.find('@');
     const std::string kind = name.substr(0, at);
-    if (at != std::string::npos && (kind == "depth" || kind == "velocity" || kind == "particles")) {
+    const ParticleQuantity* const of_particles = find_particle_quantity(kind);
+    const ResultRaster* const of_frames = find_result_raster(kind);
+    const auto present = [&](const std::string& raster) {
+        return has(k_frame_list) && fs::exists(frames().front().raster_file(raster));
+    };
+    const bool in_frames = kind == "depth" || kind == "velocity" ||
+                           (of_particles != nullptr && (kind == "particles" || present(of_particles->colours))) ||
+                           (of_frames != nullptr && of_frames->in_frames && present(kind));
+    if (at != std::string::npos && in_frames) {
         const auto time = number_from_text(name.substr(at + 1));
         if (!time) throw Error(ErrorKind::input, Problem{"contains no time", "--map", name, kind + "@SECONDS", ""});
         const std::vector<StoredFrame>& all = frames();
         const auto nearest = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
             return std::abs(a.time - *time) < std::abs(b.time - *time);
         });
-        if (kind == "particles") return particle_layer(*nearest);
-        const std::string& file = kind == "depth" ? nearest->depth_file : nearest->velocity_file;
+        if (of_particles != nullptr) return particle_layer(*nearest, *of_particles);
+        const std::string file = nearest->raster_file(kind);
         MapLayer layer = read_map_layer(file);
         require_cells(layer.values.grid, file, grid(), path(grid_raster() + ".tif"));
         layer.source.insert(0, "frames/");
         layer.name = kind + "_t" + number_text(nearest->time, 6);
         // The greatest values over time define the colours, so that maps of different times are comparable.
-        if (under_way() || has("max_" + kind + ".tif")) layer.classes = greatest(kind).classes;
+        const bool over_frames = under_way() || find_result_raster("max_" + kind) == nullptr;
+        if (over_frames || has("max_" + kind + ".tif")) layer.classes = greatest(kind).classes;
         return layer;
     }
     if (has(name + ".tif")) {
@@ -214,7 +222,12 @@ MapLayer ResultReader::map_layer(const std::string& name) const {
     const std::string study = convergence_directory(directory_) + "/" + name + ".tif";
     if (name == "uncertainty" && fs::exists(study)) return read_map_layer(study);
     std::string known = joined(drawable(), ", ");
-    if (has(k_frame_list)) known += ", depth@SECONDS, velocity@SECONDS, particles@SECONDS";
+    if (has(k_frame_list)) {
+        known += ", depth@SECONDS, velocity@SECONDS, particles@SECONDS";
+        for (const ResultRaster& row : result_rasters())
+            if (row.in_frames && present(row.name)) known += ", " + row.name + "@SECONDS";
+        if (present("cohesion_ratio")) known += ", particle_cohesion@SECONDS";
+    }
     throw Error(ErrorKind::input, Problem{"is not a raster of this result", "map", name, known, ""});
 }
 

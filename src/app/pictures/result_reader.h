@@ -8,6 +8,7 @@
 
 #include "app/pictures/map_layer.h"
 #include "app/pictures/map_source.h"
+#include "app/pictures/particle_dots.h"
 #include "app/store/frame_store.h"
 #include "app/store/result_files.h"
 
@@ -33,12 +34,12 @@ class ResultReader {
     /// The same as a number, or a default.
     [[nodiscard]] double scene_number(const std::string& key, double otherwise) const;
 
-    /// Returns NAME.tif for a map; "depth@12.5", "velocity@12.5" and "particles@12.5" name the frame nearest in time
-    /// [s]; "uncertainty" is that of `frana converge` beside the result. Throws Error(input) listing the available
-    /// names.
+    /// Returns NAME.tif for a map; "depth@12.5", "cohesion_ratio@12.5" (any raster of the frames), "particles@12.5" and
+    /// "particle_cohesion@12.5" name the frame nearest in time [s]; "uncertainty" is that of `frana converge` beside
+    /// the result. Throws Error(input) listing the available names.
     [[nodiscard]] MapLayer map_layer(const std::string& name) const;
     /// Returns the particles of a frame for a map. Throws Error(input) if they were not written.
-    [[nodiscard]] MapLayer particle_layer(const StoredFrame& frame) const;
+    [[nodiscard]] MapLayer particle_layer(const StoredFrame& frame, const ParticleQuantity& quantity) const;
     /// Returns the names of the run's rasters that can be drawn; terrain and bed are under all maps and not included.
     [[nodiscard]] std::vector<std::string> drawable() const;
     /// As listed at the first call, at least one: of an unfinished run without those that come later. Throws
@@ -46,7 +47,7 @@ class ResultReader {
     [[nodiscard]] const std::vector<StoredFrame>& frames() const;
     /// Whether its run is unfinished: it has frames, no maxima, and no summary, which comes last.
     [[nodiscard]] bool under_way() const { return !has(k_summary_file) && !has("max_depth.tif") && has(k_frame_list); }
-    /// Of "depth" or "velocity": the maximum over time, of an unfinished run over its frames so far. Throws
+    /// Of a raster of the frames: the maximum over time; if no max_NAME.tif gives it, over the frames so far. Throws
     /// Error(input).
     [[nodiscard]] const MapLayer& greatest(const std::string& quantity) const;
     /// Of its rasters, from the first of them.

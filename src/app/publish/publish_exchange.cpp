@@ -90,8 +90,8 @@ void publish_frame_stacks(const Prepared& prepared, const ResultDirectory& direc
         for (const StoredFrame& frame : frames) times.push_back(frame.time);
         gis::FrameStack stack(directory.path(file), format, prepared.scene.grid, times, provenance(prepared));
         for (std::size_t i = 0; i < frames.size(); ++i) {
-            stack.add(i, gis::read_result_raster(frames[i].depth_file),
-                      gis::read_result_raster(frames[i].velocity_file));
+            stack.add(i, gis::read_result_raster(frames[i].raster_file("depth")),
+                      gis::read_result_raster(frames[i].raster_file("velocity")));
         }
         stack.close();
     }

@@ -196,6 +196,10 @@ void FrameWriter::finish() {
     list(times_);
 }
 
+std::string StoredFrame::raster_file(const std::string& name) const {
+    return frame_path(folder, {name, ".tif"}, index);
+}
+
 std::vector<StoredFrame> stored_frames(const std::string& folder) {
     std::ifstream file(list_file(folder));
     if (!file) {
@@ -216,8 +220,8 @@ std::vector<StoredFrame> stored_frames(const std::string& folder) {
                 Problem{"is not a list of frames: a line is not the next index with a time not before the last",
                         list_file(folder), elided(valid_utf8(line), k_shown), "index,time_s", "The file is damaged"});
         }
-        const auto path = [&](const FrameFile& what) { return frame_path(folder, what, frames.size()); };
-        frames.push_back({*time, path(k_depth_file), path(k_velocity_file), path(k_particle_table)});
+        const std::size_t index = frames.size();
+        frames.push_back({*time, folder, index, frame_path(folder, k_particle_table, index)});
     }
     if (frames.empty())
         throw Error(ErrorKind::input,

@@ -86,9 +86,12 @@ class FrameWriter {
 
 struct StoredFrame {
     double time = 0;  ///< [s]
-    std::string depth_file;
-    std::string velocity_file;
+    std::string folder;
+    std::size_t index = 0;
     std::string particle_file;  ///< exists only if output.formats requests it
+
+    /// Of any raster of the frames.
+    [[nodiscard]] std::string raster_file(const std::string& name) const;
 };
 
 /// Returns the frames listed in frames.csv, at least one. Throws Error(input) if it is missing, empty or invalid.
