@@ -226,12 +226,13 @@ TEST(FlumeSample, ACrackFromTheCornerAlongHalfTheBlock) {
 }
 
 TEST(FlumeSample, WeakerBlocksBreakMore) {
-    const auto lost = [](const char* file) { return SampleRun(file, "0.05").at(0.9).lost; };
+    const auto lost = [](const char* file) { return SampleRun(file, "0.05").at(1).lost; };
     const double strong = lost("flume/strong.ini"), first = lost("flume/material_1.ini"),
                  second = lost("flume/material_2.ini");
-    EXPECT_LT(strong, 0.01);
-    EXPECT_GT(first, 0.02);
-    EXPECT_GT(second, first);
+    EXPECT_EQ(strong, 0);
+    EXPECT_NEAR(first, 0.19, 0.02);  // as its README tells; rounding decides about single particles
+    EXPECT_NEAR(second, 0.22, 0.02);
+    EXPECT_GT(second, first + 0.01);
 }
 
 // Sums over neighbours do not detect what alternates from particle to particle, so that a block at rest has stress
