@@ -14,7 +14,7 @@
 
 namespace frana {
 
-/// How steep terrain enters the map-plane equations (share/doc/model.md, "Unknowns"), as compile-time choices.
+/// Effect of steep terrain in the map-plane equations (share/doc/model.md, "Unknowns"), as compile-time choices.
 struct GentleSlope {
     static constexpr bool metric = false, thin_flow = false, curved = false;
 };
@@ -24,24 +24,24 @@ struct SurfaceSlope {
 struct NormalSlope {
     static constexpr bool metric = true, thin_flow = true, curved = false;
 };
-/// With the load that the motion over a curved bed adds (mpm/curvature.h). Particles and nodes then exchange the
-/// velocity along the bed (BedFrame). What is carried from one slope to another then keeps its energy; velocities in
-/// map view, taken from a gentle slope to a steep one, become faster.
+/// With the load of motion over a curved bed (mpm/curvature.h). Particles and nodes then exchange the velocity along
+/// the bed (BedFrame). Material that moves from one slope to another then keeps its energy; velocities in map view,
+/// transferred from a gentle slope to a steep one, would become faster.
 template <class Slope>
 struct Curved : Slope {
     static constexpr bool curved = true;  // cppcheck-suppress duplInheritedMember; hides it on purpose
 };
 
-/// What drives a node, and the ground it lies on.
+/// Driving accelerations of a node, and the slope of its bed.
 struct NodeDrive {
     double ax, ay;            ///< acceleration by pressure and slope [m/s2]
     double slope_x, slope_y;  ///< of the bed [-]
     double n;                 ///< 1 + |grad Z|^2; 1 without slope correction
-    double load;              ///< what the bed's curvature adds to what it supports, at least -g [m/s2]
+    double load;              ///< load of the bed's curvature, at least -g [m/s2]
     BedCurvature curvature;   ///< zero unless the slope is Curved
 };
 
-/// The bed's slope at a node, from the nodes beside it; 0 across the outermost rings.
+/// Returns the bed's slope at a node, from its neighbours; 0 across the outermost rings.
 inline Point node_slope(const NodeGrid& nodes, std::size_t i, std::int64_t column, std::int64_t row) noexcept {
     const double half_inverse_dx = 0.5 / nodes.cell_size();
     const double* bed = nodes.bed.data();
@@ -54,15 +54,15 @@ inline Point node_slope(const NodeGrid& nodes, std::size_t i, std::int64_t colum
     return slope;
 }
 
-/// In which a node's velocity along the bed is counted: of its slope where material follows the bed, level where it
-/// ponds, since still water's waves move it level however steep the ground is.
+/// Returns the frame of a node's velocity along the bed: that of its slope where material follows the bed, level where
+/// it ponds, since waves on still water move it horizontally however steep the ground is.
 inline BedFrame node_frame(const NodeGrid& nodes, std::size_t i, std::int64_t column, std::int64_t row) noexcept {
     const Point slope = node_slope(nodes, i, column, row);
     const double follows = nodes.levels.size() != 0 ? 1 - nodes.levels[i].ponding : 1;
     return BedFrame::of({follows * slope.x, follows * slope.y});
 }
 
-/// The ground under a node and what its curvature adds to gravity; no acceleration yet.
+/// Returns the slope under a node and the load of its curvature; no acceleration yet.
 template <class Slope>
 NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
     const Point slope = node_slope(nodes, i, column, row);
@@ -76,8 +76,8 @@ NodeDrive ground_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, s
     return d;
 }
 
-/// Turns the momenta along the bed that the particles brought into momenta in map view. After all are gathered; before
-/// anything else reads them.
+/// Converts the nodes' momenta along the bed to momenta in map view. Call after all are gathered and before they are
+/// used.
 inline void momenta_to_map(const NodeRange& range, NodeGrid& nodes) {
     range.for_each(nodes.stride(), [&](std::size_t i, std::int64_t column, std::int64_t row) {
         NodeForces& node = nodes.forces()[i];
@@ -88,25 +88,24 @@ inline void momenta_to_map(const NodeRange& range, NodeGrid& nodes) {
     });
 }
 
-/// Least fraction of g that vertical acceleration may leave as divisor: a layer that its bed throws upwards
-/// weighs at most twice as much.
+/// Least fraction of g that vertical acceleration may leave as divisor: flow accelerated upwards by its bed has at most
+/// twice its weight.
 inline constexpr double k_least_bearing = 0.5;
 
-/// Acceleration of a node that holds mass. With S = grad(h + Z) and n = 1 + |grad Z|^2:
+/// Returns the acceleration of a node with mass. With S = grad(h + Z) and n = 1 + |grad Z|^2:
 ///     gentle   a = -g S
 ///     surface  a = -(g/n) S
 ///     normal   a = -g' S,  g' = g + a . grad Z = g / (1 + S . grad Z)
-/// The last is the weight of a layer whose vertical acceleration is that of its bed (Denlinger and Iverson
-/// 2004, J. Geophys. Res. 109, F01014). A uniform layer has g' = g / n, a level pool g' = g however steep its
-/// walls. Where the surface is steeper than the bed (fronts) the linear terms in grad h are kept alone, as in
-/// Savage and Hutter (1989):
+/// The last is the weight of a flow whose vertical acceleration is that of its bed (Denlinger and Iverson 2004, J.
+/// Geophys. Res. 109, F01014). Uniform flow has g' = g / n, a level pool g' = g however steep its walls. Where the
+/// surface is steeper than the bed (fronts) only the linear terms in grad h are kept, as in Savage and Hutter (1989):
 ///     a = -(g/n) [ grad Z + G^-1 grad h ],  G^-1 = I - grad Z grad Z^T / n
-/// The load of the motion over the bed's curvature is not in it: see turn_by_bed.
+/// The load of the motion over the bed's curvature is not included: see turn_by_bed.
 /// Reads NodeForces; NodeLevel (if allocated); bed.
 template <class Slope>
 NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, std::int64_t column, std::int64_t row) {
     NodeDrive d = ground_of<Slope>(nodes, k, i, column, row);
-    // The part of gravity that the reference state held back from the particles' sum.
+    // The part of gravity that the reference state removed from the particles' sum.
     const double weight =
         nodes.levels.size() != 0 ? k.gravity * nodes.levels[i].support * (1 - nodes.levels[i].ponding) : 0;
     const NodeForces& node = nodes.forces()[i];
@@ -133,15 +132,14 @@ NodeDrive drive_of(const NodeGrid& nodes, const NodeUpdate& k, std::size_t i, st
 
 /// Marks the nodes that static friction keeps at rest: NodeForces::held.
 ///
-/// At the rim of a resting mass the outermost nodes gather much pressure and little weight: alone each would
-/// creep. A node slower than friction can stop in a few steps is therefore judged with its eight neighbours:
-/// it stays where friction on all nine can stop all nine within this step.
+/// At the edge of a resting mass the outermost nodes have much pressure and little weight: each alone would creep. A
+/// node slower than friction can stop in a few steps is therefore judged with its eight neighbours: it stays at rest if
+/// friction on all nine can stop all nine within this step.
 template <class Slope, class Friction>
 void find_held_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, NodeGrid& nodes) {
     constexpr double k_slow = 4;
     const std::int64_t stride = nodes.stride(), rows = nodes.padded_rows();
-    // What a node would have after the step without friction, and its fraction in the bound: nine nodes ask for
-    // it.
+    // A node's momentum after the step without friction, and its contribution to the bound: used by nine nodes.
     struct Pull {
         double px, py, held;
     };
@@ -180,10 +178,9 @@ void find_held_nodes(const NodeRange& range, const NodeUpdate& k, const Friction
     });
 }
 
-/// New nodal velocities (paper, equations 31-32): what drives the node, then bed friction as a cap on the
-/// speed along the bed that stops but never reverses. Reads NodeForces, NodeLevel (if allocated), bed; turns
-/// the records that hold mass into NodeMotion. Calls observe(node, depth, speed) for every node
-/// deeper than the minimum.
+/// Computes new nodal velocities (paper, equations 31-32): driving forces, then bed friction as a cap on the speed
+/// along the bed that stops but never reverses. Reads NodeForces, NodeLevel (if allocated), bed; converts the records
+/// with mass to NodeMotion. Calls observe(node, depth, speed) for every node deeper than the minimum.
 template <class Slope, class Friction, class Observe>
 NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Friction& friction, NodeGrid& nodes,
                         const Observe& observe) {
@@ -230,9 +227,9 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         }
         const double support = levels ? levels[i].support : 0;
         const double cell_depth = shown_depth(node.mass, node.area, support, node.crowding, inverse_area);
-        // The particles' own mean velocity: the new nodal one overshoots where a node holds next to nothing.
+        // The particles' own mean velocity: the new nodal one overshoots at nodes with almost no mass.
         const double brought = bed.speed(old);
-        // Ghosts mirror what nodes inside hold already.
+        // Ghosts mirror nodes inside, which are counted already.
         if (!ghost && brought > k.moving_speed) report.moving += node.mass;
         if constexpr (Slope::curved) report.unsupported += drive.load <= -k.gravity;  // however thin: tips fly first
         if (cell_depth < k.minimum_depth) {
