@@ -63,6 +63,9 @@ GdalSession::GdalSession() {
         // waits for ever for a thread that could not be started for lack of address space.
         if (CPLGetConfigOption("GDAL_NUM_THREADS", nullptr) == nullptr)
             CPLSetConfigOption("GDAL_NUM_THREADS", mapping_is_limited() ? "1" : "ALL_CPUS");
+        // A twentieth of the machine's memory for blocks that were read is more than reading needs.
+        constexpr GIntBig k_cache_bytes = 128 << 20;
+        if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr) GDALSetCacheMax64(k_cache_bytes);
     });
     CPLPushErrorHandlerEx(keep, this);
 }

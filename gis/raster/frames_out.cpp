@@ -126,15 +126,21 @@ FrameStack::~FrameStack() = default;
 
 void FrameStack::add(std::size_t index, const Raster& depth, const Raster& velocity) {
     Parts& p = *parts_;
-    const auto write = [&](const Array& array, const Raster& raster) {
+    // What is not written has no data.
+    const auto write_part = [&](const Array& array, const Raster& raster, const CellWindow& window) {
         std::vector<float> values(raster.values.size());
         std::transform(raster.values.begin(), raster.values.end(), values.begin(), [](double value) {
             return std::isfinite(value) ? static_cast<float>(value) : static_cast<float>(k_file_nodata);
         });
-        const GUInt64 start[3] = {index, 0, 0};
+        const GUInt64 start[3] = {index, static_cast<GUInt64>(window.row), static_cast<GUInt64>(window.column)};
         const size_t count[3] = {1, static_cast<size_t>(raster.grid.rows), static_cast<size_t>(raster.grid.columns)};
         if (!array->Write(start, count, nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float32), values.data()))
             p.refuse();
+    };
+    const auto write = [&](const Array& array, const Raster& raster) {
+        if (!raster.values.is_tiled()) return write_part(array, raster, {0, 0, raster.grid.rows, raster.grid.columns});
+        for (const CellWindow& window : raster.values.stored_windows(raster.grid.columns))
+            write_part(array, part_of(raster, window), window);
     };
     write(p.depth, depth);
     write(p.velocity, velocity);

@@ -35,10 +35,27 @@ Raster read_result_raster(const std::string& path) {
     grid.columns = info.columns;
     grid.rows = info.rows;
     grid.crs_wkt = info.crs_wkt.empty() ? "" : horizontal_crs(info.crs_wkt);
-    Raster raster;
-    raster.grid = grid;
-    raster.values =
-        source.read({0, 0, static_cast<int>(info.columns), static_cast<int>(info.rows)}, info.vertical_scale_to_metres);
+    Raster raster(grid, k_no_data);
+    if (!raster.values.is_tiled()) {
+        raster.values = source.read({0, 0, static_cast<int>(info.columns), static_cast<int>(info.rows)},
+                                    info.vertical_scale_to_metres);
+        return raster;
+    }
+    // What the file does not hold is not read.
+    constexpr std::int64_t k_at_once = 4 * CellValues::k_side;
+    for (std::int64_t row = 0; row < grid.rows; row += k_at_once) {
+        for (std::int64_t column = 0; column < grid.columns; column += k_at_once) {
+            const Window window{static_cast<int>(column), static_cast<int>(row),
+                                static_cast<int>(std::min(k_at_once, grid.columns - column)),
+                                static_cast<int>(std::min(k_at_once, grid.rows - row))};
+            if (!source.holds_any(window)) continue;
+            const std::vector<double> values = source.read(window, info.vertical_scale_to_metres);
+            for (std::size_t k = 0; k < values.size(); ++k)
+                if (!std::isnan(values[k]))
+                    raster.at(row + static_cast<std::int64_t>(k) / window.columns,
+                              column + static_cast<std::int64_t>(k) % window.columns) = values[k];
+        }
+    }
     return raster;
 }
 

@@ -112,13 +112,28 @@ CrsTransform transform_to_grid(const std::string& source_crs, const GridSpec& gr
     return {source_crs, grid.crs_wkt, CrsTransform(grid.crs_wkt, source_crs, grid.bounds()).around(grid.bounds())};
 }
 
+/// The file's CRS, or the one that stands in for it. Throws Error(input) where one is needed and there is none.
+std::string crs_of(const RasterSource& source, const GridSpec& target, const std::string& source_crs_override) {
+    const std::string crs = source_crs_override.empty() ? source.info().crs_wkt : source_crs_override;
+    if (crs.empty() && !target.crs_wkt.empty()) {
+        throw Error(ErrorKind::input,
+                    Problem{"the raster names no coordinate reference system", source.info().path, "", "",
+                            "Assign one (gdal_edit.py -a_srs EPSG:32632 FILE), or use crs = local throughout"});
+    }
+    return crs;
+}
+
+VerticalUnit unit_of(const RasterSource& source, const std::string& source_crs, const std::string& vertical_unit) {
+    return vertical_unit == "auto" ? vertical_unit_of(source.info().band_unit, source_crs)
+                                   : vertical_unit_named(vertical_unit);
+}
+
 void read_onto(const RasterSource& source, const std::string& source_crs, Resampling resampling,
                const std::string& vertical_unit, RasterRead& read) {
     const GridSpec& grid = read.raster.grid;
     const CrsTransform to_grid = transform_to_grid(source_crs, grid);
     read.transform = to_grid.info();
-    const VerticalUnit unit = vertical_unit == "auto" ? vertical_unit_of(source.info().band_unit, source_crs)
-                                                      : vertical_unit_named(vertical_unit);
+    const VerticalUnit unit = unit_of(source, source_crs, vertical_unit);
     if (std::string warning = unit_warning(source.info(), unit, source_crs); !warning.empty()) {
         read.warnings.push_back(std::move(warning));
     }
@@ -140,18 +155,92 @@ void read_onto(const RasterSource& source, const std::string& source_crs, Resamp
 
 }  // namespace
 
+struct RasterOnDemand::Parts {
+    std::string path, where;
+    GridSpec grid;
+    RasterSource source;
+    CrsTransform to_grid{"", ""};
+    double unit = 1;
+    std::optional<Point> corner{};  // of the grid in the file's cells; none: it is warped
+    GDALResampleAlg algorithm = GRA_NearestNeighbour;
+    Point scale{1, 1};
+    RasterRead known{};
+
+    Parts(const std::string& file, const std::string& key, const GridSpec& target)
+        : path(file), where(key.empty() ? file : key + ": " + file), grid(target), source(file, where) {}
+};
+
+RasterOnDemand::RasterOnDemand(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
+                               Resampling resampling, const std::string& vertical_unit,
+                               std::optional<double> nodata_value, const std::string& where)
+    : parts_(std::make_unique<Parts>(path, where, target)) {
+    const GdalSession session;
+    Parts& p = *parts_;
+    if (nodata_value) p.source.declare_nodata(*nodata_value);
+    const std::string crs = crs_of(p.source, target, source_crs_override);
+    try {
+        p.to_grid = transform_to_grid(crs, target);
+        p.known.transform = p.to_grid.info();
+        const VerticalUnit unit = unit_of(p.source, crs, vertical_unit);
+        p.unit = unit.metres;
+        if (std::string warning = unit_warning(p.source.info(), unit, crs); !warning.empty())
+            p.known.warnings.push_back(std::move(warning));
+        Point corner;
+        if (cells_coincide(p.source, p.to_grid, target, corner)) {
+            p.corner = corner;
+            p.known.resampling_used = "exact copy";
+            return;
+        }
+        p.scale = RasterWarp(p.source, p.to_grid, GRA_NearestNeighbour, p.unit).source_cells_per_cell(target);
+        const Method method = method_for(resampling, p.scale);
+        p.algorithm = method.algorithm;
+        p.known.resampling_used = method.name;
+    } catch (const Error& error) {
+        rethrow_naming(p.where, error);
+    }
+}
+
+RasterOnDemand::~RasterOnDemand() = default;
+
+const RasterRead& RasterOnDemand::known() const noexcept {
+    return parts_->known;
+}
+
+std::vector<std::string> RasterOnDemand::suspicions() const {
+    const std::string warning = parts_->source.suspicion();
+    return warning.empty() ? std::vector<std::string>() : std::vector{warning};
+}
+
+void RasterOnDemand::read(const CellWindow& window, double* values) const {
+    const Parts& p = *parts_;
+    const GdalSession session;
+    try {
+        const GridSpec part = part_of(p.grid, window);
+        if (!p.corner) {
+            RasterWarp(p.source, p.to_grid, p.algorithm, p.unit).fill_part(part, p.scale, values);
+            return;
+        }
+        Raster cells;
+        cells.grid = part;
+        cells.values = std::vector<double>(static_cast<std::size_t>(part.cell_count()), k_no_data);
+        const bool from_south = p.source.geo_transform()[5] > 0;
+        const auto row = static_cast<double>(window.row);
+        copy_cells(p.source,
+                   {p.corner->x + static_cast<double>(window.column), p.corner->y + (from_south ? -row : row)}, p.unit,
+                   cells);
+        std::copy(cells.values.begin(), cells.values.end(), values);
+    } catch (const Error& error) {
+        rethrow_naming(p.where, error);
+    }
+}
+
 RasterRead read_raster_on(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
                           Resampling resampling, const std::string& vertical_unit, std::optional<double> nodata_value,
                           const std::string& where) {
     const GdalSession session;
     RasterSource source(path, where.empty() ? path : where);
     if (nodata_value) source.declare_nodata(*nodata_value);
-    const std::string crs = source_crs_override.empty() ? source.info().crs_wkt : source_crs_override;
-    if (crs.empty() && !target.crs_wkt.empty()) {
-        throw Error(ErrorKind::input,
-                    Problem{"the raster names no coordinate reference system", path, "", "",
-                            "Assign one (gdal_edit.py -a_srs EPSG:32632 FILE), or use crs = local throughout"});
-    }
+    const std::string crs = crs_of(source, target, source_crs_override);
     RasterRead read;
     read.raster = Raster(target, k_no_data);
     try {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,6 +63,28 @@ struct RasterRead {
 RasterRead read_raster_on(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
                           Resampling resampling, const std::string& vertical_unit = "auto",
                           std::optional<double> nodata_value = std::nullopt, const std::string& where = {});
+
+/// A raster of which parts are brought onto a grid when they are asked for, as read_raster_on would bring the whole.
+/// Between different CRS the places of cells are computed one by one, there interpolated within a hundredth of a cell.
+class RasterOnDemand {
+  public:
+    /// Parameters and errors are those of read_raster_on.
+    RasterOnDemand(const std::string& path, const GridSpec& target, const std::string& source_crs_override,
+                   Resampling resampling, const std::string& vertical_unit, std::optional<double> nodata_value,
+                   const std::string& where);
+    ~RasterOnDemand();
+
+    /// Fills a window of the grid, row by row; NaN where the file has no data or does not reach. Throws Error(input).
+    void read(const CellWindow& window, double* values) const;
+    /// What is known before anything is read: no raster, no counts.
+    [[nodiscard]] const RasterRead& known() const noexcept;
+    /// Warnings of customary "no data" that was read so far and that the file does not declare.
+    [[nodiscard]] std::vector<std::string> suspicions() const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
 
 /// Reads a whole raster on its own grid, as frana writes them: north up, square cells. Throws Error(input) otherwise.
 Raster read_result_raster(const std::string& path);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "core/error.h"
@@ -31,18 +32,22 @@ constexpr std::uint8_t k_no_class = 0;
                         "Check that the folder exists, may be written and has free space"});
 }
 
-GdalDataset in_memory(const GridSpec& grid, GDALDataType type, double nodata) {
-    GdalDataset dataset(GDALCreate(GDALGetDriverByName("MEM"), "", static_cast<int>(grid.columns),
-                                   static_cast<int>(grid.rows), 1, type, nullptr));
+void place(GDALDatasetH dataset, const GridSpec& grid, double nodata) {
     std::array<double, 6> geo{grid.west, grid.cell_size, 0, grid.north, 0, -grid.cell_size};
-    GDALSetGeoTransform(dataset.get(), geo.data());
+    GDALSetGeoTransform(dataset, geo.data());
     if (!grid.crs_wkt.empty()) {
         OGRSpatialReferenceH crs = OSRNewSpatialReference(grid.crs_wkt.c_str());
         OSRSetAxisMappingStrategy(crs, OAMS_TRADITIONAL_GIS_ORDER);
-        GDALSetSpatialRef(dataset.get(), crs);
+        GDALSetSpatialRef(dataset, crs);
         OSRDestroySpatialReference(crs);
     }
-    GDALSetRasterNoDataValue(GDALGetRasterBand(dataset.get(), 1), nodata);
+    GDALSetRasterNoDataValue(GDALGetRasterBand(dataset, 1), nodata);
+}
+
+GdalDataset in_memory(const GridSpec& grid, GDALDataType type, double nodata) {
+    GdalDataset dataset(GDALCreate(GDALGetDriverByName("MEM"), "", static_cast<int>(grid.columns),
+                                   static_cast<int>(grid.rows), 1, type, nullptr));
+    place(dataset.get(), grid, nodata);
     return dataset;
 }
 
@@ -56,7 +61,7 @@ void set_texts(GDALDatasetH dataset, const BandText& text) {
 }
 
 /// Of the values in the file, not of those before rounding.
-void set_statistics(GDALDatasetH dataset, const std::vector<float>& values) {
+void set_statistics(GDALDatasetH dataset, const std::vector<float>& values, std::size_t cells) {
     double least = HUGE_VAL, greatest = -HUGE_VAL, sum = 0, squares = 0;
     std::size_t count = 0;
     for (const float value : values) {
@@ -79,7 +84,7 @@ void set_statistics(GDALDatasetH dataset, const std::vector<float>& values) {
     set("STATISTICS_MAXIMUM", greatest);
     set("STATISTICS_MEAN", mean);
     set("STATISTICS_STDDEV", std::sqrt(squares / static_cast<double>(count)));
-    set("STATISTICS_VALID_PERCENT", 100.0 * static_cast<double>(count) / static_cast<double>(values.size()));
+    set("STATISTICS_VALID_PERCENT", 100.0 * static_cast<double>(count) / static_cast<double>(cells));
 }
 
 /// Halved until one block contains all. Made in memory, they need no temporary file.
@@ -137,14 +142,91 @@ GdalDataset in_memory(const std::string& path, const GridSpec& grid, const std::
     return dataset;
 }
 
+/// A large map's: only the blocks in which something lies are written, and there are no overviews.
+void write_sparse(const std::string& path, const Raster& raster, GDALDataType type, double nodata,
+                  const char* predictor, const std::function<void(GDALDatasetH)>& describe) {
+    const GdalSession session;
+    const NoSideFiles quiet;
+    const MemoryFolder memory;
+    const GridSpec& grid = raster.grid;
+    CPLStringList options;
+    options.SetNameValue("TILED", "YES");
+    options.SetNameValue("BLOCKXSIZE", std::to_string(k_block).c_str());
+    options.SetNameValue("BLOCKYSIZE", std::to_string(k_block).c_str());
+    options.SetNameValue("SPARSE_OK", "TRUE");
+    options.SetNameValue("COMPRESS", "DEFLATE");
+    options.SetNameValue("PREDICTOR", predictor);
+    {
+        GDALDriverH const driver = GDALGetDriverByName("GTiff");
+        const GdalDataset written(GDALCreate(driver, memory.place_of(path).c_str(), static_cast<int>(grid.columns),
+                                             static_cast<int>(grid.rows), 1, type, options.List()));
+        if (!written) refuse(path, session);
+        place(written.get(), grid, nodata);
+        describe(written.get());
+        for (std::int64_t row = 0; row < grid.rows; row += k_block) {
+            for (std::int64_t column = 0; column < grid.columns; column += k_block) {
+                const CellWindow window{row, column, std::min<std::int64_t>(k_block, grid.rows - row),
+                                        std::min<std::int64_t>(k_block, grid.columns - column)};
+                if (!raster.values.stores_any(window)) continue;
+                Raster block = part_of(raster, window);
+                bool empty = true;
+                for (double& value : block.values.dense()) {
+                    empty = empty && !std::isfinite(value);
+                    if (!std::isfinite(value)) value = nodata;
+                }
+                if (empty) continue;
+                if (GDALRasterIO(GDALGetRasterBand(written.get(), 1), GF_Write, static_cast<int>(column),
+                                 static_cast<int>(row), static_cast<int>(window.columns), static_cast<int>(window.rows),
+                                 block.values.data(), static_cast<int>(window.columns), static_cast<int>(window.rows),
+                                 GDT_Float64, 0, 0) != CE_None) {
+                    refuse(path, session);
+                }
+            }
+        }
+        GDALFlushCache(written.get());
+    }
+    if (session.failed()) refuse(path, session);
+    memory.write_to_disk(path);
+}
+
+void set_classes(GDALRasterBandH band, const std::vector<ClassEntry>& classes) {
+    GDALColorTableH colours = GDALCreateColorTable(GPI_RGB);
+    const GDALColorEntry clear{0, 0, 0, 0};
+    GDALSetColorEntry(colours, k_no_class, &clear);
+    for (const ClassEntry& entry : classes) {
+        const GDALColorEntry colour{entry.colour.r, entry.colour.g, entry.colour.b, 255};
+        GDALSetColorEntry(colours, entry.value, &colour);
+        const std::string key = "CLASS_" + std::to_string(entry.value);
+        GDALSetMetadataItem(band, key.c_str(), entry.label.c_str(), nullptr);
+    }
+    GDALSetRasterColorTable(band, colours);
+    GDALDestroyColorTable(colours);
+}
+
+/// What a sparse file would hold, for its statistics.
+std::vector<float> stored_values(const Raster& raster) {
+    std::vector<float> values;
+    raster.values.for_each_stored([&](std::size_t, double value) {
+        if (std::isfinite(value)) values.push_back(static_cast<float>(value));
+    });
+    return values;
+}
+
 }  // namespace
 
 void write_geotiff(const std::string& path, const Raster& raster, const BandText& text) {
     const GdalSession session;
+    if (raster.values.is_tiled()) {
+        write_sparse(path, raster, GDT_Float32, k_file_nodata, "3", [&](GDALDatasetH dataset) {
+            set_texts(dataset, text);
+            set_statistics(dataset, stored_values(raster), raster.values.size());
+        });
+        return;
+    }
     const std::vector<float> values = file_values(raster);
     const GdalDataset dataset = in_memory(path, raster.grid, values);
     set_texts(dataset.get(), text);
-    set_statistics(dataset.get(), values);
+    set_statistics(dataset.get(), values, values.size());
     write_cog(path, dataset.get(), "AVERAGE", "FLOATING_POINT");
 }
 
@@ -167,36 +249,30 @@ void write_ascii_grid(const std::string& path, const Raster& raster) {
 void write_class_geotiff(const std::string& path, const Raster& raster, const std::vector<ClassEntry>& classes,
                          const BandText& text) {
     const GdalSession session;
-    std::vector<std::uint8_t> values(raster.values.size(), k_no_class);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const double value = raster.values[i];
-        if (std::isnan(value) || value == k_no_class) continue;
+    const bool sparse = raster.values.is_tiled();
+    std::vector<std::uint8_t> values(sparse ? 0 : raster.values.size(), k_no_class);
+    raster.values.for_each_stored([&](std::size_t cell, double value) {
+        if (std::isnan(value) || value == k_no_class) return;
         const auto entry =
             std::find_if(classes.begin(), classes.end(), [value](const ClassEntry& one) { return value == one.value; });
         if (entry == classes.end()) {
             throw Error(ErrorKind::input, Problem{"a cell has a value that is not a class", path, shortest_text(value),
                                                   std::to_string(classes.size()) + " named classes", ""});
         }
-        values[i] = entry->value;
-    }
+        if (!sparse) values[cell] = entry->value;
+    });
+    const auto describe = [&](GDALDatasetH dataset) {
+        set_classes(GDALGetRasterBand(dataset, 1), classes);
+        set_texts(dataset, text);
+    };
+    if (sparse) return write_sparse(path, raster, GDT_Byte, k_no_class, "1", describe);
     const GdalDataset dataset = in_memory(raster.grid, GDT_Byte, k_no_class);
     GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
     const int columns = static_cast<int>(raster.grid.columns), rows = static_cast<int>(raster.grid.rows);
     if (GDALRasterIO(band, GF_Write, 0, 0, columns, rows, values.data(), columns, rows, GDT_Byte, 0, 0) != CE_None) {
         refuse(path, session);
     }
-    GDALColorTableH colours = GDALCreateColorTable(GPI_RGB);
-    const GDALColorEntry clear{0, 0, 0, 0};
-    GDALSetColorEntry(colours, k_no_class, &clear);
-    for (const ClassEntry& entry : classes) {
-        const GDALColorEntry colour{entry.colour.r, entry.colour.g, entry.colour.b, 255};
-        GDALSetColorEntry(colours, entry.value, &colour);
-        const std::string key = "CLASS_" + std::to_string(entry.value);
-        GDALSetMetadataItem(band, key.c_str(), entry.label.c_str(), nullptr);
-    }
-    GDALSetRasterColorTable(band, colours);
-    GDALDestroyColorTable(colours);
-    set_texts(dataset.get(), text);
+    describe(dataset.get());
     write_cog(path, dataset.get(), "NEAREST", "NO");
 }
 

@@ -223,4 +223,10 @@ RasterInfo inspect_raster(const std::string& path, const std::string& where) {
     return RasterSource(path, where).info();
 }
 
+bool RasterSource::holds_any(const Window& window) const noexcept {
+    const int status = GDALGetDataCoverageStatus(band_, window.column, window.row, window.columns, window.rows,
+                                                 GDAL_DATA_COVERAGE_STATUS_DATA, nullptr);
+    return (status & GDAL_DATA_COVERAGE_STATUS_UNIMPLEMENTED) != 0 || (status & GDAL_DATA_COVERAGE_STATUS_DATA) != 0;
+}
+
 }  // namespace frana::gis

@@ -45,6 +45,9 @@ class RasterSource {
     /// window.
     [[nodiscard]] std::vector<double> read_coarse(const Window& window, int columns, int rows, double unit) const;
 
+    /// Returns whether the file contains anything of a window, as far as it says: files may leave out empty blocks.
+    [[nodiscard]] bool holds_any(const Window& window) const noexcept;
+
     /// Adds a stored value that means "no data", besides the file's.
     void declare_nodata(double stored) noexcept { declared_ = stored; }
     /// Returns a warning if the values read include a common "no data" value that the file does not declare, else an

@@ -127,7 +127,7 @@ Window RasterWarp::source_window(const GridSpec& strip, Point scale) const {
     return window;
 }
 
-void RasterWarp::fill_strip(const GridSpec& grid, Point scale, double* values) const {
+void RasterWarp::fill_strip(const GridSpec& grid, Point scale, double* values, bool exactly) const {
     Strip strip;
     std::memcpy(strip.head.abySignature, "FRAN", 4);
     strip.head.pszClassName = "frana";
@@ -154,8 +154,9 @@ void RasterWarp::fill_strip(const GridSpec& grid, Point scale, double* values) c
     GDALWarpInitDefaultBandMapping(options.get(), 1);
     GDALWarpInitSrcNoDataReal(options.get(), k_no_data);
     GDALWarpInitDstNoDataReal(options.get(), k_no_data);
-    options->pfnTransformer = to_grid_.is_identity() ? &RasterWarp::transform : GDALApproxTransform;
-    options->pTransformerArg = to_grid_.is_identity() ? static_cast<void*>(&strip) : approximate.get();
+    exactly = exactly || to_grid_.is_identity();
+    options->pfnTransformer = exactly ? &RasterWarp::transform : GDALApproxTransform;
+    options->pTransformerArg = exactly ? static_cast<void*>(&strip) : approximate.get();
     // The kernel's width must follow from the cells alone, not from the division into strips.
     const auto kernel = [](double cells) { return shortest_text(cells > 1 ? 1 / cells : 1); };
     char** words = nullptr;
@@ -174,13 +175,13 @@ void RasterWarp::fill_strip(const GridSpec& grid, Point scale, double* values) c
     }
 }
 
-void RasterWarp::average_strip(const GridSpec& strip, Point scale, int points, double* values) const {
+void RasterWarp::average_strip(const GridSpec& strip, Point scale, int points, double* values, bool exactly) const {
     GridSpec fine = strip;
     fine.cell_size /= points;
     fine.columns *= points;
     fine.rows *= points;
     std::vector<double> surface(fine.cell_count());
-    fill_strip(fine, {scale.x / points, scale.y / points}, surface.data());
+    fill_strip(fine, {scale.x / points, scale.y / points}, surface.data(), exactly);
     for (std::int64_t row = 0; row < strip.rows; ++row) {
         for (std::int64_t column = 0; column < strip.columns; ++column) {
             double sum = 0;
@@ -195,6 +196,14 @@ void RasterWarp::average_strip(const GridSpec& strip, Point scale, int points, d
             }
             values[row * strip.columns + column] = count > 0 ? sum / count : k_no_data;
         }
+    }
+}
+
+void RasterWarp::fill_part(const GridSpec& part, Point scale, double* values) const {
+    if (algorithm_ == GRA_Average) {
+        average_strip(part, scale, points_per_side(scale), values, true);
+    } else {
+        fill_strip(part, scale, values, true);
     }
 }
 

@@ -27,6 +27,11 @@ class RasterWarp {
     /// source cell times its slope.
     void fill(Raster& target) const;
 
+    /// The same for a part of a grid, row by row, with every cell's place computed: the values do not depend on how the
+    /// grid is cut into parts.
+    /// @param scale source_cells_per_cell of the whole grid
+    void fill_part(const GridSpec& part, Point scale, double* values) const;
+
     /// GDAL's transformer: cells of a strip to cells of a source window and back.
     static int transform(void* self, int to_source, int count, double* x, double* y, double* z, int* good);
 
@@ -34,8 +39,8 @@ class RasterWarp {
     struct Strip;
     /// Returns the source's cell at a place in its CRS; longitudes in the source's range.
     [[nodiscard]] Point source_cell(Point map) const noexcept;
-    void fill_strip(const GridSpec& strip, Point scale, double* values) const;
-    void average_strip(const GridSpec& strip, Point scale, int points, double* values) const;
+    void fill_strip(const GridSpec& strip, Point scale, double* values, bool exactly = false) const;
+    void average_strip(const GridSpec& strip, Point scale, int points, double* values, bool exactly = false) const;
 
     const RasterSource& source_;
     const CrsTransform& to_grid_;

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "gis/access/gdal_session.h"
 #include "gis/access/memory_dataset.h"
+#include "gis/raster/footprint.h"
 #include "gis/vector/polygon_geometry.h"
 
 namespace frana::gis {
@@ -49,6 +50,12 @@ Raster coverage(const MultiPolygon& polygons, const GridSpec& grid) {
     const GdalSession session;
     Raster mask(grid, 0.0);
     if (polygons.empty() || grid.cell_count() == 0) return mask;
+    if (mask.values.is_tiled()) {
+        for (const Polygon& polygon : polygons)
+            visit_cells({polygon}, grid, Cover::centres,
+                        [&](std::int64_t row, std::int64_t column) { mask.at(row, column) = 1; });
+        return mask;
+    }
     const GdalDataset dataset = on_grid(mask);
     std::vector<std::unique_ptr<OGRPolygon>> owned;
     std::vector<OGRGeometryH> handles;
@@ -68,10 +75,21 @@ Raster coverage(const MultiPolygon& polygons, const GridSpec& grid) {
 
 MultiPolygon polygonise(const Raster& mask) {
     const GdalSession session;
-    Raster inside(mask.grid, 0.0);
-    for (std::size_t i = 0; i < mask.values.size(); ++i) {
-        inside.values[i] = !std::isnan(mask.values[i]) && mask.values[i] != 0 ? 1.0 : 0.0;
+    if (mask.values.is_tiled()) {
+        MultiPolygon outlines;
+        for (const CellWindow& window : mask.values.stored_windows(mask.grid.columns)) {
+            Raster part = part_of(mask, window);
+            static_cast<void>(part.values.dense());  // however large it is
+            const MultiPolygon more = polygonise(part);
+            outlines.insert(outlines.end(), more.begin(), more.end());
+        }
+        return outlines;
     }
+    Raster inside(mask.grid, 0.0);
+    static_cast<void>(inside.values.dense());
+    mask.values.for_each_stored([&](std::size_t cell, double value) {
+        if (!std::isnan(value) && value != 0) inside.values[cell] = 1;
+    });
     const GdalDataset dataset = on_grid(inside);
     GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
     const MemoryLayer shapes = memory_layer(wkbPolygon, "inside");

@@ -29,6 +29,11 @@ Raster raster_window(const Raster& raster, const Bounds& window, std::int64_t mo
     part = Raster(spec);
     for (std::int64_t row = 0; row < spec.rows; ++row) {
         for (std::int64_t column = 0; column < spec.columns; ++column) {
+            const std::int64_t r0 = first_row + row * block, c0 = first_column + column * block;
+            if (!raster.values.stores_any({r0, c0, block, block})) {
+                part.at(row, column) = raster.at(r0, c0);
+                continue;
+            }
             double sum = 0;
             std::int64_t count = 0;
             for (std::int64_t r = first_row + row * block; r < std::min(first_row + (row + 1) * block, last_row); ++r) {
@@ -47,15 +52,15 @@ Raster raster_window(const Raster& raster, const Bounds& window, std::int64_t mo
 std::optional<Bounds> data_bounds(const Raster& raster) {
     const GridSpec& grid = raster.grid;
     std::int64_t first_row = grid.rows, last_row = -1, first_column = grid.columns, last_column = -1;
-    for (std::int64_t row = 0; row < grid.rows; ++row) {
-        for (std::int64_t column = 0; column < grid.columns; ++column) {
-            if (!raster.has_data(row, column)) continue;
-            first_row = std::min(first_row, row);
-            last_row = std::max(last_row, row);
-            first_column = std::min(first_column, column);
-            last_column = std::max(last_column, column);
-        }
-    }
+    raster.values.for_each_stored([&](std::size_t cell, double value) {
+        if (std::isnan(value)) return;
+        const std::int64_t row = static_cast<std::int64_t>(cell) / grid.columns,
+                           column = static_cast<std::int64_t>(cell) % grid.columns;
+        first_row = std::min(first_row, row);
+        last_row = std::max(last_row, row);
+        first_column = std::min(first_column, column);
+        last_column = std::max(last_column, column);
+    });
     if (last_row < 0) return std::nullopt;
     return Bounds{grid.west + static_cast<double>(first_column) * grid.cell_size,
                   grid.north - static_cast<double>(last_row + 1) * grid.cell_size,

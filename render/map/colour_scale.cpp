@@ -51,11 +51,11 @@ std::vector<double> usual_bounds(const ScaleRequest& request, const ValueRange& 
 
 ValueRange value_range(const Raster& raster) {
     ValueRange range;
-    for (const double value : raster.values) {
-        if (std::isnan(value)) continue;
+    raster.values.for_each_stored([&](std::size_t, double value) {
+        if (std::isnan(value)) return;
         range.least = std::min(range.least, value);
         range.greatest = std::max(range.greatest, value);
-    }
+    });
     return range;
 }
 

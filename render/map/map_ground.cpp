@@ -46,10 +46,11 @@ const Raster* coloured(const MapSpec& spec) {
     if (spec.extent == nullptr) return spec.layer;
     if (spec.layer == nullptr) return spec.extent;
     if (!spec.extent->grid.same_cells(spec.layer->grid)) return spec.layer;
-    for (std::size_t i = 0; i < spec.layer->values.size(); ++i) {
-        if (std::isnan(spec.extent->values[i]) && !std::isnan(spec.layer->values[i])) return spec.layer;
-    }
-    return spec.extent;
+    bool beyond = false;
+    spec.layer->values.for_each_stored([&](std::size_t cell, double value) {
+        beyond = beyond || (!std::isnan(value) && std::isnan(spec.extent->values[cell]));
+    });
+    return beyond ? spec.layer : spec.extent;
 }
 
 void cover_outside(Canvas& canvas, const PageBox& page, const PageBox& map) {

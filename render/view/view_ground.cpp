@@ -98,17 +98,16 @@ bool ViewGround::hides(const ScenePoint& eye, const ScenePoint& point) const {
 std::vector<ScenePoint> ViewGround::sample(const Raster* layer, std::int64_t most) const {
     const Raster& from = layer != nullptr && data_bounds(*layer) ? *layer : heights_;
     std::int64_t n_values = 0;
-    for (const double value : from.values) n_values += std::isnan(value) ? 0 : 1;
+    from.values.for_each_stored([&](std::size_t, double value) { n_values += std::isnan(value) ? 0 : 1; });
     const std::int64_t step = std::max<std::int64_t>(1, n_values / most);
     std::vector<ScenePoint> points;
     std::int64_t k = 0;
-    for (std::int64_t row = 0; row < from.grid.rows; ++row) {
-        for (std::int64_t column = 0; column < from.grid.columns; ++column) {
-            if (!from.has_data(row, column) || k++ % step != 0) continue;
-            const ScenePoint p = scene(from.grid.cell_centre(row, column), 0);
-            if (!std::isnan(p.z)) points.push_back(p);
-        }
-    }
+    from.values.for_each_stored([&](std::size_t cell, double value) {
+        if (std::isnan(value) || k++ % step != 0) return;
+        const auto n = static_cast<std::int64_t>(cell);
+        const ScenePoint p = scene(from.grid.cell_centre(n / from.grid.columns, n % from.grid.columns), 0);
+        if (!std::isnan(p.z)) points.push_back(p);
+    });
     return points;
 }
 

@@ -109,7 +109,8 @@ Polyline straightened(const Polyline& line, double tolerance) {
     return result;
 }
 
-/// Returns the part of a raster that contains the flow and some places, so that a large map costs nothing.
+/// Returns the part of a raster that contains the flow and some places, so that a large map costs nothing. Empty if the
+/// places lie in flows that are far apart.
 Raster around_flow(const Raster& depth, const std::vector<Point>& places) {
     const GridSpec& grid = depth.grid;
     std::int64_t top = grid.rows, left = grid.columns, bottom = -1, right = -1;
@@ -119,23 +120,23 @@ Raster around_flow(const Raster& depth, const std::vector<Point>& places) {
         left = std::min(left, column);
         right = std::max(right, column);
     };
-    for (std::int64_t row = 0; row < grid.rows; ++row)
-        for (std::int64_t column = 0; column < grid.columns; ++column)
-            if (depth.at(row, column) > 0) include(row, column);
+    depth.values.for_each_stored([&](std::size_t cell, double value) {
+        const auto n = static_cast<std::int64_t>(cell);
+        if (value > 0) include(n / grid.columns, n % grid.columns);
+    });
     for (const Point& place : places) {
         const auto cell = static_cast<std::int64_t>(require_cell(grid, place));
         include(cell / grid.columns, cell % grid.columns);
     }
-    GridSpec part = grid;
-    part.west = grid.west + static_cast<double>(left) * grid.cell_size;
-    part.north = grid.north - static_cast<double>(top) * grid.cell_size;
-    part.columns = right - left + 1;
-    part.rows = bottom - top + 1;
-    Raster raster(part);
-    for (std::int64_t row = 0; row < part.rows; ++row)
-        for (std::int64_t column = 0; column < part.columns; ++column)
-            raster.at(row, column) = depth.at(row + top, column + left);
-    return raster;
+    const CellWindow box{top, left, bottom - top + 1, right - left + 1};
+    if (box.rows * box.columns <= CellValues::k_most_dense) return part_of(depth, box);
+    // Flows that lie far apart: a path stays in one of them.
+    for (const CellWindow& window : depth.values.stored_windows(grid.columns)) {
+        const Bounds bounds = part_of(grid, window).bounds();
+        if (std::all_of(places.begin(), places.end(), [&](Point p) { return bounds.contains(p.x, p.y); }))
+            return part_of(depth, window);
+    }
+    return {};
 }
 
 }  // namespace
@@ -144,6 +145,7 @@ Polyline flow_path(const Raster& whole, Point from, Point to) {
     require_cell(whole.grid, from);
     require_cell(whole.grid, to);
     const Raster depth = around_flow(whole, {from, to});
+    if (depth.values.empty()) return {from, to};
     constexpr int k_steps[8][2]{{-1, 0}, {0, -1}, {0, 1}, {1, 0}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}};
     const GridSpec& grid = depth.grid;
     const std::size_t start = require_cell(grid, from), end = require_cell(grid, to);
@@ -187,13 +189,12 @@ double path_coordinate(const Polyline& line, Point point) {
 
 double runout_along(const Polyline& path, const Raster& mask) {
     double farthest = 0;
-    for (std::int64_t row = 0; row < mask.grid.rows; ++row) {
-        for (std::int64_t column = 0; column < mask.grid.columns; ++column) {
-            const double value = mask.at(row, column);
-            if (value == 0 || std::isnan(value)) continue;
-            farthest = std::max(farthest, path_coordinate(path, mask.grid.cell_centre(row, column)));
-        }
-    }
+    mask.values.for_each_stored([&](std::size_t cell, double value) {
+        if (value == 0 || std::isnan(value)) return;
+        const auto n = static_cast<std::int64_t>(cell);
+        const Point centre = mask.grid.cell_centre(n / mask.grid.columns, n % mask.grid.columns);
+        farthest = std::max(farthest, path_coordinate(path, centre));
+    });
     return farthest;
 }
 
@@ -212,7 +213,7 @@ std::vector<Station> stations(const Polyline& line, double spacing) {
     return list;
 }
 
-double cell_value(const Raster& raster, Point place) noexcept {
+double cell_value(const Raster& raster, Point place) {
     const auto cell = cell_of(raster.grid, place);
     return cell ? raster.values[*cell] : k_no_data;
 }

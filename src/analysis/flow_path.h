@@ -35,6 +35,6 @@ struct Station {
 std::vector<Station> stations(const Polyline& line, double spacing);
 
 /// Returns the value of the cell containing a place; NaN outside.
-double cell_value(const Raster& raster, Point place) noexcept;
+double cell_value(const Raster& raster, Point place);
 
 }  // namespace frana

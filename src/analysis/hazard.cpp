@@ -83,8 +83,9 @@ HazardScheme hazard_scheme(const std::string& name, const HazardLimits& limits) 
 Raster hazard_classes(const HazardScheme& scheme, const HazardQuantities& quantities) {
     Raster classes(quantities.depth.grid, k_no_data);
     const auto fill = [&](const auto& class_of) {
-        for (std::size_t i = 0; i < classes.values.size(); ++i)
-            if (!std::isnan(quantities.depth.values[i])) classes.values[i] = class_of(quantities, i);
+        quantities.depth.values.for_each_stored([&](std::size_t cell, double depth) {
+            if (!std::isnan(depth)) classes.values[cell] = class_of(quantities, cell);
+        });
     };
     if (scheme.name == "swiss-debris-flow")
         fill(swiss_debris_flow);

@@ -21,10 +21,10 @@ double percentile(std::vector<double> values, double fraction) {
 
 PeakValues high_values(const Raster& raster, const Raster& mask) {
     std::vector<double> inside;
-    for (std::size_t i = 0; i < raster.values.size(); ++i) {
-        const double marked = mask.values[i];
-        if (marked != 0 && !std::isnan(marked) && !std::isnan(raster.values[i])) inside.push_back(raster.values[i]);
-    }
+    raster.values.for_each_stored([&](std::size_t cell, double value) {
+        const double marked = mask.values[cell];
+        if (marked != 0 && !std::isnan(marked) && !std::isnan(value)) inside.push_back(value);
+    });
     return {maximum(raster), percentile(inside, 0.999), percentile(inside, 0.99)};
 }
 

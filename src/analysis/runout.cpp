@@ -16,16 +16,18 @@ Runout runout(const Raster& bed, const Raster& release, const Raster& trace) {
     }
     Runout result;
     double highest = k_no_data;
+    const auto centre_of = [&](std::size_t cell) {
+        const auto n = static_cast<std::int64_t>(cell);
+        return grid.cell_centre(n / grid.columns, n % grid.columns);
+    };
     const auto find_top = [&](const Raster& where, bool raised) {
-        for (std::int64_t row = 0; row < grid.rows; ++row) {
-            for (std::int64_t column = 0; column < grid.columns; ++column) {
-                if (!(where.at(row, column) > 0)) continue;
-                const double surface = bed.at(row, column) + (raised ? where.at(row, column) : 0);
-                if (std::isnan(surface) || surface <= highest) continue;
-                highest = surface;
-                result.top = grid.cell_centre(row, column);
-            }
-        }
+        where.values.for_each_stored([&](std::size_t cell, double value) {
+            if (!(value > 0)) return;
+            const double surface = bed.values[cell] + (raised ? value : 0);
+            if (std::isnan(surface) || surface <= highest) return;
+            highest = surface;
+            result.top = centre_of(cell);
+        });
     };
     find_top(release, true);
     if (std::isnan(highest)) find_top(trace, false);
@@ -33,18 +35,15 @@ Runout runout(const Raster& bed, const Raster& release, const Raster& trace) {
         throw Error(ErrorKind::input, Problem{"nothing is released and nothing flows", "run-out", "", "", ""});
 
     result.tip = result.top;
-    for (std::int64_t row = 0; row < grid.rows; ++row) {
-        for (std::int64_t column = 0; column < grid.columns; ++column) {
-            const double touched = trace.at(row, column);
-            if (touched == 0 || std::isnan(touched) || !bed.has_data(row, column)) continue;
-            const Point centre = grid.cell_centre(row, column);
-            const double distance = std::hypot(centre.x - result.top.x, centre.y - result.top.y);
-            if (distance <= result.horizontal_m) continue;
-            result.horizontal_m = distance;
-            result.drop_m = highest - bed.at(row, column);
-            result.tip = centre;
-        }
-    }
+    trace.values.for_each_stored([&](std::size_t cell, double touched) {
+        if (touched == 0 || std::isnan(touched) || std::isnan(bed.values[cell])) return;
+        const Point centre = centre_of(cell);
+        const double distance = std::hypot(centre.x - result.top.x, centre.y - result.top.y);
+        if (distance <= result.horizontal_m) return;
+        result.horizontal_m = distance;
+        result.drop_m = highest - bed.values[cell];
+        result.tip = centre;
+    });
     result.reach_angle_deg = std::atan2(result.drop_m, result.horizontal_m) * 180 / std::numbers::pi;
     return result;
 }

@@ -29,12 +29,12 @@ void check_same_cells(const Raster& depth, const Raster& mask) {
 double area_under_roc(const Raster& depth, const Raster& mask, double positives) {
     std::vector<std::pair<double, bool>> covered;  // depth, observed
     double false_total = 0;
-    for (std::size_t i = 0; i < depth.values.size(); ++i) {
-        if (!(depth.values[i] > 0)) continue;
-        const bool observed = is_observed(mask.values[i]);
-        covered.emplace_back(depth.values[i], observed);
+    depth.values.for_each_stored([&](std::size_t cell, double value) {
+        if (!(value > 0)) return;
+        const bool observed = is_observed(mask.values[cell]);
+        covered.emplace_back(value, observed);
         if (!observed) ++false_total;
-    }
+    });
     std::sort(covered.begin(), covered.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     const double negatives = std::max(k_negatives_per_positive * positives, false_total);
 
@@ -58,13 +58,15 @@ double area_under_roc(const Raster& depth, const Raster& mask, double positives)
 ComparisonStatistics statistics_at(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
     check_same_cells(simulated_depth, observed_mask);
     double hits = 0, false_alarms = 0, misses = 0;
-    for (std::size_t i = 0; i < observed_mask.values.size(); ++i) {
-        const bool simulated = simulated_depth.values[i] > threshold;
-        const bool observed = is_observed(observed_mask.values[i]);
-        hits += simulated && observed;
-        false_alarms += simulated && !observed;
-        misses += !simulated && observed;
-    }
+    double simulated_cells = 0, observed_cells = 0;
+    simulated_depth.values.for_each_stored([&](std::size_t cell, double depth) {
+        if (!(depth > threshold)) return;
+        ++simulated_cells;
+        hits += is_observed(observed_mask.values[cell]);
+    });
+    observed_mask.values.for_each_stored([&](std::size_t, double value) { observed_cells += is_observed(value); });
+    false_alarms = simulated_cells - hits;
+    misses = observed_cells - hits;
     const double positives = hits + misses;
     if (positives == 0) {
         throw Error(ErrorKind::input, Problem{"no cell lies inside the observed outline", "comparison", "", "",
@@ -114,14 +116,13 @@ std::vector<ComparisonStatistics> score_curve(const Raster& simulated_depth, con
 Raster agreement(const Raster& simulated_depth, const Raster& observed_mask, double threshold) {
     check_same_cells(simulated_depth, observed_mask);
     Raster classes(observed_mask.grid, k_no_data);
-    for (std::size_t i = 0; i < observed_mask.values.size(); ++i) {
-        const bool simulated = simulated_depth.values[i] > threshold;
-        const bool observed = is_observed(observed_mask.values[i]);
-        if (simulated || observed) {
-            const Agreement kind = !observed ? Agreement::false_alarm : simulated ? Agreement::hit : Agreement::miss;
-            classes.values[i] = static_cast<double>(kind);
-        }
-    }
+    const auto set = [&](std::size_t cell, Agreement kind) { classes.values[cell] = static_cast<double>(kind); };
+    observed_mask.values.for_each_stored([&](std::size_t cell, double value) {
+        if (is_observed(value)) set(cell, simulated_depth.values[cell] > threshold ? Agreement::hit : Agreement::miss);
+    });
+    simulated_depth.values.for_each_stored([&](std::size_t cell, double depth) {
+        if (depth > threshold && !is_observed(observed_mask.values[cell])) set(cell, Agreement::false_alarm);
+    });
     return classes;
 }
 

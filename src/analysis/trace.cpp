@@ -8,20 +8,23 @@ namespace frana {
 
 Raster trace_mask(const Raster& depth, double threshold) {
     Raster mask(depth.grid);
-    for (std::size_t i = 0; i < depth.values.size(); ++i) mask.values[i] = depth.values[i] > threshold ? 1 : 0;
+    depth.values.for_each_stored([&](std::size_t cell, double value) {
+        if (value > threshold) mask.values[cell] = 1;
+    });
     return mask;
 }
 
 double masked_area(const Raster& mask) {
-    const auto count = std::count_if(mask.values.begin(), mask.values.end(),
-                                     [](double value) { return value != 0 && !std::isnan(value); });
+    std::int64_t count = 0;
+    mask.values.for_each_stored([&](std::size_t, double value) { count += value != 0 && !std::isnan(value); });
     return static_cast<double>(count) * mask.grid.cell_area();
 }
 
 double maximum(const Raster& raster) {
     double largest = k_no_data;
-    for (const double value : raster.values)
+    raster.values.for_each_stored([&](std::size_t, double value) {
         if (!(value <= largest) && !std::isnan(value)) largest = value;
+    });
     return largest;
 }
 

@@ -117,24 +117,21 @@ void serialise(Archive& archive, std::unique_ptr<T>& value) {
 /// almost nothing.
 template <class Archive, class T>
 void serialise(Archive& archive, ZeroArray<T>& array) {
-    constexpr std::size_t k_block = 4096;
-    static constexpr std::array<std::byte, k_block> k_zeros{};
+    constexpr std::size_t k_block = std::max<std::size_t>(1, 4096 / sizeof(T));  // elements
+    static constexpr std::array<std::byte, k_block * sizeof(T)> k_zeros{};
     std::uint64_t size = array.size();
     archive(size);
     if constexpr (Archive::k_reads) {
         StateReader::require(array.size() == size);  // the scene decides
         array = ZeroArray<T>(array.size());
     }
-    if constexpr (requires(T & value) { value.serialise(archive); }) {
-        for (std::size_t i = 0; i < array.size(); ++i) archive(array[i]);
-        return;
-    }
-    auto* const data = reinterpret_cast<std::byte*>(array.data());
-    const std::size_t total = array.size() * sizeof(T);
-    const std::uint64_t blocks = (total + k_block - 1) / k_block;
-    const auto length = [&](std::uint64_t block) { return std::min<std::size_t>(k_block, total - block * k_block); };
+    const TouchedPages touched = array.touched();
+    const std::uint64_t blocks = (array.size() + k_block - 1) / k_block;
+    const auto count = [&](std::uint64_t block) { return std::min<std::size_t>(k_block, size - block * k_block); };
     const auto empty = [&](std::uint64_t block) {
-        return std::memcmp(data + block * k_block, k_zeros.data(), length(block)) == 0;
+        const std::size_t bytes = count(block) * sizeof(T);
+        return !touched.any(block * k_block * sizeof(T), bytes) ||
+               std::memcmp(array.data() + block * k_block, k_zeros.data(), bytes) == 0;
     };
     // Runs of non-zero blocks: [first, last), until an empty run.
     std::uint64_t first = 0, last = 0;
@@ -145,7 +142,14 @@ void serialise(Archive& archive, ZeroArray<T>& array) {
         }
         archive(first, last);
         if constexpr (Archive::k_reads) StateReader::require(first <= last && last <= blocks);
-        if (first < last) archive.bytes(data + first * k_block, (last - first - 1) * k_block + length(last - 1));
+        if (first == last) continue;
+        T* const from = array.data() + first * k_block;
+        const std::size_t elements = (last - first - 1) * k_block + count(last - 1);
+        if constexpr (requires(T & value) { value.serialise(archive); }) {
+            for (std::size_t i = 0; i < elements; ++i) archive(from[i]);
+        } else {
+            archive.bytes(from, elements * sizeof(T));
+        }
     } while (first < last);
 }
 

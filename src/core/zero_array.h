@@ -7,21 +7,26 @@
 #include <new>
 #include <type_traits>
 
+#include "core/zero_pages.h"
+
 namespace frana {
 
 /// A fixed array that starts as zeros and costs memory only where it is written: the system hands out zero
-/// pages on first touch. Grid-wide fields use it so that idle terrain costs nothing.
+/// pages on first touch. Grid-wide fields use it so that idle terrain costs nothing. Throws std::bad_alloc where there
+/// is no room in the address space.
 template <class T>
 class ZeroArray {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
   public:
     ZeroArray() = default;
-    explicit ZeroArray(std::size_t size) : block_(std::calloc(size + 1, k_stride)), size_(size) {
-        if (!block_) throw std::bad_alloc();
-        // calloc aligns to 16 bytes only; one spare element lets the array begin on T's own boundary.
-        void* place = block_.get();
+    explicit ZeroArray(std::size_t size) : size_(size) {
+        // One spare element lets the array begin on T's own boundary: calloc aligns to 16 bytes only.
         std::size_t room = (size + 1) * k_stride;
+        const bool maps = room >= k_mapped_bytes;
+        block_ = Block(maps ? map_zero_pages(room) : std::calloc(size + 1, k_stride), Free{maps ? room : 0});
+        if (!block_) throw std::bad_alloc();
+        void* place = block_.get();
         data_ = static_cast<T*>(std::align(alignof(T), size * k_stride, place, room));
     }
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
@@ -29,14 +34,20 @@ class ZeroArray {
     [[nodiscard]] const T* data() const noexcept { return data_; }
     T& operator[](std::size_t i) noexcept { return data_[i]; }
     const T& operator[](std::size_t i) const noexcept { return data_[i]; }
+    /// Which of its bytes may be others than zeros.
+    [[nodiscard]] TouchedPages touched() const {
+        return {block_.get_deleter().mapped > 0 ? data_ : nullptr, size_ * k_stride};
+    }
 
   private:
     struct Free {
-        void operator()(void* p) const noexcept { std::free(p); }
+        std::size_t mapped = 0;  // bytes; 0: from calloc
+        void operator()(void* p) const noexcept { mapped > 0 ? unmap_zero_pages(p, mapped) : std::free(p); }
     };
-    static constexpr std::size_t k_stride = sizeof(T);
+    using Block = std::unique_ptr<void, Free>;
+    static constexpr std::size_t k_stride = sizeof(T), k_mapped_bytes = std::size_t{1} << 24;
     static_assert(alignof(T) <= k_stride);
-    std::unique_ptr<void, Free> block_;
+    Block block_;
     T* data_ = nullptr;
     std::size_t size_ = 0;
 };

@@ -35,10 +35,12 @@ struct Bed {
 };
 
 Interpolated ground_at(const NodeGrid& nodes, Point p) noexcept {
+    nodes.cover_round(p);
     return interpolate(Spline(p.x, p.y, nodes.scale()), nodes.bed.data(), nodes.stride());
 }
 
 Bed bed_at(const NodeGrid& nodes, Point p) noexcept {
+    nodes.cover_round(p);
     const NodeScale grid = nodes.scale();
     const Spline s(p.x, p.y, grid);
     const double inverse_dx2 = grid.inverse_dx * grid.inverse_dx,

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/raster.h"
@@ -33,6 +36,9 @@ inline constexpr double k_crowded_fraction = 1.1;
 
 /// A terrain, and the elevation that the engine counts from so that sums keep their digits: a run counts from
 /// the ground under its release, since what lies far off must not change a bit of it.
+///
+/// Terrain in tiles (CellValues) is looked at only where the flow comes (NodeGrid::cover), and must stay as long as the
+/// grid made of it.
 struct Ground {
     /// Counts from the lowest cell.
     Ground(const Raster& bed);  // NOLINT(google-explicit-constructor): a terrain is a ground
@@ -66,8 +72,41 @@ struct NodeScale {
 ///     i in [-k_ghost, columns + k_ghost)
 class NodeGrid {
   public:
-    /// Takes bed elevations from a north-up raster; NaN marks cells without terrain, which become solid.
+    /// Takes bed elevations from a north-up raster; NaN marks cells without terrain, which become solid. Of terrain in
+    /// tiles nothing is taken before it is covered.
     explicit NodeGrid(const Ground& ground);
+    NodeGrid(NodeGrid&&) noexcept;
+    NodeGrid& operator=(NodeGrid&&) noexcept;
+    ~NodeGrid();
+
+    /// Nodes by padded numbers, [i0, i1) x [j0, j1).
+    struct Block {
+        std::int64_t i0, i1, j0, j1;
+    };
+    /// Takes the ground under these nodes, as far as there are such, unless it was taken before; nothing reads the bed
+    /// of nodes that were not covered. Callable from several threads, of which none reads the bed there before.
+    /// What the terrain's source throws is kept for require_ground; the nodes are then not covered.
+    void cover(const Block& block) const noexcept;
+    /// The nodes round a local point, as what is there may read.
+    void cover_round(Point place) const noexcept;
+    /// Whether ground could not be taken since the last call of require_ground.
+    [[nodiscard]] bool lacks_ground() const noexcept;
+    /// Throws what kept ground from being taken.
+    void require_ground() const;
+    /// Whether ground is taken only where it is asked for.
+    [[nodiscard]] bool is_on_demand() const noexcept { return demand_ != nullptr; }
+    /// Lowest ground taken so far, with what lies below it removed or not [m]; infinity: none.
+    [[nodiscard]] double lowest() const noexcept;
+    /// Calls visit(j, i0, i1) for runs of the terrain's nodes, [i0, i1) in row j from the south, which hold all that
+    /// were covered; of terrain that is taken whole, all of them.
+    template <class Visit>
+    void for_each_covered_run(const Visit& visit) const {
+        for_each_covered_block([&](const Block& b) {
+            const std::int64_t i0 = std::max<std::int64_t>(b.i0 - k_ghost, 0), i1 = std::min(b.i1 - k_ghost, columns_);
+            for (std::int64_t j = std::max<std::int64_t>(b.j0 - k_ghost, 0); j < std::min(b.j1 - k_ghost, rows_); ++j)
+                if (i0 < i1) visit(j, i0, i1);
+        });
+    }
 
     [[nodiscard]] std::int64_t columns() const noexcept { return columns_; }
     [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }
@@ -88,10 +127,10 @@ class NodeGrid {
         return static_cast<std::size_t>((j + k_ghost) * stride() + i + k_ghost);
     }
     /// Whether a node of the terrain has none and is no wall either.
-    [[nodiscard]] bool is_gap(std::size_t node) const noexcept { return !solid_.empty() && solid_[node] == k_gap; }
-    [[nodiscard]] bool is_wall(std::size_t node) const noexcept { return !solid_.empty() && solid_[node] == k_wall; }
-    [[nodiscard]] bool any_solid() const noexcept { return !solid_.empty(); }
-    [[nodiscard]] const std::uint8_t* solid() const noexcept { return solid_.empty() ? nullptr : solid_.data(); }
+    [[nodiscard]] bool is_gap(std::size_t node) const noexcept { return any_solid() && solid_[node] == k_gap; }
+    [[nodiscard]] bool is_wall(std::size_t node) const noexcept { return any_solid() && solid_[node] == k_wall; }
+    [[nodiscard]] bool any_solid() const noexcept { return solid_.size() != 0; }
+    [[nodiscard]] const std::uint8_t* solid() const noexcept { return any_solid() ? solid_.data() : nullptr; }
 
     /// Makes the cells that are 1 in a north-up raster solid; their bed stays as it is.
     void mark_walls(const Raster& walls);
@@ -103,7 +142,7 @@ class NodeGrid {
     /// Ground::datum, which `bed` is relative to.
     [[nodiscard]] double datum() const noexcept { return datum_; }
 
-    std::vector<double> bed;      ///< padded, relative to datum [m]
+    ZeroArray<double> bed;        ///< padded, relative to datum [m]
     ZeroArray<NodeLevel> levels;  ///< padded; empty when no term needs it
 
     bool bed_changes = false;  ///< the bed need not be the terrain's any more
@@ -129,12 +168,15 @@ class NodeGrid {
     /// What may differ from what the constructor and the walls made.
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [z, node_levels, changes, node_records, now, nx, ny, oi, oj, dx, lowest, edges, marks] =
-            *this;
+        [[maybe_unused]] auto& [z, node_levels, changes, node_records, now, nx, ny, oi, oj, dx, lowest, edges, marks,
+                                on_demand] = *this;
         archive(changes);
-        const std::size_t count = z.size();
+        std::vector<std::uint64_t> blocks = covered_blocks();
+        std::uint64_t ground = changes ? 0 : ground_checksum();
+        archive(blocks, ground);
+        if constexpr (Archive::k_reads) cover_again(blocks, changes ? 0 : ground);
         if (changes) archive(z);
-        if constexpr (Archive::k_reads) archive.require(z.size() == count);
+        if constexpr (Archive::k_reads) keep_place();
         archive(node_records, node_levels);
         if constexpr (Archive::k_reads) now = NodePhase::motion;
     }
@@ -143,12 +185,33 @@ class NodeGrid {
 
   private:
     void check([[maybe_unused]] NodePhase wanted) const noexcept { assert(phase == wanted); }
-    void extend_beyond_edges();
+    void for_each_covered_block(const std::function<void(const Block&)>& visit) const;
+    // Numbers of the blocks that were covered on demand.
+    [[nodiscard]] std::vector<std::uint64_t> covered_blocks() const;
+    // Of the ground that was taken on demand.
+    [[nodiscard]] std::uint64_t ground_checksum() const;
+    // Takes what a saved run had taken. Throws Error(input) where it is not what it was; a checksum of 0 is not
+    // compared.
+    void cover_again(const std::vector<std::uint64_t>& blocks, std::uint64_t checksum);
+    // After the bed was read.
+    void keep_place();
+    // Of a terrain's cell, rows from the north.
+    [[nodiscard]] std::size_t node_of_cell(std::size_t cell) const noexcept {
+        const auto n = static_cast<std::int64_t>(cell);
+        return index(n % columns_, rows_ - 1 - n / columns_);
+    }
+    struct Beds;
+    struct Demand;
+    void fill(const Raster& terrain, const Beds& beds) const;
+    void take(std::int64_t block_column, std::int64_t block_row) const;
+    void extend_beyond_edges(const Beds& beds) const;
+    [[nodiscard]] Beds all_beds() const;
 
     std::int64_t columns_, rows_, origin_column_, origin_row_;
     double cell_size_, datum_;
     Bounds bounds_;
-    std::vector<std::uint8_t> solid_;
+    ZeroArray<std::uint8_t> solid_;
+    std::unique_ptr<Demand> demand_;  // none: all ground was taken
 };
 
 }  // namespace frana

@@ -40,6 +40,7 @@ void velocities_along_bed(const NodeGrid& nodes, std::size_t first, ParticleSet&
     double *u = particles[Field::u], *v = particles[Field::v];
     for (std::size_t p = first; p < particles.size(); ++p) {
         if (!nodes.bounds().contains(x[p], y[p])) continue;
+        nodes.cover_round({x[p], y[p]});  // they may come in where no flow was
         const Point w = frame_at(nodes, x[p], y[p]).along_bed(u[p], v[p]);
         u[p] = w.x;
         v[p] = w.y;
@@ -288,12 +289,12 @@ void Flow::record_present() {
 Raster Flow::bed_depth_raster(double ErodibleBed::*depth) const {
     Raster raster(grid_, k_no_data);
     if (state_.erodible_beds.size() == 0) return raster;
-    for (std::int64_t row = 0; row < grid_.rows; ++row) {
-        for (std::int64_t column = 0; column < grid_.columns; ++column) {
-            const double value = state_.erodible_beds[state_.nodes.index(column, grid_.rows - 1 - row)].*depth;
-            if (value > 0) raster.at(row, column) = value;
+    state_.nodes.for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
+        for (std::int64_t i = i0; i < i1; ++i) {
+            const double value = state_.erodible_beds[state_.nodes.index(i, j)].*depth;
+            if (value > 0) raster.at(grid_.rows - 1 - j, i) = value;
         }
-    }
+    });
     return raster;
 }
 
@@ -308,12 +309,12 @@ Raster Flow::deposited_depth() const {
 template <class Value>
 Raster Flow::to_raster(const ZeroArray<Value>& padded, double shift) const {
     Raster raster(grid_, k_no_data);
-    for (std::int64_t row = 0; row < grid_.rows; ++row) {
-        for (std::int64_t column = 0; column < grid_.columns; ++column) {
-            const double value = static_cast<double>(padded[state_.nodes.index(column, grid_.rows - 1 - row)]);
-            if (value != 0) raster.at(row, column) = value - shift;
+    state_.nodes.for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
+        for (std::int64_t i = i0; i < i1; ++i) {
+            const double value = static_cast<double>(padded[state_.nodes.index(i, j)]);
+            if (value != 0) raster.at(grid_.rows - 1 - j, i) = value - shift;
         }
-    }
+    });
     return raster;
 }
 

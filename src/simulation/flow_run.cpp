@@ -118,14 +118,14 @@ Frame store_frame(AnyFlow& flow, int index, bool with_particles) {
 // A wall's cell contains no material, though the nodes there gather a fraction of particles beside it.
 void hide_walls(const Scene& scene, Raster& raster) {
     if (!scene.walls) return;
-    for (std::size_t i = 0; i < raster.values.size(); ++i) {
-        if (scene.walls->values[i] == 1) raster.values[i] = k_no_data;
-    }
+    scene.walls->values.for_each_stored([&](std::size_t cell, double wall) {
+        if (wall == 1 && !std::isnan(std::as_const(raster).values[cell])) raster.values[cell] = k_no_data;
+    });
 }
 
 Raster pressure_kpa(const Raster& speed, double density) {
     Raster pressure = speed;
-    for (double& value : pressure.values) value = density * value * value / 1000;
+    pressure.values.change_each_stored([&](std::size_t, double& value) { value = density * value * value / 1000; });
     return pressure;
 }
 
@@ -180,9 +180,9 @@ void prepare_to_record(const StructuredFlow&) {}
 
 // Removes non-finite values from the maps of a run that ended with some.
 void hide_non_finite(Raster& raster) {
-    for (double& value : raster.values) {
+    raster.values.change_each_stored([](std::size_t, double& value) {
         if (!std::isfinite(value)) value = k_no_data;
-    }
+    });
 }
 
 }  // namespace
@@ -335,9 +335,13 @@ void FlowRun<AnyFlow>::step() {
         result_.stop_reason = *reason;
         stopped_ = true;
     }
+    if (flow_.nodes().lacks_ground()) {  // what comes next cannot be computed; what was, can be saved
+        result_.stop_reason = StopReason::requested;
+        stopped_ = true;
+    }
     // A run that ends here shows its end in finish(); one that only pauses must have the frames of a run that did not.
     const bool pauses = stopped_ && result_.stop_reason == StopReason::requested && flow_.time() < scene_.time.end;
-    if (flow_.time() >= next_frame_ && (continues() || pauses)) write_frame_now();
+    if (flow_.time() >= next_frame_ && (continues() || pauses) && !flow_.nodes().lacks_ground()) write_frame_now();
 }
 
 template <class AnyFlow>
@@ -354,11 +358,10 @@ RunResult FlowRun<AnyFlow>::finish() {
     result.final_depth = flow_.snapshot().depth;
     result.more = more_of(flow_);
     // A cell that was reached but never moved has speed zero, not "no data".
-    for (std::size_t i = 0; i < result.max_depth.values.size(); ++i) {
-        if (!std::isnan(result.max_depth.values[i]) && std::isnan(result.max_velocity.values[i])) {
-            result.max_velocity.values[i] = 0;
-        }
-    }
+    result.max_depth.values.for_each_stored([&](std::size_t cell, double depth) {
+        double& speed = result.max_velocity.values[cell];
+        if (!std::isnan(depth) && std::isnan(speed)) speed = 0;
+    });
     for (Raster* raster : {&result.max_depth, &result.max_velocity, &result.arrival_time, &result.final_depth})
         hide_walls(scene_, *raster);
     for (NamedRaster& raster : result.more) hide_walls(scene_, raster.values);
@@ -370,6 +373,16 @@ RunResult FlowRun<AnyFlow>::finish() {
         for (NamedRaster& raster : result.more) hide_non_finite(raster.values);
     }
     result.max_pressure = pressure_kpa(result.max_velocity, density_of(scene_, flow_));
+    // Of ground that was read where the flow came, as much is shown.
+    if (flow_.nodes().is_on_demand()) {
+        flow_.nodes().for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
+            const std::int64_t row = scene_.grid.rows - 1 - j;
+            for (const std::int64_t column : {i0, i1 - 1}) {
+                static_cast<void>(std::as_const(release_.bed).at(row, column));
+                static_cast<void>(scene_.terrain.at(row, column));
+            }
+        });
+    }
     result.bed = std::move(release_.bed);
     result.release = std::move(release_.depth);
     result.settling = settling_.last();

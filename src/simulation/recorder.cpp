@@ -167,12 +167,12 @@ void Recorder::move_to(const AnyFlow& flow, RunResult& result) {
     result.max_flux = flow.to_raster(flux_);
     result.max_head = flow.to_raster(head_);
     // Reached but never moving is a flux of zero, not "no data"; a head is at least the depth.
-    for (std::size_t i = 0; i < result.max_depth.values.size(); ++i) {
-        const double depth = result.max_depth.values[i];
-        if (std::isnan(depth)) continue;
-        if (std::isnan(result.max_flux.values[i])) result.max_flux.values[i] = 0;
-        if (!(result.max_head.values[i] >= depth)) result.max_head.values[i] = depth;
-    }
+    result.max_depth.values.for_each_stored([&](std::size_t cell, double depth) {
+        if (std::isnan(depth)) return;
+        double &flux = result.max_flux.values[cell], &head = result.max_head.values[cell];
+        if (std::isnan(flux)) flux = 0;
+        if (!(head >= depth)) head = depth;
+    });
 }
 
 template void Recorder::record(const Flow&, double, double);

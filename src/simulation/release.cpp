@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 
 #include "core/error.h"
 #include "particles/seeding.h"
@@ -44,14 +45,13 @@ double sample(const Raster& raster, const GridSpec& grid, Point local) {
 }
 
 void refuse_gaps(const Scene& scene, const ParticleSet& particles) {
-    std::vector<std::uint8_t> counted(scene.terrain.values.size(), 0);
+    std::set<std::size_t> counted;
     std::int64_t count = 0;
     std::string first;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Cell c = cell_of(scene.grid, {particles[Field::x][p], particles[Field::y][p]});
         const std::size_t n = scene.terrain.index(c.row, c.column);
-        if (scene.terrain.has_data(c.row, c.column) || counted[n]) continue;
-        counted[n] = 1;
+        if (scene.terrain.has_data(c.row, c.column) || !counted.insert(n).second) continue;
         if (++count <= 3) {
             const Point map = scene.grid.cell_centre(c.row, c.column);
             char text[128];
@@ -84,8 +84,9 @@ void refuse_walls(const Scene& scene, const ParticleSet& particles) {
 // Refuses a release that would be on no map and count as reached nowhere.
 void refuse_thin(const Scene& scene, const Raster& depth) {
     double greatest = 0;
-    for (const double d : depth.values)
+    depth.values.for_each_stored([&](std::size_t, double d) {
         if (d > greatest) greatest = d;
+    });
     const double minimum = scene.numerics.minimum_depth;
     if (!(greatest > 0) || greatest >= minimum || !scene.inflows.empty()) return;
     char value[96], limit[96], remedy[192];
@@ -175,9 +176,9 @@ ReleasedArea fill_area(const Scene& scene, const ReleaseArea& area, ParticleSet&
 }
 
 void remove(const Raster& depth, Raster& bed) {
-    for (std::size_t i = 0; i < bed.values.size(); ++i) {
-        if (!std::isnan(depth.values[i])) bed.values[i] -= depth.values[i];
-    }
+    depth.values.for_each_stored([&](std::size_t cell, double d) {
+        if (!std::isnan(d)) bed.values[cell] -= d;
+    });
 }
 
 }  // namespace

@@ -29,19 +29,19 @@ struct Start {
 
 Start start_of(const Scene& scene, const Release& release, const Arrivals& arrivals) {
     Start start;
-    for (std::size_t i = 0; i < release.depth.values.size(); ++i) {
-        if (!(release.depth.values[i] > 0)) continue;
-        start.deepest = std::max(start.deepest, release.depth.values[i]);
-        start.ground(release.bed.values[i]);
-    }
+    const Raster& bed = release.bed;
+    release.depth.values.for_each_stored([&](std::size_t cell, double depth) {
+        if (!(depth > 0)) return;
+        start.deepest = std::max(start.deepest, depth);
+        start.ground(bed.values[cell]);
+    });
     if (scene.structured && scene.structured->initial_fluid) {  // released material may fall on it or into it
-        const std::vector<double>& lying = scene.structured->initial_fluid->values;
         double deepest = 0;
-        for (std::size_t i = 0; i < lying.size(); ++i) {
-            if (!(lying[i] > 0)) continue;
-            deepest = std::max(deepest, lying[i]);
-            start.ground(release.bed.values[i]);
-        }
+        scene.structured->initial_fluid->values.for_each_stored([&](std::size_t cell, double depth) {
+            if (!(depth > 0)) return;
+            deepest = std::max(deepest, depth);
+            start.ground(bed.values[cell]);
+        });
         start.deepest += deepest;
     }
     // For an area smaller than a cell no cell shows the thickness.
@@ -60,26 +60,23 @@ Start start_of(const Scene& scene, const Release& release, const Arrivals& arriv
     return start;
 }
 
-double lowest_bed(const Scene& scene, const Raster& bed) {
+double lowest_bed(const Raster& bed) {
     double lowest = std::numeric_limits<double>::infinity();
-    for (const double z : bed.values) {
+    bed.values.for_each_stored([&](std::size_t, double z) {
         if (!std::isnan(z)) lowest = std::min(lowest, z);
-    }
-    if (!scene.entrainment.erodes()) return lowest;
-    double erodible = scene.entrainment.erodible_depth;
-    if (scene.zones.erodible_depth) {
-        for (const double depth : scene.zones.erodible_depth->values)
-            if (!std::isnan(depth)) erodible = std::max(erodible, depth);
-    }
-    return lowest - erodible;
+    });
+    return lowest;
 }
 
-double bound_of(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor) {
-    const Start start = start_of(scene, release, arrivals);
-    const double drop = std::max(0.0, start.highest + start.deepest - lowest_bed(scene, release.bed));
-    const auto cells = static_cast<std::size_t>(scene.grid.cell_count());
-    const double recoil = scene.structured ? recoil_speed(*scene.structured, cells) : 0;
-    return speed_bound(scene.numerics.gravity, drop, pressure_factor * start.deepest, start.fastest + recoil);
+double deepest_erosion(const Scene& scene) {
+    if (!scene.entrainment.erodes()) return 0;
+    double erodible = scene.entrainment.erodible_depth;
+    if (scene.zones.erodible_depth) {
+        scene.zones.erodible_depth->values.for_each_stored([&](std::size_t, double depth) {
+            if (!std::isnan(depth)) erodible = std::max(erodible, depth);
+        });
+    }
+    return erodible;
 }
 
 }  // namespace
@@ -91,7 +88,19 @@ double speed_bound(double gravity, double drop, double depth, double speed_at_st
 RunCheck::RunCheck(const Scene& scene, const Release& release, const Arrivals& arrivals, double pressure_factor)
     : grid_(scene.grid),
       gaps_matter_(scene.numerics.nodata == NodataPolicy::stop),
-      bound_(bound_of(scene, release, arrivals, pressure_factor)) {}
+      gravity_(scene.numerics.gravity),
+      lowest_(lowest_bed(release.bed)),
+      erodible_(deepest_erosion(scene)) {
+    const Start start = start_of(scene, release, arrivals);
+    const auto cells = static_cast<std::size_t>(scene.grid.cell_count());
+    top_ = start.highest + start.deepest;
+    depth_ = pressure_factor * start.deepest;
+    at_start_ = start.fastest + (scene.structured ? recoil_speed(*scene.structured, cells) : 0);
+}
+
+double RunCheck::greatest_speed(double lowest) const noexcept {
+    return speed_bound(gravity_, std::max(0.0, top_ - (lowest - erodible_)), depth_, at_start_);
+}
 
 template <class AnyFlow>
 std::vector<RunProblem> RunCheck::check(const AnyFlow& flow, const StepStatistics& statistics, double entered) const {
@@ -105,7 +114,8 @@ std::vector<RunProblem> RunCheck::check(const AnyFlow& flow, const StepStatistic
     };
     if (statistics.non_finite > 0) report(Kind::non_finite, place_of_non_finite(flow), statistics.non_finite, 0, 0);
     if (gaps_matter_ && statistics.no_data > 0) report(Kind::no_data, place_of_no_data(flow), statistics.no_data, 0, 0);
-    if (speed > bound_) report(Kind::impossible_speed, place_of_speed(flow), 0, speed, bound_);
+    const double bound = greatest_speed(std::min(lowest_, flow.nodes().lowest()));
+    if (speed > bound) report(Kind::impossible_speed, place_of_speed(flow), 0, speed, bound);
     // Non-finite values, and volume missing because of them, were reported before.
     if (statistics.non_finite == 0 && error > k_volume_drift * entered)
         report(Kind::volume_drift, {}, 0, error / entered, k_volume_drift);

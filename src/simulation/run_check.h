@@ -34,12 +34,16 @@ class RunCheck {
     [[nodiscard]] std::vector<RunProblem> check(const AnyFlow& flow, const StepStatistics& statistics,
                                                 double entered) const;
 
-    [[nodiscard]] double greatest_speed() const noexcept { return bound_; }
+    /// Of ground that is taken on demand: on what was known at the start.
+    [[nodiscard]] double greatest_speed() const noexcept { return greatest_speed(lowest_); }
 
   private:
+    [[nodiscard]] double greatest_speed(double lowest) const noexcept;
+
     GridSpec grid_;
     bool gaps_matter_;
-    double bound_;
+    double gravity_, top_, depth_, at_start_;  // of what comes in: surface [m], depth for waves [m], speed [m/s]
+    double lowest_, erodible_;                 // bed known at the start, and how far it may be eroded [m]
 };
 
 void add(const RunProblem& run_problem, HardEvents& events);

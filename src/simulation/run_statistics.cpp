@@ -27,7 +27,7 @@ RunStatistics run_statistics(const RunResult& result, double threshold, const Ra
 
 double shown_volume(const RunResult& result) {
     double sum = 0;
-    for (const double depth : result.final_depth.values) sum += std::isnan(depth) ? 0 : depth;
+    result.final_depth.values.for_each_stored([&](std::size_t, double depth) { sum += std::isnan(depth) ? 0 : depth; });
     return sum * result.final_depth.grid.cell_area();
 }
 

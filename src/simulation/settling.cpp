@@ -47,15 +47,15 @@ SettlingWatch::Sample SettlingWatch::sample(const AnyFlow& flow) {
     double farthest2 = 0;
     std::int64_t cells = 0;
     const ZeroArray<double>& depth = flow.maxima().depth;
-    for (std::int64_t j = 0; j < grid_.rows; ++j) {
-        for (std::int64_t i = 0; i < grid_.columns; ++i) {
+    flow.nodes().for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
+        for (std::int64_t i = i0; i < i1; ++i) {
             if (!(depth[flow.nodes().index(i, j)] >= time_.trace_threshold)) continue;
             ++cells;
             const Point at = flow.nodes().middle(i + k_ghost, j + k_ghost);
             const double x = at.x - origin_.x, y = at.y - origin_.y;
             farthest2 = std::max(farthest2, x * x + y * y);
         }
-    }
+    });
     sample.area = static_cast<double>(cells) * grid_.cell_area();
     sample.runout = std::sqrt(farthest2);
 

@@ -23,11 +23,18 @@ Ground ground_of(const Scene& scene, const Raster& bed, const ParticleSet& first
     return std::isnan(z) ? Ground(bed) : Ground(bed, z);
 }
 
+// Ground that is taken on demand is now found to be there, before anything is computed on it.
+template <class AnyFlow>
+void require_ground(const AnyFlow& flow) {
+    flow.nodes().require_ground();
+}
+
 // Runs a flow to the scene's end.
 template <class AnyFlow>
 RunResult run_flow(const Scene& scene, const RunOptions& options, Release& release, Arrivals& arrivals, AnyFlow& flow,
                    Stopwatch& engine) {
     FlowRun<AnyFlow> run(scene, options, release, arrivals, flow, engine);
+    require_ground(flow);
     if (options.saved != nullptr) {
         (*options.saved)(run);
     } else {
@@ -38,6 +45,7 @@ RunResult run_flow(const Scene& scene, const RunOptions& options, Release& relea
         run.step();
         if (options.after_step) options.after_step(run.progress(), save);
     }
+    require_ground(flow);  // after the last state was saved
     return run.finish();
 }
 
@@ -59,13 +67,19 @@ template <class AnyFlow>
 void estimate_flow(const Scene& scene, const Arrivals::Arrived& rest, std::int64_t released_cells, AnyFlow& flow,
                    RunEstimate& e) {
     add_arrivals(rest, flow);
+    require_ground(flow);
     e.first_step_seconds = flow.stable_step();
     e.bytes_per_particle = static_cast<std::int64_t>(flow.bytes_per_particle());
     e.bytes_per_node = static_cast<std::int64_t>(flow.bytes_per_node());
     constexpr std::int64_t k_spread = 4;  // nodes only where there is material
     const std::int64_t cells = scene.grid.cell_count();
     const std::int64_t reached = released_cells > 0 ? std::min(cells, k_spread * released_cells) : cells;
-    e.memory_bytes = cells * rasters_at_once(flow) * static_cast<std::int64_t>(sizeof(double)) +
+    // Tiles that the flow reaches in part count whole, and what is read round it; there are several flows at times.
+    constexpr std::int64_t k_tiles_round = 64;
+    e.stored_cells = flow.nodes().is_on_demand()
+                         ? std::min(cells, 2 * reached + k_tiles_round * CellValues::k_side * CellValues::k_side)
+                         : cells;
+    e.memory_bytes = e.stored_cells * rasters_at_once(flow) * static_cast<std::int64_t>(sizeof(double)) +
                      reached * e.bytes_per_node + e.bytes_of_particles(e.particles);
     // Time of the first steps, for as many steps as the end time needs at the first step's length.
     constexpr int k_trial_steps = 3;
@@ -136,8 +150,9 @@ RunEstimate estimate(const Scene& scene, int threads) {
     e.volume = release.volume;
     const auto fraction_below = [&](double limit) {
         double thin = 0;
-        for (const double depth : release.depth.values)
+        release.depth.values.for_each_stored([&](std::size_t, double depth) {
             if (depth < limit) thin += depth * scene.grid.cell_area();
+        });
         return release.volume > 0 ? thin / release.volume : 0;
     };
     e.thin_fraction = fraction_below(scene.numerics.minimum_depth);
@@ -146,8 +161,8 @@ RunEstimate estimate(const Scene& scene, int threads) {
     const std::size_t arriving = arrivals.particles_left();
     const Arrivals::Arrived rest = arrivals.collect(scene.time.end);
     e.inflow = rest.inflow;
-    const auto released_cells = static_cast<std::int64_t>(
-        std::count_if(release.depth.values.begin(), release.depth.values.end(), [](double d) { return d > 0; }));
+    std::int64_t released_cells = 0;
+    release.depth.values.for_each_stored([&](std::size_t, double depth) { released_cells += depth > 0; });
     if (scene.structured) {
         StructuredFlow flow(release.bed, scene.walls, *scene.structured, scene.numerics, release.particles, threads);
         const std::size_t solids = scene.structured->solids ? rest.failed.size() : 0;

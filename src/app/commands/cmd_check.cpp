@@ -74,18 +74,19 @@ void print_site(const Scene& scene) {
                                       [&](const ZoneKey& k) { return k.what == zone.what && !k.degrees(); });
         std::int64_t cells = 0;
         double least = std::numeric_limits<double>::infinity(), greatest = -least;
-        for (const double value : raster->values) {
-            if (std::isnan(value)) continue;
+        raster->values.for_each_stored([&](std::size_t, double value) {
+            if (std::isnan(value)) return;
             ++cells;
             least = std::min(least, value);
             greatest = std::max(greatest, value);
-        }
+        });
         line(zone.what, number_text(least, 4) + " to " + number_text(greatest, 4) + " " +
                             (key->unit.empty() ? "(coefficient)" : key->unit) + " on " + grouped(cells) + " cells");
     }
-    if (scene.walls)
-        std::printf("\nWalls on %s cells\n",
-                    grouped(std::count(scene.walls->values.begin(), scene.walls->values.end(), 1.0)).c_str());
+    if (!scene.walls) return;
+    std::int64_t walls = 0;
+    scene.walls->values.for_each_stored([&](std::size_t, double wall) { walls += wall == 1; });
+    std::printf("\nWalls on %s cells\n", grouped(walls).c_str());
 }
 
 void print_run(const Prepared& prepared, const RunEstimate& expected, const std::optional<TimeEstimate>& trial,

@@ -179,7 +179,7 @@ void check_outputs(const std::vector<Pair>& pairs, const std::optional<std::stri
 void refuse_too_large(const Simulated& simulated, const std::string& where) {
     Drawing drawing;
     drawing.page = simulated.source.style.size;
-    drawing.cells = simulated.input.depth.grid.cell_count();
+    drawing.cells = simulated.input.depth.values.stored_cells();
     refuse_pictures_of(memory_of_drawing(drawing), where,
                        std::to_string(drawing.page.width) + "x" + std::to_string(drawing.page.height));
 }

@@ -301,7 +301,8 @@ void render_result(const Values& values, const Request& request, Problems& probl
     check_folder(result, request, source, problems);
     problems.throw_if_any();
     const Size animation = values.count("size") > 0 ? source.style.size : animation_size(source.style.size);
-    refuse_too_large(values, request, source.style.size, animation, result.grid().cell_count());
+    refuse_too_large(values, request, source.style.size, animation,
+                     std::max(source.extent.values.stored_cells(), source.terrain.values.stored_cells()));
     KeptFiles kept;
     kept.add_result(result.directory());
     kept.add(source.style.background);
@@ -336,7 +337,7 @@ void render_raster(const Values& values, const Request& request, Problems& probl
     if (limit && !above) problems.add({"is not a number", "--above", *limit, "", ""});
     problems.throw_if_any();
     ForeignMap map = read_foreign_map(file, text_option(values, "dtm"), text_option(values, "unit"), above);
-    refuse_too_large(values, request, style.size, {}, map.layer.values.grid.cell_count());
+    refuse_too_large(values, request, style.size, {}, map.layer.values.values.stored_cells());
     map.source.style = style;
     map.source.title = text_option(values, "title").value_or(map.source.title);
     if (!style.background.empty()) gis::check_picture(style.background, map.layer.values.grid.crs_wkt, "--background");

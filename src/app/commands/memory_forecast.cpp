@@ -26,6 +26,8 @@ constexpr std::int64_t k_step_bytes = 180, k_step_text_bytes = 450, k_step_chart
 constexpr std::int64_t k_computing_bytes = 22'000'000;
 // Frames waiting for the disk contain both quantities; particles eight numbers each, VTK's and GDAL's copies.
 constexpr std::int64_t k_frame_cell_bytes = 40, k_frame_particle_bytes = 330;
+// Of a large map's cells, in all rasters together, where nothing is stored.
+constexpr std::int64_t k_table_millibytes = 100;
 // Particles split where the flow spreads thin; a trial without splitting does not predict it.
 constexpr double k_unseen_growth = 1.5;
 
@@ -38,11 +40,11 @@ bool draws_maps(const Prepared& prepared) {
 }
 
 // Returns what publish() draws.
-Drawing drawing_of(const Prepared& prepared) {
+Drawing drawing_of(const Prepared& prepared, std::int64_t cells) {
     const OutputSpec& output = prepared.spec.output;
     const Size page = size_from_text(output.map_size).value_or(Size{});
     Drawing drawing;
-    drawing.cells = prepared.scene.grid.cell_count();
+    drawing.cells = cells;
     if (draws_maps(prepared) || prepared.scar) drawing.page = page;
     drawing.views = std::any_of(output.maps.begin(), output.maps.end(),
                                 [](const std::string& name) { return name == "on" || name.ends_with("_3d"); });
@@ -61,7 +63,7 @@ struct Course {
 std::int64_t memory_of(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected,
                        const Course& course) {
     const OutputSpec& output = prepared.spec.output;
-    const std::int64_t cells = prepared.scene.grid.cell_count();
+    const std::int64_t cells = expected.stored_cells;
     const auto steps = static_cast<std::int64_t>(std::min(course.steps, 1e12));
     std::int64_t engine = expected.memory_bytes + steps * k_step_bytes +
                           expected.bytes_of_particles(std::max<std::int64_t>(0, course.particles - expected.particles));
@@ -71,20 +73,23 @@ std::int64_t memory_of(const Prepared& prepared, std::int64_t in_use, const RunE
     const std::int64_t results = cells * k_result_cell_bytes;
     const bool charts = output.charts && draws_maps(prepared);
     const std::int64_t writing = results + steps * k_step_text_bytes,
-                       drawing = results + memory_of_drawing(drawing_of(prepared)) +
+                       drawing = results + memory_of_drawing(drawing_of(prepared, cells)) +
                                  steps * (charts ? k_step_chart_bytes : k_step_bytes);
-    return in_use + k_computing_bytes + std::max({engine, writing, drawing});
+    // Tables of tiles, of which a raster of a large map consists.
+    const std::int64_t tables =
+        cells < prepared.scene.grid.cell_count() ? prepared.scene.grid.cell_count() * k_table_millibytes / 1000 : 0;
+    return in_use + k_computing_bytes + tables + std::max({engine, writing, drawing});
 }
 
 // Nothing moves faster than its fall: a step is at least the time to cross a cell at that speed plus the waves'.
 double most_steps(const Prepared& prepared, const RunEstimate& expected) {
     const Scene& scene = prepared.scene;
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
-    for (const double z : scene.terrain.values) {
-        if (std::isnan(z)) continue;
+    scene.terrain.values.for_each_stored([&](std::size_t, double z) {
+        if (std::isnan(z)) return;
         least = std::min(least, z);
         greatest = std::max(greatest, z);
-    }
+    });
     double speed = std::sqrt(2 * scene.numerics.gravity * std::max(0.0, greatest - least));
     double begun = 0;
     for (const ReleaseArea& area : scene.release) begun = std::max(begun, area.speed);
@@ -120,6 +125,7 @@ std::int64_t memory_of_run(const Prepared& prepared, std::int64_t in_use, const 
 }
 
 std::int64_t most_memory_of_run(const Prepared& prepared, std::int64_t in_use, const RunEstimate& expected) {
+    if (prepared.scene.terrain.values.is_tiled()) return std::numeric_limits<std::int64_t>::max();  // nobody knows
     // The number that merging leaves in every cell of the map.
     constexpr std::int64_t k_crowd = 3;
     const std::int64_t crowded =

@@ -56,7 +56,8 @@ Trial try_coarse(const SceneReading& reading, const GridSpec& grid, int factor, 
 
 std::optional<TimeEstimate> estimate_time(const SceneReading& reading, const Prepared& prepared,
                                           const RunEstimate& start, int threads) try {
-    if (prepared.scene.structured) return std::nullopt;  // it counts particle steps
+    if (prepared.scene.structured) return std::nullopt;                 // it counts particle steps
+    if (prepared.scene.terrain.values.is_tiled()) return std::nullopt;  // larger cells would take all of the DTM
     const GridSpec& grid = prepared.scene.grid;
     const bool large = prepared.release.area_m2 >= k_least_cells * 64 * grid.cell_area();
     const int factor = large ? 4 : 2;

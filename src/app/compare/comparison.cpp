@@ -30,15 +30,15 @@ std::optional<PathRunout> path_runout(const ComparisonInput& input, const Raster
     const Raster trace = trace_mask(input.depth, input.threshold);
     if (masked_area(trace) == 0) return std::nullopt;
     Raster both = observed;
-    for (std::size_t i = 0; i < both.values.size(); ++i)
-        if (trace.values[i] != 0) both.values[i] = 1;
+    trace.values.for_each_stored([&](std::size_t cell, double inside) {
+        if (inside != 0) both.values[cell] = 1;
+    });
     const Runout farthest = runout(*input.bed, *input.release, both);
     Raster depth = input.depth;
-    for (std::size_t i = 0; i < depth.values.size(); ++i) {
+    observed.values.for_each_stored([&](std::size_t cell, double inside) {
         // Surveyed area without flow is preferred to area that nothing touched.
-        const bool surveyed = observed.values[i] != 0 && !(depth.values[i] > input.threshold);
-        if (surveyed) depth.values[i] = input.threshold;
-    }
+        if (inside != 0 && !(input.depth.values[cell] > input.threshold)) depth.values[cell] = input.threshold;
+    });
     const Polyline path = flow_path(depth, farthest.top, farthest.tip);
     return PathRunout{runout_along(path, trace), runout_along(path, observed)};
 }

@@ -29,15 +29,14 @@ struct CellList {
 
 CellList cells_where(const Raster& cover, const std::function<bool(std::size_t)>& test) {
     CellList list;
-    for (std::int64_t row = 0; row < cover.grid.rows; ++row) {
-        for (std::int64_t column = 0; column < cover.grid.columns; ++column) {
-            if (cover.at(row, column) == 0 || !test(cover.index(row, column))) continue;
-            if (++list.count > k_cells_named) continue;
-            const Point centre = cover.grid.cell_centre(row, column);
-            list.text += (list.text.empty() ? "row " : "; row ") + std::to_string(row) + " column " +
-                         std::to_string(column) + " at " + number_text(centre.x, 9) + ", " + number_text(centre.y, 9);
-        }
-    }
+    cover.values.for_each_stored([&](std::size_t cell, double covered) {
+        if (covered == 0 || !test(cell) || ++list.count > k_cells_named) return;
+        const std::int64_t row = static_cast<std::int64_t>(cell) / cover.grid.columns,
+                           column = static_cast<std::int64_t>(cell) % cover.grid.columns;
+        const Point centre = cover.grid.cell_centre(row, column);
+        list.text += (list.text.empty() ? "row " : "; row ") + std::to_string(row) + " column " +
+                     std::to_string(column) + " at " + number_text(centre.x, 9) + ", " + number_text(centre.y, 9);
+    });
     if (list.count > k_cells_named) list.text += "; ...";
     return list;
 }
@@ -119,9 +118,9 @@ void check_greatest(const SceneReading& reading, const ReleaseInput& release, co
     };
     double least = k_most_thickness, greatest = 0, mean = 0;
     for (const ReleaseArea* release_area : different_rasters(reading, release)) {
-        const std::vector<double>& values = release_area->thickness_raster->values;
-        for (std::size_t i = 0; i < values.size(); ++i)
-            if (cover.values[i] != 0 && values[i] > greatest) greatest = values[i];
+        release_area->thickness_raster->values.for_each_stored([&](std::size_t cell, double thickness) {
+            if (thickness > greatest && cover.values[cell] != 0) greatest = thickness;
+        });
     }
     for (const ReleaseArea& release_area : release.areas) {
         if (!release_area.thickness_raster) {

@@ -17,10 +17,11 @@ constexpr double k_steepest_median = 60;             // degrees; of the steepest
 // A single cell of fine models: higher than trees and houses. Of coarse ones a summit may be as steep as 56 degrees.
 constexpr double k_needle = 20, k_needle_cells = 1.5;
 
-std::string place(const GridSpec& grid, const Spot& spot) {
-    const Point centre = grid.cell_centre(spot.row, spot.column);
-    return number_text(centre.x, 9) + ", " + number_text(centre.y, 9) + " (row " + std::to_string(spot.row) +
-           ", column " + std::to_string(spot.column) + ")";
+std::string place_of(const GridSpec& looked_at, const GridSpec& grid, const Spot& spot) {
+    const Point centre = looked_at.cell_centre(spot.row, spot.column);
+    const auto cell = [&](double distance) { return std::to_string(std::llround(distance / grid.cell_size - 0.5)); };
+    return number_text(centre.x, 9) + ", " + number_text(centre.y, 9) + " (row " + cell(grid.north - centre.y) +
+           ", column " + cell(centre.x - grid.west) + ")";
 }
 
 const char* const k_remedy =
@@ -28,9 +29,9 @@ const char* const k_remedy =
 
 }  // namespace
 
-void check_terrain(const SceneReading& reading, const Raster& terrain, RunLog& log) {
-    const GridSpec& grid = terrain.grid;
-    const double needle = std::max(k_needle, k_needle_cells * grid.cell_size);
+void check_terrain(const SceneReading& reading, const Raster& terrain, const GridSpec& grid, RunLog& log) {
+    const auto place = [&](const GridSpec& of, const Spot& spot) { return place_of(terrain.grid, of, spot); };
+    const double needle = std::max(k_needle, k_needle_cells * terrain.grid.cell_size);
     const TerrainSanity found = terrain_sanity(terrain, needle);
     const Spot& extreme = found.highest.value > -found.lowest.value ? found.highest : found.lowest;
     if (std::abs(extreme.value) > k_impossible) {

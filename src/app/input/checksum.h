@@ -27,7 +27,13 @@ class Checksum {
         add(static_cast<double>(text.size()));
         add_bytes(text.data(), text.size());
     }
-    void add(const Raster& raster) { add_bytes(raster.values.data(), raster.values.size() * sizeof(double)); }
+    /// Of what is stored of it.
+    void add(const Raster& raster) {
+        raster.values.for_each_run([this, &raster](std::size_t first, const double* values, std::size_t count) {
+            if (raster.values.is_tiled()) add(static_cast<double>(first));
+            add_bytes(values, count * sizeof(double));
+        });
+    }
     void add(const Polygon& polygon) { add_all(polygon.outer, polygon.holes); }
     void add(const PolygonFeature& feature) { add_all(feature.parts, feature.numbers); }
     void add(const gis::LineInput& feature) { add_all(feature.line, feature.texts); }

@@ -181,7 +181,7 @@ double sure_friction(const SceneSpec& scene) {
 }  // namespace
 
 std::optional<Bounds> flow_window(const SceneReading& reading, const gis::RasterInfo& dtm,
-                                  const std::string& working_crs) {
+                                  const std::string& working_crs, double most_area) {
     const SceneSpec& scene = reading.scene;
     const double friction = sure_friction(scene);
     if (friction < k_least_friction) return std::nullopt;
@@ -195,9 +195,11 @@ std::optional<Bounds> flow_window(const SceneReading& reading, const gis::Raster
     const gis::CrsTransform to_working(working_crs.empty() ? "" : dtm.crs_wkt, working_crs, dtm.bounds);
     const Bounds whole = to_working.around(dtm.bounds);
     const double cell = whole.width() / static_cast<double>(dtm.columns);
+    const auto is_too_large = [&](const Bounds& box) { return box.width() * box.height() > most_area; };
     Bounds needed = origins->front().extent;
+    for (const Origin& origin : *origins) needed = united(needed, origin.extent);
+    if (is_too_large(needed)) return std::nullopt;
     for (Origin& origin : *origins) {
-        needed = united(needed, origin.extent);
         double top = -HUGE_VAL;
         for (const gis::ElevationSample& s : sample(widened(origin.extent, 2 * cell))) top = std::max(top, s.elevation);
         if (!std::isfinite(top)) return std::nullopt;  // it lies outside the DTM: reported later
@@ -219,6 +221,7 @@ std::optional<Bounds> flow_window(const SceneReading& reading, const gis::Raster
             if (within_reach(s)) reached = united(reached, {s.place.x, s.place.y, s.place.x, s.place.y});
         }
         reached = widened(reached, 2 * step);
+        if (is_too_large(reached)) return std::nullopt;
         if (contains(window, reached) || contains(window, whole)) return reached;
         window = widened(window, std::max(window.width(), window.height()) / 2);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "app/text/run_log.h"
@@ -14,8 +15,10 @@ namespace frana::app {
 /// on the map (Heim 1932), so nothing it reaches lies above z + v^2 / 2g - mu * distance, with z the top of the mass
 /// and v its speed where it starts; mu is taken a fifth smaller, to be on the safe side, and less what pore pressure
 /// takes off. None where the whole DTM is needed: no friction, one that differs by place or that no law of the bed
-/// resists with at least, or nothing that starts.
+/// resists with at least, or nothing that starts; and where more than `most_area` [m2] would be needed, of which then
+/// no more is looked at than that takes.
 std::optional<Bounds> flow_window(const SceneReading& reading, const gis::RasterInfo& dtm,
-                                  const std::string& working_crs);
+                                  const std::string& working_crs,
+                                  double most_area = std::numeric_limits<double>::infinity());
 
 }  // namespace frana::app

@@ -76,7 +76,8 @@ void refuse_too_much(const SceneReading& reading, const Scene& scene, double rel
                                                   return sum + particles_of(inflow, spacing, scene.time.end);
                                               }),
                  particles = released_area / (spacing * spacing) + of_inflows;
-    const double cells = static_cast<double>(scene.grid.columns) * static_cast<double>(scene.grid.rows);
+    const double all = static_cast<double>(scene.grid.columns) * static_cast<double>(scene.grid.rows),
+                 cells = scene.terrain.values.is_tiled() ? std::min(all, released_area / scene.grid.cell_area()) : all;
     const double needed = cells * k_least_cell_bytes + particles * k_least_particle_bytes;
     const std::string cell = shortest_text(scene.grid.cell_size) + " m";
     if (const MemoryBound bound = usable_memory(); needed > bound.bytes) {

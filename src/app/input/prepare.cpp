@@ -166,6 +166,7 @@ Prepared prepare(const SceneReading& reading, RunLog& log) {
     place_origin(prepared.scene);
     refuse_too_much(reading, prepared.scene, release.area_m2);
     refuse_what_cannot_start(prepared.scene);
+    check_ground_read(reading, *ground, prepared.scene.terrain, log);
     const GridSpec& grid = prepared.scene.grid;
     if (!grid.crs_wkt.empty()) {
         prepared.convergence_deg = gis::meridian_convergence_deg(

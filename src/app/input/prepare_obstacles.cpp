@@ -64,11 +64,12 @@ void raise_ground(const SceneReading& reading, TerrainInput* ground, std::vector
     for (const std::string& warning : warnings.texts()) log.warn(warning);
     double most = 0;
     std::int64_t raised = 0;
-    for (std::size_t i = 0; i < height.values.size(); ++i) {
-        ground->terrain.values[i] += height.values[i];
-        most = std::max(most, height.values[i]);
-        raised += height.values[i] > 0;
-    }
+    height.values.for_each_stored([&](std::size_t cell, double metres) {
+        if (!(metres > 0)) return;
+        ground->terrain.values[cell] += metres;
+        most = std::max(most, metres);
+        ++raised;
+    });
     log.note("obstacles raise " + grouped(raised) + " cells of the bed by up to " + number_text(most, 4) + " m");
 }
 
@@ -93,7 +94,9 @@ std::optional<Raster> prepare_obstacles(const SceneReading& reading, TerrainInpu
         for (std::size_t f = 0; f < layer->features.size(); ++f)
             stamp(*layer, f, 1, key, *walls, warnings, problems, reading.where(key));
         for (const std::string& warning : warnings.texts()) log.warn(warning);
-        log.note("walls stand on " + grouped(std::count(walls->values.begin(), walls->values.end(), 1.0)) + " cells");
+        std::int64_t cells = 0;
+        walls->values.for_each_stored([&](std::size_t, double wall) { cells += wall == 1; });
+        log.note("walls stand on " + grouped(cells) + " cells");
     } catch (const Error& error) {
         problems.add(error);
     }

@@ -132,7 +132,9 @@ ReleaseInput prepare_release(const SceneReading& reading, const TerrainInput* gr
             release.areas = areas_of_raster(reading, *release.perimeter, *thickness, problems);
         } else {
             Raster positive(thickness->grid);
-            for (std::size_t i = 0; i < positive.values.size(); ++i) positive.values[i] = thickness->values[i] > 0;
+            thickness->values.for_each_stored([&](std::size_t cell, double metres) {
+                if (metres > 0) positive.values[cell] = 1;
+            });
             ReleaseArea area;
             area.outline = gis::polygonise(positive);
             area.thickness_raster = std::move(thickness);

@@ -10,16 +10,22 @@
 #include "app/input/flow_window.h"
 #include "app/input/memory_bound.h"
 #include "app/input/transform_report.h"
+#include "app/process/machine_memory.h"
 #include "app/text/number_text.h"
 #include "core/shortest_text.h"
 #include "gis/crs/crs.h"
+#include "gis/raster/elevation_sample.h"
 #include "gis/raster/working_grid.h"
 
 namespace frana::app {
 namespace {
 
 // Up to here a run takes the whole DTM; beyond, rasters nobody looks at would cost more than the flow.
-constexpr double k_large = 1e7;
+constexpr auto k_large = static_cast<double>(CellValues::k_most_dense);
+// Of ground that is read where the flow comes, cells cost addresses: of nodes and their maxima, and tables of tiles.
+constexpr double k_most_cells_on_demand = 2e10, k_addresses_per_cell = 320, k_table_bytes_per_cell = 0.3;
+// A large DTM is looked at in so many places along each side before a run.
+constexpr int k_samples = 16;
 // A grid of this many cells already takes 3 GB for each of its rasters.
 constexpr double k_most_cells = 4e8;
 // Terrain, bed, release and five results as real numbers of 8 bytes, two more while files are written.
@@ -54,9 +60,32 @@ gis::Resampling resampling_of(const std::string& name) {
     return gis::Resampling::automatic;
 }
 
-void check_size(const SceneReading& reading, const GridSpec& grid) {
+/// Whether the DTM can be read where the flow comes. What looks at all of the ground needs it whole: the fluid of the
+/// structured model, zones, what the bed gives and takes, walls round the map, holes to be filled, thicknesses from
+/// rasters and fitted surfaces.
+bool can_read_on_demand(const SceneSpec& scene) {
+    const ZonesSpec& zones = scene.zones;
+    const bool by_place = scene.terrain.friction_zones || zones.friction_angle || zones.friction_coefficient ||
+                          zones.turbulence || zones.cohesion || zones.erodible_depth;
+    const auto& thickness = scene.release.thickness;
+    return !(thickness && (thickness->by_raster() || thickness->fitted())) &&
+           scene.material.model == "voellmy-bingham" && !by_place && scene.entrainment.erosion == "off" &&
+           !scene.entrainment.deposition && scene.numerics.boundary != "wall" && scene.terrain.nodata_policy != "fill";
+}
+
+void check_size(const SceneReading& reading, const GridSpec& grid, bool on_demand) {
     const double cells = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
-    const double needed = cells * k_bytes_per_cell;
+    const double needed = cells * (on_demand ? k_table_bytes_per_cell : k_bytes_per_cell);
+    if (const double room = address_room(); on_demand && cells * k_addresses_per_cell > room) {
+        throw Error(ErrorKind::input,
+                    Problem{"a run on the working grid of " + grouped(cells) + " cells maps up to " +
+                                bytes_text(cells * k_addresses_per_cell) +
+                                " of addresses, though it takes memory only where the flow comes",
+                            reading.where("terrain.cell-size"), shortest_text(grid.cell_size) + " m",
+                            bytes_text(room) + ", which ulimit -v, ulimit -d or vm.overcommit_memory = 2 allow",
+                            "Lift that limit (ulimit -v unlimited), or choose larger cells or a part of the DTM with "
+                            "terrain.bounds"});
+    }
     if (const MemoryBound bound = usable_memory(); needed > bound.bytes) {
         throw Error(ErrorKind::input, Problem{"a run on the working grid of " + grouped(cells) +
                                                   " cells needs at least " + bytes_text(needed) + " of memory",
@@ -64,11 +93,52 @@ void check_size(const SceneReading& reading, const GridSpec& grid) {
                                               bytes_text(bound.bytes) + ", which " + bound.what,
                                               "Choose larger cells or a part of the DTM with terrain.bounds"});
     }
-    if (cells <= k_most_cells) return;
+    const double most = on_demand ? k_most_cells_on_demand : k_most_cells;
+    if (cells <= most) return;
     throw Error(ErrorKind::input,
                 Problem{"the working grid would have " + grouped(cells) + " cells", reading.where("terrain.cell-size"),
-                        shortest_text(grid.cell_size) + " m", "at most " + grouped(k_most_cells) + " cells",
+                        shortest_text(grid.cell_size) + " m", "at most " + grouped(most) + " cells",
                         "Choose larger cells or a part of the DTM with terrain.bounds"});
+}
+
+/// Samples of a large DTM on a grid of their own, which covers all of it. Throws Error(input) where there is none.
+Raster samples_of(const TerrainSpec& spec, const gis::RasterInfo& file, const GridSpec& grid) {
+    GridSpec coarse = grid;
+    coarse.cell_size =
+        grid.cell_size * static_cast<double>((std::max(grid.columns, grid.rows) + k_samples - 1) / k_samples);
+    coarse.columns = coarse.rows = k_samples;
+    Raster raster(coarse, k_no_data);
+    for (const gis::ElevationSample& s :
+         gis::sample_elevations(file, grid.crs_wkt, grid.bounds(), k_samples, spec.vertical_unit, spec.nodata_value)) {
+        const auto column = static_cast<std::int64_t>((s.place.x - coarse.west) / coarse.cell_size),
+                   row = static_cast<std::int64_t>((coarse.north - s.place.y) / coarse.cell_size);
+        if (column >= 0 && row >= 0 && column < coarse.columns && row < coarse.rows)
+            raster.at(row, column) = s.elevation;
+    }
+    return raster;
+}
+
+/// The ground of a large DTM, of which nothing is read yet but samples.
+void read_on_demand(const SceneReading& reading, const GridSpec& grid, TerrainInput& input, RunLog& log) {
+    const TerrainSpec& spec = reading.scene.terrain;
+    const std::string where = reading.where("terrain.dtm");
+    const auto file = std::make_shared<const gis::RasterOnDemand>(
+        spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "", resampling_of(spec.resampling), spec.vertical_unit,
+        spec.nodata_value, where);
+    gis::RasterRead known = file->known();
+    for (const std::string& warning : known.warnings) log.warn("DTM: " + warning);
+    input.on_demand = file;
+    input.terrain.grid = grid;
+    input.terrain.values =
+        CellValues::tiled(grid.rows, grid.columns, k_no_data,
+                          [file](const CellWindow& window, double* values) { file->read(window, values); });
+    known.raster = samples_of(spec, input.file, grid);
+    check_terrain(reading, known.raster, grid, log);
+    input.used = used_raster("DTM", input.file, known);
+    input.used.nodata.replace(0, input.used.nodata.find('\n'), "not counted");
+    log.note(
+        "the DTM is large: elevations are read where the release lies and where the flow comes, and checked there; "
+        "of the whole only samples were checked");
 }
 
 TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
@@ -82,14 +152,22 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     if (crs.empty()) input.file.crs_wkt.clear();
 
     std::optional<Bounds> bounds = spec.bounds;
+    bool on_demand = can_read_on_demand(reading.scene);
     if (!bounds && static_cast<double>(input.file.columns) * static_cast<double>(input.file.rows) > k_large) {
-        bounds = flow_window(reading, input.file, crs);
+        const GridSpec all = gis::working_grid(input.file, crs, bounds, spec.cell_size);
+        const double most = on_demand ? k_large * all.cell_area() : HUGE_VAL;
+        bounds = flow_window(reading, input.file, crs, most);
         if (bounds)
             log.note("the DTM is large: frana takes the part that the release can reach, " + extent_text(*bounds) +
                      "; terrain.bounds overrides this");
     }
     const GridSpec grid = gis::working_grid(input.file, crs, bounds, spec.cell_size);
-    check_size(reading, grid);
+    on_demand = on_demand && static_cast<double>(grid.cell_count()) > k_large;
+    check_size(reading, grid, on_demand);
+    if (on_demand) {
+        read_on_demand(reading, grid, input, log);
+        return input;
+    }
     gis::RasterRead read =
         gis::read_raster_on(spec.dtm, grid, spec.dtm_crs ? input.file.crs_wkt : "", resampling_of(spec.resampling),
                             spec.vertical_unit, spec.nodata_value, reading.where("terrain.dtm"));
@@ -109,7 +187,7 @@ TerrainInput read_terrain(const SceneReading& reading, RunLog& log) {
     }
     if (spec.nodata_policy == "fill" && input.nodata_cells > 0)
         input.filled_cells = gis::fill_nodata(input.terrain, k_fill_distance_cells);
-    check_terrain(reading, input.terrain, log);
+    check_terrain(reading, input.terrain, grid, log);
     return input;
 }
 
@@ -134,6 +212,13 @@ void report(const TerrainInput& input, const SceneReading& reading, RunLog& log)
 }
 
 }  // namespace
+
+void check_ground_read(const SceneReading& reading, const TerrainInput& ground, const Raster& terrain, RunLog& log) {
+    if (!ground.on_demand) return;
+    for (const CellWindow& window : terrain.values.stored_windows(terrain.grid.columns))
+        check_terrain(reading, part_of(terrain, window), terrain.grid, log);
+    for (const std::string& warning : ground.on_demand->suspicions()) log.warn("DTM: " + warning);
+}
 
 std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog& log, Problems& problems) {
     if (reading.scene.terrain.dtm.empty()) return std::nullopt;  // reported as missing when the scene was read

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -20,10 +21,16 @@ struct TerrainInput {
     UsedFile used;
     std::int64_t nodata_cells = 0;
     std::int64_t filled_cells = 0;
+    std::shared_ptr<const gis::RasterOnDemand>
+        on_demand;  ///< of a large DTM, read where the flow comes; null: all read
 };
 
-/// Reads the DTM onto the working grid. Adds every problem to `problems`; none is returned when the ground is
+/// Reads the DTM onto the working grid; a large one only where somebody asks for its elevations, with a few samples to
+/// check. Adds every problem to `problems`; none is returned when the ground is
 /// not known.
 std::optional<TerrainInput> prepare_terrain(const SceneReading& reading, RunLog& log, Problems& problems);
+
+/// Looks at what was read of a large DTM so far, as check_terrain at all of a small one: the ground under the release.
+void check_ground_read(const SceneReading& reading, const TerrainInput& ground, const Raster& terrain, RunLog& log);
 
 }  // namespace frana::app

@@ -47,8 +47,9 @@ MapLayer read_map_layer(const std::string& path, bool foreign) {
     MapLayer layer;
     layer.values = gis::read_result_raster(path);
     if (foreign && text.classes.empty()) {
-        for (double& value : layer.values.values)
+        layer.values.values.change_each_stored([](std::size_t, double& value) {
             if (value == 0) value = k_no_data;
+        });
     }
     const std::filesystem::path file(path);
     layer.name = file.stem().string();
@@ -82,9 +83,10 @@ MapLayer read_greatest_layer(const std::vector<std::string>& paths) {
         const Raster more = gis::read_result_raster(paths[i]);
         if (!more.grid.same_cells(layer.values.grid))
             throw Error(ErrorKind::input, Problem{"has different cells from " + paths.front(), paths[i], "", "", ""});
-        for (std::size_t cell = 0; cell < more.values.size(); ++cell)
-            layer.values.values[cell] =
-                std::fmax(layer.values.values[cell], more.values[cell]);  // a number takes precedence over nodata
+        more.values.for_each_stored([&](std::size_t cell, double value) {
+            double& greatest = layer.values.values[cell];
+            greatest = std::fmax(greatest, value);  // a number takes precedence over nodata
+        });
     }
     set_from_table(layer.name.substr(0, layer.name.find_last_of('_')), layer);
     layer.time.reset();
@@ -94,7 +96,8 @@ MapLayer read_greatest_layer(const std::vector<std::string>& paths) {
 std::vector<std::string> class_areas(const MapLayer& layer) {
     std::vector<std::string> lines;
     for (const render::ClassLabel& one : layer.categories) {
-        const auto cells = std::count(layer.values.values.begin(), layer.values.values.end(), one.value);
+        std::int64_t cells = 0;
+        layer.values.values.for_each_stored([&](std::size_t, double value) { cells += value == one.value; });
         const std::string name = one.label.substr(0, one.label.find(':'));
         lines.push_back(name + " " + grouped(static_cast<double>(cells) * layer.values.grid.cell_area()) + " m²");
     }

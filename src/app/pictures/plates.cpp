@@ -78,7 +78,7 @@ render::Plate plate_of(const Snapshots& snapshots, const MapSource& source) {
 MapLayer normal_stress(const MapLayer& depth, double density, double gravity, double greatest_depth) {
     MapLayer layer = depth;
     const double kilopascal = density * gravity / 1000;
-    for (double& value : layer.values.values) value *= kilopascal;
+    layer.values.values.change_each_stored([&](std::size_t, double& value) { value *= kilopascal; });
     layer.title = "Normal stress";
     layer.unit = "kPa";
     layer.palette = "velocity";

@@ -60,8 +60,9 @@ void refuse_newer_summary(const std::string& path) {
 
 /// Fills cells without a value from another raster on the same grid, if they are greater than zero.
 void include(Raster& extent, const Raster& more) {
-    for (std::size_t i = 0; i < extent.values.size(); ++i)
-        if (std::isnan(extent.values[i]) && more.values[i] > 0) extent.values[i] = more.values[i];
+    more.values.for_each_stored([&](std::size_t cell, double value) {
+        if (value > 0 && std::isnan(std::as_const(extent).values[cell])) extent.values[cell] = value;
+    });
 }
 
 }  // namespace

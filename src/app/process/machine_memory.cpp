@@ -102,6 +102,17 @@ void map_sparingly() {
     if (shell_room("/", RLIMIT_AS, "VmSize:") != k_none) ::mallopt(M_ARENA_MAX, 1);
 }
 
+double address_room(const std::string& root) {
+    const fs::path system(root), info = system / "proc/meminfo";
+    double room = std::min(shell_room(system, RLIMIT_AS, "VmSize:"), shell_room(system, RLIMIT_DATA, "VmData:"));
+    constexpr double k_strictly = 2;
+    if (limit_in(system / "proc/sys/vm/overcommit_memory") == k_strictly) {
+        const auto most = number_after(info, "CommitLimit:"), given = number_after(info, "Committed_AS:");
+        if (most && given) room = std::min(room, std::max(0.0, *most - *given));
+    }
+    return room;
+}
+
 MemoryBound machine_memory(const std::string& root) {
     const fs::path system(root), info = system / "proc/meminfo";
     const double all = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE)),

@@ -17,6 +17,11 @@ struct MemoryBound {
 /// memory this process already uses. `root`: the folder that contains proc and sys.
 MemoryBound machine_memory(const std::string& root = "/");
 
+/// Returns the addresses that this process may still map, whether it touches them or not [bytes]: the shell's limits
+/// (ulimit -v, -d), and what the system grants where it promises no more than it has (vm.overcommit_memory = 2).
+/// Infinity: any.
+double address_room(const std::string& root = "/");
+
 /// Returns the memory in use by this process [bytes].
 std::int64_t resident_memory(const std::string& root = "/");
 

@@ -100,8 +100,7 @@ void warn_of_thin_flow(const Finished& run, RunLog& log) {
     const RunResult& result = run.result;
     if (result.thin_fraction < k_thin_fraction) return;
     const double minimum = run.prepared.scene.numerics.minimum_depth;
-    const bool was_visible = std::any_of(result.max_depth.values.begin(), result.max_depth.values.end(),
-                                         [](double depth) { return depth > 0; });
+    const bool was_visible = maximum(result.max_depth) > 0;
     log.warn((was_visible ? "at one time " + percent(result.thin_fraction) + " of the flow was thinner than"
                           : std::string("the maps are empty: the flow was nowhere as deep as")) +
              " numerics.minimum-depth = " + shortest_text(minimum) +
@@ -185,6 +184,7 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     facts.statistics = {threshold, masked_area(trace), runout(result.bed, result.release, trace)};
     facts.high = peak_statistics(result, trace);
 
+    if (prepared.ground.on_demand) publish_dtm(prepared, directory);  // more of it has been read since the start
     publish_rasters(prepared, result, directory);
     publish_outlines(prepared, result, facts.statistics.run_out, directory);
     publish_series(prepared, result, directory);

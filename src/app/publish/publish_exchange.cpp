@@ -29,8 +29,9 @@ double gradient(double before, double here, double after, double cell_size) {
 /// Zero where there is ground but no flow, as in AvaFrame's own files.
 Raster filled(const Raster& values, const Raster& terrain) {
     Raster raster = values;
-    for (std::size_t i = 0; i < raster.values.size(); ++i)
-        if (std::isnan(raster.values[i]) && !std::isnan(terrain.values[i])) raster.values[i] = 0;
+    terrain.values.for_each_stored([&](std::size_t cell, double ground) {
+        if (!std::isnan(ground) && std::isnan(std::as_const(raster).values[cell])) raster.values[cell] = 0;
+    });
     return raster;
 }
 
@@ -43,15 +44,15 @@ Raster normal_thickness(const Raster& depth, const Raster& bed) {
         const bool outside = row < 0 || column < 0 || row >= grid.rows || column >= grid.columns;
         return outside ? k_no_data : bed.at(row, column);
     };
-    for (std::int64_t row = 0; row < grid.rows; ++row) {
-        for (std::int64_t column = 0; column < grid.columns; ++column) {
-            if (!depth.has_data(row, column)) continue;
-            const double here = bed_at(row, column);
-            const double east = gradient(bed_at(row, column - 1), here, bed_at(row, column + 1), grid.cell_size);
-            const double north = gradient(bed_at(row + 1, column), here, bed_at(row - 1, column), grid.cell_size);
-            normal.at(row, column) = depth.at(row, column) / std::sqrt(1 + east * east + north * north);
-        }
-    }
+    depth.values.for_each_stored([&](std::size_t cell, double value) {
+        if (std::isnan(value)) return;
+        const std::int64_t row = static_cast<std::int64_t>(cell) / grid.columns,
+                           column = static_cast<std::int64_t>(cell) % grid.columns;
+        const double here = bed_at(row, column);
+        const double east = gradient(bed_at(row, column - 1), here, bed_at(row, column + 1), grid.cell_size);
+        const double north = gradient(bed_at(row + 1, column), here, bed_at(row - 1, column), grid.cell_size);
+        normal.values[cell] = value / std::sqrt(1 + east * east + north * north);
+    });
     return normal;
 }
 

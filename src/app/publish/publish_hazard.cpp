@@ -15,7 +15,9 @@ constexpr const char* k_hazard = "hazard";  // the raster's row
 
 Raster mask_of(const Raster& classes, int value) {
     Raster mask(classes.grid);
-    for (std::size_t i = 0; i < mask.values.size(); ++i) mask.values[i] = classes.values[i] == value ? 1 : 0;
+    classes.values.for_each_stored([&](std::size_t cell, double kind) {
+        if (kind == value) mask.values[cell] = 1;
+    });
     return mask;
 }
 

@@ -42,8 +42,9 @@ gis::OutlineLayer outline(const std::string& name, const Raster& depth, double t
     if (parts.empty()) return {name, {}};
     PolygonFeature area = feature(std::move(parts), threshold);
     double volume = 0;
-    for (std::size_t i = 0; i < mask.values.size(); ++i)
-        if (mask.values[i] != 0) volume += depth.values[i] * result.bed.grid.cell_area();
+    mask.values.for_each_stored([&](std::size_t cell, double inside) {
+        if (inside != 0) volume += depth.values[cell] * result.bed.grid.cell_area();
+    });
     area.numbers["volume_m3"] = volume;
     const PeakValues high = high_values(depth, mask);
     area.numbers["max_depth_m"] = high.greatest;
@@ -62,8 +63,12 @@ void publish_rasters(const Prepared& prepared, const RunResult& result, const Re
         if (const Raster* raster = find_raster(result, row)) write(directory, row, *raster, origin);
 }
 
-void publish_ground(const Prepared& prepared, const ResultDirectory& directory) {
+void publish_dtm(const Prepared& prepared, const ResultDirectory& directory) {
     write(directory, *find_result_raster("dtm"), prepared.scene.terrain, provenance(prepared));
+}
+
+void publish_ground(const Prepared& prepared, const ResultDirectory& directory) {
+    publish_dtm(prepared, directory);
     gis::OutlineLayer release{"release", {}};
     for (const ReleaseArea& area : prepared.scene.release) release.features.push_back(feature(area.outline, 0));
     std::vector<gis::OutlineLayer> layers{std::move(release)};

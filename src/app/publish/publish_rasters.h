@@ -8,6 +8,9 @@
 
 namespace frana::app {
 
+/// Writes dtm.tif; of a large DTM the part that was read. Throws Error(environment).
+void publish_dtm(const Prepared& prepared, const ResultDirectory& directory);
+
 /// Writes what is known before a run: dtm.tif, scene.ini, and in extent.gpkg release and scar. Throws
 /// Error(environment).
 void publish_ground(const Prepared& prepared, const ResultDirectory& directory);

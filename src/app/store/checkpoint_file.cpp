@@ -29,9 +29,38 @@ constexpr std::size_t k_buffer = 1 << 20;
 // In the precision of the frames' files.
 template <class Archive>
 void serialise_values(Archive& archive, Raster& raster) {
-    std::vector<float> values(raster.values.begin(), raster.values.end());
-    archive(values);
-    if constexpr (Archive::k_reads) raster.values.assign(values.begin(), values.end());
+    std::int64_t rows = raster.grid.rows, columns = raster.grid.columns;
+    bool tiled = raster.values.is_tiled();
+    archive(rows, columns, tiled);
+    std::vector<float> values;
+    if (!tiled) {
+        if constexpr (!Archive::k_reads) values.assign(raster.values.begin(), raster.values.end());
+        archive(values);
+        if constexpr (Archive::k_reads) raster.values.assign(values.begin(), values.end());
+        return;
+    }
+    // What is stored of a large map.
+    std::vector<std::uint64_t> firsts, counts;
+    if constexpr (!Archive::k_reads) {
+        raster.values.for_each_run([&](std::size_t first, const double* run, std::size_t count) {
+            firsts.push_back(first);
+            counts.push_back(count);
+            values.insert(values.end(), run, run + count);
+        });
+    }
+    archive(firsts, counts, values);
+    if constexpr (Archive::k_reads) {
+        constexpr std::int64_t k_most_side = 10'000'000, k_most_cells = 100'000'000'000;
+        archive.require(rows > 0 && columns > 0 && rows <= k_most_side && columns <= k_most_side &&
+                        rows * columns <= k_most_cells && firsts.size() == counts.size());
+        raster.values = CellValues::tiled(rows, columns, k_no_data);
+        std::size_t next = 0;
+        for (std::size_t run = 0; run < firsts.size(); ++run) {
+            archive.require(counts[run] <= values.size() - next && firsts[run] <= raster.values.size() &&
+                            counts[run] <= raster.values.size() - firsts[run]);
+            for (std::uint64_t k = 0; k < counts[run]; ++k) raster.values[firsts[run] + k] = values[next++];
+        }
+    }
 }
 
 template <class Archive>

@@ -44,7 +44,7 @@ const Raster& raster_of(const Frame& frame, const std::string& what) {
 std::uint64_t bytes_of(const Frame& frame) {
     constexpr std::uint64_t k_names = 1000;
     const std::uint64_t rasters = 2 + frame.more.size(), columns = 2 + frame.particles.columns.size();
-    return k_names + rasters * frame.depth.values.size() * sizeof(float) +
+    return k_names + rasters * static_cast<std::uint64_t>(frame.depth.values.stored_cells()) * sizeof(float) +
            columns * frame.particles.places.size() * sizeof(double);
 }
 

@@ -16,6 +16,8 @@ namespace {
 // steps apart.
 constexpr double k_long_shape = 1;
 constexpr int k_sort_pause = 3;
+// Round the nodes that particles can touch slopes, curvatures and levels look this many nodes farther, at most.
+constexpr std::int64_t k_round = 8;
 
 void activate_where_crossed(State& state, ThreadPool& pool) {
     const double *x = state.particles[Field::x], *y = state.particles[Field::y];
@@ -54,6 +56,7 @@ void sort_particles(State& state, bool drop, std::vector<std::uint8_t> keep, Thr
     const std::vector<std::int64_t> before = state.order.node_tiles();
     state.order.sort(state.particles, keep, pool);
     const auto& now = state.order.node_tiles();
+    cover_ground(state);
     for (const std::int64_t tile : before) {
         if (!std::binary_search(now.begin(), now.end(), tile)) {
             clear_nodes(NodeRange(tile, state.order.grid(), state.nodes), state.nodes);
@@ -76,6 +79,14 @@ double wave_of(const ParticleSet& particles, std::size_t p, const Laws& laws) {
 }
 
 }  // namespace
+
+void cover_ground(const State& state) {
+    if (!state.nodes.is_on_demand()) return;
+    for (const std::int64_t tile : state.order.node_tiles()) {
+        const NodeRange range(tile, state.order.grid(), state.nodes);
+        state.nodes.cover({range.i0 - k_round, range.i1 + k_round, range.j0 - k_round, range.j1 + k_round});
+    }
+}
 
 bool shifts_now(const State& state, const Stages& stages) {
     return stages.resamples && state.since_sort % k_shift_steps == 0;

@@ -63,6 +63,10 @@ void leave_and_land(Step& now);
 /// were added or the bed changed between steps.
 void prepare(State& state, const Laws& laws, ThreadPool& pool);
 
+/// Takes the ground under the nodes that the particles can touch and round them, where the grid takes it on demand.
+/// After every sort; prepare and regularise do so.
+void cover_ground(const State& state);
+
 /// Computes mass, momentum, area and reference levels on the nodes for the current particles, without moving anything.
 void gather_on_nodes(State& state, const Laws& laws, const Stages& stages, Maxima& maxima, ThreadPool& pool);
 

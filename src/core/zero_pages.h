@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace frana {
+
+/// Pages of zeros from the system, which take memory only where they are written, however many they are: nothing is
+/// reserved for the others, and no huge pages are given where only little of each would be used.
+/// Null where there is no room in the address space.
+[[nodiscard]] void* map_zero_pages(std::size_t bytes) noexcept;
+void unmap_zero_pages(void* pages, std::size_t bytes) noexcept;
+
+/// Which pages of mapped memory may hold something else than zeros, as the system knows. Memory of which it says
+/// nothing counts as touched.
+class TouchedPages {
+  public:
+    /// @param pages from map_zero_pages, or null: everything counts as touched
+    TouchedPages(const void* pages, std::size_t bytes);
+    /// Whether any page of a part counts as touched; offsets in bytes from the first page.
+    [[nodiscard]] bool any(std::size_t offset, std::size_t length) const noexcept;
+
+  private:
+    std::vector<std::uint8_t> touched_;  // by page; empty: unknown
+    std::size_t page_;
+};
+
+}  // namespace frana

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Terrain that is read only where the flow comes gives the result of terrain that is read whole, bit for bit: along
+// the way, after a resume, for any number of threads. What cannot be read ends the run after its state was saved.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "core/error.h"
+#include "played_runs.h"
+#include "simulation/release.h"
+
+namespace frana {
+namespace {
+
+constexpr std::int64_t k_west_cells = 400, k_north_cells = 450, k_side = 1000;
+
+// A raster in the middle of a map a hundred times larger; its rim goes on.
+Raster in_wide_map(const Raster& raster) {
+    GridSpec grid = raster.grid;
+    grid.west -= static_cast<double>(k_west_cells) * grid.cell_size;
+    grid.north += static_cast<double>(k_north_cells) * grid.cell_size;
+    grid.columns = grid.rows = k_side;
+    Raster wide(grid);
+    for (std::int64_t row = 0; row < k_side; ++row)
+        for (std::int64_t column = 0; column < k_side; ++column)
+            wide.at(row, column) =
+                raster.at(std::clamp<std::int64_t>(row - k_north_cells, 0, raster.grid.rows - 1),
+                          std::clamp<std::int64_t>(column - k_west_cells, 0, raster.grid.columns - 1));
+    return wide;
+}
+
+Scene wide(Scene scene) {
+    scene.terrain = in_wide_map(scene.terrain);
+    scene.terrain.at(k_north_cells + 2, k_west_cells + 60) = k_no_data;  // a hole beside the flow
+    if (scene.walls) scene.walls = in_wide_map(*scene.walls);
+    if (scene.zones.friction_coefficient)
+        scene.zones.friction_coefficient = in_wide_map(*scene.zones.friction_coefficient);
+    scene.grid = scene.terrain.grid;
+    return scene;
+}
+
+// Reads windows of a terrain; throws from the `last` window on.
+struct Reader {
+    Raster whole;
+    int windows = 0, last = 1'000'000;
+};
+
+Scene on_demand(Scene scene, const std::shared_ptr<Reader>& reader) {
+    reader->whole = scene.terrain;
+    scene.terrain.values = CellValues::tiled(
+        scene.grid.rows, scene.grid.columns, k_no_data, [reader](const CellWindow& window, double* values) {
+            if (++reader->windows > reader->last)
+                throw Error(ErrorKind::environment, Problem{"the disk is gone", "dtm.tif", "", "", ""});
+            for (std::int64_t row = 0; row < window.rows; ++row)
+                for (std::int64_t column = 0; column < window.columns; ++column)
+                    *values++ = reader->whole.at(window.row + row, window.column + column);
+        });
+    return scene;
+}
+
+Scene on_demand(const Scene& scene) {
+    return on_demand(scene, std::make_shared<Reader>());
+}
+
+// On ground that nothing else reaches.
+Scene inflow_elsewhere() {
+    Scene scene = hillside();
+    scene.inflows = {{{{300, -500}, {300, -480}}, {{2, 20, 3}, {9, 20, 4}}, 1.5}};
+    return scene;
+}
+
+struct Case {
+    const char* name;
+    Scene (*scene)();
+    std::int64_t every;
+};
+
+class GroundOnDemand : public testing::TestWithParam<Case> {};
+
+TEST_P(GroundOnDemand, GivesTheResultOfTheWholeGround) {
+    const Scene whole = wide(GetParam().scene()), part = on_demand(whole);
+    const Played straight = play(whole, 1, GetParam().every), read = play(part, 3, GetParam().every);
+    if (!whole.structured) {
+        EXPECT_LT(part.terrain.values.stored_cells(), k_side * k_side / 2);
+    }
+    expect_same(straight.result, read.result);
+    ASSERT_EQ(straight.frames.size(), read.frames.size());
+    for (std::size_t k = 0; k < read.frames.size(); ++k)
+        EXPECT_TRUE(same(straight.frames[k].depth, read.frames[k].depth) &&
+                    same(straight.frames[k].velocity, read.frames[k].velocity));
+    ASSERT_FALSE(read.states.empty());
+    expect_same(straight.result,
+                play(on_demand(whole), 1, GetParam().every, &read.states[read.states.size() / 2]).result);
+}
+
+INSTANTIATE_TEST_SUITE_P(, GroundOnDemand,
+                         testing::Values(Case{"hillside", hillside, 45}, Case{"eventful", eventful, 200},
+                                         Case{"resting", resting, 300}, Case{"settling", settling, 600},
+                                         Case{"flying", flying, 100}, Case{"inflow_elsewhere", inflow_elsewhere, 45},
+                                         Case{"earth_pressure", earth_pressure, 60}),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+// Not before anything is computed: on the way. The state of the last whole step goes on when the ground can be read.
+TEST(GroundThatCannotBeRead, EndsTheRunAfterItsStateWasSaved) {
+    const Scene whole = wide(hillside());
+    const Played straight = play(whole, 1, 1'000'000);
+    const auto reader = std::make_shared<Reader>();
+    Scene part = on_demand(whole, reader);
+    (void)make_release(part);  // what lies under the release is read
+    reader->last = reader->windows + 3;
+    Bytes saved;
+    RunOptions options;
+    options.after_step = [&](const Progress& now, const SaveState& save) {
+        if (!now.last) return;
+        StateWriter writer([&](const void* data, std::size_t count) {
+            const auto* const begin = static_cast<const std::byte*>(data);
+            saved.insert(saved.end(), begin, begin + count);
+        });
+        save(writer);
+    };
+    try {
+        (void)run(part, options);
+        FAIL() << "read " << reader->windows << " windows, " << reader->last << " of them";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::environment);
+        EXPECT_NE(std::string(error.what()).find("the disk is gone"), std::string::npos);
+    }
+    ASSERT_FALSE(saved.empty());
+    expect_same(straight.result, play(on_demand(whole), 2, 1'000'000, &saved).result);
+}
+
+TEST(GroundThatHasChanged, IsNotGoneOnWith) {
+    const Scene whole = wide(hillside());
+    const Bytes state = play(on_demand(whole), 1, 45).states.front();
+    Scene other = whole;
+    other.terrain.at(k_north_cells + 30, k_west_cells + 20) += 0.1;  // under the release
+    EXPECT_THROW(play(on_demand(other), 1, 45, &state), Error);
+}
+
+}  // namespace
+}  // namespace frana
