@@ -58,6 +58,10 @@ const char* describe(Trend trend) {
             return "diverging";
         case Trend::settled:
             return "settled";
+        case Trend::terrain:
+            return "limited by the terrain's detail";
+        case Trend::unknown:
+            return "too few levels to tell";
     }
     return "";
 }
@@ -87,6 +91,124 @@ GridConvergence grid_convergence(const std::vector<Refinement>& levels) {
     result.error = safety * std::abs(last) / (std::pow(ratio, order) - 1);
     result.index_percent = fine.value != 0 ? 100 * result.error / std::abs(fine.value) : 0;
     return result;
+}
+
+namespace {
+
+constexpr double k_same_size = 1.01, k_front_order = 1, k_order_tolerance = 0.1;
+
+/// Levels on cells of up to `factor` times the finest: their range over what order one makes of it.
+struct Window {
+    double range = 0;   ///< of the values
+    double widest = 1;  ///< coarsest cell size over the finest
+    std::size_t count = 0;
+
+    [[nodiscard]] bool reaches(double factor) const { return widest * k_same_size >= factor; }
+    [[nodiscard]] double first_order() const { return widest > 1 ? range / (widest - 1) : 0; }
+};
+
+Window window(const std::vector<Refinement>& levels, double factor) {
+    const Refinement& fine = levels.back();
+    double least = fine.value, greatest = fine.value;
+    Window result;
+    for (const Refinement& level : levels) {
+        const double ratio = level.cell_size / fine.cell_size;
+        if (ratio > factor * k_same_size) continue;
+        ++result.count;
+        result.widest = std::max(result.widest, ratio);
+        least = std::min(least, level.value);
+        greatest = std::max(greatest, level.value);
+    }
+    result.range = greatest - least;
+    return result;
+}
+
+/// The value on cells `factor` times the finest; NaN without such a level.
+double value_at(const std::vector<Refinement>& levels, double factor) {
+    for (const Refinement& level : levels)
+        if (std::abs(level.cell_size / (factor * levels.back().cell_size) - 1) < k_same_size - 1) return level.value;
+    return k_no_data;
+}
+
+/// Of the levels on cells of up to four times the finest.
+bool changes_in_one_direction(const std::vector<Refinement>& levels) {
+    bool up = true, down = true;
+    for (std::size_t k = 1; k < levels.size(); ++k) {
+        if (levels[k - 1].cell_size > 4 * k_same_size * levels.back().cell_size) continue;
+        up &= levels[k].value >= levels[k - 1].value;
+        down &= levels[k].value <= levels[k - 1].value;
+    }
+    return up || down;
+}
+
+}  // namespace
+
+bool enough_levels(const std::vector<double>& cell_sizes) {
+    std::vector<Refinement> levels;
+    for (const double size : cell_sizes) levels.push_back({size, 0});
+    return !levels.empty() && window(levels, 4).count >= 3 && window(levels, 2).reaches(2);
+}
+
+GridConvergence grid_convergence(const std::vector<Refinement>& levels, double detail) {
+    const Window half = window(levels, 2), quarter = window(levels, 4);
+    require_three(half.reaches(2) ? quarter.count : 0);
+    const double f1 = levels.back().value, f2 = value_at(levels, 2), f4 = value_at(levels, 4);
+    const double before = f2 - f4, last = f1 - f2;
+    const double spread = std::max(half.first_order(), quarter.reaches(4) ? quarter.first_order() : 0.0);
+    GridConvergence result;
+    result.extrapolated = f1;
+    result.observed_order = k_no_data;
+    result.error = k_caution * spread * std::max(1.0, detail);
+    if (quarter.range == 0) {
+        result.trend = Trend::settled;
+    } else if (detail > 1) {
+        result.trend = Trend::terrain;
+    } else if (std::isnan(before) || std::isnan(last)) {
+        result.trend = Trend::unknown;
+    } else if (!changes_in_one_direction(levels)) {
+        result.trend = Trend::oscillating;
+    } else if (std::abs(last) >= std::abs(before)) {
+        result.trend = Trend::diverging;
+    } else {
+        result.trend = Trend::converging;
+        result.observed_order = last != 0 ? std::log2(before / last) : k_greatest_order;
+        const bool is_expected = std::abs(result.observed_order - k_front_order) <= k_order_tolerance;
+        const double order = std::clamp(result.observed_order, k_least_order, k_front_order);
+        const double rest = last / (std::pow(2.0, order) - 1);
+        if (is_expected) result.extrapolated = f1 + rest;
+        result.error = (is_expected ? k_safety : k_caution) * std::max(std::abs(rest), spread);
+    }
+    result.index_percent = f1 != 0 ? 100 * result.error / std::abs(f1) : 0;
+    return result;
+}
+
+double unseen_detail(double curvature_now, double curvature_finest) {
+    constexpr double k_flat = 1e-4;  // [1/m]
+    const double now = std::max(curvature_now, k_flat), finest = std::max(curvature_finest, k_flat);
+    return std::max(0.0, 2 * (finest / now - 1));
+}
+
+double ground_curvature(const Raster& terrain, const Raster& depth, double threshold) {
+    const GridSpec& grid = terrain.grid;
+    const double area = grid.cell_area();
+    double sum = 0;
+    std::int64_t count = 0;
+    for (std::int64_t row = 1; row + 1 < grid.rows; ++row) {
+        for (std::int64_t column = 1; column + 1 < grid.columns; ++column) {
+            const Point place = grid.cell_centre(row, column);
+            const auto c = static_cast<std::int64_t>(std::floor((place.x - depth.grid.west) / depth.grid.cell_size));
+            const auto r = static_cast<std::int64_t>(std::floor((depth.grid.north - place.y) / depth.grid.cell_size));
+            if (c < 0 || r < 0 || c >= depth.grid.columns || r >= depth.grid.rows) continue;
+            if (!(depth.at(r, c) > threshold)) continue;
+            const double middle = 2 * terrain.at(row, column);
+            const double along = (terrain.at(row, column - 1) + terrain.at(row, column + 1) - middle) / area;
+            const double across = (terrain.at(row - 1, column) + terrain.at(row + 1, column) - middle) / area;
+            if (std::isnan(along + across)) continue;
+            sum += along * along + across * across;
+            count += 2;
+        }
+    }
+    return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
 }
 
 Raster field_uncertainty(const std::vector<Raster>& levels) {

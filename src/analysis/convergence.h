@@ -20,6 +20,8 @@ enum class Trend {
     oscillating,  ///< differences change their sign
     diverging,    ///< differences grow
     settled,      ///< no difference between the two finest
+    terrain,      ///< the terrain has more detail on finer cells than the last refinement added: no order is known
+    unknown,      ///< too few resolutions
 };
 
 /// What three or more resolutions say about the finest.
@@ -40,6 +42,34 @@ struct GridConvergence {
 /// F is 3 and p is taken as 1 where the values do not converge (oscillating, diverging): the index is then a
 /// caution, not an estimate. Throws Error(input) for fewer than three levels.
 GridConvergence grid_convergence(const std::vector<Refinement>& levels);
+
+/// The same for resolutions that lie closer than by halves, on terrain with detail of its own. Of `levels`, coarsest
+/// first, S is the greater of
+///
+///     (max - min of all f on cells of up to 2 h) / (2 - 1)   and   (max - min on cells of up to 4 h) / (4 - 1)
+///
+/// with h the finest: what a first-order method still changes between h and cells of size zero. Where the values on
+/// 4 h to h change in one direction, by less on the second halving than on the first, and the terrain's detail is
+/// exhausted (`unseen_detail` up to 1), p is observed on 4 h, 2 h and h; with p held within 0.5 to 1 the error is the
+/// greater of |f(2h) - f(h)| / (2^p - 1) and S, times 1.25 where the observed order is within a tenth of the expected
+/// 1, else times 3 (the rule of Oberkampf and Roy 2010). Everywhere else it is 3 S, times `unseen_detail` where that is
+/// over
+/// 1. Throws Error(input) unless enough_levels().
+GridConvergence grid_convergence(const std::vector<Refinement>& levels, double unseen_detail);
+
+/// Whether levels with these cell sizes, coarsest first, are enough for that: three on up to 4 h, one of them on 2 h.
+bool enough_levels(const std::vector<double>& cell_sizes);
+
+/// How much more detail the finest terrain has than a coarser one, in what a halving of the cells adds: curvature
+/// (root mean square over the flow's ground [1/m]) that doubles with every halving, as that of rough ground does, grew
+/// by half its present value in the last; 2 (finest / now - 1). 0 where the ground bends no more on finer cells.
+/// Curvature of a radius over 10 km counts as none.
+double unseen_detail(double curvature_now, double curvature_finest);
+
+/// Root mean square of the second differences of a terrain over its cells' size squared [1/m], over the cells whose
+/// centre lies where `depth` is over `threshold`; both rasters over the same ground, on grids of their own. 0 where
+/// there is no such cell.
+double ground_curvature(const Raster& terrain, const Raster& depth, double threshold);
 
 /// The same, cell by cell, for a field: the estimated error of the finest raster [its unit], with one order
 /// for the whole field, from the L1 norms of the differences; a cell that a level never reached counts as

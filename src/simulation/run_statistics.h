@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string_view>
+
 #include "analysis/high_values.h"
 #include "simulation/result.h"
 
@@ -20,6 +22,7 @@ struct RunStatistic {
     double (*of)(const RunStatistics&);
 };
 
+inline constexpr const char* k_run_out_key = "runout_m";
 inline constexpr RunStatistic k_run_statistics[] = {
     {"max_depth_m", "maximum depth", "m", [](const RunStatistics& f) { return f.depth.greatest; }},
     {"max_depth_p999_m", "99.9 % depth", "m", [](const RunStatistics& f) { return f.depth.p999; }},
@@ -28,10 +31,16 @@ inline constexpr RunStatistic k_run_statistics[] = {
     {"max_velocity_p999_ms", "99.9 % velocity", "m/s", [](const RunStatistics& f) { return f.speed.p999; }},
     {"max_velocity_p99_ms", "99 % velocity", "m/s", [](const RunStatistics& f) { return f.speed.p99; }},
     {"covered_area_m2", "covered area", "m2", [](const RunStatistics& f) { return f.covered_area; }},
-    {"runout_m", "run-out", "m", [](const RunStatistics& f) { return f.run_out; }},
+    {k_run_out_key, "run-out", "m", [](const RunStatistics& f) { return f.run_out; }},
     {"final_depth_fraction", "volume in final_depth", "-",
      [](const RunStatistics& f) { return f.final_depth_fraction; }},
 };
+
+/// Of all values those whose error is told: the 99 % values add nothing.
+constexpr bool is_reported(const RunStatistic& statistic) {
+    const std::string_view key = statistic.key;
+    return key.find("_p99_") == key.npos && key != "final_depth_fraction";
+}
 
 /// @param threshold depth from which a cell belongs to the covered area [m]
 /// @param inside on the result's grid: 0 excludes a cell; empty: none is excluded

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "app/commands/bench_chart.h"
+#include "app/commands/bench_estimate.h"
 #include "app/commands/bench_output.h"
 #include "app/commands/bench_robustness.h"
 #include "app/commands/command_line.h"
@@ -29,14 +30,17 @@ CommandForm bench_form() {
     namespace options = boost::program_options;
     CommandForm form{
         "frana bench accuracy|stability|speed [options]\n"
-        "       frana bench robustness SCENE.ini [options]",
+        "       frana bench robustness|estimate SCENE.ini [options]",
         "Measures frana itself. accuracy: cases with exact solutions, every scheme, several resolutions.\nstability: "
         "hard cases. speed: particle-steps per second. Prints the table; with --out also writes\naccuracy.csv and "
         "accuracy.png, stability.csv or speed.csv,\nspeed_stages.csv, speed_terms.csv, law_costs.csv and "
         "speed.png.\naccuracy takes some ten minutes, with --quick under a minute.\nrobustness: change of a scene's "
         "results with its grid shifted and rotated, with rough ground, with other\nnumbers of particles and Courant "
-        "numbers. robustness.csv, robustness.json. It takes as long as some twenty\nruns without pictures.",
-        "accuracy|stability|speed|robustness SCENE.ini",
+        "numbers. robustness.csv, robustness.json. It takes as long as some twenty\nruns without pictures.\nestimate: "
+        "what "
+        "numerics.accuracy would estimate on each of its levels, and the true change against the scene's own "
+        "cells.\nestimate.csv. It takes a fifth more than the scene.",
+        "accuracy|stability|speed|robustness SCENE.ini|estimate SCENE.ini",
         {}};
     form.repeats = true;
     form.options.add_options()("out", options::value<std::string>(), "folder for the files")(
@@ -44,11 +48,12 @@ CommandForm bench_form() {
         "case", options::value<std::vector<std::string>>(),
         "accuracy, stability, robustness: only this case (may be repeated)")(
         "set", options::value<std::vector<std::string>>(),
-        "robustness: section.key=value, overrides the scene; repeatable")(
+        "robustness, estimate: section.key=value, overrides the scene; repeatable")(
         "seed", options::value<std::string>(), "robustness: seed of the noise on the ground (default 1)")(
-        "quiet,q", "robustness: no progress on the terminal")(
+        "quiet,q", "robustness, estimate: no progress on the terminal")(
         "threads", options::value<std::string>(),
-        "stability, robustness: threads of a run; speed: maximum number of threads (default: all; accuracy always uses "
+        "stability, robustness, estimate: threads of a run; speed: maximum number of threads (default: all; accuracy "
+        "always uses "
         "one)");
     return form;
 }
@@ -135,7 +140,7 @@ int cmd_bench(const Arguments& arguments) {
     if (!values) return static_cast<int>(ExitCode::done);
     const auto operands = text_options(*values, "operand");
     const std::string& which = operands.front();
-    const bool needs_scene = which == "robustness";
+    const bool needs_scene = which == "robustness" || which == "estimate";
     if (operands.size() > (needs_scene ? 2U : 1U)) {
         throw Error(ErrorKind::input, Problem{"is not expected here", "command line", operands.back(), "",
                                               "Usage: " + bench_form().usage});
@@ -145,13 +150,13 @@ int cmd_bench(const Arguments& arguments) {
     if (which == "speed") return bench_speed(*values);
     if (!needs_scene) {
         throw Error(ErrorKind::input, Problem{"no such bench", "command line", which,
-                                              "accuracy, stability, speed, robustness", "Give one of these"});
+                                              "accuracy, stability, speed, robustness, estimate", "Give one of these"});
     }
     if (operands.size() < 2) {
         throw Error(ErrorKind::input,
                     Problem{"SCENE.ini is missing", "command line", "", "", "Usage: " + bench_form().usage});
     }
-    return bench_robustness(operands.back(), *values);
+    return which == "estimate" ? bench_estimate(operands.back(), *values) : bench_robustness(operands.back(), *values);
 }
 
 }  // namespace frana::app

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/commands/accuracy_search.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/input_table.h"
@@ -89,6 +90,25 @@ void print_site(const Scene& scene) {
     std::printf("\nWalls on %s cells\n", grouped(walls).c_str());
 }
 
+/// What numerics.accuracy may compute before the scene's own cells; cost as the third power of the cells' number a
+/// side.
+void print_levels(const Prepared& prepared, const std::optional<TimeEstimate>& trial) {
+    if (!prepared.spec.numerics.accuracy) return;
+    const double own = prepared.scene.grid.cell_size;
+    std::string sizes;
+    double cost = 0;
+    for (const double size : coarse_cell_sizes(prepared)) {
+        sizes += number_text(size) + ", ";
+        cost += std::pow(own / size, 3);
+    }
+    line("accuracy", percent_text(*prepared.spec.numerics.accuracy) +
+                         (sizes.empty() ? ": the release is too small for coarser cells; no estimate of error"
+                                        : ": cells of " + sizes + "then at most " + number_text(own) + " m"));
+    if (trial && !sizes.empty())
+        line("", "the coarser ones take about " + number_text(cost * trial->engine_seconds, 2) +
+                     " s in all; the estimated time is that of " + number_text(own) + " m");
+}
+
 void print_run(const Prepared& prepared, const RunEstimate& expected, const std::optional<TimeEstimate>& trial,
                int threads, const std::string& directory) {
     const auto words = [](const std::string& a, const std::string& b) { return a + " " + b; };
@@ -109,6 +129,7 @@ void print_run(const Prepared& prepared, const RunEstimate& expected, const std:
     line("first step", number_text(expected.first_step_seconds, 3) + " s, end at " +
                            shortest_text(prepared.scene.time.end) + " s at most");
     line("estimated time", time_text(expected, trial) + ", engine alone, " + std::to_string(threads) + " threads");
+    print_levels(prepared, trial);
     for (std::size_t i = 0; i < expected.terms.size(); ++i) line(i == 0 ? "terms" : "", expected.terms[i]);
     const std::string place = result_path(directory);
     line("result", place + (has_files(place) ? ", which contains a result already: --overwrite replaces it" : ""));

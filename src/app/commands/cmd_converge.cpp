@@ -7,7 +7,6 @@
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "analysis/convergence.h"
 #include "app/commands/command_line.h"
@@ -76,12 +75,6 @@ Level run_level(const Prepared& prepared, const SceneVariants& variants) {
     level.statistics = run_statistics(result, prepared.spec.output.trace_threshold);
     level.depth = std::move(result.max_depth);
     return level;
-}
-
-/// Of all values those whose error is told: the 99 % values add nothing.
-bool is_reported(const RunStatistic& statistic) {
-    const std::string_view key = statistic.key;
-    return key.find("_p99_") == key.npos && key != "final_depth_fraction";
 }
 
 std::vector<RunStatistic> reported_statistics() {

@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/commands/accuracy_search.h"
 #include "app/commands/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/memory_limit.h"
 #include "app/commands/progress.h"
+#include "app/commands/scene_variants.h"
 #include "app/input/share_directory.h"
 #include "app/input/thin_release.h"
 #include "app/process/machine_memory.h"
@@ -43,6 +45,8 @@ CommandForm run_form() {
         "threads", options::value<std::string>(), "number of threads (default: all processors)")(
         "overwrite", "replace an existing result")(
         "resume", "resume a run that was stopped or killed; without one, start at the beginning")(
+        "accuracy", options::value<std::string>(),
+        "allowed error by estimate (5%): coarser cells as far as it allows (overrides numerics.accuracy)")(
         "memory-limit", options::value<std::string>(), "refuse a run that would need more (4GB, 500MB)")(
         "quiet,q", "no progress, no warnings on the terminal (they are in log.txt)");
     return form;
@@ -133,7 +137,41 @@ struct Session {
     bool quiet;
     double input_seconds, earlier_seconds;
     const Stopwatch& since_start;
+    std::optional<AccuracyRecord> accuracy;  ///< as decided before the run
 };
+
+// The overrides of the command line, --accuracy among them.
+std::vector<std::string> overrides(const boost::program_options::variables_map& values) {
+    std::vector<std::string> all = text_options(values, "set");
+    if (const auto accuracy = text_option(values, "accuracy")) all.push_back("numerics.accuracy=" + *accuracy);
+    return all;
+}
+
+// Puts the scene on the cells that numerics.accuracy asks for: those that an interrupted run had chosen, or by coarser
+// runs. None: a signal stopped it.
+std::optional<AccuracyRecord> put_on_cells(const SceneReading& reading, const CheckpointFile* from, int threads,
+                                           bool quiet, Prepared& prepared, RunLog& log) {
+    const SceneVariants runs(reading.scene.file, {}, threads, quiet);
+    std::optional<AccuracyRecord> record;
+    if (from != nullptr) {
+        record = record_from_text(from->head().accuracy);
+    } else {
+        record = choose_cells(
+            reading, prepared, [&](const Scene& scene) { return runs.run(scene); }, log);
+    }
+    RunLog silent(true);  // all of it was said of the scene's own cells
+    if (record && !record->is_finest()) prepared = prepare_level(reading, prepared, record->chosen_cell_size, silent);
+    return record;
+}
+
+// With what the run adds: the finest level itself. None where the run did not come to its end.
+std::optional<AccuracyRecord> completed_record(const std::optional<AccuracyRecord>& before, const Prepared& prepared,
+                                               const RunResult& result) {
+    if (!before || result.stop_reason == StopReason::requested || !result.run_problems.empty()) return std::nullopt;
+    AccuracyRecord record = *before;
+    if (record.is_finest()) record.levels.push_back(level_of(result, prepared, prepared.scene.terrain));
+    return record;
+}
 
 void log_run(const RunResult& result, double end, RunLog& log) {
     log.info("computed " + number_text(result.simulated_seconds, 4) + " s in " + std::to_string(result.steps) +
@@ -173,7 +211,8 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     publish_ground(prepared, directory);
     FrameWriter* const written_frames = has_frames ? &frames : nullptr;
     Checkpoints checkpoints(directory.folder(), prepared.spec.output.checkpoint_interval, prepared, written_frames,
-                            session.since_start, session.earlier_seconds, log);
+                            session.since_start, session.earlier_seconds,
+                            session.accuracy ? record_text(*session.accuracy) : "", log);
     ProgressReporter progress(session.quiet);
     RunOptions options = run_options(session.threads, written_frames, particles.any(), progress, checkpoints, log);
     if (from != nullptr) {
@@ -186,9 +225,11 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     checkpoints.release();
     log_run(result, prepared.scene.time.end, log);
 
-    const PictureOutcome pictures = publish(
-        {prepared, result, session.threads, session.input_seconds, session.earlier_seconds, session.since_start},
-        directory, frames, log);
+    const std::optional<AccuracyRecord> accuracy = completed_record(session.accuracy, prepared, result);
+    const PictureOutcome pictures =
+        publish({prepared, result, session.threads, session.input_seconds, session.earlier_seconds, session.since_start,
+                 accuracy ? &*accuracy : nullptr},
+                directory, frames, log);
     // An exit code other than 0 leaves what --resume needs to complete the run.
     const bool stopped = result.stop_reason == StopReason::requested || !pictures.left_out.empty();
     const int code =
@@ -197,7 +238,8 @@ int run_into(const Session& session, CheckpointFile* from, ResultDirectory& dire
     const std::vector<Problem> of_the_older =
         directory.publish({provenance(prepared).at("SCENE_HASH"), result.simulated_seconds, finished}, log);
     if (finished) remove_working_files(directory.target(), !prepared.spec.output.frames, log);
-    if (const auto estimate = read_error_estimate(directory.target(), prepared.spec))
+    // That of a study is of the scene's own cells.
+    if (const auto estimate = read_error_estimate(directory.target(), prepared.spec); estimate && !session.accuracy)
         log.info("error estimate of `frana converge`:\n" + *estimate);
     log.info("result in " + directory.target());
     if (code != static_cast<int>(ExitCode::done) && !stopped) log.print_deferred_warnings();
@@ -218,7 +260,7 @@ int cmd_run(const Arguments& arguments) {
     apply_memory_limit(*values, log);
 
     SceneReading reading =
-        read_scene((*values)["operand"].as<std::string>(), text_options(*values, "set"), materials_directory());
+        read_scene((*values)["operand"].as<std::string>(), overrides(*values), materials_directory());
     const auto out = text_option(*values, "out");
     const std::string place = out.value_or(output_directory(reading.scene)), target = result_path(place);
     const bool resume = values->count("resume") > 0;
@@ -248,7 +290,6 @@ int cmd_run(const Arguments& arguments) {
     const std::unique_ptr<CheckpointFile> from =
         resume && interrupted.any() ? interrupted.choose(scene_identity(prepared), log) : nullptr;
     if (from) {
-        if (from->head().origin) put_origin(prepared.scene, *from->head().origin);
         log_resuming(*from, log);
     } else if (resume) {
         log.info("there is no checkpoint: starting from the beginning");
@@ -256,11 +297,21 @@ int cmd_run(const Arguments& arguments) {
     const double earlier = from ? from->head().wall_seconds : 0;
 
     catch_stop_signals();
+    std::optional<AccuracyRecord> accuracy;
+    if (prepared.spec.numerics.accuracy) {
+        accuracy = put_on_cells(reading, from.get(), threads, quiet, prepared, log);
+        if (!accuracy) {
+            log.info("stopped while coarser levels were computed: nothing was written, nothing can be resumed");
+            return static_cast<int>(ExitCode::signal) + stop_signal();
+        }
+    }
+    if (from && from->head().origin) put_origin(prepared.scene, *from->head().origin);
     ResultDirectory directory(target, overwrite || (from && interrupted.in_place()),
                               from ? folder_of(*from, target) : "");
     if (from) restore_files(*from, directory);
     try {
-        return run_into({prepared, threads, quiet, input_seconds, earlier, since_start}, from.get(), directory, log);
+        return run_into({prepared, threads, quiet, input_seconds, earlier, since_start, accuracy}, from.get(),
+                        directory, log);
     } catch (const Error& error) {
         explain_problem(error, directory.folder());
     }

@@ -149,6 +149,17 @@ void warn_of_problem(const Finished& run, RunLog& log) {
     }
 }
 
+/// What was asked of the values and what is claimed of them.
+void log_accuracy(const AccuracyRecord& record, RunLog& log) {
+    const std::vector<ValueEstimate> estimates = value_estimates(record);
+    if (!estimates.empty()) log.info("estimated errors:\n" + estimate_lines(estimates));
+    if (is_reached(estimates)) {
+        log.info(accuracy_verdict(record));
+    } else {
+        log.warn(accuracy_verdict(record));
+    }
+}
+
 /// Writes the comparison with the survey, if there is one. A survey that cannot be compared does not fail the run: it
 /// is a warning.
 std::optional<Comparison> publish_comparison(const Finished& run, const ResultDirectory& directory, RunLog& log) {
@@ -174,6 +185,7 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     const Prepared& prepared = run.prepared;
     const RunResult& result = run.result;
     warn_of_problem(run, log);
+    if (run.accuracy != nullptr) log_accuracy(*run.accuracy, log);
 
     const double threshold = prepared.spec.output.trace_threshold;
     const Raster trace = trace_mask(result.max_depth, threshold);
@@ -208,6 +220,7 @@ PictureOutcome publish(const Finished& run, const ResultDirectory& directory, Fr
     facts.peak_memory_bytes = peak_memory_bytes();
     facts.warnings = log.warnings();
     facts.data_identity = data_identity(prepared);
+    if (run.accuracy != nullptr) facts.accuracy = *run.accuracy;
     if (prepared.spec.output.report) write_report({prepared, result, facts, comparison, facts.hazard}, directory);
     write_text_file(directory.path(k_summary_file), summary_json(result, facts));
     log.note("wrote summary.json");

@@ -4,6 +4,7 @@
 #include "app/input/prepare.h"
 #include "app/publish/publish_pictures.h"
 #include "app/publish/summary.h"
+#include "app/store/accuracy_record.h"
 #include "app/store/frame_store.h"
 #include "app/store/result_directory.h"
 #include "simulation/result.h"
@@ -18,6 +19,7 @@ struct Finished {
     double input_seconds = 0;
     double earlier_seconds = 0;  ///< wall time of the sessions before this one
     const Stopwatch& since_start;
+    const AccuracyRecord* accuracy = nullptr;  ///< of a run that came to its end under numerics.accuracy
 };
 
 /// Writes the files of a result: rasters with styles, outlines, maps, animation, comparison, series, summary, scene,

@@ -135,6 +135,7 @@ void write_report(const ReportInput& input, const ResultDirectory& directory) {
              escaped_markup(spec.file) + ", hash " + provenance(input.prepared).at("SCENE_HASH") + "</p>\n");
     add_warnings(page, input.facts.warnings);
     page.add("<h2 id=\"results\">Results</h2>\n" + results_table(input));
+    if (input.facts.accuracy) page.add("<h2 id=\"accuracy\">Accuracy</h2>\n" + accuracy_tables(*input.facts.accuracy));
     page.add("<h2 id=\"budget\">Mass budget</h2>\n" + budget_table(input.result));
     page.add("<h2 id=\"numerics\">Numerical checks</h2>\n" + numerics_table(input));
     if (!input.hazard.empty())

@@ -180,6 +180,26 @@ std::string numerics_table(const ReportInput& input) {
            "<p class=\"small\">Computed: " + escaped_markup(terms) + "</p>\n";
 }
 
+std::string accuracy_tables(const AccuracyRecord& record) {
+    Table levels({"cells [m]", "particles", "steps", "time [s]", ""});
+    for (const AccuracyLevel& level : record.levels) {
+        levels.row({number_text(level.cell_size), grouped(level.particles), grouped(level.steps),
+                    number_text(level.wall_seconds, 3), level.problem});
+    }
+    Table values({"value", "", "estimated error", "trend", "claimed"});
+    for (const ValueEstimate& e : value_estimates(record)) {
+        values.row({e.value.title, number_text(e.value.value) + " " + e.value.unit,
+                    number_text(e.error, 2) + " " + e.value.unit +
+                        (e.value.value != 0 ? " (" + number_text(e.percent(), 2) + " %)" : ""),
+                    describe(e.convergence.trend),
+                    e.is_zero       ? "zero on all levels"
+                    : e.is_within() ? "yes"
+                                    : "no"});
+    }
+    return "<p>" + escaped_markup(accuracy_verdict(record)) + ".</p>\n" + values.html() + "<h3>Levels computed</h3>\n" +
+           levels.html();
+}
+
 std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas) {
     Table table({"class", "", "area [m²]"});
     for (const HazardArea& area : areas) {

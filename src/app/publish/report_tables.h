@@ -10,6 +10,8 @@ namespace frana::app {
 // The parts of report.html as HTML tables and charts.
 
 std::string results_table(const ReportInput& input);
+/// The levels of numerics.accuracy with their cost, the estimate of each value, what is claimed.
+std::string accuracy_tables(const AccuracyRecord& record);
 std::string budget_table(const RunResult& result);
 std::string numerics_table(const ReportInput& input);
 std::string hazard_table(const SceneSpec& spec, const std::vector<HazardArea>& areas);

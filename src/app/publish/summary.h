@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/publish/peak_statistics.h"
 #include "app/publish/publish_hazard.h"
+#include "app/store/accuracy_record.h"
 #include "app/store/main_statistics.h"
 #include "params/keys/scene_spec.h"
 #include "simulation/result.h"
@@ -28,6 +30,7 @@ struct SummaryFacts {
     PeakStatistics high;             ///< over that trace
     std::vector<HazardArea> hazard;  ///< empty: no scheme
     std::vector<std::string> warnings;
+    std::optional<AccuracyRecord> accuracy;  ///< none: not asked for, or the run did not come to its end
     std::vector<std::string> data_identity;  ///< by which --resume compares the scene's data
 };
 

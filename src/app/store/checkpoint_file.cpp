@@ -97,14 +97,15 @@ void serialise_records(Archive& archive, std::vector<FrameRecord>& records) {
 
 template <class Archive>
 void serialise(Archive& archive, CheckpointHead& head) {
-    auto& [build, scene, step, time, end, wall_seconds, frame_times, waiting, log, origin, frame_records] = head;
+    auto& [build, scene, step, time, end, wall_seconds, frame_times, waiting, log, origin, frame_records, accuracy] =
+        head;
     if (!origin) origin.emplace();
     archive(origin->column, origin->row);
     serialise_records(archive, frame_records);
     archive(build, scene, step, time, end, wall_seconds, frame_times);
     waiting.resize(transfer_count(archive, waiting.size(), sizeof(std::uint64_t)));
     for (Frame& frame : waiting) serialise_frame(archive, frame);
-    archive(log);
+    archive(log, accuracy);
 }
 
 [[noreturn]] void fail(const std::string& path, int reason) {

@@ -49,7 +49,7 @@ std::vector<std::string> checkpoints_in(const std::string& directory) {
 }
 
 Checkpoints::Checkpoints(std::string directory, double interval, const Prepared& prepared, FrameWriter* frames,
-                         const Stopwatch& since_start, double earlier, RunLog& log)
+                         const Stopwatch& since_start, double earlier, std::string accuracy, RunLog& log)
     : directory_(std::move(directory)),
       folder_((fs::path(directory_) / k_checkpoint_folder).string()),
       interval_(interval),
@@ -57,6 +57,7 @@ Checkpoints::Checkpoints(std::string directory, double interval, const Prepared&
       frames_(frames),
       since_start_(since_start),
       earlier_(earlier),
+      accuracy_(std::move(accuracy)),
       log_(log),
       space_((fs::path(folder_) / "reserve").string()) {}
 
@@ -81,7 +82,8 @@ CheckpointHead Checkpoints::head(const Progress& now) {
             {},
             log_.lines(),
             OriginCell{grid.origin_column, grid.origin_row},
-            {}};
+            {},
+            accuracy_};
 }
 
 void Checkpoints::save(const Progress& now, const SaveState& state) {

@@ -28,8 +28,9 @@ class Checkpoints {
     /// @param interval wall time between two [s]; 0: only at the end
     /// @param frames whose records a checkpoint contains; null: none are written
     /// @param earlier wall time of earlier sessions [s]
+    /// @param accuracy CheckpointHead::accuracy
     Checkpoints(std::string directory, double interval, const Prepared& prepared, FrameWriter* frames,
-                const Stopwatch& since_start, double earlier, RunLog& log);
+                const Stopwatch& since_start, double earlier, std::string accuracy, RunLog& log);
 
     /// Writes a checkpoint when it is due and at the run's last step. One that cannot be written is a warning: the run
     /// continues.
@@ -49,6 +50,7 @@ class Checkpoints {
     FrameWriter* frames_;
     const Stopwatch& since_start_;
     double earlier_;
+    std::string accuracy_;
     RunLog& log_;
     std::string identity_;  ///< computed when first needed, from all data
     Stopwatch since_last_, session_;

@@ -54,6 +54,7 @@ std::string text_of(const std::filesystem::path& path) {
 }  // namespace
 
 std::vector<std::string> data_identity(const Prepared& prepared) {
+    if (!prepared.identity.empty()) return prepared.identity;
     const GridSpec& grid = prepared.scene.grid;
     std::vector<std::string> facts{"working grid = " + std::to_string(grid.columns) + " x " +
                                    std::to_string(grid.rows) + " of " + shortest_text(grid.cell_size) + " m from (" +

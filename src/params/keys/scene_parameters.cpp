@@ -39,6 +39,34 @@ Parameter particles_per_cell_parameter() {
     return result;
 }
 
+/// "2 %", "2%" or 0.02. Written as a fraction, which reads back as the same number.
+Parameter accuracy_parameter() {
+    constexpr Range k_range{0.001, 1};
+    Parameter result = declare::parameter(
+        "numerics.accuracy", "number", FRANA_MEMBER(numerics.accuracy),
+        [k_range](std::optional<double>& target, const std::string& value) -> std::optional<Refusal> {
+            const bool is_percent = value.ends_with('%');
+            const auto number = number_from_text(trimmed(is_percent ? value.substr(0, value.size() - 1) : value));
+            if (!number) return Refusal{"is not a number", "Write for example 5 % or 0.05"};
+            const double fraction = is_percent ? *number / 100 : *number;
+            if (!k_range.has(fraction))
+                return Refusal{"is out of range",
+                               !is_percent && *number > 1 ? "Write " + value + " % for percent" : ""};
+            target = fraction;
+            return std::nullopt;
+        },
+        [](double value) { return shortest_text(value); });
+    result.limits = "0.1 % to 100 %, or 0.001 to 1";
+    result.fits = [k_range](double value) { return k_range.has(value); };
+    result.meaning =
+        "Error allowed by estimate for area, run-out, greatest depth and speed, gauges and cross-sections, as a "
+        "fraction of "
+        "each: coarser cells are computed first and refined only as far as the estimate asks, at most to the scene's "
+        "own.";
+    result.absent = "the scene's own cells at once, without an estimate";
+    return result;
+}
+
 void add_numerics(std::vector<Parameter>& list) {
     list.push_back(choice("numerics.scheme", FRANA_MEMBER(numerics.scheme), {"default", "paper"},
                           "Numerical scheme: frana's own, or the method as published."));
@@ -76,6 +104,7 @@ void add_numerics(std::vector<Parameter>& list) {
                           "Depth above which a cell counts as reached in maxima and arrival time."));
     list.push_back(choice("numerics.precision", FRANA_MEMBER(numerics.precision), {"double"},
                           "Arithmetic of the engine.", {"single"}));
+    list.push_back(accuracy_parameter());
 }
 
 void add_rest(std::vector<Parameter>& list) {

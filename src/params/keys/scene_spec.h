@@ -128,6 +128,7 @@ struct NumericsSpec : NumericsValues {
     double flight_slope = k_flight_slope_degrees;
     std::string boundary = "open";
     std::string precision = "double";
+    std::optional<double> accuracy;  ///< as a fraction
 };
 
 /// [time]
