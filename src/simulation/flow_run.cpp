@@ -9,6 +9,7 @@
 
 #include "simulation/flow.h"
 #include "simulation/particle_table.h"
+#include "simulation/result_cells.h"
 #include "simulation/step_statistics.h"
 #include "simulation/structured_flow.h"
 #include "simulation/terms.h"
@@ -115,20 +116,6 @@ Frame store_frame(AnyFlow& flow, int index, bool with_particles) {
             with_particles ? particle_table(flow) : PointTable{}};
 }
 
-// A wall's cell contains no material, though the nodes there gather a fraction of particles beside it.
-void hide_walls(const Scene& scene, Raster& raster) {
-    if (!scene.walls) return;
-    scene.walls->values.for_each_stored([&](std::size_t cell, double wall) {
-        if (wall == 1 && !std::isnan(std::as_const(raster).values[cell])) raster.values[cell] = k_no_data;
-    });
-}
-
-Raster pressure_kpa(const Raster& speed, double density) {
-    Raster pressure = speed;
-    pressure.values.change_each_stored([&](std::size_t, double& value) { value = density * value * value / 1000; });
-    return pressure;
-}
-
 double density_of(const Scene& scene, const Flow&) {
     return scene.material.density;
 }
@@ -177,13 +164,6 @@ void prepare_to_record(Flow& flow) {
 }
 
 void prepare_to_record(const StructuredFlow&) {}
-
-// Removes non-finite values from the maps of a run that ended with some.
-void hide_non_finite(Raster& raster) {
-    raster.values.change_each_stored([](std::size_t, double& value) {
-        if (!std::isfinite(value)) value = k_no_data;
-    });
-}
 
 }  // namespace
 
@@ -373,16 +353,7 @@ RunResult FlowRun<AnyFlow>::finish() {
         for (NamedRaster& raster : result.more) hide_non_finite(raster.values);
     }
     result.max_pressure = pressure_kpa(result.max_velocity, density_of(scene_, flow_));
-    // Of ground that was read where the flow came, as much is shown.
-    if (flow_.nodes().is_on_demand()) {
-        flow_.nodes().for_each_covered_run([&](std::int64_t j, std::int64_t i0, std::int64_t i1) {
-            const std::int64_t row = scene_.grid.rows - 1 - j;
-            for (const std::int64_t column : {i0, i1 - 1}) {
-                static_cast<void>(std::as_const(release_.bed).at(row, column));
-                static_cast<void>(scene_.terrain.at(row, column));
-            }
-        });
-    }
+    read_ground_under(flow_.nodes(), scene_.terrain, release_.bed);
     result.bed = std::move(release_.bed);
     result.release = std::move(release_.depth);
     result.settling = settling_.last();
