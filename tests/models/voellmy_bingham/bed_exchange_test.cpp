@@ -213,8 +213,8 @@ TEST(BedExchange, SameBitsForAnyNumberOfThreads) {
         double seeded = 0;
         for (std::size_t i = 0; i < seeds.size(); ++i) seeded += seeds[Field::volume][i];
         EXPECT_NEAR(before, seeded, 1e-12 * seeded);
-        const auto& bed = flow.nodes().bed;
-        std::vector<double> all(bed.data(), bed.data() + bed.size());
+        const auto& elevations = flow.nodes().bed;
+        std::vector<double> all(elevations.data(), elevations.data() + elevations.size());
         const Raster depth = flow.nodal_fields().depth;
         all.insert(all.end(), depth.values.begin(), depth.values.end());
         all.push_back(flow.exchanged().eroded);
