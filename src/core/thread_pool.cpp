@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/thread_pool.h"
 
+#include <pthread.h>
+
+#include <chrono>
+
 namespace frana {
 namespace {
 
@@ -21,7 +25,12 @@ inline void pause() noexcept {
 }  // namespace
 
 ThreadPool::ThreadPool(int threads) : checks_(checks_before_sleep(threads)) {
-    for (int i = 1; i < threads; ++i) workers_.emplace_back([this] { serve(); });
+    for (int i = 1; i < threads; ++i) {
+        workers_.emplace_back([this] { serve(); });
+        clockid_t clock{};
+        if (pthread_getcpuclockid(workers_.back().native_handle(), &clock) == 0) worker_clocks_.push_back(clock);
+    }
+    watch_.start(TeamWatch::Clock::now());
 }
 
 ThreadPool::~ThreadPool() {
@@ -31,7 +40,17 @@ ThreadPool::~ThreadPool() {
     for (std::thread& worker : workers_) worker.join();
 }
 
+double ThreadPool::worked_seconds() const noexcept {
+    double sum = 0;
+    for (const clockid_t clock : worker_clocks_) sum += cpu_seconds(clock);
+    return sum;
+}
+
 void ThreadPool::start(std::size_t count, Call call, const void* task) {
+    if (watch_.alone(TeamWatch::Clock::now())) {
+        for (std::size_t i = 0; i < count; ++i) call(task, i);
+        return;
+    }
     call_ = call;
     task_ = task;
     done_.store(0, std::memory_order_relaxed);
@@ -40,16 +59,21 @@ void ThreadPool::start(std::size_t count, Call call, const void* task) {
     epoch_.fetch_add(1, std::memory_order_release);
     epoch_.notify_all();
     work();
-    // Waits only for tasks already taken: a thread that has not yet woken up does not delay the loop.
-    int checks = 0;
-    for (std::size_t done = done_.load(std::memory_order_acquire); done != count;
-         done = done_.load(std::memory_order_acquire)) {
-        if (++checks < checks_) {
-            pause();
-        } else {
-            done_.wait(done, std::memory_order_acquire);
-        }
+    wait_for(count);
+}
+
+// Waits only for tasks already taken: a thread that has not yet woken up does not delay the loop.
+void ThreadPool::wait_for(std::size_t count) {
+    std::size_t done = done_.load(std::memory_order_acquire);
+    for (int checks = 0; done != count && checks < checks_; ++checks) {
+        pause();
+        done = done_.load(std::memory_order_acquire);
     }
+    if (done == count) return;
+    const auto begin = TeamWatch::Clock::now();
+    const double worked = worked_seconds();
+    for (; done != count; done = done_.load(std::memory_order_acquire)) done_.wait(done, std::memory_order_acquire);
+    watch_.add_wait(std::chrono::duration<double>(TeamWatch::Clock::now() - begin).count(), worked_seconds() - worked);
 }
 
 // Runs tasks until none is left. A ticket contains the loop's number and the tasks left in it and changes atomically: a

@@ -4,8 +4,11 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <thread>
 #include <vector>
+
+#include "core/team_watch.h"
 
 namespace frana {
 
@@ -43,12 +46,16 @@ class ThreadPool {
 
   private:
     using Call = void (*)(const void*, std::size_t);
+    [[nodiscard]] double worked_seconds() const noexcept;
+    void wait_for(std::size_t count);
     void start(std::size_t count, Call call, const void* task);
     void work();
     void serve();
 
     const int checks_;  ///< before an idle thread sleeps
     std::vector<std::thread> workers_;
+    std::vector<clockid_t> worker_clocks_;  ///< of their processor time
+    TeamWatch watch_;
     std::atomic<std::uint32_t> epoch_{0};
     static constexpr int k_count_bits = 32;
     std::atomic<std::uint64_t> tickets_{0};  ///< number of the loop and, in the low bits, the tasks left
