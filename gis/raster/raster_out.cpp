@@ -22,7 +22,8 @@
 namespace frana::gis {
 namespace {
 
-constexpr int k_block = 256;  // cells; a landslide's raster is small, so that 512 would give no overviews
+constexpr int k_block = 256;          // cells; a landslide's raster is small, so that 512 would give no overviews
+constexpr int k_small = 4 * k_block;  // cells
 constexpr std::uint8_t k_no_class = 0;
 
 [[noreturn]] void refuse(const std::string& path, const GdalSession& session) {
@@ -100,18 +101,25 @@ void build_overviews(GDALDatasetH dataset, const char* resampling, const std::st
     }
 }
 
-void write_cog(const std::string& path, GDALDatasetH dataset, const char* resampling, const char* predictor) {
+void write_cog(const std::string& path, GDALDatasetH dataset, const char* resampling, const char* predictor,
+               RasterUse use = RasterUse::result) {
     const GdalSession session;
-    build_overviews(dataset, resampling, path, session);
+    const bool small = std::max(GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset)) <= k_small;
+    const bool overviews = use == RasterUse::result || !small;
+    if (overviews) build_overviews(dataset, resampling, path, session);
     const NoSideFiles quiet;
     const MemoryFolder memory;
     CPLStringList options;
     options.SetNameValue("COMPRESS", "DEFLATE");
     options.SetNameValue("PREDICTOR", predictor);
     options.SetNameValue("BLOCKSIZE", std::to_string(k_block).c_str());
-    options.SetNameValue("OVERVIEWS", "AUTO");
+    options.SetNameValue("OVERVIEWS", overviews ? "AUTO" : "NONE");
     options.SetNameValue("OVERVIEW_RESAMPLING", resampling);
-    options.SetNameValue("NUM_THREADS", "ALL_CPUS");  // the file does not depend on the number
+    if (use == RasterUse::result) {
+        options.SetNameValue("NUM_THREADS", "ALL_CPUS");  // the file is the same for any number
+    } else {
+        options.SetNameValue("SPARSE_OK", "TRUE");
+    }
     {
         const GdalDataset written(GDALCreateCopy(GDALGetDriverByName("COG"), memory.place_of(path).c_str(), dataset,
                                                  TRUE, options.List(), nullptr, nullptr));
@@ -214,7 +222,7 @@ std::vector<float> stored_values(const Raster& raster) {
 
 }  // namespace
 
-void write_geotiff(const std::string& path, const Raster& raster, const BandText& text) {
+void write_geotiff(const std::string& path, const Raster& raster, const BandText& text, RasterUse use) {
     const GdalSession session;
     if (raster.values.is_tiled()) {
         write_sparse(path, raster, GDT_Float32, k_file_nodata, "3", [&](GDALDatasetH dataset) {
@@ -227,7 +235,7 @@ void write_geotiff(const std::string& path, const Raster& raster, const BandText
     const GdalDataset dataset = in_memory(path, raster.grid, values);
     set_texts(dataset.get(), text);
     set_statistics(dataset.get(), values, values.size());
-    write_cog(path, dataset.get(), "AVERAGE", "FLOATING_POINT");
+    write_cog(path, dataset.get(), "AVERAGE", "FLOATING_POINT", use);
 }
 
 void write_ascii_grid(const std::string& path, const Raster& raster) {

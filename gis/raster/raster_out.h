@@ -22,10 +22,16 @@ struct BandText {
     std::map<std::string, std::string> metadata;  ///< program, version, ...
 };
 
+/// Results are read as a whole; of frames there are hundreds, most of each without data, and writing them takes
+/// processor time from the run.
+enum class RasterUse { result, frame };
+
 /// Writes a Float32 cloud-optimised GeoTIFF with nodata -9999, overviews, statistics and texts inside; no file beside
-/// it. Made in memory, written aside, synced to the disk and renamed: on failure an older file remains, and an
-/// incomplete file never gets the name. Throws Error(environment), also for a full disk.
-void write_geotiff(const std::string& path, const Raster& raster, const BandText& text);
+/// it. Of a frame, blocks without data are left out (sparse; they read as nodata), and rasters of up to 1024 cells a
+/// side have no overviews: half the time. Made in memory, written aside, synced to the disk and renamed: on failure an
+/// older file remains, and an incomplete file never gets the name. Throws Error(environment), also for a full disk.
+void write_geotiff(const std::string& path, const Raster& raster, const BandText& text,
+                   RasterUse use = RasterUse::result);
 
 /// Writes an ESRI ASCII grid (.asc, and .prj if there is a CRS), six significant digits, nodata -9999: for programs
 /// that read no GeoTIFF. Throws Error(environment).

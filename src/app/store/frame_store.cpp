@@ -106,7 +106,7 @@ void FrameWriter::write(const FrameFile& file, const Job& job) const {
         gis::BandText text = band_text(file.what);
         text.metadata = metadata_;
         text.metadata["TIME_S"] = shortest_text(frame.time);
-        gis::write_geotiff(path, raster_of(frame, file.what), text);
+        gis::write_geotiff(path, raster_of(frame, file.what), text, gis::RasterUse::frame);
     }
 }
 
