@@ -2,6 +2,7 @@
 #include "mpm/flight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -227,17 +228,40 @@ void Flights::begin(const ParticleRow& particle, const Jump& jump, double time, 
 
 namespace {
 
-// Whether the splines' bed over a tile's nodes may be as steep as an edge: its gradient is a mean of differences
-// between neighbours, no greater than the greatest of them.
-bool may_have_edge(const NodeRange& range, const NodeGrid& nodes, double edge) {
+// Marks the nodes of a tile within k_near cells of which the splines' bed may be as steep as an edge; returns whether
+// there are any. The splines' gradient is a mean of the differences between neighbours in its 3 x 3 nodes.
+bool mark_near_edges(const NodeRange& range, const NodeGrid& nodes, double edge, std::uint8_t* marks) {
+    // A particle's own move in a step, less than a cell, the width of an edge, and the splines' reach.
+    constexpr std::int64_t k_near = static_cast<std::int64_t>(k_edge_width) + 3, k_side = k_tile + 2 * k_near;
+    const std::int64_t west = range.i0 - k_near, south = range.j0 - k_near, stride = nodes.stride();
     const double* bed = nodes.bed.data();
-    const auto row = static_cast<std::size_t>(nodes.stride());
-    double across = 0, along = 0;
-    range.for_each(nodes.stride(), [&](std::size_t n, std::int64_t i, std::int64_t j) {
-        if (i + 1 < nodes.stride()) across = std::max(across, std::abs(bed[n + 1] - bed[n]));
-        if (j + 1 < nodes.padded_rows()) along = std::max(along, std::abs(bed[n + row] - bed[n]));
+    std::array<double, k_side * k_side> across{}, along{};
+    double greatest_across = 0, greatest_along = 0;
+    for (std::int64_t j = std::max<std::int64_t>(south, 0); j < std::min(range.j1 + k_near, nodes.padded_rows() - 1);
+         ++j) {
+        for (std::int64_t i = std::max<std::int64_t>(west, 0); i < std::min(range.i1 + k_near, stride - 1); ++i) {
+            const auto place = static_cast<std::size_t>((j - south) * k_side + i - west);
+            const double* z = bed + j * stride + i;
+            greatest_across = std::max(greatest_across, across[place] = std::abs(z[1] - z[0]));
+            greatest_along = std::max(greatest_along, along[place] = std::abs(z[stride] - z[0]));
+        }
+    }
+    const double steep = edge * nodes.cell_size();
+    bool any = false;
+    const bool possible = std::hypot(greatest_across, greatest_along) >= steep;
+    range.for_each(stride, [&](std::size_t n, std::int64_t i, std::int64_t j) {
+        double x = 0, y = 0;
+        for (std::int64_t b = j - south - k_near; possible && b <= j - south + k_near; ++b) {
+            for (std::int64_t a = i - west - k_near; a <= i - west + k_near; ++a) {
+                const auto place = static_cast<std::size_t>(b * k_side + a);
+                x = std::max(x, across[place]);
+                y = std::max(y, along[place]);
+            }
+        }
+        marks[n] = std::hypot(x, y) >= steep ? 1 : 0;
+        any = any || marks[n] != 0;
     });
-    return std::hypot(across, along) >= edge * nodes.cell_size();
+    return any;
 }
 
 }  // namespace
@@ -246,33 +270,31 @@ bool may_have_edge(const NodeRange& range, const NodeGrid& nodes, double edge) {
 bool Flights::has_edge(std::int64_t tile, const TileGrid& tiles, const NodeGrid& nodes, double edge) {
     std::uint8_t& known = edges_[static_cast<std::size_t>(tile)];
     if (known == k_unknown || nodes.bed_changes)
-        known = may_have_edge(NodeRange(tile, tiles, nodes), nodes, edge) ? k_edge : k_none;
+        known = mark_near_edges(NodeRange(tile, tiles, nodes), nodes, edge, near_edge_.data()) ? k_edge : k_none;
     return known == k_edge;
 }
 
 void Flights::take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes,
-                       const NodeReport* reports, const JumpRules& rules, double time, double reach,
-                       std::vector<std::uint8_t>& keep, ThreadPool& pool) {
+                       const JumpRules& rules, double time, double reach, std::vector<std::uint8_t>& keep,
+                       ThreadPool& pool) {
     const auto& tiles = order.tiles();
     const double *x = particles[Field::x], *y = particles[Field::y], *u = particles[Field::u], *v = particles[Field::v];
     const double *volume = particles[Field::volume], *area = particles[Field::area];
     edges_.resize(static_cast<std::size_t>(order.grid().tiles_x() * order.grid().tiles_y()), k_unknown);
-    std::vector<std::uint8_t> searched(tiles.size(), 0);
+    std::vector<std::size_t> steep;
     for (std::size_t t = 0; t < tiles.size(); ++t) {
-        bool lifted = false, steep = false;
+        bool any = false;
         for (std::int64_t b = tiles[t].y0; b <= tiles[t].y1; ++b)
             for (std::int64_t a = tiles[t].x0; a <= tiles[t].x1; ++a)
-                lifted = lifted || reports[b * order.grid().tiles_x() + a].unsupported > 0;
-        for (std::int64_t b = tiles[t].y0; b <= tiles[t].y1 && lifted; ++b)
-            for (std::int64_t a = tiles[t].x0; a <= tiles[t].x1; ++a)
-                steep = steep || has_edge(b * order.grid().tiles_x() + a, order.grid(), nodes, rules.edge);
-        searched[t] = lifted && steep;
+                any = has_edge(b * order.grid().tiles_x() + a, order.grid(), nodes, rules.edge) || any;
+        if (any) steep.push_back(t);
     }
-    std::vector<std::vector<std::pair<std::size_t, Jump>>> found(tiles.size());
-    pool.for_each(tiles.size(), [&](std::size_t t) {
-        const ParticleTile& tile = tiles[t];
-        if (searched[t] == 0) return;
+    const NodeScale grid = nodes.scale();
+    std::vector<std::vector<std::pair<std::size_t, Jump>>> found(steep.size());
+    pool.for_each(steep.size(), [&](std::size_t t) {
+        const ParticleTile& tile = tiles[steep[t]];
         for (std::size_t p = tile.begin; p < tile.end; ++p) {
+            if (near_edge_[grid.node_of(x[p], y[p])] == 0) continue;
             const double clearance = std::max(volume[p] / area[p], k_least_clearance * nodes.cell_size());
             if (auto jump = find_jump(nodes, rules, {x[p], y[p]}, {u[p], v[p]}, reach, clearance))
                 found[t].emplace_back(p, std::move(*jump));

@@ -83,7 +83,7 @@ class Flights {
   public:
     Flights() = default;
     /// @param nodes padded
-    explicit Flights(std::size_t nodes) : heights_(nodes) {}
+    explicit Flights(std::size_t nodes) : heights_(nodes), near_edge_(nodes) {}
 
     [[nodiscard]] bool empty() const noexcept { return flights_.empty(); }
     [[nodiscard]] std::size_t size() const noexcept { return flights_.size(); }
@@ -96,14 +96,12 @@ class Flights {
     /// Greatest height above the ground at which each padded node's cell was flown over [m]; 0 where it was not.
     [[nodiscard]] const ZeroArray<float>& heights() const noexcept { return heights_; }
 
-    /// Takes over the particles that leave the bed within the time `reach` and marks them 0 in `keep`, one byte per
-    /// particle, which stays empty if there are none. Searches near nodes whose motion lifts them off
-    /// (NodeReport::unsupported).
-    /// @param reports by tile
+    /// Takes the particles that leave the bed within the time `reach`: marks them 0 in `keep`, one byte a particle,
+    /// which stays empty when there are none. Examines the particles near edges, wherever their nodes are: a
+    /// step may be almost a cell long, so that none of them lies at the edge before it.
     /// @param time of the particles' positions [s]
-    void take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes,
-                  const NodeReport* reports, const JumpRules& rules, double time, double reach,
-                  std::vector<std::uint8_t>& keep, ThreadPool& pool);
+    void take_off(const ParticleSet& particles, const TileOrder& order, const NodeGrid& nodes, const JumpRules& rules,
+                  double time, double reach, std::vector<std::uint8_t>& keep, ThreadPool& pool);
 
     struct Landed {
         std::size_t count = 0;  ///< particles appended
@@ -114,8 +112,8 @@ class Flights {
 
     template <class Archive>
     void serialise(Archive& archive) {
-        [[maybe_unused]] auto& [flights, heights, next_landing, statistics, edges] = *this;
-        archive(flights, heights, next_landing, statistics);  // edges follow from the bed
+        [[maybe_unused]] auto& [flights, heights, next_landing, statistics, edges, near_edge] = *this;
+        archive(flights, heights, next_landing, statistics);  // edges are those of the bed
     }
 
   private:
@@ -140,7 +138,8 @@ class Flights {
     ZeroArray<float> heights_;
     double next_landing_ = std::numeric_limits<double>::infinity();
     JumpStatistics statistics_;
-    std::vector<std::uint8_t> edges_;  // by tile: whether its bed is as steep as an edge anywhere
+    std::vector<std::uint8_t> edges_;    // by tile: whether any of its nodes is near an edge
+    ZeroArray<std::uint8_t> near_edge_;  // padded; of the tiles known
 };
 
 }  // namespace frana

@@ -134,9 +134,7 @@ void leave_and_land(Step& now) {
     now.report.aloft = state.flights.volume();
     now.report.aloft_kinetic = state.flights.kinetic(state.time, rules.gravity);
     std::vector<std::uint8_t> keep;
-    if (now.report.nodes.unsupported > 0)
-        state.flights.take_off(state.particles, state.order, state.nodes, state.node_reports.data(), rules, state.time,
-                               now.drift, keep, now.pool);
+    state.flights.take_off(state.particles, state.order, state.nodes, rules, state.time, now.drift, keep, now.pool);
     const Flights::Landed landed = state.flights.land(state.time, state.particles);
     now.report.aloft -= landed.left;
     state.volume_left += landed.left;
