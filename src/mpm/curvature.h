@@ -65,4 +65,15 @@ inline void turn_by_bed(const BedCurvature& k, const BedFrame& frame, double dt,
     v = turned.y;
 }
 
+/// The velocity in map view with which a particle moves over `dt` [m/s]: its velocity along the bed stays, but the
+/// slope halfway is not that of the start, grad Z + dt/2 grad grad Z u. Positions are of second order with it.
+/// @param u velocity in map view at the start, of `frame`
+inline Point velocity_underway(const BedCurvature& k, const BedFrame& frame, double dt, Point u) noexcept {
+    const Point along = frame.along_bed(u.x, u.y);
+    const double half = 0.5 * dt;
+    return BedFrame::of(
+               {frame.slope_x + half * (k.xx * u.x + k.xy * u.y), frame.slope_y + half * (k.xy * u.x + k.yy * u.y)})
+        .in_map(along.x, along.y);
+}
+
 }  // namespace frana

@@ -12,7 +12,7 @@ namespace frana {
 
 /// Parameters of a step for the nodes' stages.
 struct NodeUpdate {
-    double dt = 0;
+    double dt = 0;                        ///< over which forces act [s]
     double gravity = 0;                   ///< g_z [m/s2]
     double gravity_x = 0, gravity_y = 0;  ///< tilted gravity for verification [m/s2]
     double minimum_depth = 0;             ///< depth from which a node counts in the maxima [m]
@@ -21,6 +21,7 @@ struct NodeUpdate {
     bool change_only = false;             ///< particles take the change of the velocity (FLIP), not the velocity
     bool wall = false;                    ///< ghost nodes mirror those inside
     Point* brought = nullptr;             ///< padded, if recorded: velocity in map view before the update [m/s]
+    double drift = 0;                     ///< over which the particles then move [s]
 };
 
 /// Friction at the nodes: Voellmy with uniform parameters, nothing stored.

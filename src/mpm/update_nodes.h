@@ -198,14 +198,19 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
         const Point old{node.px / node.mass, node.py / node.mass};
         AlongBed bed = Slope::metric ? AlongBed{drive.slope_x, drive.slope_y} : AlongBed{};
         BedFrame frame;
-        Point turned = old;
+        Point driven{old.x + k.dt * drive.ax, old.y + k.dt * drive.ay}, turned = old;
+        const double follows = levels ? 1 - levels[i].ponding : 1;
         if constexpr (Slope::curved) {
             frame = node_frame(nodes, i, column, row);
             // In the frame in which it was gathered: what flows level over a lip is not as fast as the face is steep.
             bed = {frame.slope_x, frame.slope_y};
-            turn_by_bed(drive.curvature, frame, levels ? (1 - levels[i].ponding) * k.dt : k.dt, turned.x, turned.y);
+            // Half of the force, the turn, the other half: of second order (Strang 1968).
+            const double half = 0.5 * k.dt;
+            driven = {old.x + half * drive.ax, old.y + half * drive.ay};
+            turn_by_bed(drive.curvature, frame, follows * k.dt, driven.x, driven.y);
+            driven = {driven.x + half * drive.ax, driven.y + half * drive.ay};
+            turned = {driven.x - k.dt * drive.ax, driven.y - k.dt * drive.ay};
         }
-        const Point driven{turned.x + k.dt * drive.ax, turned.y + k.dt * drive.ay};
         const double driven_speed = bed.speed(driven);
         Point after = driven;
         if ((solid && solid[i]) || (keeps_rest && node.held != 0)) {
@@ -248,7 +253,9 @@ NodeReport update_nodes(const NodeRange& range, const NodeUpdate& k, const Frict
             back = {back.x - before.x, back.y - before.y};
         }
         const double climb = Slope::curved ? after.x * drive.slope_x + after.y * drive.slope_y : 0;
-        record.motion = {after.x, after.y, back.x, back.y, node.mass, node.area * inverse_area, climb, support};
+        Point moves = after;
+        if constexpr (Slope::curved) moves = velocity_underway(drive.curvature, frame, follows * k.drift, after);
+        record.motion = {moves.x, moves.y, back.x, back.y, node.mass, node.area * inverse_area, climb, support};
     });
     return report;
 }
