@@ -59,6 +59,7 @@ template <class Archive>
 void serialise(Archive& archive, PairWork& work) {
     [[maybe_unused]] auto& [arrays, resting, near] = work;
     archive(arrays);
+    if constexpr (Archive::k_reads) near = {};  // of other particles, however many they are
 }
 
 }  // namespace frana::structured
