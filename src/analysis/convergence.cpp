@@ -189,25 +189,34 @@ double unseen_detail(double curvature_now, double curvature_finest) {
 }
 
 double ground_curvature(const Raster& terrain, const Raster& depth, double threshold) {
-    const GridSpec& grid = terrain.grid;
-    const double area = grid.cell_area();
+    const GridSpec &grid = terrain.grid, &wet = depth.grid;
+    const double ratio = wet.cell_size / grid.cell_size, area = grid.cell_area();
+    const double offset_x = (wet.west - grid.west) / grid.cell_size - 0.5,
+                 offset_y = (grid.north - wet.north) / grid.cell_size - 0.5;
+    // Of the terrain's cells: the first whose centre lies beyond an edge of a wet cell, never at the rim.
+    const auto first = [](double edge, std::int64_t count) {
+        return static_cast<std::int64_t>(std::max(1.0, std::min(std::ceil(edge), static_cast<double>(count - 1))));
+    };
     double sum = 0;
     std::int64_t count = 0;
-    for (std::int64_t row = 1; row + 1 < grid.rows; ++row) {
-        for (std::int64_t column = 1; column + 1 < grid.columns; ++column) {
-            const Point place = grid.cell_centre(row, column);
-            const auto c = static_cast<std::int64_t>(std::floor((place.x - depth.grid.west) / depth.grid.cell_size));
-            const auto r = static_cast<std::int64_t>(std::floor((depth.grid.north - place.y) / depth.grid.cell_size));
-            if (c < 0 || r < 0 || c >= depth.grid.columns || r >= depth.grid.rows) continue;
-            if (!(depth.at(r, c) > threshold)) continue;
-            const double middle = 2 * terrain.at(row, column);
-            const double along = (terrain.at(row, column - 1) + terrain.at(row, column + 1) - middle) / area;
-            const double across = (terrain.at(row - 1, column) + terrain.at(row + 1, column) - middle) / area;
-            if (std::isnan(along + across)) continue;
-            sum += along * along + across * across;
-            count += 2;
-        }
-    }
+    const auto add = [&](std::int64_t row, std::int64_t column) {
+        const double middle = 2 * terrain.at(row, column);
+        const double along = (terrain.at(row, column - 1) + terrain.at(row, column + 1) - middle) / area;
+        const double across = (terrain.at(row - 1, column) + terrain.at(row + 1, column) - middle) / area;
+        if (std::isnan(along + across)) return;
+        sum += along * along + across * across;
+        count += 2;
+    };
+    depth.values.for_each_stored([&](std::size_t cell, double value) {
+        if (!(value > threshold)) return;
+        const auto r = static_cast<double>(static_cast<std::int64_t>(cell) / wet.columns),
+                   c = static_cast<double>(static_cast<std::int64_t>(cell) % wet.columns);
+        const std::int64_t row_end = first(offset_y + (r + 1) * ratio, grid.rows),
+                           column_end = first(offset_x + (c + 1) * ratio, grid.columns);
+        for (std::int64_t row = first(offset_y + r * ratio, grid.rows); row < row_end; ++row)
+            for (std::int64_t column = first(offset_x + c * ratio, grid.columns); column < column_end; ++column)
+                add(row, column);
+    });
     return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
 }
 
