@@ -143,6 +143,9 @@ class AbsurdValue : public TrialGround {
             if (!inputs_.contains(entry.path().filename().string()) &&
                 !inputs_.contains(entry.path().filename().string() + "/"))
                 fs::remove_all(entry.path());
+        // An empty folder is a valid place for a result.
+        fs::remove_all(at("in/folder"));
+        fs::create_directory(at("in/folder"));
     }
 
     FolderState inputs_;
